@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Environment light: what comes from infinity, as radiance, as a picture and as PSH coefficients.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "nicol/psh.hpp"
+#include "nicol/stokes_image.hpp"
+
+namespace nicol {
+
+/// An equirectangular picture of the light, stored over the directions it comes FROM, y up.
+/// Towards the light at (u, v): (sin 2 pi u sin pi v, cos pi v, -cos 2 pi u sin pi v), so u = atan2(x, -z) /
+/// (2 pi) (negative values wrap) and v = acos(y) / pi, as Mitsuba's envmap. Columns are pixel-centred, u = (x
+/// + 1/2) / width; rows are vertex-centred, v = y / (height - 1), so row 0 is the zenith. Bilinear between, u
+/// periodic.
+///
+/// Stokes frame of a pixel: z = propagation (towards the scene), x = the horizontal direction of increasing u
+/// seen from the scene's centre, y = z cross x (up in the picture). It is the theta-phi frame of the
+/// propagation direction about the y axis turned by +90 degrees, so s1 and s2 change sign between the two.
+struct EquirectImage : StokesImage {
+    using StokesImage::StokesImage;
+};
+
+/// Distant light, in world axes (turning it is up to the caller: coefficients by rotated(), look-ups by the
+/// inverse rotation). Immutable; every function may be called from any thread.
+class Environment {
+public:
+    virtual ~Environment() = default;
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+
+    [[nodiscard]] virtual int channels() const noexcept = 0;
+    /// Some s1, s2 or s3 is not zero. Where this is false, callers may skip s1, s2, s3.
+    [[nodiscard]] virtual bool polarized() const noexcept = 0;
+    /// Some s3 is not zero.
+    [[nodiscard]] virtual bool circular() const noexcept = 0;
+
+    /// Radiance from the unit direction `towards_light`, in the theta-phi frame (about the world's z) of the
+    /// propagation direction -towards_light: theta_phi_frame(-towards_light).
+    /// Throws Error(invalid_argument) for a channel out of range or a direction that is not of unit length.
+    [[nodiscard]] virtual Stokes radiance(int channel, const glm::dvec3& towards_light) const = 0;
+
+    /// Coefficients over PROPAGATION directions in the world's axes (a lamp at the +z side gives s0 at
+    /// theta = pi). Of images, those of the bilinear function that radiance() returns.
+    /// Throws Error(invalid_argument) unless 0 <= order <= kMaxOrder.
+    [[nodiscard]] virtual PshVector project(int order) const = 0;
+
+    /// For drawing the background; of an image, its own pixels times the scale.
+    [[nodiscard]] virtual EquirectImage picture() const = 0;
+
+protected:
+    Environment() = default;
+};
+
+using EnvironmentPtr = std::shared_ptr<const Environment>;
+
+/// An OpenEXR file in the layout of EquirectImage (see read_exr() for the channels): R G B or Y is
+/// unpolarized light, S1.. S3 make it polarized. Values are multiplied by `scale`. Throws
+/// Error(invalid_argument) unless scale is finite and >= 0, and what read_exr() and image_environment()
+/// throw, as Error(invalid_file) naming the file.
+[[nodiscard]] EnvironmentPtr load_environment(const std::filesystem::path& path, double scale = 1);
+
+/// The same from memory. Throws Error(invalid_argument) unless the picture is at least 2 x 2, all values are
+/// finite, s0 >= 0, and the polarized part is physical up to rounding and compression:
+/// sqrt(s1^2 + s2^2 + s3^2) <= 1.01 s0 + 1e-3 times the largest s0 of the channel.
+[[nodiscard]] EnvironmentPtr image_environment(EquirectImage image, double scale = 1);
+
+/// Unpolarized, the same from everywhere: one radiance a channel, finite and >= 0, at least one.
+[[nodiscard]] EnvironmentPtr constant_environment(std::vector<double> radiance);
+
+/// A sky scattered once by small particles. With g the angle between the view and the sun:
+/// s0 = radiance 3/4 (1 + cos^2 g), DoLP = dop_max sin^2 g / (1 + cos^2 g), the electric field along
+/// sun x view, no s3. `radiance` is thus the mean over the sphere. The formula is kept below the horizon too:
+/// the light stays smooth, has no order above 2 and projects exactly; a scene that has a ground says so with
+/// geometry, which hides it. The sun's own disc is not part of it.
+struct RayleighSky {
+    glm::dvec3 sun_direction{0, 1, 0};      ///< towards the sun, any length but 0
+    double dop_max = 0.8;                   ///< 0..1, reached 90 degrees from the sun
+    std::vector<double> radiance{1, 1, 1};  ///< a channel each, finite and >= 0
+};
+/// Throws Error(invalid_argument) naming the member that is out of range.
+[[nodiscard]] EnvironmentPtr rayleigh_sky(const RayleighSky& sky);
+
+}  // namespace nicol

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Pictures whose pixels are Stokes vectors, and their OpenEXR files.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "nicol/stokes.hpp"
+
+namespace nicol {
+
+/// Most pixels (width times height) a picture may have, and its longest side. A file that claims more is
+/// refused before anything of that size is allocated.
+inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 26;
+inline constexpr int kMaxImageSide = 32768;
+
+/// Stokes vectors as 32-bit floats, data[channel][y][x][p] with p = 0..3 for s0..s3. Row 0 is the top.
+/// The frame is that of whoever made it; for a rendered picture x points to image right, y to image up and z
+/// from the scene to the camera, so s2 > 0 at +45 degrees counter-clockwise as displayed.
+struct StokesImage {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    std::vector<float> data;
+
+    StokesImage() = default;
+    /// All zero. Throws Error(invalid_argument) unless channels >= 1, 1 <= width, height <= kMaxImageSide and
+    /// width * height <= kMaxImagePixels.
+    StokesImage(int width, int height, int channels);
+
+    /// The four components of one pixel. Throws Error(invalid_argument) outside the picture.
+    [[nodiscard]] std::span<float, 4> at(int channel, int y, int x);
+    [[nodiscard]] std::span<const float, 4> at(int channel, int y, int x) const;
+    /// The same as doubles. Throws as at().
+    [[nodiscard]] Stokes stokes(int channel, int y, int x) const;
+
+    /// Throws Error(invalid_argument) naming `what` unless the sizes are in range and `data` has
+    /// channels * height * width * 4 elements. Every function of the library that takes a picture calls it.
+    void check(const char* what) const;
+};
+
+/// Which Stokes components, as bits: 1 << p for s_p.
+inline constexpr unsigned kStokesAll = 0b1111;
+
+/// How write_exr() writes.
+struct ExrOptions {
+    /// Components that get channels `S<p>.<colour>`, bits 1 << p. R G B (or Y) hold s0 in any case.
+    unsigned components = kStokesAll;
+    /// String attribute `stokesFrame`: the frame the components are measured in. The default is right for
+    /// rendered pictures.
+    std::string frame =
+        "x image right, y image up, z from the scene to the camera; s2 > 0 at +45 degrees "
+        "counter-clockwise from x; s3 > 0 right circular";
+    /// String attribute `comments`; none if empty.
+    std::string comment;
+};
+
+/// Writes float32 channels with the names Mitsuba 3 uses: R G B (= s0) and S0.R S0.G S0.B ... S3.B for three
+/// colour channels, Y and S0.Y ... S3.Y for one. The file appears under its name only when complete; a
+/// failure leaves what was there before. Throws Error(invalid_argument) for another number of channels or
+/// no picture, Error(write_failed) naming the path.
+void write_exr(const std::filesystem::path& path, const StokesImage& image, const ExrOptions& options = {});
+
+/// Reads the channels that write_exr() writes, as float, half or uint, in scan lines or tiles, in any
+/// compression; of a multi-part file the first part. The picture is the data window. s0 comes from
+/// S0.<colour>, or from R G B / Y where that is absent; components without channels are zero, but a file with
+/// any of S1..S3 must have S1 and S2 in every colour. Other channels, such as A, are ignored. Throws
+/// Error(file_not_found); Error(unsupported) for deep or subsampled data; Error(invalid_file) naming what is
+/// missing, truncated or too large, or the first channel and pixel (x, y from the top left) that is not
+/// finite.
+[[nodiscard]] StokesImage read_exr(const std::filesystem::path& path);
+
+}  // namespace nicol
