@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Memory on the device: vertex attributes, indices, shader storage.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "gl/object.hpp"
+
+namespace nicol::gl {
+
+/// What a buffer is counted as; any buffer can feed attributes and storage bindings.
+enum class BufferUse { vertex, index, storage };
+enum class BufferUpdate { fixed, dynamic };  ///< dynamic buffers accept update()
+
+/// All members inside run(). Empty buffers are refused with Error(invalid_argument), too large ones with
+/// Error(out_of_memory).
+class Buffer {
+public:
+    /// A copy of `data`.
+    Buffer(std::shared_ptr<Context> context, BufferUse use, std::span<const std::byte> data,
+           BufferUpdate update = BufferUpdate::fixed);
+    /// `bytes` zero bytes.
+    Buffer(std::shared_ptr<Context> context, BufferUse use, std::size_t bytes, BufferUpdate update);
+
+    /// Replaces data.size() bytes from `offset`. Error(invalid_argument) outside the buffer or if it is
+    /// fixed.
+    void update(std::size_t offset, std::span<const std::byte> data);
+    /// Copies out data.size() bytes from `offset`, after everything that writes them is done.
+    void read(std::size_t offset, std::span<std::byte> data) const;
+    /// Binds `bytes` from `offset` as shader storage buffer `binding`. The offset is a multiple of
+    /// Limits::storage_alignment and the range at most Limits::storage_bytes, which is why large data is
+    /// bound in chunks.
+    void bind_storage(unsigned binding, std::size_t offset, std::size_t bytes) const;
+    void bind_storage(unsigned binding) const { bind_storage(binding, 0, size_); }
+
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] unsigned id() const noexcept { return object_.id(); }
+    [[nodiscard]] const std::shared_ptr<Context>& context() const noexcept { return object_.context(); }
+
+private:
+    void allocate(BufferUse use, const void* data);
+    void require_range(const char* what, std::size_t offset, std::size_t bytes) const;
+
+    Object object_;
+    std::size_t size_;
+    BufferUpdate update_;
+};
+
+/// The corners of triangles. Remembers the largest index, so that no draw can reach behind its vertices.
+class IndexBuffer {
+public:
+    /// Three indices a triangle; Error(invalid_argument) if none or not a multiple of three.
+    IndexBuffer(std::shared_ptr<Context> context, std::span<const std::uint32_t> indices);
+
+    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+    [[nodiscard]] std::uint32_t largest() const noexcept { return largest_; }
+    [[nodiscard]] const Buffer& buffer() const noexcept { return buffer_; }
+
+private:
+    Buffer buffer_;
+    std::size_t count_;
+    std::uint32_t largest_;
+};
+
+}  // namespace nicol::gl

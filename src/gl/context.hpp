@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// An OpenGL 4.5 core context without a window, on a thread of its own.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace nicol::gl {
+
+enum class Backend { automatic, egl, osmesa };
+
+/// Which context to make. `automatic` tries EGL hardware devices, the EGL software device, EGL without a
+/// device, then OSMesa, and can be overridden by the environment variable NICOL_BACKEND (egl or osmesa).
+/// Any other choice is tried alone and never replaced by another backend.
+struct ContextRequest {
+    Backend backend = Backend::automatic;
+    /// Position in EGL's own device list, which is neither CUDA's nor that of /dev/dri. Implies EGL.
+    std::optional<int> device = std::nullopt;
+};
+
+struct ContextInfo {
+    Backend backend = Backend::automatic;   ///< egl or osmesa, never automatic
+    std::string device;                     ///< what was opened, for example "EGL device 0 (/dev/dri/card0)"
+    std::string vendor, renderer, version;  ///< GL_VENDOR, GL_RENDERER, GL_VERSION
+    bool software = false;                  ///< the processor rasterises: prefer threads to compute shaders
+};
+
+/// A way to a context that was tried, and why it failed.
+struct Probe {
+    std::string what;
+    std::string reason;
+};
+
+/// What the driver promises; everything larger is refused with Error(invalid_argument).
+struct Limits {
+    int texture_size = 0;        ///< texels a side
+    int target_size = 0;         ///< pixels a side of a RenderTarget
+    int colour_attachments = 0;  ///< of one RenderTarget
+    int texture_units = 0;       ///< of one program
+    int storage_bindings = 0;    ///< shader storage buffers of one compute program
+    int vertex_attributes = 0;
+    std::size_t storage_bytes = 0;      ///< of one shader storage binding
+    std::size_t storage_alignment = 1;  ///< of the offset of a storage binding, bytes
+    std::array<unsigned, 3> groups{};   ///< work groups of one dispatch, by axis
+};
+
+enum class MemoryKind { vertex, index, storage, texture, render_target };
+
+/// Bytes of the objects alive in a context, as asked for (a driver may pad).
+struct MemoryUse {
+    std::array<std::size_t, 5> bytes{};  ///< by MemoryKind
+    [[nodiscard]] std::size_t of(MemoryKind kind) const { return bytes[static_cast<std::size_t>(kind)]; }
+    [[nodiscard]] std::size_t total() const;
+};
+
+/// Objects of this folder are made and used inside run() and hold their context alive; their destructors, and
+/// the context's, may run on any thread and in any order. Two contexts share nothing, and one of each backend
+/// may live in the same process. A function running in one context must not wait for a second context whose
+/// own function waits for the first.
+class Context : public std::enable_shared_from_this<Context> {
+public:
+    /// Throws Error(no_backend) with the reason of every failed try, or Error(invalid_argument) for an
+    /// unknown NICOL_BACKEND, a device that does not exist, or a device together with OSMesa.
+    [[nodiscard]] static std::shared_ptr<Context> create(const ContextRequest& request = {});
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    [[nodiscard]] const ContextInfo& info() const noexcept;
+    [[nodiscard]] const Limits& limits() const noexcept;
+    /// The tries that failed before this context was made, in order.
+    [[nodiscard]] const std::vector<Probe>& failed_probes() const noexcept;
+    [[nodiscard]] MemoryUse memory() const noexcept;
+
+    /// Calls f() on the context's thread, waits, and returns its value or rethrows its exception. From the
+    /// context's own thread it is a plain call. Calls from several threads run one after another.
+    template <class F>
+    auto run(F&& f) -> std::invoke_result_t<F&>;
+
+    /// Whether the caller runs on the context's thread, that is, inside run().
+    [[nodiscard]] bool on_thread() const noexcept;
+
+    struct State;  ///< the thread, the platform's context and the function pointers (state.hpp)
+    [[nodiscard]] State& state() noexcept { return *state_; }
+
+private:
+    explicit Context(std::shared_ptr<State> state);
+    void execute(void (*call)(void*), void* argument);
+
+    std::shared_ptr<State> state_;
+};
+
+template <class F>
+auto Context::run(F&& f) -> std::invoke_result_t<F&> {
+    using Result = std::invoke_result_t<F&>;
+    static_assert(!std::is_reference_v<Result>, "return a value: a reference would cross threads");
+    if constexpr (std::is_void_v<Result>) {
+        auto job = [&f] { f(); };
+        execute([](void* p) { (*static_cast<decltype(job)*>(p))(); }, &job);
+    } else {
+        std::optional<Result> result;
+        auto job = [&f, &result] { result.emplace(f()); };
+        execute([](void* p) { (*static_cast<decltype(job)*>(p))(); }, &job);
+        return std::move(*result);
+    }
+}
+
+/// Waits until everything asked of the context so far is done. Inside run().
+void finish(Context& context);
+
+}  // namespace nicol::gl

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Linked shader stages and their uniforms.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "gl/object.hpp"
+#include "gl/shader_source.hpp"
+
+namespace nicol::gl {
+
+/// All members inside run(). Compiling throws Error(opengl) whose text names file and line of each message.
+class Program {
+public:
+    /// From embedded files, such as ("surface.vert", "surface.frag").
+    [[nodiscard]] static Program graphics(std::shared_ptr<Context> context, std::string_view vertex_file,
+                                          std::string_view fragment_file,
+                                          std::span<const Define> defines = {});
+    [[nodiscard]] static Program compute(std::shared_ptr<Context> context, std::string_view file,
+                                         std::span<const Define> defines = {});
+    /// From sources at hand.
+    [[nodiscard]] static Program graphics(std::shared_ptr<Context> context, const ShaderSource& vertex,
+                                          const ShaderSource& fragment, std::span<const Define> defines = {});
+    [[nodiscard]] static Program compute(std::shared_ptr<Context> context, const ShaderSource& source,
+                                         std::span<const Define> defines = {});
+
+    /// Sets a uniform of exactly that type; int also sets bool and samplers. Throws Error(invalid_argument)
+    /// for a name that the linked program does not use, listing those it does, and for another type.
+    void set(std::string_view name, int value);
+    void set(std::string_view name, unsigned value);
+    void set(std::string_view name, float value);
+    void set(std::string_view name, const glm::vec2& value);
+    void set(std::string_view name, const glm::vec3& value);
+    void set(std::string_view name, const glm::vec4& value);
+    void set(std::string_view name, const glm::mat3& value);
+    void set(std::string_view name, const glm::mat4& value);
+    /// Whether the linked program uses that uniform: a define may have compiled it away.
+    [[nodiscard]] bool uses(std::string_view name) const { return uniforms_.find(name) != uniforms_.end(); }
+
+    [[nodiscard]] bool is_compute() const noexcept { return compute_; }
+    [[nodiscard]] const std::string& label() const noexcept { return label_; }  ///< its files, for messages
+    [[nodiscard]] unsigned id() const noexcept { return object_.id(); }
+    [[nodiscard]] const std::shared_ptr<Context>& context() const noexcept { return object_.context(); }
+
+private:
+    struct Uniform {
+        int location;
+        unsigned type;
+    };
+    struct Stage {
+        unsigned type;
+        ShaderSource source;
+    };
+    Program(std::shared_ptr<Context> context, std::span<const Stage> stages, std::span<const Define> defines);
+    void find_uniforms();
+    [[nodiscard]] int location(std::string_view name, unsigned type, std::string_view type_name) const;
+
+    Object object_;
+    std::string label_;
+    bool compute_;
+    std::map<std::string, Uniform, std::less<>> uniforms_;
+};
+
+}  // namespace nicol::gl

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// A picture to draw into: RGBA32F colour textures and an optional depth buffer.
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gl/texture.hpp"
+
+namespace nicol::gl {
+
+struct RenderTargetDescription {
+    int width = 0, height = 0;  ///< pixels, 1 .. Limits::target_size
+    int colours = 1;            ///< colour attachments, 1 .. Limits::colour_attachments
+    bool depth = true;          ///< a 32-bit float depth buffer
+};
+
+/// Row 0 is the top of the picture, in memory, in the textures, and in gl_FragCoord (whose y grows
+/// downwards): the context's clip origin is the upper left, so that clip space keeps y up, counter-clockwise
+/// triangles stay front faces, and nothing is ever flipped. Depth runs from 0 to 1 over clip z from -w to w.
+/// All members inside run(). Construction throws Error(invalid_argument) outside the limits,
+/// Error(out_of_memory) if the driver cannot hold it, Error(opengl) if the framebuffer is incomplete. Content
+/// is zero, depth 1.
+class RenderTarget {
+public:
+    RenderTarget(std::shared_ptr<Context> context, const RenderTargetDescription& description);
+
+    /// Every colour attachment, and depth to 1.
+    void clear(const glm::vec4& colour = glm::vec4(0.0f));
+    void clear_colour(int attachment, const glm::vec4& colour);
+    void clear_depth(float depth = 1.0f);
+
+    /// Copies one attachment, top row first; width * height * 4 floats.
+    void read(int attachment, std::span<float> pixels) const;
+
+    /// To sample in a later pass; never in a pass that draws into it.
+    [[nodiscard]] const Texture2D& colour(int attachment) const;
+    [[nodiscard]] int width() const noexcept { return description_.width; }
+    [[nodiscard]] int height() const noexcept { return description_.height; }
+    [[nodiscard]] int colours() const noexcept { return description_.colours; }
+    [[nodiscard]] bool has_depth() const noexcept { return description_.depth; }
+    [[nodiscard]] unsigned id() const noexcept { return framebuffer_.id(); }
+    [[nodiscard]] const std::shared_ptr<Context>& context() const noexcept { return framebuffer_.context(); }
+
+private:
+    RenderTargetDescription description_;
+    std::vector<Texture2D> colours_;
+    std::vector<Object> depth_;  ///< one renderbuffer, or none
+    Object framebuffer_;         ///< behind what it refers to, so that it goes first
+};
+
+}  // namespace nicol::gl
