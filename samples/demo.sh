@@ -1,0 +1,23 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# From a fresh clone to polarized pictures: packages, Release build, two scenes under two turns of the light.
+set -eu
+cd "$(dirname "$0")/.."
+
+sh samples/setup.sh
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
+cmake --build build --target nicol-render
+
+for scene in bunny_hdr bunny_sky; do
+    for angle in 0 120; do
+        folder=out/demo/${scene}_$angle
+        mkdir -p "$folder"
+        echo "rendering samples/assets/$scene.xml, light turned by $angle degrees"
+        build/bin/nicol-render samples/assets/$scene.xml -D light_angle=$angle \
+            -o "$folder/stokes.exr" --pictures "$folder" --stats "$folder/stats.json"
+    done
+done
+
+echo
+echo "The pictures are in $(pwd)/out/demo:"
+find out/demo -name '*.png' | sort

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// nicol-render: a scene file becomes a Stokes picture, through the C ABI alone.
+#include <nicol.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <memory>
+#include <type_traits>
+
+#include "options.hpp"
+#include "progress.hpp"
+#include "stats.hpp"
+
+namespace {
+
+template <auto Release>
+struct Releaser {
+    template <typename T>
+    void operator()(T* object) const {
+        Release(object);
+    }
+};
+template <typename Handle, auto Release>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Releaser<Release>>;
+
+using Context = Owned<nicol_context, nicol_context_release>;
+using Scene = Owned<nicol_scene, nicol_scene_release>;
+using Framebuffer = Owned<nicol_framebuffer, nicol_framebuffer_release>;
+
+void check(nicol_result result) {
+    if (result != NICOL_OK) throw Failure(nicol_last_error());
+}
+
+void log(void* user, std::uint32_t severity, nicol_result, const char* message) {
+    if (severity < NICOL_LOG_NOTICE) return;
+    static_cast<ProgressBar*>(user)->clear();
+    std::fprintf(stderr, "nicol-render: %s: %s\n", severity >= NICOL_LOG_WARNING ? "warning" : "notice",
+                 message);
+}
+
+Context make_context(const Options& options, ProgressBar& progress) {
+    nicol_context_options wanted = NICOL_CONTEXT_OPTIONS_INIT;
+    wanted.backend = options.backend;
+    wanted.log = log;
+    wanted.log_user = &progress;
+    nicol_context context = nullptr;
+    check(nicol_context_create(&wanted, &context));
+    return Context(context);
+}
+
+Scene load_scene(nicol_context context, const Options& options) {
+    std::vector<const char*> definitions;
+    for (const std::string& definition : options.definitions) definitions.push_back(definition.c_str());
+    nicol_scene scene = nullptr;
+    check(nicol_scene_load(context, options.scene.c_str(), definitions.data(),
+                           static_cast<std::uint32_t>(definitions.size()), &scene));
+    return Scene(scene);
+}
+
+Framebuffer make_framebuffer(nicol_context context, nicol_scene scene, const Options& options) {
+    std::uint32_t width = 0, height = 0, channels = 0;
+    check(nicol_scene_get_film_size(scene, &width, &height));
+    check(nicol_scene_get_channels(scene, &channels));
+    nicol_framebuffer framebuffer = nullptr;
+    check(nicol_framebuffer_create(context, options.width.value_or(width), options.height.value_or(height),
+                                   channels, &framebuffer));
+    return Framebuffer(framebuffer);
+}
+
+void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options, ProgressBar& progress) {
+    // In the ABI zero stands for the default order, and -1 for order zero.
+    const auto order = [](const std::optional<std::uint32_t>& given) {
+        if (!given) return 0;
+        return *given == 0 ? -1 : static_cast<std::int32_t>(*given);
+    };
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    check(nicol_scene_get_camera(scene, &camera));
+    nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
+    wanted.method = options.method;
+    wanted.order_low = order(options.order_low);
+    wanted.order_high = order(options.order_high);
+    wanted.progress = ProgressBar::update;
+    wanted.progress_user = &progress;
+    check(nicol_render(scene, &camera, &wanted, framebuffer));
+    progress.clear();
+}
+
+void write_pictures(nicol_framebuffer framebuffer, const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw Failure("--pictures: " + folder.string() + ": cannot make the folder: " + error.message());
+    const struct {
+        nicol_picture_kind kind;
+        const char* name;
+    } pictures[] = {{NICOL_PICTURE_S0, "s0.png"},     {NICOL_PICTURE_S1, "s1.png"},
+                    {NICOL_PICTURE_S2, "s2.png"},     {NICOL_PICTURE_S3, "s3.png"},
+                    {NICOL_PICTURE_DOLP, "dolp.png"}, {NICOL_PICTURE_AOLP, "aolp.png"}};
+    for (const auto& [kind, name] : pictures) {
+        nicol_picture picture = NICOL_PICTURE_INIT;
+        picture.kind = kind;
+        check(nicol_framebuffer_write_png(framebuffer, &picture, (folder / name).c_str()));
+    }
+}
+
+void write_stats(nicol_context context, nicol_framebuffer framebuffer, const std::string& path) {
+    nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
+    check(nicol_context_get_info(context, &info));
+    nicol_statistics statistics = NICOL_STATISTICS_INIT;
+    check(nicol_framebuffer_get_statistics(framebuffer, &statistics));
+    std::uint32_t width = 0, height = 0, channels = 0;
+    check(nicol_framebuffer_get_size(framebuffer, &width, &height, &channels));
+    write_file(path, stats_json(info, width, height, channels, statistics));
+}
+
+void print_version() {
+    std::printf("nicol-render %s\n", nicol_version_string());
+    for (std::uint32_t i = 0; const char* fact = nicol_build_info(i); ++i) std::printf("%s\n", fact);
+}
+
+void run(const Options& options) {
+    ProgressBar progress;
+    const Context context = make_context(options, progress);
+    const Scene scene = load_scene(context.get(), options);
+    const Framebuffer framebuffer = make_framebuffer(context.get(), scene.get(), options);
+    render(scene.get(), framebuffer.get(), options, progress);
+    check(nicol_framebuffer_write_exr(framebuffer.get(), options.output.c_str()));
+    if (!options.pictures.empty()) write_pictures(framebuffer.get(), options.pictures);
+    if (!options.stats.empty()) write_stats(context.get(), framebuffer.get(), options.stats);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const Options options = parse_options(argc, argv);
+        if (options.action == Options::Action::help)
+            std::fputs(usage, stdout);
+        else if (options.action == Options::Action::version)
+            print_version();
+        else
+            run(options);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "nicol-render: %s\n", error.what());
+    } catch (...) {
+        std::fputs("nicol-render: an unknown error\n", stderr);
+    }
+    return 2;
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <charconv>
+#include <string_view>
+
+const char* const usage =
+    "usage: nicol-render SCENE.xml -o OUT.exr [options]\n"
+    "Renders a Mitsuba 3 scene to a Stokes picture: channels R G B and S0.R ... S3.B.\n"
+    "\n"
+    "  -o, --output FILE      the OpenEXR picture to write\n"
+    "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
+    "      --pictures DIR     also writes s0, s1, s2, s3, dolp and aolp.png there; DIR is made when missing\n"
+    "      --backend NAME     egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
+    "      --method NAME      factored\n"
+    "      --order-low N      order of the light taken with its full angular detail, 0 to 32; default 4\n"
+    "      --order-high N     order of the light taken at all, not below --order-low; default 9\n"
+    "      --size WxH         replaces the size of the scene's film\n"
+    "      --stats FILE       writes what ran, and how long it took, as JSON\n"
+    "      --help             shows this text\n"
+    "      --version          shows the version and what this build has\n"
+    "\n"
+    "Exit code 0, or 2 and a one-line message on the standard error.\n";
+
+namespace {
+
+std::uint32_t parse_number(std::string_view option, std::string_view text) {
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        throw Failure(std::string(option) + ": '" + std::string(text) +
+                      "' is not a whole number of at most 4294967295");
+    return value;
+}
+
+std::uint32_t parse_order(std::string_view option, std::string_view text) {
+    const std::uint32_t order = parse_number(option, text);
+    if (order > NICOL_MAX_ORDER)
+        throw Failure(std::string(option) + ": " + std::string(text) + " is above the highest order, " +
+                      std::to_string(NICOL_MAX_ORDER));
+    return order;
+}
+
+void parse_size(Options& options, std::string_view text) {
+    const std::size_t cross = text.find('x');
+    if (cross == std::string_view::npos)
+        throw Failure("--size: '" + std::string(text) + "' is not WIDTHxHEIGHT, like 640x480");
+    options.width = parse_number("--size", text.substr(0, cross));
+    options.height = parse_number("--size", text.substr(cross + 1));
+}
+
+nicol_backend parse_backend(std::string_view text) {
+    if (text == "egl") return NICOL_BACKEND_EGL;
+    if (text == "osmesa") return NICOL_BACKEND_OSMESA;
+    throw Failure("--backend: '" + std::string(text) + "' is neither egl nor osmesa");
+}
+
+nicol_method parse_method(std::string_view text) {
+    if (text == "factored") return NICOL_METHOD_FACTORED;
+    throw Failure("--method: '" + std::string(text) +
+                  "' is not a method of this version, which has: factored");
+}
+
+std::string parse_definition(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || equals == 0)
+        throw Failure("-D: '" + std::string(text) + "' is not NAME=VALUE");
+    return std::string(text);
+}
+
+}  // namespace
+
+Options parse_options(int argc, const char* const* argv) {
+    Options options;
+    for (int i = 1; i < argc; ++i) {
+        std::string_view name = argv[i];
+        std::optional<std::string_view> attached;  // the value in --name=value and -Dname=value
+        if (name.starts_with("--") && name.find('=') != std::string_view::npos) {
+            attached = name.substr(name.find('=') + 1);
+            name = name.substr(0, name.find('='));
+        } else if (name.starts_with("-D") && name.size() > 2) {
+            attached = name.substr(2);
+            name = "-D";
+        }
+        const auto value = [&]() -> std::string_view {
+            if (attached) return *attached;
+            if (i + 1 >= argc) throw Failure(std::string(name) + ": a value must follow");
+            return argv[++i];
+        };
+        const auto path = [&]() -> std::string {
+            std::string text(value());
+            if (text.empty()) throw Failure(std::string(name) + ": the path is empty");
+            return text;
+        };
+        if (name == "--help" || name == "-h")
+            options.action = Options::Action::help;
+        else if (name == "--version")
+            options.action = Options::Action::version;
+        else if (name == "-o" || name == "--output")
+            options.output = path();
+        else if (name == "-D" || name == "--define")
+            options.definitions.push_back(parse_definition(value()));
+        else if (name == "--pictures")
+            options.pictures = path();
+        else if (name == "--backend")
+            options.backend = parse_backend(value());
+        else if (name == "--method")
+            options.method = parse_method(value());
+        else if (name == "--order-low")
+            options.order_low = parse_order(name, value());
+        else if (name == "--order-high")
+            options.order_high = parse_order(name, value());
+        else if (name == "--size")
+            parse_size(options, value());
+        else if (name == "--stats")
+            options.stats = path();
+        else if (name.starts_with("-"))
+            throw Failure("unknown option '" + std::string(argv[i]) + "'; --help lists them all");
+        else if (!options.scene.empty())
+            throw Failure("two scenes given, '" + options.scene + "' and '" + std::string(name) +
+                          "'; one is wanted");
+        else
+            options.scene = name;
+        if (options.action != Options::Action::render) return options;
+    }
+    if (options.scene.empty()) throw Failure("no scene given; usage: nicol-render SCENE.xml -o OUT.exr");
+    if (options.output.empty()) throw Failure("no output given; add -o OUT.exr");
+    return options;
+}

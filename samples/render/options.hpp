@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The command line of nicol-render.
+#pragma once
+
+#include <nicol.h>
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// Ends the program with exit code 2; the message is one line.
+struct Failure : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Options {
+    enum class Action { render, help, version };
+    Action action = Action::render;
+    std::string scene;
+    std::string output;
+    std::vector<std::string> definitions;  ///< "name=value"
+    std::string pictures;                  ///< folder, empty: none
+    std::string stats;                     ///< file, empty: none
+    nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
+    nicol_method method = NICOL_METHOD_FACTORED;
+    std::optional<std::uint32_t> order_low, order_high;
+    std::optional<std::uint32_t> width, height;  ///< both or neither
+};
+
+/// The text of --help.
+extern const char* const usage;
+
+/// Throws Failure naming the argument and what would be right.
+Options parse_options(int argc, const char* const* argv);

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "stats.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "options.hpp"
+
+namespace {
+
+std::string quoted(const char* text) {
+    std::string result = "\"";
+    for (const char* p = text ? text : ""; *p; ++p) {
+        const auto c = static_cast<unsigned char>(*p);
+        if (c == '"' || c == '\\') {
+            result += '\\';
+            result += *p;
+        } else if (c < 0x20) {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
+            result += escape;
+        } else {
+            result += *p;
+        }
+    }
+    return result + '"';
+}
+
+const char* backend_name(nicol_backend backend) {
+    if (backend == NICOL_BACKEND_EGL) return "egl";
+    if (backend == NICOL_BACKEND_OSMESA) return "osmesa";
+    return "unknown";
+}
+
+std::string milliseconds(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f", value);
+    return text;
+}
+
+}  // namespace
+
+std::string stats_json(const nicol_context_info& context, std::uint32_t width, std::uint32_t height,
+                       std::uint32_t channels, const nicol_statistics& s) {
+    std::ostringstream json;
+    json << "{\n"
+         << "  \"nicol\": " << quoted(nicol_version_string()) << ",\n"
+         << "  \"backend\": " << quoted(backend_name(context.backend)) << ",\n"
+         << "  \"renderer\": " << quoted(context.renderer) << ",\n"
+         << "  \"opengl\": " << quoted(context.version) << ",\n"
+         << "  \"software\": " << (context.software != 0 ? "true" : "false") << ",\n"
+         << "  \"threads\": " << context.threads << ",\n"
+         << "  \"width\": " << width << ",\n"
+         << "  \"height\": " << height << ",\n"
+         << "  \"channels\": " << channels << ",\n"
+         << "  \"order\": " << s.order << ",\n"
+         << "  \"vertices\": " << s.vertices << ",\n"
+         << "  \"triangles\": " << s.triangles << ",\n"
+         << "  \"milliseconds\": {\n"
+         << "    \"project\": " << milliseconds(s.project_ms) << ",\n"
+         << "    \"bake\": " << milliseconds(s.bake_ms) << ",\n"
+         << "    \"relight\": " << milliseconds(s.relight_ms) << ",\n"
+         << "    \"shade\": " << milliseconds(s.shade_ms) << ",\n"
+         << "    \"draw\": " << milliseconds(s.draw_ms) << ",\n"
+         << "    \"observe\": " << milliseconds(s.observe_ms) << "\n"
+         << "  },\n"
+         << "  \"skipped\": {\n"
+         << "    \"vertices\": " << s.vertices_skipped << ",\n"
+         << "    \"light_columns\": " << s.light_columns_skipped << ",\n"
+         << "    \"response_rows\": " << s.response_rows_skipped << ",\n"
+         << "    \"channels_shared\": " << s.channels_shared << "\n"
+         << "  },\n"
+         << "  \"bytes\": {\n"
+         << "    \"response\": " << s.response_bytes << ",\n"
+         << "    \"transfer\": " << s.transfer_bytes << ",\n"
+         << "    \"buffer\": " << s.buffer_bytes << ",\n"
+         << "    \"texture\": " << s.texture_bytes << "\n"
+         << "  }\n"
+         << "}\n";
+    return json.str();
+}
+
+void write_file(const std::string& path, const std::string& content) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const bool direct = fs::exists(path, error) && !fs::is_regular_file(path, error);
+    const std::string target = direct ? path : path + "." + std::to_string(getpid()) + ".part";
+    const auto fail = [&](int reason) {
+        if (!direct) fs::remove(target, error);
+        throw Failure(path + ": cannot write: " + std::strerror(reason));
+    };
+    errno = 0;
+    std::ofstream file(target, std::ios::binary);
+    if (!file) fail(errno);
+    file << content;
+    file.close();
+    if (!file) fail(errno);
+    if (direct) return;
+    fs::rename(target, path, error);
+    if (error) fail(error.value());
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The JSON of --stats.
+#pragma once
+
+#include <nicol.h>
+
+#include <string>
+
+/// One JSON object; every number under the name it has in samples/render/README.md.
+std::string stats_json(const nicol_context_info& context, std::uint32_t width, std::uint32_t height,
+                       std::uint32_t channels, const nicol_statistics& statistics);
+
+/// Writes beside the target and renames, so that the target is never half-written. What exists and is no
+/// regular file (a pipe, a device) is written to directly. Throws Failure.
+void write_file(const std::string& path, const std::string& content);

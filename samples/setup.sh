@@ -1,0 +1,31 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Installs the Debian 12 packages that Nicol is built with and run on, where some are missing.
+set -eu
+
+packages="cmake g++ ninja-build pkg-config python3 python3-glad
+  libosmesa6-dev libosmesa6 libegl-dev libegl-mesa0 libgl1-mesa-dri
+  libglm-dev libopenmesh-dev libopenexr-dev libembree-dev libtbb-dev libpugixml-dev libpng-dev
+  libkissfft-dev libboost-dev zlib1g-dev doctest-dev"
+
+if ! command -v dpkg-query >/dev/null 2>&1; then
+    echo "setup: not a Debian system; what is needed there is called:" $packages >&2
+    exit 0
+fi
+
+missing=""
+for package in $packages; do
+    status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
+    [ "$status" = installed ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+if [ "$(id -u)" -ne 0 ]; then
+    echo "setup: missing packages; install them as root: apt-get install$missing" >&2
+    exit 1
+fi
+
+echo "setup: installing$missing"
+export DEBIAN_FRONTEND=noninteractive
+apt-get update
+apt-get install -y --no-install-recommends $missing

@@ -1,0 +1,28 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Sets up, builds and runs every test. With NICOL_CI_SANITIZE=1 or --sanitize also under AddressSanitizer and UBSan.
+set -eu
+cd "$(dirname "$0")/.."
+
+sanitize=${NICOL_CI_SANITIZE:-0}
+for argument in "$@"; do
+    case $argument in
+    --sanitize) sanitize=1 ;;
+    *)
+        echo "usage: sh tests/run.sh [--sanitize]" >&2
+        exit 2
+        ;;
+    esac
+done
+
+sh samples/setup.sh
+
+if [ "$sanitize" = 1 ]; then
+    cmake -S . -B build-asan -G Ninja -DCMAKE_BUILD_TYPE=Debug -DNICOL_SANITIZE=ON -DNICOL_BUILD_TESTS=ON
+    cmake --build build-asan
+    ctest --test-dir build-asan --output-on-failure -j2
+fi
+
+cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DNICOL_BUILD_TESTS=ON
+cmake --build build
+ctest --test-dir build --output-on-failure -j2
