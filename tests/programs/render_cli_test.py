@@ -1,0 +1,394 @@
+# SPDX-License-Identifier: MIT
+# nicol-render from the outside: what it writes, and that every bad input ends in exit code 2 and one clear line.
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.path.abspath(sys.argv[1])
+
+EMITTER = '<emitter type="constant"><rgb name="radiance" value="1,0.5,0.25"/></emitter>'
+SHAPE = '<shape type="rectangle"><bsdf type="pplastic"><float name="alpha" value="0.3"/></bsdf></shape>'
+
+
+def scene(emitter=EMITTER, shape=SHAPE, width="$res", height="16"):
+    return f"""<scene version="3.0.0">
+  <default name="res" value="24"/>
+  <sensor type="perspective">
+    <float name="fov" value="40"/>
+    <transform name="to_world"><lookat origin="1,0.5,4" target="0,0,0" up="0,1,0"/></transform>
+    <film type="hdrfilm"><integer name="width" value="{width}"/><integer name="height" value="{height}"/></film>
+  </sensor>
+  {emitter}
+  {shape}
+</scene>
+"""
+
+
+def exr(width, height, value=1.0):
+    """An uncompressed OpenEXR file of 32-bit floats with the channels B, G, R."""
+
+    def attribute(name, kind, data):
+        return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(data)) + data
+
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    channels = b"".join(n + b"\0" + struct.pack("<iBxxxii", 2, 0, 1, 1) for n in (b"B", b"G", b"R")) + b"\0"
+    head = struct.pack("<ii", 20000630, 2)
+    head += attribute("channels", "chlist", channels)
+    head += attribute("compression", "compression", b"\0")
+    head += attribute("dataWindow", "box2i", window)
+    head += attribute("displayWindow", "box2i", window)
+    head += attribute("lineOrder", "lineOrder", b"\0")
+    head += attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
+    head += attribute("screenWindowCenter", "v2f", struct.pack("<ff", 0, 0))
+    head += attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0"
+    line_size = 3 * 4 * width
+    offsets, lines, position = b"", b"", len(head) + 8 * height
+    for y in range(height):
+        offsets += struct.pack("<q", position)
+        lines += struct.pack("<ii", y, line_size) + struct.pack("<f", value if y == height // 2 else 1) * (3 * width)
+        position += 8 + line_size
+    return head + offsets + lines
+
+
+def exr_attributes(path):
+    """The attributes of an OpenEXR file, as name -> bytes."""
+    with open(path, "rb") as file:
+        data = file.read()
+    if data[:4] != struct.pack("<i", 20000630):
+        raise ValueError(f"{path} is no OpenEXR file")
+    attributes, at = {}, 8
+    while data[at] != 0:
+        end = data.index(b"\0", at)
+        name, at = data[at:end].decode(), data.index(b"\0", end + 1) + 1
+        size = struct.unpack_from("<i", data, at)[0]
+        attributes[name], at = data[at + 4 : at + 4 + size], at + 4 + size
+    return attributes
+
+
+def exr_size(path):
+    left, top, right, bottom = struct.unpack("<4i", exr_attributes(path)["dataWindow"])
+    return right - left + 1, bottom - top + 1
+
+
+def exr_channels(path):
+    data, names = exr_attributes(path)["channels"], set()
+    while len(data) > 1:
+        name, data = data.split(b"\0", 1)
+        names.add(name.decode())
+        data = data[16:]
+    return names
+
+
+class RenderTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        os.mkdir(self.path("out"))
+        self.write("good.xml", scene())
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return self.path(name)
+
+    def run_program(self, *arguments, **environment):
+        return subprocess.run(
+            [PROGRAM, *arguments],
+            cwd=self.folder,
+            env={**os.environ, **environment},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+
+    def files(self):
+        result = {}
+        for folder, _, names in os.walk(self.folder):
+            for name in names:
+                with open(os.path.join(folder, name), "rb") as file:
+                    result[os.path.join(folder, name)] = file.read()
+        return result
+
+    def assert_succeeds(self, *arguments, **environment):
+        run = self.run_program(*arguments, **environment)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run
+
+    def assert_fails(self, words, *arguments, **environment):
+        """Exit code 2, one line that says each of the words, and not one file made or changed."""
+        before = self.files()
+        run = self.run_program(*arguments, **environment)
+        self.assertEqual(run.returncode, 2, f"{arguments}: {run.stderr}")
+        lines = [line for line in run.stderr.splitlines() if ": notice: " not in line]
+        self.assertEqual(len(lines), 1, run.stderr)
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertEqual(run.stdout, "")
+        after = self.files()
+        self.assertEqual(sorted(before), sorted(after))
+        for name in before:
+            self.assertEqual(before[name], after[name], name)
+        return lines[0]
+
+
+class Success(RenderTest):
+    def test_picture(self):
+        run = self.assert_succeeds("good.xml", "-o", "out/a.exr")
+        self.assertEqual(run.stderr, "")
+        self.assertEqual(exr_size(self.path("out/a.exr")), (24, 16))
+        wanted = set("RGB") | {f"S{p}.{c}" for p in range(4) for c in "RGB"}
+        self.assertEqual(exr_channels(self.path("out/a.exr")), wanted)
+        self.assertEqual(os.listdir(self.path("out")), ["a.exr"])
+
+    def test_same_twice(self):
+        self.assert_succeeds("good.xml", "-o", "out/a.exr")
+        self.assert_succeeds("good.xml", "-o", "out/b.exr")
+        files = self.files()
+        self.assertEqual(files[self.path("out", "a.exr")], files[self.path("out", "b.exr")])
+
+    def test_definitions_and_size(self):
+        for arguments, size in (
+            (["-D", "res=40"], (40, 16)),
+            (["-Dres=41"], (41, 16)),
+            (["--define=res=42"], (42, 16)),
+            (["--size", "31x17"], (31, 17)),
+            (["-D", "res=40", "--size=31x17"], (31, 17)),
+        ):
+            self.assert_succeeds("good.xml", "-o", "out/a.exr", *arguments)
+            self.assertEqual(exr_size(self.path("out/a.exr")), size, arguments)
+
+    def test_pictures_and_statistics(self):
+        self.assert_succeeds("good.xml", "-o", "out/a.exr", "--pictures", "out/deep/er", "--stats", "out/s.json")
+        pictures = sorted(os.listdir(self.path("out/deep/er")))
+        self.assertEqual(pictures, ["aolp.png", "dolp.png", "s0.png", "s1.png", "s2.png", "s3.png"])
+        for name in pictures:
+            with open(self.path("out/deep/er", name), "rb") as file:
+                head = file.read(24)
+            self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
+            self.assertEqual(struct.unpack(">II", head[16:]), (24, 16))
+        with open(self.path("out/s.json"), encoding="utf-8") as file:
+            stats = json.load(file)
+        self.assertIn(stats["backend"], ("egl", "osmesa"))
+        self.assertTrue(stats["renderer"])
+        self.assertEqual((stats["width"], stats["height"], stats["channels"]), (24, 16, 3))
+        self.assertGreater(stats["vertices"], 3)
+        self.assertEqual(set(stats["milliseconds"]), {"project", "bake", "relight", "shade", "draw", "observe"})
+        self.assertGreater(stats["milliseconds"]["observe"], 0)
+        self.assertEqual(set(stats["skipped"]), {"vertices", "light_columns", "response_rows", "channels_shared"})
+        self.assertGreater(stats["bytes"]["texture"], 24 * 16 * 16)
+        self.assertEqual(sorted(os.listdir(self.path("out"))), ["a.exr", "deep", "s.json"])
+
+    def test_orders(self):
+        for low in ("0", "4", "12", "32"):
+            self.assert_succeeds("good.xml", "-o", "out/a.exr", "--order-low", low, "--stats", "out/s.json")
+            with open(self.path("out/s.json"), encoding="utf-8") as file:
+                self.assertEqual(json.load(file)["order"], int(low))
+        self.assert_succeeds("good.xml", "-o", "out/a.exr", "--order-low", "4", "--order-high", "4")
+
+    def test_ignored_integrator_is_noticed(self):
+        self.write("notice.xml", scene(emitter='<integrator type="stokes"/>' + EMITTER))
+        run = self.assert_succeeds("notice.xml", "-o", "out/a.exr")
+        self.assertIn("notice: ", run.stderr)
+        self.assertIn("stokes", run.stderr)
+
+    def test_overwrites(self):
+        self.write("out/a.exr", b"old")
+        self.assert_succeeds("good.xml", "-o", "out/a.exr")
+        self.assertEqual(exr_size(self.path("out/a.exr")), (24, 16))
+
+    def test_help_and_version(self):
+        self.assertIn("--order-low", self.assert_succeeds("--help").stdout)
+        self.assertRegex(self.assert_succeeds("--version").stdout, r"^nicol-render \d+\.\d+\.\d+\n")
+
+
+class CommandLine(RenderTest):
+    def test_arguments(self):
+        good = ["good.xml", "-o", "out/a.exr"]
+        for words, arguments in (
+            (["no scene"], []),
+            (["no output"], ["good.xml"]),
+            (["two scenes"], good + ["other.xml"]),
+            (["--frobnicate"], good + ["--frobnicate"]),
+            (["-o"], ["good.xml", "-o"]),
+            (["-D", "res"], good + ["-D", "res"]),
+            (["unknown_name"], good + ["-D", "unknown_name=1"]),
+            (["--backend", "metal"], good + ["--backend", "metal"]),
+            (["--method", "dense"], good + ["--method", "dense"]),
+            (["--order-low", "33"], good + ["--order-low", "33"]),
+            (["--order-high", "-1"], good + ["--order-high", "-1"]),
+            (["--order-low", "four"], good + ["--order-low", "four"]),
+            (["--size", "24"], good + ["--size", "24"]),
+            (["--size", "axb"], good + ["--size", "axb"]),
+            (["--size"], good + ["--size", "24x16x3"]),
+            (["--size"], good + ["--size", "99999999999x16"]),
+            (["0"], good + ["--size", "0x16"]),
+            (["0"], good + ["--size", "24x0"]),
+            (["100000"], good + ["--size", "100000x16"]),
+            (["100000"], good + ["--size", "24x100000"]),
+            (["100000"], good + ["--size", "100000x100000"]),
+            (["4294967295"], good + ["--size", "4294967295x4294967295"]),
+        ):
+            with self.subTest(arguments=arguments):
+                self.assert_fails(words, *arguments)
+
+
+class BadOutput(RenderTest):
+    def test_folder_missing_or_no_folder(self):
+        self.write("file", "x")
+        for output in ("nowhere/a.exr", "file/a.exr", "out"):
+            with self.subTest(output=output):
+                self.assert_fails([output], "good.xml", "-o", output)
+        self.assertTrue(os.path.isdir(self.path("out")))
+
+    def test_folder_not_writable(self):
+        if os.geteuid() == 0:
+            self.skipTest("root may write anywhere")
+        os.chmod(self.path("out"), 0o500)
+        self.assert_fails(["out/a.exr"], "good.xml", "-o", "out/a.exr")
+
+    def test_disk_full(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        os.symlink("/dev/full", self.path("out/full.json"))
+        run = self.run_program("good.xml", "-o", "out/a.exr", "--stats", "out/full.json")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("full.json", run.stderr)
+        self.assertEqual(sorted(os.listdir(self.path("out"))), ["a.exr", "full.json"])
+
+    def test_pictures_and_statistics(self):
+        self.write("file", "x")
+        self.assert_succeeds("good.xml", "-o", "out/a.exr")
+        self.assert_fails(["--pictures", "file"], "good.xml", "-o", "out/a.exr", "--pictures", "file")
+        self.assert_fails(["nowhere"], "good.xml", "-o", "out/a.exr", "--stats", "nowhere/s.json")
+        self.assertEqual(os.listdir(self.path("out")), ["a.exr"])
+
+
+class BadScene(RenderTest):
+    def refuse(self, words, text):
+        self.write("bad.xml", text)
+        return self.assert_fails(words, "bad.xml", "-o", "out/a.exr")
+
+    def test_missing_file(self):
+        self.assert_fails(["nowhere.xml"], "nowhere.xml", "-o", "out/a.exr")
+        self.assert_fails(["out"], "out", "-o", "out/a.exr")
+
+    def test_syntax(self):
+        for text in ("", "no xml", "<scene", "<scene version='3.0.0'><sensor></scene>", scene()[:-20], "\0" * 64):
+            with self.subTest(text=text[:40]):
+                self.refuse(["bad.xml"], text)
+
+    def test_unsupported(self):
+        self.refuse(["bad.xml", "roughconductor"], scene(shape=SHAPE.replace("pplastic", "roughconductor")))
+        self.refuse(["bad.xml", "hair"], scene(shape='<shape type="hair"/>'))
+        self.refuse(["bad.xml", "sunsky"], scene(emitter='<emitter type="sunsky"/>'))
+        self.refuse(["bad.xml", "gloss"], scene(shape=SHAPE.replace("alpha", "gloss")))
+
+    def test_values(self):
+        self.refuse(["bad.xml", "alpha"], scene(shape=SHAPE.replace("0.3", "lots")))
+        self.refuse(["alpha"], scene(shape=SHAPE.replace("0.3", "-1")))
+        self.refuse(["alpha"], scene(shape=SHAPE.replace("0.3", "nan")))
+        self.refuse(["bad.xml", "unset"], scene(width="$unset"))
+
+    def test_film_size(self):
+        for size in ("0", "-5", "100000", "99999999999"):
+            with self.subTest(size=size):
+                self.refuse([size], scene(width=size))
+
+
+class BadEnvironment(RenderTest):
+    def refuse(self, words, content):
+        if content is not None:
+            self.write("light.exr", content)
+        emitter = '<emitter type="envmap"><string name="filename" value="light.exr"/></emitter>'
+        self.write("bad.xml", scene(emitter=emitter))
+        return self.assert_fails(["light.exr"] + words, "bad.xml", "-o", "out/a.exr")
+
+    def test_good_one(self):
+        self.refuse([], None)
+        self.write("light.exr", exr(16, 8))
+        self.assert_succeeds("bad.xml", "-o", "out/a.exr")
+
+    def test_no_picture(self):
+        for content in (b"", b"v/1\x01", b"no picture at all", bytes(4096)):
+            with self.subTest(content=content[:16]):
+                self.refuse([], content)
+
+    def test_truncated(self):
+        whole = exr(16, 8)
+        for length in (12, 60, 200, len(whole) // 2, len(whole) - 1):
+            with self.subTest(length=length):
+                self.refuse([], whole[:length])
+
+    def test_not_finite(self):
+        for value in (float("nan"), float("inf"), float("-inf")):
+            with self.subTest(value=value):
+                self.refuse([], exr(16, 8, value))
+
+    def test_size(self):
+        self.refuse([], exr(0, 0))
+        window = struct.pack("<4i", 0, 0, 15, 7)
+        for corner in ((99999, 99999), (2147483647, 2147483647), (-100, -100)):
+            with self.subTest(corner=corner):
+                self.refuse([], exr(16, 8).replace(window, struct.pack("<4i", 0, 0, *corner)))
+
+
+class BadMesh(RenderTest):
+    def refuse(self, words, name, content):
+        self.write(name, content)
+        kind = name.rsplit(".", 1)[1]
+        self.write("bad.xml", scene(shape=f'<shape type="{kind}"><string name="filename" value="{name}"/></shape>'))
+        return self.assert_fails([name] + words, "bad.xml", "-o", "out/a.exr")
+
+    def test_index_out_of_range(self):
+        corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+        for face in ("f 1 2 4", "f 1 2 0", "f 1 2 -9", "f 1 2 99999999999"):
+            with self.subTest(face=face):
+                self.refuse([], "mesh.obj", corners + face + "\n")
+
+    def test_empty(self):
+        self.refuse([], "mesh.obj", "")
+        self.refuse([], "mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")
+        self.refuse([], "mesh.ply", "")
+
+    def test_not_finite(self):
+        self.refuse([], "mesh.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+
+    def test_truncated(self):
+        head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
+        head += "property float x\nproperty float y\nproperty float z\n"
+        head += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        whole = head.encode() + struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0) + struct.pack("<Biii", 3, 0, 1, 2)
+        self.write("mesh.ply", whole)
+        self.write("bad.xml", scene(shape='<shape type="ply"><string name="filename" value="mesh.ply"/></shape>'))
+        self.assert_succeeds("bad.xml", "-o", "out/a.exr")
+        for length in (5, len(head) - 4, len(head) + 20, len(whole) - 1):
+            with self.subTest(length=length):
+                self.refuse([], "mesh.ply", whole[:length])
+        self.refuse([], "mesh.ply", whole.replace(b"vertex 3", b"vertex 4000000000"))
+
+    def test_missing(self):
+        self.write("bad.xml", scene(shape='<shape type="obj"><string name="filename" value="nowhere.obj"/></shape>'))
+        self.assert_fails(["nowhere.obj"], "bad.xml", "-o", "out/a.exr")
+
+
+class NoBackend(RenderTest):
+    def test_egl_without_a_driver(self):
+        nothing = {"__EGL_VENDOR_LIBRARY_DIRS": self.path("out"), "__EGL_VENDOR_LIBRARY_FILENAMES": ""}
+        self.assert_fails(["egl"], "good.xml", "-o", "out/a.exr", NICOL_BACKEND="egl", **nothing)
+        self.assert_fails(["egl"], "good.xml", "-o", "out/a.exr", "--backend", "egl", **nothing)
+
+    def test_unknown_name(self):
+        self.assert_fails(["NICOL_BACKEND", "metal"], "good.xml", "-o", "out/a.exr", NICOL_BACKEND="metal")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
