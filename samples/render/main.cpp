@@ -114,12 +114,20 @@ void write_stats(nicol_context context, nicol_framebuffer framebuffer, const std
     write_file(path, stats_json(info, width, height, channels, statistics));
 }
 
+// The library renames a finished file over its target, which would replace a device or a pipe.
+void require_replaceable(const std::string& path) {
+    std::error_code error;
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+        throw Failure(path + ": cannot write: exists and is not a regular file");
+}
+
 void print_version() {
     std::printf("nicol-render %s\n", nicol_version_string());
     for (std::uint32_t i = 0; const char* fact = nicol_build_info(i); ++i) std::printf("%s\n", fact);
 }
 
 void run(const Options& options) {
+    require_replaceable(options.output);
     ProgressBar progress;
     const Context context = make_context(options, progress);
     const Scene scene = load_scene(context.get(), options);

@@ -249,6 +249,11 @@ class BadOutput(RenderTest):
                 self.assert_fails([output], "good.xml", "-o", output)
         self.assertTrue(os.path.isdir(self.path("out")))
 
+    def test_device(self):
+        os.symlink("/dev/null", self.path("null.exr"))
+        self.assert_fails(["null.exr"], "good.xml", "-o", "null.exr")
+        self.assertTrue(os.path.islink(self.path("null.exr")))
+
     def test_folder_not_writable(self):
         if os.geteuid() == 0:
             self.skipTest("root may write anywhere")
