@@ -227,7 +227,7 @@ class CommandLine(RenderTest):
             (["--order-high", "-1"], good + ["--order-high", "-1"]),
             (["--order-low", "four"], good + ["--order-low", "four"]),
             (["--size", "24"], good + ["--size", "24"]),
-            (["--size", "axb"], good + ["--size", "axb"]),
+            (["--size", "'a'"], good + ["--size", "axb"]),
             (["--size"], good + ["--size", "24x16x3"]),
             (["--size"], good + ["--size", "99999999999x16"]),
             (["0"], good + ["--size", "0x16"]),
