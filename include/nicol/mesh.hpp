@@ -18,7 +18,7 @@ struct Mesh {
     std::vector<glm::uvec3> triangles;
 };
 
-/// Reads Wavefront OBJ, PLY, OFF or STL (the last three ascii or binary), told apart by the suffix.
+/// Reads Wavefront OBJ, PLY (text, binary), OFF (text) or STL (text, binary), told apart by the suffix.
 /// Polygons become fans of triangles; every face is kept, whether the surface is a manifold or not.
 /// - Normals in the file are kept. An OBJ vertex whose corners name different normals is split, so that a
 /// hard

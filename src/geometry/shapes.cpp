@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// Analytic shapes as meshes.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "nicol/error.hpp"
+#include "nicol/mesh.hpp"
+
+namespace nicol {
+namespace {
+
+/// Even, so that the middle of an icosahedron's edge is a vertex: six of those middles are the points on the
+/// axes.
+constexpr std::uint32_t sphere_cuts = 38;
+
+constexpr double golden = std::numbers::phi;
+
+const std::array<glm::dvec3, 12> icosahedron_corners = {{{0, 1, golden},
+                                                         {0, -1, golden},
+                                                         {0, 1, -golden},
+                                                         {0, -1, -golden},
+                                                         {1, golden, 0},
+                                                         {-1, golden, 0},
+                                                         {1, -golden, 0},
+                                                         {-1, -golden, 0},
+                                                         {golden, 0, 1},
+                                                         {golden, 0, -1},
+                                                         {-golden, 0, 1},
+                                                         {-golden, 0, -1}}};
+
+/// Points on the unit sphere and triangles over them, each point once.
+class Icosphere {
+public:
+    Icosphere() {
+        for (const glm::dvec3& corner : icosahedron_corners) points.push_back(glm::normalize(corner));
+        // Corners of a face are 2 apart, all others further.
+        const auto adjacent = [](std::uint32_t a, std::uint32_t b) {
+            return glm::distance(icosahedron_corners[a], icosahedron_corners[b]) < 2.1;
+        };
+        for (std::uint32_t a = 0; a < 12; ++a)
+            for (std::uint32_t b = a + 1; b < 12; ++b)
+                for (std::uint32_t c = b + 1; c < 12; ++c) {
+                    if (!adjacent(a, b) || !adjacent(b, c) || !adjacent(c, a)) continue;
+                    const glm::dvec3 normal = glm::cross(points[b] - points[a], points[c] - points[a]);
+                    glm::dot(normal, points[a]) > 0.0 ? cut_face(a, b, c) : cut_face(a, c, b);
+                }
+    }
+
+    std::vector<glm::dvec3> points;
+    std::vector<glm::uvec3> triangles;
+
+private:
+    /// The point `i` steps from `a` on the edge to `b`, the same index whichever face asks.
+    std::uint32_t on_edge(std::uint32_t a, std::uint32_t b, std::uint32_t i) {
+        if (a > b) return on_edge(b, a, sphere_cuts - i);
+        if (i == 0) return a;
+        if (i == sphere_cuts) return b;
+        const auto [first, is_new] = edges_.try_emplace({a, b}, static_cast<std::uint32_t>(points.size()));
+        if (is_new) {
+            for (std::uint32_t k = 1; k < sphere_cuts; ++k)
+                points.push_back(glm::normalize(icosahedron_corners[a] * double(sphere_cuts - k) +
+                                                icosahedron_corners[b] * double(k)));
+        }
+        return first->second + i - 1;
+    }
+
+    void cut_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        // Rows parallel to bc: row i has i + 1 points.
+        std::vector<std::vector<std::uint32_t>> rows(sphere_cuts + 1);
+        for (std::uint32_t i = 0; i <= sphere_cuts; ++i)
+            for (std::uint32_t j = 0; j <= i; ++j) {
+                std::uint32_t index = 0;
+                if (j == 0)
+                    index = on_edge(a, b, i);
+                else if (j == i)
+                    index = on_edge(a, c, i);
+                else if (i == sphere_cuts)
+                    index = on_edge(b, c, j);
+                else {
+                    index = static_cast<std::uint32_t>(points.size());
+                    points.push_back(glm::normalize(icosahedron_corners[a] * double(sphere_cuts - i) +
+                                                    icosahedron_corners[b] * double(i - j) +
+                                                    icosahedron_corners[c] * double(j)));
+                }
+                rows[i].push_back(index);
+            }
+        for (std::uint32_t i = 0; i < sphere_cuts; ++i)
+            for (std::uint32_t j = 0; j <= i; ++j) {
+                triangles.emplace_back(rows[i][j], rows[i + 1][j], rows[i + 1][j + 1]);
+                if (j < i) triangles.emplace_back(rows[i][j], rows[i + 1][j + 1], rows[i][j + 1]);
+            }
+    }
+
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edges_;
+};
+
+/// Adds the square through `center` spanned by -u..u and -v..v; the normal is u x v.
+void append_square(Mesh& mesh, const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, int cells) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto n = static_cast<std::uint32_t>(cells);
+    for (std::uint32_t j = 0; j <= n; ++j)
+        for (std::uint32_t i = 0; i <= n; ++i) {
+            const float s = float(2.0 * i / n - 1.0);
+            const float t = float(2.0 * j / n - 1.0);
+            mesh.positions.push_back(center + s * u + t * v);
+            mesh.normals.push_back(glm::cross(u, v));
+        }
+    for (std::uint32_t j = 0; j < n; ++j)
+        for (std::uint32_t i = 0; i < n; ++i) {
+            const std::uint32_t corner = first + j * (n + 1) + i;
+            mesh.triangles.emplace_back(corner, corner + 1, corner + n + 2);
+            mesh.triangles.emplace_back(corner, corner + n + 2, corner + n + 1);
+        }
+}
+
+void check_cells(int cells) {
+    if (cells < 1 || cells > 1024)
+        throw Error(ErrorCode::invalid_argument,
+                    "cells is " + std::to_string(cells) + "; expected 1 to 1024");
+}
+
+}  // namespace
+
+Mesh make_sphere(const glm::dvec3& center, double radius) {
+    if (!std::isfinite(center.x + center.y + center.z) || !(radius > 0.0) || !std::isfinite(radius))
+        throw Error(ErrorCode::invalid_argument,
+                    "a sphere needs a finite center and a positive, finite radius");
+    const Icosphere sphere;
+    Mesh mesh;
+    mesh.triangles = sphere.triangles;
+    for (const glm::dvec3& p : sphere.points) {
+        mesh.positions.emplace_back(center + radius * p);
+        mesh.normals.emplace_back(p);
+    }
+    return mesh;
+}
+
+Mesh make_rectangle(int cells) {
+    check_cells(cells);
+    Mesh mesh;
+    append_square(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, cells);
+    return mesh;
+}
+
+Mesh make_cube(int cells) {
+    check_cells(cells);
+    Mesh mesh;
+    for (const float sign : {1.0f, -1.0f})
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            glm::vec3 normal(0.0f);
+            glm::vec3 u(0.0f);
+            normal[axis] = sign;
+            u[(axis + 1) % 3] = 1.0f;
+            append_square(mesh, normal, u, glm::cross(normal, u), cells);
+        }
+    return mesh;
+}
+
+}  // namespace nicol

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Reads files and cuts words.
+#include "geometry/source_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "nicol/error.hpp"
+
+namespace nicol::geometry {
+
+std::string read_bytes(const std::filesystem::path& file) {
+    std::error_code status;
+    // A device or a pipe may never end.
+    if (!std::filesystem::is_regular_file(file, status))
+        throw Error(ErrorCode::file_not_found, file.string() + ": no such file");
+    std::ifstream in(file, std::ios::binary);
+    const auto size = std::filesystem::file_size(file, status);
+    if (!in || status) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read");
+    std::string bytes(size, '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(size));
+    if (!in) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read to its end");
+    return bytes;
+}
+
+void fail_at(std::string_view name, std::size_t line, std::string_view message) {
+    throw Error(ErrorCode::invalid_file,
+                std::string(name) + ":" + std::to_string(line) + ": " + std::string(message));
+}
+
+namespace {
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
+}
+
+/// For messages: hostile words may be megabytes long or binary.
+std::string quoted(std::string_view word) {
+    std::string text = "\"";
+    for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
+    return text + (word.size() > 40 ? "...\"" : "\"");
+}
+
+}  // namespace
+
+std::string_view Words::next() {
+    while (at_ < text_.size()) {
+        const char c = text_[at_];
+        if (comment_ != 0 && c == comment_) {
+            at_ = std::min(text_.find('\n', at_), text_.size());
+            continue;
+        }
+        if (!is_blank(c)) break;
+        if (c == '\n') ++line_;
+        ++at_;
+    }
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
+    return text_.substr(begin, at_ - begin);
+}
+
+std::string_view Words::require(std::string_view what) {
+    const std::string_view word = next();
+    if (word.empty()) fail("the file ends where " + std::string(what) + " should be");
+    return word;
+}
+
+float Words::number(std::string_view what) {
+    std::string_view word = require(what);
+    const std::string_view whole = word;
+    if (word.front() == '+') word.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() ||
+        !(std::abs(value) <= std::numeric_limits<float>::max()))
+        fail(std::string(what) + " is " + quoted(whole) + ", not a finite number a float can hold");
+    return static_cast<float>(value);
+}
+
+std::uint64_t Words::count(std::string_view what, std::uint64_t max) {
+    const std::string_view word = require(what);
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || value > max)
+        fail(std::string(what) + " is " + quoted(word) + ", not a whole number from 0 to " +
+             std::to_string(max));
+    return value;
+}
+
+void Words::skip_line() {
+    at_ = std::min(text_.find('\n', at_), text_.size());
+}
+
+}  // namespace nicol::geometry
