@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Temporary file and rename.
+#include "image/atomic_file.hpp"
+
+#include <cerrno>
+#include <random>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "nicol/error.hpp"
+
+namespace nicol {
+
+AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
+    if (!target_.has_filename()) fail(EISDIR);
+    std::random_device random;
+    for (int attempt = 0; attempt < 16; ++attempt) {
+        temporary_ = target_;
+        temporary_ += std::to_string(random()).insert(0, 1, '.').append(".tmp");
+        // Exclusive creation: never follow or overwrite what somebody else put there.
+        file_ = std::fopen(temporary_.c_str(), "wbx");
+        if (file_ != nullptr) return;
+        if (errno != EEXIST) fail(errno);
+    }
+    fail(EEXIST);
+}
+
+AtomicFile::~AtomicFile() {
+    if (file_ != nullptr) std::fclose(file_);
+    if (!temporary_.empty()) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary_, ignored);
+    }
+}
+
+void AtomicFile::commit() {
+    errno = 0;
+    const bool written = std::fflush(file_) == 0 && std::ferror(file_) == 0;
+    const int write_error = errno;
+    // Some file systems report a full disk only when the file is closed.
+    const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
+    if (!written) fail(write_error);
+    if (!closed) fail(errno);
+    std::error_code error;
+    std::filesystem::rename(temporary_, target_, error);
+    if (error) fail(error.value());
+    temporary_.clear();
+}
+
+void AtomicFile::fail(int error) const {
+    const std::string reason = error != 0 ? std::generic_category().message(error) : "the disk may be full";
+    throw Error(ErrorCode::write_failed, target_.string() + ": cannot be written (" + reason +
+                                             "); the folder must exist, be writable and have space");
+}
+
+}  // namespace nicol

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// An output file that appears under its name only when it is complete.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+
+namespace nicol {
+
+/// Writes to a new file beside the target; commit() renames it, and without commit() it is removed.
+class AtomicFile {
+public:
+    /// Throws Error(write_failed) naming the path and the reason.
+    explicit AtomicFile(std::filesystem::path target);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    [[nodiscard]] std::FILE* handle() const noexcept { return file_; }
+    /// Flushes, closes and renames. Throws Error(write_failed) if any byte could not be written.
+    void commit();
+
+private:
+    [[noreturn]] void fail(int error) const;
+
+    std::filesystem::path target_;
+    std::filesystem::path temporary_;
+    std::FILE* file_ = nullptr;
+};
+
+}  // namespace nicol

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Stokes pictures to OpenEXR.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
+#include <ImfStringAttribute.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <exception>
+
+#include "image/atomic_file.hpp"
+#include "image/exr_names.hpp"
+#include "nicol/error.hpp"
+#include "nicol/stokes_image.hpp"
+
+namespace nicol {
+namespace {
+
+/// OpenEXR writes its line table from a destructor that swallows exceptions, so a failure is not only thrown:
+/// it also stays on the FILE, where AtomicFile::commit() finds it.
+class FileStream : public Imf::OStream {
+public:
+    FileStream(std::FILE* file, const char* name) : OStream(name), file_(file) {}
+    void write(const char* bytes, int count) override {
+        const auto size = static_cast<std::size_t>(count);
+        if (std::fwrite(bytes, 1, size, file_) != size) throw std::runtime_error("write error");
+    }
+    std::uint64_t tellp() override { return static_cast<std::uint64_t>(ftello(file_)); }
+    void seekp(std::uint64_t position) override {
+        if (fseeko(file_, static_cast<off_t>(position), SEEK_SET) != 0)
+            throw std::runtime_error("seek error");
+    }
+
+private:
+    std::FILE* file_;
+};
+
+}  // namespace
+
+void write_exr(const std::filesystem::path& path, const StokesImage& image, const ExrOptions& options) {
+    image.check("write_exr: image");
+    if (image.channels != 1 && image.channels != 3)
+        throw Error(ErrorCode::invalid_argument, "write_exr: image has " + std::to_string(image.channels) +
+                                                     " channels; it must have 1 (Y) or 3 (R G B)");
+    if ((options.components & ~kStokesAll) != 0)
+        throw Error(ErrorCode::invalid_argument, "write_exr: components has bits beyond s0..s3 (0b1111)");
+
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    header.insert("software", Imf::StringAttribute("Nicol " NICOL_VERSION_STRING));
+    if (!options.frame.empty()) header.insert("stokesFrame", Imf::StringAttribute(options.frame));
+    if (!options.comment.empty()) Imf::addComments(header, options.comment);
+
+    constexpr std::size_t pixel_bytes = 4 * sizeof(float);
+    const std::size_t row_bytes = static_cast<std::size_t>(image.width) * pixel_bytes;
+    const std::size_t plane_floats =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
+    Imf::FrameBuffer buffer;
+    const auto insert = [&](const std::string& name, int channel, std::size_t component) {
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+        const float* base = image.data.data() + static_cast<std::size_t>(channel) * plane_floats + component;
+        // A frame buffer serves reading too and therefore wants a mutable pointer; writing only reads it.
+        buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(base)),
+                                       pixel_bytes, row_bytes));
+    };
+    constexpr std::array<const char*, 3> rgb = {"R", "G", "B"};
+    for (int c = 0; c < image.channels; ++c) {
+        const std::string colour = image.channels == 1 ? "Y" : rgb[static_cast<std::size_t>(c)];
+        insert(colour, c, 0);
+        for (std::size_t p = 0; p < 4; ++p)
+            if ((options.components >> p & 1u) != 0) insert(exr_channel(p, colour), c, p);
+    }
+
+    AtomicFile file(path);
+    try {
+        FileStream stream(file.handle(), path.c_str());
+        // No OpenEXR threads (0): its pool is one per process and belongs to the host.
+        Imf::OutputFile output(stream, header, 0);
+        output.setFrameBuffer(buffer);
+        output.writePixels(image.height);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& e) {
+        throw Error(ErrorCode::write_failed, path.string() + ": cannot be written (" + e.what() +
+                                                 "); the disk may be full or the folder not writable");
+    }
+    file.commit();
+}
+
+}  // namespace nicol
