@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Both steps of the transform.
+#include "nicol/transform.hpp"
+
+#include <utility>
+
+#include "harmonics/require.hpp"
+
+namespace nicol {
+
+PshTransform::PshTransform(int order, LatitudeRows rows, int columns, double phi0)
+    : legendre_(order, std::move(rows)),
+      fourier_(order, columns, phi0),
+      work_(order, legendre_.rows().count()) {}
+
+void PshTransform::analyze(std::span<const double> samples, std::span<double> coefficients) {
+    const auto stride = 4 * static_cast<std::size_t>(columns());
+    require_size(samples.size(), stride * static_cast<std::size_t>(work_.rows), "samples");
+    for (int row = 0; row < work_.rows; ++row)
+        fourier_.analyze(samples.subspan(stride * static_cast<std::size_t>(row), stride), work_, row);
+    legendre_.analyze(work_, coefficients);
+}
+
+void PshTransform::synthesize(std::span<const double> coefficients, std::span<double> samples) {
+    const auto stride = 4 * static_cast<std::size_t>(columns());
+    require_size(samples.size(), stride * static_cast<std::size_t>(work_.rows), "samples");
+    legendre_.synthesize(coefficients, work_);
+    for (int row = 0; row < work_.rows; ++row)
+        fourier_.synthesize(work_, row, samples.subspan(stride * static_cast<std::size_t>(row), stride));
+}
+
+}  // namespace nicol

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "nicol/wigner.hpp"
+
+#include <numbers>
+
+#include "harmonics/wigner_sweep.hpp"
+
+namespace nicol {
+namespace {
+
+/// d at a negative angle or one beyond pi differs from that in [0, pi] by signs only; Scaled values need both
+/// half-angle functions non-negative.
+struct Folded {
+    HalfAngle half;
+    bool alternate;  ///< times (-1)^(m - n): d(-beta)
+};
+
+Folded folded(double beta) {
+    require(std::isfinite(beta), "beta is not finite");
+    // The period is 2 pi for integer orders: (s, c) and (-s, -c) are the same rotation.
+    const double s = std::sin(beta / 2);
+    const double c = std::cos(beta / 2);
+    return {{std::abs(s), std::abs(c)}, (s < 0) != (c < 0)};
+}
+
+void alternate_signs(int l, double* block) {
+    const int width = 2 * l + 1;
+    for (int i = 1; i < width * width; i += 2) block[i] = -block[i];
+}
+
+}  // namespace
+
+std::vector<double> wigner_d(int order, double beta) {
+    require(order >= 0 && order <= kMaxWignerOrder,
+            "order is " + std::to_string(order) + ", expected 0 to " + std::to_string(kMaxWignerOrder));
+    const Folded angle = folded(beta);
+    std::vector<double> out(wigner_offset(order + 1));
+    WignerSweep sweep(order, angle.half);
+    for (int l = 0;; ++l) {
+        double* block = out.data() + wigner_offset(l);
+        sweep.block(block);
+        if (angle.alternate) alternate_signs(l, block);
+        if (l == order) return out;
+        sweep.step();
+    }
+}
+
+std::vector<std::complex<double>> wigner_D(int l, double alpha, double beta, double gamma) {
+    require_order(l);
+    require(std::isfinite(alpha) && std::isfinite(gamma), "alpha or gamma is not finite");
+    const Folded angle = folded(beta);
+    WignerSweep sweep(l, angle.half);
+    while (sweep.l() < l) sweep.step();
+    const auto width = static_cast<std::size_t>(2 * l + 1);
+    std::vector<double> d(width * width);
+    sweep.block(d.data());
+    if (angle.alternate) alternate_signs(l, d.data());
+    std::vector<std::complex<double>> out(width * width);
+    std::size_t i = 0;
+    for (int m = -l; m <= l; ++m)
+        for (int n = -l; n <= l; ++n, ++i)
+            out[i] = d[i] * std::polar(1.0, -m * alpha) * std::polar(1.0, -n * gamma);
+    return out;
+}
+
+}  // namespace nicol

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// All d^l_{mn}(beta) of one order after another.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "harmonics/scaled.hpp"
+
+namespace nicol {
+
+/// Holds d^l for m >= |n| (the rest follows by symmetry) and steps l by the three-term recursion; O(l^2)
+/// memory and work a step. The product with the scale keeps entries that start below the range of double.
+class WignerSweep {
+public:
+    /// At l = 0. Any order above `order` must not be stepped to.
+    WignerSweep(int order, HalfAngle half);
+
+    [[nodiscard]] int l() const { return l_; }
+    /// To the next order.
+    void step();
+    /// The whole block, (2l+1)^2 values, row m + l, column n + l.
+    void block(double* out) const;
+
+private:
+    void start_row(int m);
+    void rescale_row(int m);
+
+    HalfAngle half_;
+    int l_ = 0;
+    std::vector<double> current_;  // [psh_index(m, n)]
+    std::vector<double> previous_;
+    std::vector<std::int16_t> exponent_;  // of 2^256, 0 where settled
+    std::vector<int> unsettled_;          // entries of a row whose exponent is not 0
+    std::vector<double> root_;            // sqrt(l^2 - n^2), by n
+    std::vector<double> next_root_;
+    Scaled edge_;  // max(sin, cos)^(2m)
+};
+
+}  // namespace nicol
