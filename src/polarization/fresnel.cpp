@@ -9,7 +9,8 @@ FresnelAmplitudes fresnel_amplitudes(double cos_incident, std::complex<double> e
     const double sin2 = 1 - cos_incident * cos_incident;
     const std::complex<double> eta2 = eta * eta;
     std::complex<double> q = std::sqrt(eta2 - sin2);  // eta cos_t
-    // With indices n - ik a decaying wave has a negative imaginary part; sqrt of a negative real has a positive one.
+    // With indices n - ik a decaying wave has a negative imaginary part; sqrt of a negative real has a
+    // positive one.
     if (q.imag() > 0) q = std::conj(q);
     return {(cos_incident - q) / (cos_incident + q), (eta2 * cos_incident - q) / (eta2 * cos_incident + q)};
 }
@@ -18,9 +19,11 @@ Mueller fresnel_reflection(double cos_incident, std::complex<double> eta) {
     const FresnelAmplitudes r = fresnel_amplitudes(cos_incident, eta);
     const double sum = (std::norm(r.s) + std::norm(r.p)) / 2;
     const double difference = (std::norm(r.s) - std::norm(r.p)) / 2;
-    // |r_s r_p| e^{id} with d = arg r_p - arg r_s: the product carries the sign change at Brewster's angle by itself.
+    // |r_s r_p| e^{id} with d = arg r_p - arg r_s: the product carries the sign change at Brewster's angle by
+    // itself.
     const std::complex<double> c = r.p * std::conj(r.s);
-    return Mueller({sum, difference, 0, 0, difference, sum, 0, 0, 0, 0, c.real(), -c.imag(), 0, 0, c.imag(), c.real()});
+    return Mueller(
+        {sum, difference, 0, 0, difference, sum, 0, 0, 0, 0, c.real(), -c.imag(), 0, 0, c.imag(), c.real()});
 }
 
 Mueller fresnel_transmission(double cos_incident, double eta) {
@@ -33,8 +36,7 @@ Mueller fresnel_transmission(double cos_incident, double eta) {
     const double s = power * amplitude_s * amplitude_s;
     const double p = power * amplitude_p * amplitude_p;
     const double c = power * amplitude_s * amplitude_p;
-    return Mueller(
-        {(s + p) / 2, (s - p) / 2, 0, 0, (s - p) / 2, (s + p) / 2, 0, 0, 0, 0, c, 0, 0, 0, 0, c});
+    return Mueller({(s + p) / 2, (s - p) / 2, 0, 0, (s - p) / 2, (s + p) / 2, 0, 0, 0, 0, c, 0, 0, 0, 0, c});
 }
 
 }  // namespace nicol

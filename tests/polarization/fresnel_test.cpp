@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <initializer_list>
 #include <numbers>
 
 using namespace nicol;
@@ -14,7 +15,9 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-double dolp(const Stokes& s) { return std::hypot(s[1], s[2]) / s[0]; }
+double dolp(const Stokes& s) {
+    return std::hypot(s[1], s[2]) / s[0];
+}
 
 }  // namespace
 
@@ -93,7 +96,8 @@ TEST_CASE("total internal reflection keeps all energy and retards") {
     CHECK(m(0, 0) == Approx(1));
     CHECK(m(0, 1) == Approx(0));
     CHECK(fresnel_transmission(std::cos(angle), eta)(0, 0) == 0);
-    // tan(delta / 2) = cos i sqrt(sin^2 i - eta^2) / sin^2 i, delta the phase between p and s beyond the Verdet sign.
+    // tan(delta / 2) = cos i sqrt(sin^2 i - eta^2) / sin^2 i, delta the phase between p and s beyond the
+    // Verdet sign.
     const double sine = std::sin(angle);
     const double half = std::atan(std::cos(angle) * std::sqrt(sine * sine - eta * eta) / (sine * sine));
     CHECK(std::abs(m(2, 2)) == Approx(std::abs(std::cos(2 * half))));

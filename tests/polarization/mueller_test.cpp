@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <initializer_list>
 #include <numbers>
 #include <random>
 
@@ -41,7 +42,8 @@ TEST_CASE("the product composes: (a b) s = a (b s)") {
 
 TEST_CASE("frame_turn is turned() as a matrix") {
     const Stokes s(1, .3, -.2, .1);
-    for (const double angle : {0.2, -1.3, 3.0}) CHECK(glm::distance(frame_turn(angle) * s, turned(s, angle)) < 1e-15);
+    for (const double angle : {0.2, -1.3, 3.0})
+        CHECK(glm::distance(frame_turn(angle) * s, turned(s, angle)) < 1e-15);
 }
 
 TEST_CASE("an element seen in other frames acts the same on the same light") {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <initializer_list>
 #include <numbers>
 
 using namespace nicol;
@@ -15,8 +16,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The electric field of linear light at `angle` from x, as a Stokes vector by definition: s1 and s2 are intensity
-// differences behind polarizers, and depend on nothing else.
+// The electric field of linear light at `angle` from x, as a Stokes vector by definition: s1 and s2 are
+// intensity differences behind polarizers, and depend on nothing else.
 Stokes linear_light(double angle) {
     const auto behind = [angle](double polarizer) { return std::pow(std::cos(angle - polarizer), 2); };
     return {1, behind(0) - behind(pi / 2), behind(pi / 4) - behind(-pi / 4), 0};
@@ -45,8 +46,9 @@ TEST_CASE("angle_between recovers the turn with its sign") {
 }
 
 TEST_CASE("theta-phi frames are right-handed and orthonormal everywhere, poles included") {
-    for (const glm::dvec3 d : {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0),
-                               glm::normalize(glm::dvec3(1e-200, 0, 1)), glm::normalize(glm::dvec3(-1, 2, .5))}) {
+    for (const glm::dvec3 d :
+         {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0),
+          glm::normalize(glm::dvec3(1e-200, 0, 1)), glm::normalize(glm::dvec3(-1, 2, .5))}) {
         const Frame f = theta_phi_frame(d);
         CHECK(glm::determinant(f) == Approx(1));
         CHECK(glm::distance(glm::cross(f[0], f[1]), d) < 1e-15);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include <numbers>
+
+#include "material/reflectance.hpp"
+#include "nicol/material.hpp"
+
+namespace nicol {
+namespace {
+
+class Diffuse final : public Material {
+public:
+    explicit Diffuse(std::vector<double> reflectance) : reflectance_(std::move(reflectance)) {
+        check_reflectance(reflectance_, "reflectance");
+    }
+
+    [[nodiscard]] int channels() const noexcept override { return static_cast<int>(reflectance_.size()); }
+    [[nodiscard]] int terms() const noexcept override { return 1; }
+    [[nodiscard]] double weight(int, int channel) const override { return of_channel(reflectance_, channel); }
+    [[nodiscard]] double lobe_width(int) const noexcept override { return 1; }
+
+    [[nodiscard]] Mueller evaluate(int, const glm::dvec3& towards_light,
+                                   const glm::dvec3& towards_viewer) const override {
+        Mueller m;
+        if (towards_light.z > 0 && towards_viewer.z > 0) m(0, 0) = 1 / std::numbers::pi;
+        return m;
+    }
+
+private:
+    std::vector<double> reflectance_;
+};
+
+}  // namespace
+
+MaterialPtr diffuse(const std::vector<double>& reflectance) {
+    return std::make_shared<Diffuse>(reflectance);
+}
+
+}  // namespace nicol

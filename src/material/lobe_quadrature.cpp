@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "material/lobe_quadrature.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nicol {
+namespace {
+
+// Gauss-Legendre on [-1, 1] with eight nodes, the positive half.
+constexpr std::array<QuadratureNode, 4> rule{{{0.1834346424956498, 0.3626837833783620},
+                                              {0.5255324099163290, 0.3137066458778873},
+                                              {0.7966664774136267, 0.2223810344533745},
+                                              {0.9602898564975363, 0.1012285362903763}}};
+
+void add_panel(std::vector<QuadratureNode>& nodes, double from, double to) {
+    const double middle = (from + to) / 2;
+    const double half = std::abs(to - from) / 2;
+    for (const QuadratureNode& node : rule) {
+        nodes.push_back({middle - half * node.x, half * node.weight});
+        nodes.push_back({middle + half * node.x, half * node.weight});
+    }
+}
+
+// From the peak outwards to `end`.
+void add_side(std::vector<QuadratureNode>& nodes, double peak, double end, double narrow, double wide) {
+    const double direction = end < peak ? -1 : 1;
+    double done = 0;
+    double width = std::min(narrow, wide);
+    const double length = std::abs(end - peak);
+    while (done < length) {
+        // A sliver at the end is merged into the panel before it.
+        const double next = length - done < 1.5 * width ? length : done + width;
+        add_panel(nodes, peak + direction * done, peak + direction * next);
+        done = next;
+        width = std::min(2 * width, wide);
+    }
+}
+
+}  // namespace
+
+std::vector<QuadratureNode> nodes_around(double peak, double low, double high, double narrow, double wide) {
+    std::vector<QuadratureNode> nodes;
+    add_side(nodes, std::clamp(peak, low, high), low, narrow, wide);
+    add_side(nodes, std::clamp(peak, low, high), high, narrow, wide);
+    return nodes;
+}
+
+}  // namespace nicol

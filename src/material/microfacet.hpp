@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Isotropic microfacet distributions and their shadowing, after Walter et al. 2007.
+#pragma once
+
+#include "nicol/material.hpp"
+
+namespace nicol {
+
+/// Density of facet normals at an angle from the macro normal given by its cosine, per steradian:
+/// the integral of D cos over the hemisphere is 1.
+[[nodiscard]] double facet_density(Distribution distribution, double alpha, double cos_facet);
+
+/// Fraction of facets seen from a direction at that angle from the normal (Smith's G1); 0 at and below the
+/// horizon. Exact for GGX; for Beckmann, Walter's rational fit, as in Mitsuba 3.
+[[nodiscard]] double facet_visibility(Distribution distribution, double alpha, double cos_view);
+
+}  // namespace nicol

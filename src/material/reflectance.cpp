@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "material/reflectance.hpp"
+
+#include <sstream>
+
+#include "nicol/error.hpp"
+
+namespace nicol {
+
+void check_range(double value, double low, double high, std::string_view name) {
+    if (value >= low && value <= high) return;
+    std::ostringstream message;
+    message << name << " is " << value << "; it must lie in " << low << " to " << high;
+    throw Error(ErrorCode::invalid_argument, message.str());
+}
+
+void check_reflectance(const std::vector<double>& values, std::string_view name) {
+    if (values.empty()) {
+        throw Error(ErrorCode::invalid_argument,
+                    std::string(name) + " has no value; give one, or one a channel");
+    }
+    for (const double value : values) check_range(value, 0, 1, name);
+}
+
+}  // namespace nicol

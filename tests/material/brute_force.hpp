@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The reflection integral in the angular domain, with nothing of the harmonics' machinery but the light
+// itself.
+#pragma once
+
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "nicol/evaluate.hpp"
+#include "nicol/grid.hpp"
+#include "nicol/material.hpp"
+#include "nicol/psh.hpp"
+
+namespace nicol::test {
+
+/// Light reflected towards `towards_viewer` (unit, world) by a surface whose normal is frame[2], in the
+/// theta-phi frame of `towards_viewer` about the world's z. `light` is a field over propagation directions in
+/// the world.
+inline Stokes reflected(const Material& material, int channel, const PshVector& light, const Frame& frame,
+                        const glm::dvec3& towards_viewer, int zeniths = 96, int azimuths = 192) {
+    const LatitudeRows rows = gauss_legendre_rows(zeniths);
+    const glm::dvec3 viewer = towards_viewer * frame;
+    std::vector<glm::dvec3> directions;
+    std::vector<Mueller> responses;
+    for (int j = 0; j < zeniths; ++j) {
+        const double cosine = (std::cos(rows.theta[static_cast<std::size_t>(j)]) + 1) / 2;
+        const double sine = std::sqrt(1 - cosine * cosine);
+        const double weight =
+            rows.weight[static_cast<std::size_t>(j)] / 2 * cosine * 2 * std::numbers::pi / azimuths;
+        for (int k = 0; k < azimuths; ++k) {
+            const double phi = 2 * std::numbers::pi * (k + 0.5) / azimuths;
+            const glm::dvec3 incident(sine * std::cos(phi), sine * std::sin(phi), cosine);
+            Mueller m;
+            for (int t = 0; t < material.terms(); ++t) {
+                m = m + material.weight(t, channel) * material.evaluate(t, incident, viewer);
+            }
+            // From the world's theta-phi frame of the propagation into the surface's.
+            const glm::dvec3 propagation = -(frame * incident);
+            const double turn =
+                angle_between(theta_phi_frame(propagation), frame * theta_phi_frame(-incident));
+            directions.push_back(propagation);
+            responses.push_back(weight * m * frame_turn(turn));
+        }
+    }
+    std::vector<Stokes> radiance(directions.size());
+    evaluate(light, channel, directions, radiance);
+    Stokes out(0.0);
+    for (std::size_t i = 0; i < directions.size(); ++i) out += responses[i] * radiance[i];
+    return turned(out, angle_between(frame * theta_phi_frame(viewer), theta_phi_frame(towards_viewer)));
+}
+
+/// A light with every coefficient that `components` (1, 3 or 4) allows, decaying with the order.
+inline PshVector random_light(int order, int channels, int components, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    PshVector light(order, channels);
+    for (int c = 0; c < channels; ++c) {
+        for (int l = 0; l <= order; ++l) {
+            for (int m = -l; m <= l; ++m) {
+                for (int p = 0; p < components; ++p) {
+                    if (l < 2 && (p == 1 || p == 2)) continue;
+                    light.at(c, l, m, p) = normal(random) / (1 + l);
+                }
+            }
+        }
+    }
+    return light;
+}
+
+}  // namespace nicol::test

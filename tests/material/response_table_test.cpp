@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "nicol/response_table.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+#include <glm/geometric.hpp>
+#include <initializer_list>
+#include <numbers>
+
+#include "brute_force.hpp"
+#include "material/lobe_quadrature.hpp"
+#include "nicol/error.hpp"
+
+using namespace nicol;
+using doctest::Approx;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Rows of the table applied to light in the surface's own frame, viewer at that table angle and azimuth 0.
+Stokes respond(const ResponseTable& table, const LightLayout& layout, const PshVector& light, int angle,
+               int channel) {
+    const auto packed = layout.pack(light.channel(channel));
+    const std::span<const float> rows = table.rows(angle, table.channels() == 1 ? 0 : channel);
+    Stokes out(0.0);
+    for (std::size_t j = 0; j < packed.size(); ++j) {
+        for (std::size_t p = 0; p < 4; ++p) {
+            const double part = p < 2 ? packed[j].real() : packed[j].imag();
+            out[static_cast<int>(p)] += static_cast<double>(rows[p * packed.size() + j]) * part;
+        }
+    }
+    return out;
+}
+
+const Frame upright(1.0);
+
+}  // namespace
+
+TEST_CASE("quadrature around a lobe integrates peaks and plain functions") {
+    for (const double peak : {0.0, 0.4, 1.5, 2.0}) {
+        double lobe = 0;
+        double plain = 0;
+        for (const QuadratureNode& node : nodes_around(peak, 0, 2, 0.01, 0.5)) {
+            lobe += node.weight * 1e-4 / (1e-4 + (node.x - peak) * (node.x - peak));
+            plain += node.weight * std::cos(3 * node.x);
+        }
+        CHECK(lobe == Approx(0.01 * (std::atan((2 - peak) / 0.01) + std::atan(peak / 0.01))).epsilon(1e-7));
+        CHECK(plain == Approx(std::sin(6.0) / 3).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("packing keeps every coefficient, and turning the viewer is a phase") {
+    const PshVector light = test::random_light(5, 1, 4, 7);
+    for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
+        const LightLayout layout(5, kind);
+        const auto packed = layout.pack(light.channel(0));
+        // As many real numbers as the light has, and zeros for the parts that m = 0 lacks.
+        const std::size_t scalar = 36 + 6;
+        const std::size_t linear = 2 * (36 - 4);
+        const std::size_t expected =
+            scalar + (kind >= LightKind::linear ? linear : 0) + (kind == LightKind::full ? scalar : 0);
+        CHECK(2 * packed.size() == expected);
+    }
+    CHECK_THROWS_AS(LightLayout(-1, LightKind::full), Error);
+    CHECK_THROWS_AS(static_cast<void>(LightLayout(6, LightKind::full).pack(light.channel(0))), Error);
+}
+
+TEST_CASE("rows times light equals the reflection integral in the angular domain") {
+    struct Case {
+        const char* name;
+        MaterialPtr material;
+        double tolerance;
+    };
+    const std::initializer_list<Case> cases = {
+        {"diffuse", diffuse({0.5}), 1e-6},
+        {"beckmann 0.4", pplastic({.alpha = 0.4}), 2e-5},
+        {"ggx 0.3", pplastic({.diffuse_reflectance = {0.1}, .alpha = 0.3, .distribution = Distribution::ggx}),
+         2e-5},
+    };
+    for (const Case& c : cases) {
+        for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
+            const LightLayout layout(4, kind);
+            const PshVector light = test::random_light(4, 1, static_cast<int>(kind), 11);
+            const ResponseTable table(*c.material, layout, 1);
+            for (const int angle : {0, 1, 90 * 4, 200 * 4 + 1, 250 * 4 + 2}) {
+                CAPTURE(c.name);
+                CAPTURE(angle);
+                const double theta = angle * pi / 2 / (ResponseTable::kAngles - 1);
+                const glm::dvec3 viewer(std::sin(theta), 0, std::cos(theta));
+                const Stokes expected = test::reflected(*c.material, 0, light, upright, viewer, 256, 512);
+                CHECK(glm::distance(respond(table, layout, light, angle, 0), expected) < c.tolerance);
+            }
+        }
+    }
+}
+
+TEST_CASE("a narrow lobe is resolved: constant light gives the directional albedo") {
+    // Independent integral over facet normals, where the lobe is smooth.
+    for (const double alpha : {0.01, 0.1}) {
+        const MaterialPtr material =
+            pplastic({.diffuse_reflectance = {0}, .alpha = alpha, .distribution = Distribution::ggx});
+        const LightLayout layout(0, LightKind::unpolarized);
+        const ResponseTable table(*material, layout, 1);
+        for (const int angle : {0, 13, 128 * 4, 240 * 4 + 3}) {
+            const double theta = angle * pi / 2 / (ResponseTable::kAngles - 1);
+            const glm::dvec3 viewer(std::sin(theta), 0, std::cos(theta));
+            double albedo = 0;
+            const int n = 1000;
+            for (int i = 0; i < n; ++i) {
+                const double u = (i + 0.5) / n;  // tan^2 = alpha^2 u / (1 - u) spreads GGX's facets evenly
+                const double facet = std::atan(alpha * std::sqrt(u / (1 - u)));
+                for (int k = 0; k < 200; ++k) {
+                    const double phi = 2 * pi * (k + 0.5) / 200;
+                    const glm::dvec3 h(std::sin(facet) * std::cos(phi), std::sin(facet) * std::sin(phi),
+                                       std::cos(facet));
+                    const double across = glm::dot(viewer, h);
+                    const glm::dvec3 light = 2 * across * h - viewer;
+                    if (across <= 0 || light.z <= 0) continue;
+                    const double density = 1 / (pi * alpha * alpha * std::pow(h.z, 4) *
+                                                std::pow(1 + std::pow(std::tan(facet) / alpha, 2), 2));
+                    // Per facet direction: d omega_i = 4 (v.h) d omega_h, and D cos d omega_h is du dphi / 2
+                    // pi.
+                    albedo +=
+                        material->evaluate(1, light, viewer)(0, 0) * light.z * 4 * across / (density * h.z);
+                }
+            }
+            albedo /= n * 200;
+            CAPTURE(alpha);
+            CAPTURE(angle);
+            const double row = static_cast<double>(table.rows(angle, 0)[0]) * std::sqrt(4 * pi);
+            CHECK(row == Approx(albedo).epsilon(2e-3));
+        }
+    }
+}
+
+TEST_CASE("between its angles the table's interpolation error is small") {
+    const MaterialPtr material = pplastic({.alpha = 0.1, .distribution = Distribution::ggx});
+    const LightLayout layout(9, LightKind::unpolarized);
+    const ResponseTable table(*material, layout, 1);
+    double largest = 0;
+    double error = 0;
+    for (int angle = 1; angle + 1 < ResponseTable::kAngles; ++angle) {
+        for (std::size_t i = 0; i < 4 * table.row_size(); ++i) {
+            const double before = static_cast<double>(table.rows(angle - 1, 0)[i]);
+            const double here = static_cast<double>(table.rows(angle, 0)[i]);
+            const double after = static_cast<double>(table.rows(angle + 1, 0)[i]);
+            largest = std::max(largest, std::abs(here));
+            // Second difference / 8 is the error half-way.
+            error = std::max(error, std::abs(before - 2 * here + after) / 8);
+        }
+    }
+    CHECK(error < 4e-5 * largest);
+}
+
+TEST_CASE("grey materials share one set of rows, coloured ones do not, and impossible components are known") {
+    const LightLayout layout(2, LightKind::unpolarized);
+    CHECK(ResponseTable(*diffuse({0.5, 0.5, 0.5}), layout, 3).channels() == 1);
+    const ResponseTable coloured(*diffuse({0.5, 0.25, 0.1}), layout, 3);
+    CHECK(coloured.channels() == 3);
+    CHECK(coloured.rows(10, 1)[0] == Approx(coloured.rows(10, 0)[0] / 2));
+    CHECK(coloured.makes(0));
+    CHECK_FALSE(coloured.makes(1));
+    CHECK_FALSE(coloured.makes(3));
+    const ResponseTable glossy(*pplastic({}), layout, 3);
+    CHECK(glossy.channels() == 1);
+    CHECK(glossy.makes(1));
+    CHECK(glossy.makes(2));
+    CHECK_FALSE(glossy.makes(3));  // unpolarized light, real index
+    CHECK(ResponseTable(*pplastic({}), LightLayout(2, LightKind::full), 1).makes(3));
+    CHECK_THROWS_AS(ResponseTable(*diffuse({0.5, 0.1}), layout, 3), Error);
+}
