@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <initializer_list>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "material/brute_force.hpp"
+#include "nicol/rotation.hpp"
+#include "transfer/shade.hpp"
+#include "transfer/vertex_light.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::vector<glm::vec3> test_normals() {
+    std::vector<glm::vec3> normals{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+    std::mt19937 random(3);
+    std::normal_distribution<float> normal;
+    while (normals.size() < 37) {
+        normals.push_back(glm::normalize(glm::vec3(normal(random), normal(random), normal(random))));
+    }
+    return normals;
+}
+
+glm::dmat3 some_rotation() {
+    const glm::dvec3 z = glm::normalize(glm::dvec3(1, -2, 0.5));
+    return frame_with_x(z, {0.3, 0.1, 1});
+}
+
+}  // namespace
+
+TEST_CASE("relight turns the light into each vertex's frame, poles and odd block sizes included") {
+    const auto normals = test_normals();
+    for (const int order : {0, 1, 4, 9, 32}) {
+        for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
+            const LightLayout layout(order, kind);
+            const PshVector light = test::random_light(order, 2, static_cast<int>(kind), 5);
+            VertexLight out(layout, 2, normals.size());
+            Relight(layout).run(light, normals, 0, out);
+            double error = 0;
+            for (std::size_t v = 0; v < normals.size(); ++v) {
+                const Frame frame = theta_phi_frame(glm::dvec3(normals[v]));
+                const PshVector local = rotated(light, glm::transpose(frame));
+                for (int c = 0; c < 2; ++c) {
+                    const auto expected = layout.pack(local.channel(c));
+                    for (std::size_t j = 0; j < expected.size(); ++j) {
+                        const std::complex<double> got(out.at(v, c)[j], out.at(v, c)[expected.size() + j]);
+                        error = std::max(error, std::abs(got - expected[j]));
+                    }
+                }
+            }
+            CAPTURE(order);
+            CHECK(error < 1e-6 * (4 + order));
+        }
+    }
+}
+
+TEST_CASE("relight and shade equal the reflection integral in the angular domain, in the camera's frame") {
+    const auto normals = test_normals();
+    const std::vector<glm::vec3> positions(normals.size(), glm::vec3(0.3F, -0.2F, 0.1F));
+    const std::vector<std::uint8_t> visible(normals.size(), 1);
+    const MaterialPtr material =
+        pplastic({.diffuse_reflectance = {0.5, 0.2}, .alpha = 0.4, .distribution = Distribution::ggx});
+    for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
+        const LightLayout layout(4, kind);
+        const PshVector light = test::random_light(4, 2, static_cast<int>(kind), 9);
+        VertexLight local(layout, 2, normals.size());
+        Relight(layout).run(light, normals, 0, local);
+        const ResponseTable table(*material, layout, 2);
+        for (const bool orthographic : {false, true}) {
+            Viewpoint view;
+            view.orthographic = orthographic;
+            view.eye = {4, 3, 2};
+            view.forward = glm::normalize(glm::dvec3(-4, -3, -2));
+            view.right = glm::normalize(glm::cross(view.forward, glm::dvec3(0, 1, 0)));
+            view.up = glm::cross(view.right, view.forward);
+            std::vector<glm::vec4> red(normals.size(), glm::vec4(-7));
+            std::vector<glm::vec4> green(normals.size(), glm::vec4(-7));
+            const std::vector<std::span<glm::vec4>> out{red, green};
+            Shade(layout).run(table, local, view, positions, normals, visible, 0, normals.size(), out);
+            int seen = 0;
+            for (std::size_t v = 0; v < normals.size(); ++v) {
+                const glm::dvec3 normal(normals[v]);
+                const glm::dvec3 towards = view.towards(glm::dvec3(positions[v]));
+                if (glm::dot(normal, towards) < 0.05) continue;
+                ++seen;
+                // Any frame about the normal must do.
+                const Frame surface = frame_with_x(normal, {0.6, 0.7, -0.5});
+                for (int c = 0; c < 2; ++c) {
+                    Stokes expected = test::reflected(*material, c, light, surface, towards, 64, 128);
+                    // x of the camera's frame is ray x up, written out once more.
+                    const glm::dvec3 x = glm::normalize(glm::cross(-towards, view.up));
+                    const Frame camera(x, glm::cross(towards, x), towards);
+                    expected = turned(expected, angle_between(theta_phi_frame(towards), camera));
+                    const glm::vec4 got = out[static_cast<std::size_t>(c)][v];
+                    CHECK(glm::distance(glm::dvec4(got), expected) < 1e-4);
+                }
+            }
+            CHECK(seen > 10);
+        }
+    }
+}
+
+TEST_CASE("turning light, object and camera together leaves the shading unchanged") {
+    const auto normals = test_normals();
+    const glm::dmat3 turn = some_rotation();
+    const LightLayout layout(9, LightKind::full);
+    const PshVector light = test::random_light(9, 1, 4, 21);
+    const ResponseTable table(*pplastic({.alpha = 0.2}), layout, 1);
+    // Seen from behind a vertex is shaded as seen at 90 degrees, and the azimuth of that jumps at the exact
+    // back.
+    std::vector<std::uint8_t> visible;
+    for (const glm::vec3& n : normals)
+        visible.push_back(glm::dot(n, glm::vec3(0, 0, -5) - 0.5F * n) > 0 ? 1 : 0);
+
+    const auto shade = [&](const glm::dmat3& rotation) {
+        std::vector<glm::vec3> turned_normals;
+        std::vector<glm::vec3> positions;
+        for (const glm::vec3& n : normals) {
+            turned_normals.emplace_back(rotation * glm::dvec3(n));
+            positions.emplace_back(rotation * (0.5 * glm::dvec3(n)));
+        }
+        VertexLight local(layout, 1, normals.size());
+        Relight(layout).run(rotated(light, rotation), turned_normals, 0, local);
+        Viewpoint view;
+        view.eye = rotation * glm::dvec3(0, 0, -5);
+        view.forward = rotation * glm::dvec3(0, 0, 1);
+        view.up = rotation * glm::dvec3(0, 1, 0);
+        view.right = rotation * glm::dvec3(-1, 0, 0);
+        std::vector<glm::vec4> out(normals.size(), glm::vec4(0));
+        const std::vector<std::span<glm::vec4>> channels{out};
+        Shade(layout).run(table, local, view, positions, turned_normals, visible, 0, normals.size(),
+                          channels);
+        return out;
+    };
+
+    const auto before = shade(glm::dmat3(1.0));
+    const auto after = shade(turn);
+    float largest = 0;
+    float difference = 0;
+    for (std::size_t v = 0; v < before.size(); ++v) {
+        largest = std::max(largest, std::abs(before[v][0]));
+        difference = std::max(difference, glm::distance(before[v], after[v]));
+    }
+    CHECK(difference < 1e-5F * largest);
+}
+
+TEST_CASE("vertices that are not visible are left alone") {
+    const LightLayout layout(0, LightKind::unpolarized);
+    const PshVector light = test::random_light(0, 1, 1, 1);
+    const std::vector<glm::vec3> normals(3, glm::vec3(0, 0, -1));
+    const std::vector<glm::vec3> positions(3, glm::vec3(0, 0, 5));
+    VertexLight local(layout, 1, 3);
+    Relight(layout).run(light, normals, 0, local);
+    const ResponseTable table(*diffuse({0.5}), layout, 1);
+    std::vector<glm::vec4> out(3, glm::vec4(-7));
+    const std::vector<std::span<glm::vec4>> channels{out};
+    const std::vector<std::uint8_t> visible{1, 0, 1};
+    Shade(layout).run(table, local, Viewpoint{}, positions, normals, visible, 0, 3, channels);
+    CHECK(out[0][0] != -7);
+    CHECK(out[1][0] == -7);
+    CHECK(out[2] == out[0]);
+}
+
+TEST_CASE("straight above and below the camera the frame is still a frame") {
+    Viewpoint view;
+    for (const glm::dvec3 d : {view.up, -view.up}) {
+        const Frame f = view.frame(d);
+        CHECK(glm::distance(f[0], view.right) < 1e-12);
+        CHECK(glm::distance(glm::cross(f[0], f[1]), d) < 1e-12);
+    }
+    // In the middle of the picture x is image right and y image up.
+    const Frame centre = view.frame(-view.forward);
+    CHECK(glm::distance(centre[0], view.right) < 1e-12);
+    CHECK(glm::distance(centre[1], view.up) < 1e-12);
+}
