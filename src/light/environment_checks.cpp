@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Checks of arguments.
+#include "light/environment_checks.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "nicol/error.hpp"
+
+namespace nicol {
+
+void check_look_up(const Environment& environment, int channel, const glm::dvec3& direction) {
+    if (channel < 0 || channel >= environment.channels())
+        throw Error(ErrorCode::invalid_argument, "radiance: channel " + std::to_string(channel) +
+                                                     "; the environment has channels 0 to " +
+                                                     std::to_string(environment.channels() - 1));
+    // Written so that NaN fails too.
+    if (!(std::abs(glm::dot(direction, direction) - 1) <= 2e-6))
+        throw Error(ErrorCode::invalid_argument, "radiance: towards_light must have unit length");
+}
+
+void check_projection_order(int order) {
+    if (order < 0 || order > kMaxOrder)
+        throw Error(ErrorCode::invalid_argument, "project: order " + std::to_string(order) +
+                                                     "; it must be 0 to " + std::to_string(kMaxOrder));
+}
+
+void check_radiance(const char* what, const std::vector<double>& radiance) {
+    if (radiance.empty())
+        throw Error(ErrorCode::invalid_argument, std::string(what) + ": radiance needs at least one channel");
+    for (std::size_t c = 0; c < radiance.size(); ++c)
+        if (!(radiance[c] >= 0) || std::isinf(radiance[c]))
+            throw Error(ErrorCode::invalid_argument, std::string(what) + ": radiance of channel " +
+                                                         std::to_string(c) + " must be finite and >= 0");
+}
+
+}  // namespace nicol

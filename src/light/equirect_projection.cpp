@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+// Exact integration of a bilinear picture against the harmonics.
+#include "light/equirect_projection.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "light/equirect.hpp"
+#include "nicol/grid.hpp"
+#include "nicol/rotation.hpp"
+#include "nicol/transform.hpp"
+
+namespace nicol {
+namespace {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
+
+/// Fourier coefficients, over the azimuth of the propagation direction about the picture's axes, of rows that
+/// are linear between pixels. Row i of the result lies at theta = i pi / (height - 1), where i = 0 is the
+/// nadir of the picture (its last row), for theta belongs to where the light goes.
+class RowAnalysis {
+public:
+    RowAnalysis(const EquirectPixels& pixels, int order)
+        : pixels_(pixels),
+          order_(order),
+          // Fewer columns than degrees: zeros between the pixels give the transform the columns it needs
+          // and leave sum_j f_j exp(-i m phi_j) as it is.
+          spread_((2 * order + pixels.width) / pixels.width),
+          attenuation_(static_cast<std::size_t>(order) + 1) {
+        // A row linear between its pixels is their comb convolved with a hat, whose transform is sinc^2.
+        for (int m = 0; m <= order; ++m) {
+            const double x = pi * m / pixels.width;
+            const double sinc = m == 0 ? 1 : std::sin(x) / x;
+            attenuation_[static_cast<std::size_t>(m)] = spread_ * sinc * sinc;
+        }
+    }
+
+    [[nodiscard]] FourierRows run(int channel) const {
+        struct Worker {
+            FourierTransform transform;
+            std::vector<double> samples;
+        };
+        const int columns = spread_ * pixels_.width;
+        // phi = pi - 2 pi u falls with the column, so the pixels are taken from the right.
+        tbb::enumerable_thread_specific<Worker> workers([&] {
+            return Worker{FourierTransform(order_, columns, pi / pixels_.width - pi),
+                          std::vector<double>(static_cast<std::size_t>(columns) * 4)};
+        });
+        FourierRows result(order_, pixels_.height);
+        tbb::parallel_for(0, pixels_.height, [&](int row) {
+            Worker& worker = workers.local();
+            load(channel, pixels_.height - 1 - row, worker.samples);
+            worker.transform.analyze(worker.samples, result, row);
+            attenuate(result, row);
+        });
+        return result;
+    }
+
+private:
+    void load(int channel, int row, std::vector<double>& samples) const {
+        const auto width = static_cast<std::size_t>(pixels_.width);
+        const auto components = static_cast<std::size_t>(pixels_.components);
+        const std::size_t rows =
+            static_cast<std::size_t>(channel) * static_cast<std::size_t>(pixels_.height) +
+            static_cast<std::size_t>(row);
+        const float* first = pixels_.values.data() + rows * width * components;
+        for (std::size_t i = 0; i < width; ++i) {
+            const float* pixel = first + (width - 1 - i) * components;
+            double* sample = samples.data() + i * static_cast<std::size_t>(spread_) * 4;
+            sample[0] = pixel[0];
+            if (components == 1) continue;
+            // From the picture's frame to the theta-phi frame: a quarter turn.
+            sample[1] = -pixel[1];
+            sample[2] = -pixel[2];
+            sample[3] = pixel[3];
+        }
+    }
+
+    void attenuate(FourierRows& rows, int row) const {
+        for (int m = 0; m <= order_; ++m) {
+            const double factor = attenuation_[static_cast<std::size_t>(m)];
+            rows.s0[rows.scalar_index(row, m)] *= factor;
+            rows.s3[rows.scalar_index(row, m)] *= factor;
+            rows.spin[rows.spin_index(row, m)] *= factor;
+            if (m > 0) rows.spin[rows.spin_index(row, -m)] *= factor;
+        }
+    }
+
+    const EquirectPixels& pixels_;
+    int order_;
+    int spread_;
+    std::vector<double> attenuation_;
+};
+
+/// Gauss points of one interval between rows: where (0..1) and how much (sum 1).
+struct IntervalRule {
+    std::vector<double> position;
+    std::vector<double> weight;
+};
+
+/// Between two rows the integrand is a straight line times a trigonometric polynomial of degree order + 1, on
+/// which few Gauss points are as good as exact; a rule over the whole meridian would suffer from the kinks.
+IntervalRule interval_rule(int order, int intervals) {
+    const double log_phase = std::log((order + 1) * pi / intervals);
+    // Error of n points for exp(i x t) on 0..1: x^2n (n!)^4 / ((2n + 1) ((2n)!)^3), built up factor by
+    // factor.
+    double log_error = 0;
+    int points = 0;
+    do {
+        ++points;
+        const double n = points;
+        log_error += 2 * log_phase + 4 * std::log(n) - 3 * std::log(2 * n * (2 * n - 1)) +
+                     std::log((2 * n - 1) / (2 * n + 1));
+    } while (log_error > std::log(1e-13) && (points + 1) * intervals <= kMaxRows);
+    const LatitudeRows gauss = gauss_legendre_rows(points);
+    IntervalRule rule;
+    for (std::size_t i = 0; i < gauss.theta.size(); ++i) {
+        rule.position.push_back(gauss.sin_half[i] * gauss.sin_half[i]);
+        rule.weight.push_back(gauss.weight[i] / 2);
+    }
+    return rule;
+}
+
+/// Sums the coefficients of ranges of intervals between rows.
+class MeridianSum {
+public:
+    MeridianSum(const FourierRows& rows, const IntervalRule& rule)
+        : rows_(rows), rule_(rule), sum_(4 * psh_count(rows.order), 0.0) {}
+    MeridianSum(const MeridianSum& other, tbb::split) : MeridianSum(other.rows_, other.rule_) {}
+
+    /// Intervals first..last counted from each end of the meridian: the harmonics are mirrored between north
+    /// and south, which the Legendre step uses when it gets both.
+    void operator()(const tbb::blocked_range<int>& range) {
+        const int intervals = rows_.rows - 1;
+        LatitudeRows latitudes;
+        std::vector<Point> points;
+        for (int i = range.begin(); i < range.end(); ++i) {
+            // The middle one of an odd number of intervals is its own mirror image.
+            const bool middle = 2 * i + 1 == intervals;
+            const std::size_t count = middle ? (rule_.position.size() + 1) / 2 : rule_.position.size();
+            for (std::size_t k = 0; k < count; ++k) add(latitudes, points, i, k);
+        }
+        const std::size_t north = points.size();
+        for (std::size_t j = north; j-- > 0;) {
+            const bool equator =
+                2 * points[j].interval + 1 == intervals && 2 * points[j].node + 1 == rule_.position.size();
+            if (equator) continue;
+            latitudes.theta.push_back(pi - latitudes.theta[j]);
+            latitudes.sin_half.push_back(latitudes.cos_half[j]);
+            latitudes.cos_half.push_back(latitudes.sin_half[j]);
+            latitudes.weight.push_back(latitudes.weight[j]);
+            points.push_back(
+                {intervals - 1 - points[j].interval, rule_.position.size() - 1 - points[j].node});
+        }
+
+        FourierRows fine(rows_.order, latitudes.count());
+        for (std::size_t j = 0; j < points.size(); ++j) interpolate(points[j], fine, static_cast<int>(j));
+        std::vector<double> part(sum_.size());
+        LegendreTransform(rows_.order, std::move(latitudes)).analyze(fine, part);
+        for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += part[i];
+    }
+
+    void join(const MeridianSum& other) {
+        for (std::size_t i = 0; i < sum_.size(); ++i) sum_[i] += other.sum_[i];
+    }
+
+    [[nodiscard]] const std::vector<double>& result() const { return sum_; }
+
+private:
+    struct Point {
+        int interval;
+        std::size_t node;
+    };
+
+    void add(LatitudeRows& latitudes, std::vector<Point>& points, int interval, std::size_t node) const {
+        const double step = pi / (rows_.rows - 1);
+        const double theta = (interval + rule_.position[node]) * step;
+        latitudes.theta.push_back(theta);
+        latitudes.sin_half.push_back(std::sin(theta / 2));
+        latitudes.cos_half.push_back(std::cos(theta / 2));
+        latitudes.weight.push_back(step * rule_.weight[node] * std::sin(theta));
+        points.push_back({interval, node});
+    }
+
+    void interpolate(const Point& point, FourierRows& fine, int row) const {
+        const double t = rule_.position[point.node];
+        const auto blend = [&](const std::vector<Complex>& from, std::vector<Complex>& to, int length) {
+            const auto n = static_cast<std::size_t>(length);
+            const Complex* a = from.data() + static_cast<std::size_t>(point.interval) * n;
+            Complex* out = to.data() + static_cast<std::size_t>(row) * n;
+            for (std::size_t m = 0; m < n; ++m) out[m] = (1 - t) * a[m] + t * a[m + n];
+        };
+        blend(rows_.s0, fine.s0, rows_.order + 1);
+        blend(rows_.s3, fine.s3, rows_.order + 1);
+        blend(rows_.spin, fine.spin, 2 * rows_.order + 1);
+    }
+
+    const FourierRows& rows_;
+    const IntervalRule& rule_;
+    std::vector<double> sum_;
+};
+
+}  // namespace
+
+PshVector project_equirect(const EquirectPixels& pixels, int order) {
+    const RowAnalysis analysis(pixels, order);
+    const IntervalRule rule = interval_rule(order, pixels.height - 1);
+    // Enough latitudes at once to make the Legendre step's set-up cheap, few enough to bound the memory.
+    const int grain = std::max(1, 256 / static_cast<int>(rule.position.size()));
+    PshVector result(order, pixels.channels);
+    for (int c = 0; c < pixels.channels; ++c) {
+        const FourierRows rows = analysis.run(c);
+        MeridianSum sum(rows, rule);
+        // Deterministic: the same picture gives the same bits whatever the number of threads.
+        tbb::parallel_deterministic_reduce(
+            tbb::blocked_range<int>(0, pixels.height / 2, static_cast<std::size_t>(grain)), sum);
+        std::ranges::copy(sum.result(), result.channel(c).begin());
+    }
+    return rotated(result, equirect_axes());
+}
+
+}  // namespace nicol
