@@ -2,20 +2,20 @@
  * Nicol: polarized light in real time, offscreen. The whole contract between the library and its callers.
  *
  * Conventions, everywhere:
- *   Objects    are opaque, counted handles. Creation gives one reference; _retain adds one, _release drops one;
- *              releasing NULL does nothing. Objects keep what they need alive: any release order is legal.
- *   Results    Every function that can fail returns a nicol_result and, on failure, leaves its outputs untouched.
+ *   Objects    are opaque, counted handles. Creation gives one reference; _retain adds one, _release drops
+ * one; releasing NULL does nothing. Objects keep what they need alive: any release order is legal. Results
+ * Every function that can fail returns a nicol_result and, on failure, leaves its outputs untouched.
  *              nicol_last_error() then tells the story, per thread.
- *   Structs    begin with struct_size = sizeof(the struct). Zero in a field asks for its default; where zero is a
- *              value of its own, the field's comment names what stands for it. NICOL_<TYPE>_INIT makes one.
- *   Threads    Any function may be called from any thread. Calls on objects of one context take turns; calls on
- *              different contexts run side by side. Callbacks come on the calling thread unless said otherwise.
- *   Strings    are UTF-8 and copied. Strings returned are owned by the library; each says for how long.
- *   Matrices   are row-major: a point's image is M * (x, y, z, 1)^T. All zeros means identity.
- *   World      right-handed, y up, units are the scene's own. Angles of the interface are degrees.
- *   Light      is radiance, linear, per colour channel. A Stokes vector (s0, s1, s2, s3) is seen by the receiver
- *              looking at the source: s1 > 0 along the frame's x, s2 > 0 at +45 degrees from x to y, s3 > 0 right
- *              circular. In a picture x points to the image's right and y up, as Mitsuba 3's stokes integrator. */
+ *   Structs    begin with struct_size = sizeof(the struct). Zero in a field asks for its default; where zero
+ * is a value of its own, the field's comment names what stands for it. NICOL_<TYPE>_INIT makes one. Threads
+ * Any function may be called from any thread. Calls on objects of one context take turns; calls on different
+ * contexts run side by side. Callbacks come on the calling thread unless said otherwise. Strings    are UTF-8
+ * and copied. Strings returned are owned by the library; each says for how long. Matrices   are row-major: a
+ * point's image is M * (x, y, z, 1)^T. All zeros means identity. World      right-handed, y up, units are the
+ * scene's own. Angles of the interface are degrees. Light      is radiance, linear, per colour channel. A
+ * Stokes vector (s0, s1, s2, s3) is seen by the receiver looking at the source: s1 > 0 along the frame's x,
+ * s2 > 0 at +45 degrees from x to y, s3 > 0 right circular. In a picture x points to the image's right and y
+ * up, as Mitsuba 3's stokes integrator. */
 #ifndef NICOL_H
 #define NICOL_H
 
@@ -46,8 +46,8 @@ extern "C" {
 NICOL_API uint32_t nicol_version(void);
 /* "0.1.0"; lives as long as the library. */
 NICOL_API const char* nicol_version_string(void);
-/* Facts about this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1, ...;
- * NULL past the last one. Lives as long as the library. */
+/* Facts about this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
+ * ...; NULL past the last one. Lives as long as the library. */
 NICOL_API const char* nicol_build_info(uint32_t index);
 
 /* ---------------------------------------------------------------- results */
@@ -66,8 +66,9 @@ typedef int32_t nicol_result;
 #define NICOL_ERROR_OPENGL 10        /* the driver failed after the context was made */
 #define NICOL_ERROR_INTERNAL 11      /* a defect in Nicol */
 
-/* What the last failing call on this thread had to say: one line that names the file, line, field or argument and
- * what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing call. */
+/* What the last failing call on this thread had to say: one line that names the file, line, field or argument
+ * and what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing
+ * call. */
 NICOL_API const char* nicol_last_error(void);
 /* "out of memory" and the like for a code; lives as long as the library. */
 NICOL_API const char* nicol_result_name(nicol_result result);
@@ -78,7 +79,8 @@ NICOL_API const char* nicol_result_name(nicol_result result);
 typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result code, const char* message);
 
 /* Called about ten times a second on the thread that called; fraction runs from 0 to 1. Answer 1 to go on,
- * 0 to stop: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same context. */
+ * 0 to stop: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same
+ * context. */
 typedef int32_t (*nicol_progress_callback)(void* user, const char* verb, double fraction);
 
 /* ---------------------------------------------------------------- objects */
@@ -94,18 +96,25 @@ typedef struct nicol_framebuffer_impl* nicol_framebuffer; /* the Stokes picture 
 #define NICOL_MAX_ORDER 32
 #define NICOL_MAX_SIZE 16384
 
-/* One value a colour channel. count 0: the default; 1: the same in every channel; else the scene's channel count. */
+/* One value a colour channel. count 0: the default; 1: the same in every channel; else the scene's channel
+ * count. */
 typedef struct nicol_spectrum {
     uint32_t count;
     float values[NICOL_MAX_CHANNELS];
 } nicol_spectrum;
-#define NICOL_SPECTRUM_INIT {0, {0}}
+#define NICOL_SPECTRUM_INIT \
+    {                       \
+        0, {                \
+            0               \
+        }                   \
+    }
 
 /* ---------------------------------------------------------------- context */
 
 typedef uint32_t nicol_backend;
-#define NICOL_BACKEND_AUTOMATIC 0 /* the environment variable NICOL_BACKEND (egl, osmesa), else the first that works:
-                                     EGL hardware, EGL software, OSMesa */
+#define NICOL_BACKEND_AUTOMATIC                                                           \
+    0 /* the environment variable NICOL_BACKEND (egl, osmesa), else the first that works: \
+         EGL hardware, EGL software, OSMesa */
 #define NICOL_BACKEND_EGL 1
 #define NICOL_BACKEND_OSMESA 2
 
@@ -117,7 +126,8 @@ typedef struct nicol_context_options {
     nicol_log_callback log; /* NULL: silent. May be called on any thread that calls into the context. */
     void* log_user;
 } nicol_context_options;
-#define NICOL_CONTEXT_OPTIONS_INIT {sizeof(nicol_context_options), 0, 0, 0, 0, 0}
+#define NICOL_CONTEXT_OPTIONS_INIT \
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0 }
 
 typedef struct nicol_context_info {
     uint32_t struct_size;
@@ -128,7 +138,8 @@ typedef struct nicol_context_info {
     const char* vendor;
     const char* version;
 } nicol_context_info;
-#define NICOL_CONTEXT_INFO_INIT {sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0}
+#define NICOL_CONTEXT_INFO_INIT \
+    { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0 }
 
 /* options may be NULL: all defaults. */
 NICOL_API nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
@@ -138,37 +149,44 @@ NICOL_API nicol_result nicol_context_get_info(nicol_context context, nicol_conte
 
 /* ---------------------------------------------------------------- environment */
 
-/* An equirectangular picture over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x, -z) / 2 pi
- * (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole). */
+/* An equirectangular picture over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
+ * -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole).
+ */
 typedef struct nicol_image {
     uint32_t struct_size;
-    uint32_t width, height;     /* 1 to NICOL_MAX_SIZE, height at least 2 */
-    uint32_t channels;          /* colour channels, 1 to NICOL_MAX_CHANNELS */
-    uint32_t components;        /* 1: s0 alone; 4: s0..s3 in the frame z = propagation, x = horizontal, along growing u
-                                   as seen from the scene's centre, y = z cross x */
-    const float* pixels;        /* [row][column][channel][component] */
-    uint64_t row_stride;        /* bytes from row to row; 0: tightly packed */
-    uint64_t byte_size;         /* of all that pixels points to; checked */
-    void (*release)(void* user); /* NULL, or called once the library no longer reads pixels (on failure too) */
+    uint32_t width, height; /* 1 to NICOL_MAX_SIZE, height at least 2 */
+    uint32_t channels;      /* colour channels, 1 to NICOL_MAX_CHANNELS */
+    uint32_t components; /* 1: s0 alone; 4: s0..s3 in the frame z = propagation, x = horizontal, along growing
+                            u as seen from the scene's centre, y = z cross x */
+    const float* pixels; /* [row][column][channel][component] */
+    uint64_t row_stride; /* bytes from row to row; 0: tightly packed */
+    uint64_t byte_size;  /* of all that pixels points to; checked */
+    void (*release)(
+        void* user); /* NULL, or called once the library no longer reads pixels (on failure too) */
     void* release_user;
 } nicol_image;
-#define NICOL_IMAGE_INIT {sizeof(nicol_image), 0, 0, 0, 0, 0, 0, 0, 0, 0}
+#define NICOL_IMAGE_INIT \
+    { sizeof(nicol_image), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
-/* Single scattering in clear air: DoP = dop_max sin^2 g / (1 + cos^2 g) at the angle g from the sun, E-vector along
- * sun x view; radiance = radiance * 3/4 (1 + cos^2 g) over the whole sphere (the sun's disc is not part of it). */
+/* Single scattering in clear air: DoP = dop_max sin^2 g / (1 + cos^2 g) at the angle g from the sun, E-vector
+ * along sun x view; radiance = radiance * 3/4 (1 + cos^2 g) over the whole sphere (the sun's disc is not part
+ * of it). */
 typedef struct nicol_sky {
     uint32_t struct_size;
-    float dop_max;          /* 0: 0.8; negative: an unpolarized sky; at most 1 */
-    float sun_direction[3]; /* towards the sun; zeros: straight up */
+    float dop_max;           /* 0: 0.8; negative: an unpolarized sky; at most 1 */
+    float sun_direction[3];  /* towards the sun; zeros: straight up */
     nicol_spectrum radiance; /* default 1 in three channels */
 } nicol_sky;
-#define NICOL_SKY_INIT {sizeof(nicol_sky), 0, {0}, NICOL_SPECTRUM_INIT}
+#define NICOL_SKY_INIT \
+    { sizeof(nicol_sky), 0, {0}, NICOL_SPECTRUM_INIT }
 
 /* OpenEXR: R, G, B or Y are unpolarized light; S0.R ... S3.B are polarized, in nicol_image's frames. */
-NICOL_API nicol_result nicol_environment_load(nicol_context context, const char* path, nicol_environment* environment);
+NICOL_API nicol_result nicol_environment_load(nicol_context context, const char* path,
+                                              nicol_environment* environment);
 NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                                       nicol_environment* environment);
-NICOL_API nicol_result nicol_environment_create_constant(nicol_context context, const nicol_spectrum* radiance,
+NICOL_API nicol_result nicol_environment_create_constant(nicol_context context,
+                                                         const nicol_spectrum* radiance,
                                                          nicol_environment* environment);
 NICOL_API nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky,
                                                     nicol_environment* environment);
@@ -191,7 +209,8 @@ typedef struct nicol_pplastic {
     float ext_ior;                       /* 0: 1.000277 */
     float alpha;                         /* 0: 0.1; 0.001 to 1 */
 } nicol_pplastic;
-#define NICOL_PPLASTIC_INIT {sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0}
+#define NICOL_PPLASTIC_INIT \
+    { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0 }
 
 NICOL_API nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
                                                       nicol_material* material);
@@ -207,17 +226,19 @@ typedef struct nicol_mesh_data {
     uint32_t struct_size;
     uint32_t vertex_count;
     uint32_t triangle_count;
-    uint32_t reserved;          /* 0 */
-    const float* positions;     /* 3 a vertex */
-    const float* normals;       /* 3 a vertex; NULL: made from the triangles */
-    const uint32_t* indices;    /* 3 a triangle, counter-clockwise from the front */
+    uint32_t reserved;       /* 0 */
+    const float* positions;  /* 3 a vertex */
+    const float* normals;    /* 3 a vertex; NULL: made from the triangles */
+    const uint32_t* indices; /* 3 a triangle, counter-clockwise from the front */
 } nicol_mesh_data;
-#define NICOL_MESH_DATA_INIT {sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0}
+#define NICOL_MESH_DATA_INIT \
+    { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0 }
 
 /* OBJ, PLY, OFF or STL, by the file's suffix. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
 /* Copies the arrays. Shading is per vertex: detail comes from vertices. */
-NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data, nicol_mesh* mesh);
+NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,
+                                         nicol_mesh* mesh);
 /* The unit sphere, finely enough divided for per-vertex shading. */
 NICOL_API nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
 /* [-1, 1]^2 in the plane z = 0, facing +z. */
@@ -237,17 +258,18 @@ typedef uint32_t nicol_projection;
 typedef struct nicol_camera {
     uint32_t struct_size;
     nicol_projection projection;
-    double to_world[16]; /* camera space, as Mitsuba's: +z forward, +y up, +x to the image's LEFT. A scale in x, y is the
-                            half extent of an orthographic picture. */
+    double to_world[16]; /* camera space, as Mitsuba's: +z forward, +y up, +x to the image's LEFT. A scale in
+                            x, y is the half extent of an orthographic picture. */
     double fov;          /* perspective: the horizontal field of view in degrees, 0: 45; below 180 */
     double near_clip;    /* 0: 0.01 */
     double far_clip;     /* 0: 10000 */
 } nicol_camera;
-#define NICOL_CAMERA_INIT {sizeof(nicol_camera), 0, {0}, 0, 0, 0}
+#define NICOL_CAMERA_INIT \
+    { sizeof(nicol_camera), 0, {0}, 0, 0, 0 }
 
 /* A camera at `origin` that looks at `target`; sets to_world alone. */
-NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3], const double target[3],
-                                            const double up[3]);
+NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3],
+                                            const double target[3], const double up[3]);
 
 /* ---------------------------------------------------------------- scene */
 
@@ -258,17 +280,25 @@ typedef struct nicol_instance {
     nicol_material material;
     double to_world[16]; /* any invertible affine transform */
 } nicol_instance;
-#define NICOL_INSTANCE_INIT {sizeof(nicol_instance), 0, 0, 0, {0}}
+#define NICOL_INSTANCE_INIT                \
+    {                                      \
+        sizeof(nicol_instance), 0, 0, 0, { \
+            0                              \
+        }                                  \
+    }
 
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
-/* A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings that
- * override its <default>s. */
-NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path, const char* const* definitions,
-                                        uint32_t definition_count, nicol_scene* scene);
+/* A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
+ * that override its <default>s. */
+NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
+                                        const char* const* definitions, uint32_t definition_count,
+                                        nicol_scene* scene);
 /* id may be NULL; ids count up from 0. */
-NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance, uint32_t* id);
+NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance,
+                                                uint32_t* id);
 NICOL_API nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
-/* environment NULL: darkness. to_world turns it (its rotation must be a proper one), scale multiplies (0: 1). */
+/* environment NULL: darkness. to_world turns it (its rotation must be a proper one), scale multiplies (0: 1).
+ */
 NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
                                                    const double to_world[16], double scale);
 /* What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED. */
@@ -287,30 +317,33 @@ typedef uint32_t nicol_method;
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
-    int32_t order_low;  /* light is taken up to this order with its full angular detail; 0: 4; -1: order 0; up to 32 */
-    int32_t order_high; /* orders order_low + 1 .. order_high by the high-order method; 0: 9; never below order_low.
-                           This version has no high-order method yet: the statistics tell the order rendered. */
+    int32_t order_low;  /* light is taken up to this order with its full angular detail; 0: 4; -1: order 0; up
+                           to 32 */
+    int32_t order_high; /* orders order_low + 1 .. order_high by the high-order method; 0: 9; never below
+                           order_low. This version has no high-order method yet: the statistics tell the order
+                           rendered. */
     nicol_progress_callback progress; /* NULL: none */
     void* progress_user;
 } nicol_render_options;
-#define NICOL_RENDER_OPTIONS_INIT {sizeof(nicol_render_options), 0, 0, 0, 0, 0}
+#define NICOL_RENDER_OPTIONS_INIT \
+    { sizeof(nicol_render_options), 0, 0, 0, 0, 0 }
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's. */
 NICOL_API nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height,
                                                 uint32_t channels, nicol_framebuffer* framebuffer);
-NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width, uint32_t* height,
-                                                  uint32_t* channels);
+NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width,
+                                                  uint32_t* height, uint32_t* channels);
 NICOL_API nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
 NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 
 /* options may be NULL. On failure or cancellation the framebuffer's content is that of the render before. */
-NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options,
-                                    nicol_framebuffer framebuffer);
+NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
+                                    const nicol_render_options* options, nicol_framebuffer framebuffer);
 
 /* What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run. */
 typedef struct nicol_statistics {
     uint32_t struct_size;
-    uint32_t order;            /* highest order rendered */
+    uint32_t order; /* highest order rendered */
     uint64_t vertices;
     uint64_t triangles;
     double project_ms;         /* light and materials to coefficients and tables */
@@ -320,17 +353,21 @@ typedef struct nicol_statistics {
     double draw_ms;            /* rasterisation */
     double observe_ms;         /* reading and writing pictures since that render */
     uint64_t vertices_skipped; /* not shaded: facing away or behind the camera */
-    uint64_t light_columns_skipped;   /* Stokes components of the light that are zero everywhere, times channels */
-    uint64_t response_rows_skipped;   /* Stokes components that no material can make, times channels */
-    uint64_t channels_shared;         /* colour channels of light that need not be computed again because it is grey */
-    uint64_t response_bytes;   /* material tables */
-    uint64_t transfer_bytes;   /* per-vertex light and geometry kept for relight and shade */
-    uint64_t buffer_bytes;     /* OpenGL vertex and index buffers */
-    uint64_t texture_bytes;    /* OpenGL textures, framebuffer included */
+    uint64_t
+        light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
+    uint64_t response_rows_skipped; /* Stokes components that no material can make, times channels */
+    uint64_t
+        channels_shared;     /* colour channels of light that need not be computed again because it is grey */
+    uint64_t response_bytes; /* material tables */
+    uint64_t transfer_bytes; /* per-vertex light and geometry kept for relight and shade */
+    uint64_t buffer_bytes;   /* OpenGL vertex and index buffers */
+    uint64_t texture_bytes;  /* OpenGL textures, framebuffer included */
 } nicol_statistics;
-#define NICOL_STATISTICS_INIT {sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
+#define NICOL_STATISTICS_INIT \
+    { sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
-NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics);
+NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer,
+                                                        nicol_statistics* statistics);
 
 /* ---------------------------------------------------------------- observe */
 
@@ -341,12 +378,14 @@ typedef uint32_t nicol_plane;
 #define NICOL_PLANE_S3 3
 #define NICOL_PLANE_STOKES 4 /* four floats a pixel */
 #define NICOL_PLANE_DOLP 5   /* degree of linear polarization; 0 where s0 <= 0 */
-#define NICOL_PLANE_AOLP 6   /* angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right */
+#define NICOL_PLANE_AOLP \
+    6 /* angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right */
 
 /* Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
  * byte_size is what pixels has room for. */
-NICOL_API nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel,
-                                              float* pixels, uint64_t row_stride, uint64_t byte_size);
+NICOL_API nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane,
+                                              uint32_t channel, float* pixels, uint64_t row_stride,
+                                              uint64_t byte_size);
 /* R, G, B (or Y) and S0.R ... S3.B, 32-bit floats: the layout of Mitsuba 3's stokes integrator. */
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 
@@ -362,15 +401,17 @@ typedef uint32_t nicol_picture_kind;
 typedef struct nicol_picture {
     uint32_t struct_size;
     nicol_picture_kind kind;
-    float exposure;        /* stops; s0 and polarizer */
-    float scale;           /* s1..s3: the value shown at full colour; 0: the largest in the picture. Written into the file. */
+    float exposure; /* stops; s0 and polarizer */
+    float scale;    /* s1..s3: the value shown at full colour; 0: the largest in the picture. Written into the
+                       file. */
     float polarizer_angle; /* degrees counter-clockwise from image right */
 } nicol_picture;
-#define NICOL_PICTURE_INIT {sizeof(nicol_picture), 0, 0, 0, 0}
+#define NICOL_PICTURE_INIT \
+    { sizeof(nicol_picture), 0, 0, 0, 0 }
 
 /* 8-bit RGB. */
-NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_picture* picture,
-                                                   const char* path);
+NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer,
+                                                   const nicol_picture* picture, const char* path);
 
 #ifdef __cplusplus
 }

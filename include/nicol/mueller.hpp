@@ -10,14 +10,17 @@
 namespace nicol {
 
 /// A 4 x 4 Mueller matrix, row-major: out[row] = sum over column of m(row, column) in[column].
-/// Not a glm matrix on purpose, since those are column-major and a silent transposition still looks plausible.
+/// Not a glm matrix on purpose, since those are column-major and a silent transposition still looks
+/// plausible.
 class Mueller {
 public:
     Mueller() = default;
     explicit Mueller(const std::array<double, 16>& rows) : m_(rows) {}
 
     [[nodiscard]] double& operator()(std::size_t row, std::size_t column) { return m_[4 * row + column]; }
-    [[nodiscard]] double operator()(std::size_t row, std::size_t column) const { return m_[4 * row + column]; }
+    [[nodiscard]] double operator()(std::size_t row, std::size_t column) const {
+        return m_[4 * row + column];
+    }
 
     Mueller& operator*=(double scale);
 
