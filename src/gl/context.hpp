@@ -45,8 +45,10 @@ struct Limits {
     int target_size = 0;         ///< pixels a side of a RenderTarget
     int colour_attachments = 0;  ///< of one RenderTarget
     int texture_units = 0;       ///< of one program
-    int storage_bindings = 0;    ///< shader storage buffers of one compute program
+    int image_units = 0;
+    int storage_bindings = 0;  ///< shader storage buffers of one compute program
     int vertex_attributes = 0;
+    std::size_t vertex_stride = 0;      ///< bytes from vertex to vertex
     std::size_t storage_bytes = 0;      ///< of one shader storage binding
     std::size_t storage_alignment = 1;  ///< of the offset of a storage binding, bytes
     std::array<unsigned, 3> groups{};   ///< work groups of one dispatch, by axis

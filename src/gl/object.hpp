@@ -36,7 +36,4 @@ private:
     std::size_t bytes_ = 0;
 };
 
-/// Throws Error(internal) naming `what` unless the caller runs inside context.run().
-void require_thread(const Context& context, std::string_view what);
-
 }  // namespace nicol::gl

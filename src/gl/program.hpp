@@ -62,7 +62,7 @@ private:
     };
     Program(std::shared_ptr<Context> context, std::span<const Stage> stages, std::span<const Define> defines);
     void find_uniforms();
-    [[nodiscard]] int location(std::string_view name, unsigned type, std::string_view type_name) const;
+    [[nodiscard]] int location(std::string_view name, unsigned type) const;
 
     Object object_;
     std::string label_;

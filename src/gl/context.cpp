@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Finding a way to a context, and the context's life.
+#include "gl/context.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <numeric>
+
+#include "gl/state.hpp"
+#include "nicol/error.hpp"
+
+namespace nicol::gl {
+namespace {
+
+struct Candidate {
+    Backend backend;
+    std::string name;
+    std::function<std::unique_ptr<Platform>()> make;
+};
+
+/// The request with NICOL_BACKEND and the device taken into account.
+ContextRequest resolved(ContextRequest request) {
+    const char* variable = std::getenv("NICOL_BACKEND");
+    if (request.backend == Backend::automatic && variable != nullptr && *variable != '\0') {
+        const std::string_view value = variable;
+        if (value == "egl")
+            request.backend = Backend::egl;
+        else if (value == "osmesa")
+            request.backend = Backend::osmesa;
+        else
+            throw Error(ErrorCode::invalid_argument, "the environment variable NICOL_BACKEND is \"" +
+                                                         std::string(value) + "\"; it may be egl or osmesa");
+    }
+    if (request.device && request.backend == Backend::osmesa)
+        throw Error(ErrorCode::invalid_argument, "the backend osmesa has no devices; leave the device out");
+    if (request.device) request.backend = Backend::egl;
+    return request;
+}
+
+/// On a thread of its own, because asking EGL leaves marks in the calling thread.
+EglChoices find_egl_choices_aside() {
+    EglChoices choices;
+    std::exception_ptr error;
+    start_quiet_thread([&] {
+        try {
+            choices = find_egl_choices();
+        } catch (...) {
+            error = std::current_exception();
+        }
+    }).join();
+    if (error) std::rethrow_exception(error);
+    return choices;
+}
+
+std::vector<Candidate> candidates(const ContextRequest& request, std::vector<Probe>& failed) {
+    std::vector<Candidate> list;
+    if (request.backend != Backend::osmesa) {
+        EglChoices found;
+        try {
+            found = find_egl_choices_aside();
+            if (!found.no_device.empty()) failed.push_back({"EGL devices", found.no_device});
+        } catch (const Error& error) {
+            failed.push_back({"EGL", error.what()});
+        }
+        if (request.device && found.devices > 0 && (*request.device < 0 || *request.device >= found.devices))
+            throw Error(ErrorCode::invalid_argument, "EGL device " + std::to_string(*request.device) +
+                                                         " does not exist: EGL lists " +
+                                                         std::to_string(found.devices) + ", counted from 0");
+        for (const EglChoice& choice : found.choices)
+            if (!request.device || choice.device == request.device)
+                list.push_back({Backend::egl, choice.name, [choice] { return make_egl_platform(choice); }});
+    }
+    if (request.backend != Backend::egl)
+        list.push_back({Backend::osmesa, "OSMesa", [] { return make_osmesa_platform(); }});
+    return list;
+}
+
+}  // namespace
+
+std::size_t MemoryUse::total() const {
+    return std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
+}
+
+std::shared_ptr<Context> Context::create(const ContextRequest& asked) {
+    const ContextRequest request = resolved(asked);
+    std::vector<Probe> failed;
+    for (const Candidate& candidate : candidates(request, failed)) {
+        // A fresh thread for each try: a thread that has seen one of Mesa's libraries is spoilt for the
+        // other.
+        auto state = std::make_shared<State>();
+        state->thread = start_quiet_thread([state] {
+            state->worker.work();
+            state->close();
+        });
+        // From here on the context's destructor ends the thread.
+        std::shared_ptr<Context> context(new Context(state));
+        try {
+            context->run([&] { state->open(candidate.make(), candidate.backend, candidate.name); });
+            state->failed_probes = std::move(failed);
+            return context;
+        } catch (const std::exception& error) {
+            failed.push_back({candidate.name, error.what()});
+        }
+    }
+    std::string text = "no OpenGL 4.5 core context could be made.";
+    for (const Probe& probe : failed) text += "\n  " + probe.what + ": " + probe.reason;
+    throw Error(ErrorCode::no_backend, text);
+}
+
+Context::Context(std::shared_ptr<State> state) : state_(std::move(state)) {}
+
+Context::~Context() {
+    state_->worker.stop();
+    join_or_leave(std::move(state_->thread));
+}
+
+const ContextInfo& Context::info() const noexcept {
+    return state_->info;
+}
+
+const Limits& Context::limits() const noexcept {
+    return state_->limits;
+}
+
+const std::vector<Probe>& Context::failed_probes() const noexcept {
+    return state_->failed_probes;
+}
+
+MemoryUse Context::memory() const noexcept {
+    MemoryUse use;
+    for (std::size_t kind = 0; kind < use.bytes.size(); ++kind) use.bytes[kind] = state_->bytes[kind];
+    return use;
+}
+
+bool Context::on_thread() const noexcept {
+    return state_->worker.on_thread();
+}
+
+void Context::execute(void (*call)(void*), void* argument) {
+    // The called function may drop the last reference to this context.
+    const std::shared_ptr<State> kept = state_;
+    kept->worker.execute(call, argument);
+}
+
+void finish(Context& context) {
+    functions(context, "finish").Finish();
+    context.state().check("finish");
+}
+
+}  // namespace nicol::gl

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Draw and dispatch calls.
+#include "gl/draw.hpp"
+
+#include <limits>
+#include <string>
+
+#include "gl/state.hpp"
+#include "nicol/error.hpp"
+
+namespace nicol::gl {
+namespace {
+
+[[noreturn]] void refuse(const std::string& text) {
+    throw Error(ErrorCode::invalid_argument, text);
+}
+
+const GladGLContext& prepare(const char* what, RenderTarget& target, const Program& program,
+                             const DrawState& state) {
+    const GladGLContext& gl = functions(*target.context(), what);
+    if (program.context() != target.context())
+        refuse(std::string(what) + ": the program and the render target are of different contexts");
+    if (program.is_compute()) refuse(std::string(what) + ": " + program.label() + " is a compute program");
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.id());
+    gl.Viewport(0, 0, target.width(), target.height());
+    if (state.depth_test == DepthTest::off) {
+        gl.Disable(GL_DEPTH_TEST);
+    } else {
+        gl.Enable(GL_DEPTH_TEST);
+        gl.DepthFunc(state.depth_test == DepthTest::less ? GL_LESS : GL_LEQUAL);
+    }
+    gl.DepthMask(state.depth_write ? GL_TRUE : GL_FALSE);
+    if (state.cull == Cull::none) {
+        gl.Disable(GL_CULL_FACE);
+    } else {
+        gl.Enable(GL_CULL_FACE);
+        gl.CullFace(state.cull == Cull::back ? GL_BACK : GL_FRONT);
+    }
+    gl.UseProgram(program.id());
+    return gl;
+}
+
+}  // namespace
+
+void draw(RenderTarget& target, const Program& program, const VertexArray& vertices, const DrawState& state) {
+    draw(target, program, vertices, 0, vertices.index_count(), state);
+}
+
+void draw(RenderTarget& target, const Program& program, const VertexArray& vertices, std::size_t first,
+          std::size_t count, const DrawState& state) {
+    if (vertices.context() != target.context())
+        refuse("draw: the vertex array and the render target are of different contexts");
+    const std::size_t available = vertices.index_count();
+    if (first > available || count > available - first || first % 3 != 0 || count % 3 != 0)
+        refuse("draw: " + std::to_string(count) + " indices from " + std::to_string(first) +
+               " are no whole triangles among " + std::to_string(available) + " indices");
+    const GladGLContext& gl = prepare("draw", target, program, state);
+    gl.BindVertexArray(vertices.id());
+    // OpenGL counts with 31 bits.
+    constexpr std::size_t most = (std::numeric_limits<GLsizei>::max() / 3) * std::size_t{3};
+    for (std::size_t done = 0; done < count; done += most) {
+        const std::size_t offset = (first + done) * sizeof(GLuint);
+        gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(std::min(most, count - done)), GL_UNSIGNED_INT,
+                        reinterpret_cast<const void*>(offset));
+    }
+    target.context()->state().check("drawing with " + program.label());
+}
+
+void draw_fullscreen(RenderTarget& target, const Program& program, const DrawState& state) {
+    const GladGLContext& gl = prepare("draw_fullscreen", target, program, state);
+    gl.BindVertexArray(target.context()->state().empty_vertex_array);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    target.context()->state().check("drawing with " + program.label());
+}
+
+void dispatch(const Program& program, unsigned x, unsigned y, unsigned z) {
+    const GladGLContext& gl = functions(*program.context(), "dispatch");
+    if (!program.is_compute()) refuse("dispatch: " + program.label() + " is not a compute program");
+    const std::array<unsigned, 3> groups{x, y, z};
+    const std::array<unsigned, 3>& limit = program.context()->limits().groups;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (groups[axis] == 0 || groups[axis] > limit[axis])
+            refuse("dispatch: " + std::to_string(groups[axis]) + " work groups on axis " +
+                   std::to_string(axis) + " are not between 1 and the limit of " +
+                   std::to_string(limit[axis]));
+    gl.UseProgram(program.id());
+    gl.DispatchCompute(x, y, z);
+    gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
+    program.context()->state().check("dispatching " + program.label());
+}
+
+}  // namespace nicol::gl

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Making and deleting OpenGL names.
+#include "gl/object.hpp"
+
+#include <utility>
+
+#include "gl/state.hpp"
+#include "nicol/error.hpp"
+
+namespace nicol::gl {
+namespace {
+
+GLuint make(const GladGLContext& gl, ObjectKind kind, unsigned detail) {
+    GLuint id = 0;
+    switch (kind) {
+        case ObjectKind::buffer:
+            gl.CreateBuffers(1, &id);
+            break;
+        case ObjectKind::texture:
+            gl.CreateTextures(GL_TEXTURE_2D, 1, &id);
+            break;
+        case ObjectKind::renderbuffer:
+            gl.CreateRenderbuffers(1, &id);
+            break;
+        case ObjectKind::framebuffer:
+            gl.CreateFramebuffers(1, &id);
+            break;
+        case ObjectKind::vertex_array:
+            gl.CreateVertexArrays(1, &id);
+            break;
+        case ObjectKind::program:
+            id = gl.CreateProgram();
+            break;
+        case ObjectKind::shader:
+            id = gl.CreateShader(detail);
+            break;
+    }
+    return id;
+}
+
+void remove(const GladGLContext& gl, ObjectKind kind, GLuint id) noexcept {
+    switch (kind) {
+        case ObjectKind::buffer:
+            gl.DeleteBuffers(1, &id);
+            break;
+        case ObjectKind::texture:
+            gl.DeleteTextures(1, &id);
+            break;
+        case ObjectKind::renderbuffer:
+            gl.DeleteRenderbuffers(1, &id);
+            break;
+        case ObjectKind::framebuffer:
+            gl.DeleteFramebuffers(1, &id);
+            break;
+        case ObjectKind::vertex_array:
+            gl.DeleteVertexArrays(1, &id);
+            break;
+        case ObjectKind::program:
+            gl.DeleteProgram(id);
+            break;
+        case ObjectKind::shader:
+            gl.DeleteShader(id);
+            break;
+    }
+}
+
+}  // namespace
+
+Object::Object(std::shared_ptr<Context> context, ObjectKind kind, unsigned detail)
+    : context_(std::move(context)), kind_(kind) {
+    if (!context_) throw Error(ErrorCode::invalid_argument, "an OpenGL object needs a context, not null");
+    id_ = make(functions(*context_, "making an OpenGL object"), kind_, detail);
+    if (id_ == 0) {
+        context_->state().check("making an OpenGL object");
+        throw Error(ErrorCode::opengl, "the driver made no OpenGL object");
+    }
+}
+
+Object::~Object() {
+    drop();
+}
+
+Object::Object(Object&& other) noexcept
+    : context_(std::move(other.context_)),
+      kind_(other.kind_),
+      id_(std::exchange(other.id_, 0)),
+      memory_kind_(other.memory_kind_),
+      bytes_(std::exchange(other.bytes_, 0)) {}
+
+Object& Object::operator=(Object&& other) noexcept {
+    if (this != &other) {
+        drop();
+        context_ = std::move(other.context_);
+        kind_ = other.kind_;
+        id_ = std::exchange(other.id_, 0);
+        memory_kind_ = other.memory_kind_;
+        bytes_ = std::exchange(other.bytes_, 0);
+    }
+    return *this;
+}
+
+void Object::account(MemoryKind kind, std::size_t bytes) noexcept {
+    memory_kind_ = kind;
+    bytes_ = bytes;
+    context_->state().bytes[static_cast<std::size_t>(kind)] += bytes;
+}
+
+void Object::drop() noexcept {
+    if (id_ == 0) return;
+    Context::State& state = context_->state();
+    state.bytes[static_cast<std::size_t>(memory_kind_)] -= bytes_;
+    if (context_->on_thread()) {
+        remove(state.gl, kind_, id_);
+    } else {
+        // Not waited for: the thread does it before whatever it is given next, and before it ends. The state
+        // outlives the job because the thread holds it.
+        try {
+            state.worker.post([&state, kind = kind_, id = id_] { remove(state.gl, kind, id); });
+        } catch (...) {
+            // No memory for the message: the object stays until its context goes.
+        }
+    }
+    id_ = 0;
+    context_.reset();
+}
+
+}  // namespace nicol::gl

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Framebuffers and their attachments.
+#include "gl/render_target.hpp"
+
+#include <string>
+
+#include "gl/state.hpp"
+#include "nicol/error.hpp"
+
+namespace nicol::gl {
+namespace {
+
+std::string text_of(const RenderTargetDescription& description) {
+    return "a render target of " + std::to_string(description.width) + " x " +
+           std::to_string(description.height) + " pixels with " + std::to_string(description.colours) +
+           " colour attachments";
+}
+
+std::string text_of_status(GLenum status) {
+    switch (status) {
+        case GL_FRAMEBUFFER_UNDEFINED:
+            return "GL_FRAMEBUFFER_UNDEFINED";
+        case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+            return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT";
+        case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+            return "GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT";
+        case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER:
+            return "GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER";
+        case GL_FRAMEBUFFER_UNSUPPORTED:
+            return "GL_FRAMEBUFFER_UNSUPPORTED";
+        default:
+            return "status " + std::to_string(status);
+    }
+}
+
+const RenderTargetDescription& checked(const RenderTargetDescription& description, const Limits& limits) {
+    const auto [width, height, colours, depth] = description;
+    if (width < 1 || height < 1 || width > limits.target_size || height > limits.target_size)
+        throw Error(ErrorCode::invalid_argument,
+                    text_of(description) + ": each side must be 1 to " + std::to_string(limits.target_size));
+    if (colours < 1 || colours > limits.colour_attachments)
+        throw Error(ErrorCode::invalid_argument, text_of(description) + ": there may be 1 to " +
+                                                     std::to_string(limits.colour_attachments));
+    return description;
+}
+
+std::shared_ptr<Context> required(std::shared_ptr<Context> context) {
+    if (!context) throw Error(ErrorCode::invalid_argument, "a render target needs a context, not null");
+    return context;
+}
+
+}  // namespace
+
+RenderTarget::RenderTarget(std::shared_ptr<Context> context, const RenderTargetDescription& description)
+    : description_(checked(description, required(context)->limits())),
+      framebuffer_(context, ObjectKind::framebuffer) {
+    const GladGLContext& gl = functions(*context, "RenderTarget");
+    Context::State& state = context->state();
+    const auto [width, height, colours, has_depth] = description_;
+    std::vector<GLenum> draw_buffers;
+    for (int i = 0; i < colours; ++i) {
+        const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+        colours_.emplace_back(context, TextureDescription{width, height}, std::span<const float>{},
+                              MemoryKind::render_target);
+        gl.NamedFramebufferTexture(id(), attachment, colours_.back().id(), 0);
+        draw_buffers.push_back(attachment);
+    }
+    gl.NamedFramebufferDrawBuffers(id(), colours, draw_buffers.data());
+    if (has_depth) {
+        const Object& depth = depth_.emplace_back(context, ObjectKind::renderbuffer);
+        gl.NamedRenderbufferStorage(depth.id(), GL_DEPTH_COMPONENT32F, width, height);
+        state.check(text_of(description_) + " and depth");
+        depth_.back().account(MemoryKind::render_target, colours_.front().floats());
+        gl.NamedFramebufferRenderbuffer(id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+    }
+    const GLenum status = gl.CheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ErrorCode::opengl,
+                    text_of(description_) + ": the framebuffer is incomplete: " + text_of_status(status));
+    state.check(text_of(description_));
+    if (has_depth) clear_depth();
+}
+
+void RenderTarget::clear(const glm::vec4& colour) {
+    for (int i = 0; i < colours(); ++i) clear_colour(i, colour);
+    if (has_depth()) clear_depth();
+}
+
+void RenderTarget::clear_colour(int attachment, const glm::vec4& colour) {
+    const GladGLContext& gl = functions(*context(), "RenderTarget::clear_colour");
+    static_cast<void>(this->colour(attachment));  // refuses an attachment that is not there
+    gl.ClearNamedFramebufferfv(id(), GL_COLOR, attachment, &colour.x);
+    context()->state().check("RenderTarget::clear_colour");
+}
+
+void RenderTarget::clear_depth(float depth) {
+    const GladGLContext& gl = functions(*context(), "RenderTarget::clear_depth");
+    if (!has_depth())
+        throw Error(ErrorCode::invalid_argument, "RenderTarget::clear_depth: the target has no depth buffer");
+    if (!(depth >= 0.0f && depth <= 1.0f))
+        throw Error(ErrorCode::invalid_argument,
+                    "RenderTarget::clear_depth: " + std::to_string(depth) + " is not between 0 and 1");
+    gl.DepthMask(GL_TRUE);  // it masks clearing, too
+    gl.ClearNamedFramebufferfv(id(), GL_DEPTH, 0, &depth);
+    context()->state().check("RenderTarget::clear_depth");
+}
+
+void RenderTarget::read(int attachment, std::span<float> pixels) const {
+    colour(attachment).read(pixels);
+}
+
+const Texture2D& RenderTarget::colour(int attachment) const {
+    if (attachment < 0 || attachment >= colours())
+        throw Error(ErrorCode::invalid_argument, "RenderTarget: attachment " + std::to_string(attachment) +
+                                                     " is not one of " + std::to_string(colours()) +
+                                                     ", counted from 0");
+    return colours_[static_cast<std::size_t>(attachment)];
+}
+
+}  // namespace nicol::gl

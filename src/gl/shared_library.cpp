@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// dlopen with the reasons kept.
+#include "gl/shared_library.hpp"
+
+#include <dlfcn.h>
+
+#include "nicol/error.hpp"
+
+namespace nicol::gl {
+
+SharedLibrary::SharedLibrary(std::initializer_list<const char*> names) {
+    std::string reasons;
+    for (const char* name : names) {
+        // RTLD_LOCAL: libOSMesa exports every gl* function and would take over a host's libGL.
+        handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+        if (handle_ != nullptr) {
+            name_ = name;
+            return;
+        }
+        const char* reason = dlerror();
+        reasons += reasons.empty() ? "" : "; ";
+        reasons += reason != nullptr ? reason : name;
+    }
+    throw Error(ErrorCode::no_backend, "the library cannot be opened: " + reasons);
+}
+
+void* SharedLibrary::find(const char* symbol) const {
+    void* address = dlsym(handle_, symbol);
+    if (address == nullptr) throw Error(ErrorCode::no_backend, name_ + " lacks the function " + symbol);
+    return address;
+}
+
+}  // namespace nicol::gl

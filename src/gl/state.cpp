@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// Opening OpenGL in a fresh platform context, and finding out what went wrong in it.
+#include "gl/state.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "nicol/error.hpp"
+
+namespace nicol::gl {
+namespace {
+
+constexpr std::size_t kept_messages = 8;
+
+GLADapiproc load(void* platform, const char* name) {
+    return static_cast<Platform*>(platform)->function(name);
+}
+
+void GLAD_API_PTR collect(GLenum, GLenum, GLuint, GLenum, GLsizei length, const GLchar* text,
+                          const void* user) {
+    auto& messages = static_cast<Context::State*>(const_cast<void*>(user))->messages;
+    if (messages.size() >= kept_messages) messages.erase(messages.begin());
+    messages.push_back(length >= 0 ? std::string(text, static_cast<std::size_t>(length)) : std::string(text));
+}
+
+std::string name_of(GLenum error) {
+    switch (error) {
+        case GL_INVALID_ENUM:
+            return "GL_INVALID_ENUM";
+        case GL_INVALID_VALUE:
+            return "GL_INVALID_VALUE";
+        case GL_INVALID_OPERATION:
+            return "GL_INVALID_OPERATION";
+        case GL_INVALID_FRAMEBUFFER_OPERATION:
+            return "GL_INVALID_FRAMEBUFFER_OPERATION";
+        case GL_OUT_OF_MEMORY:
+            return "GL_OUT_OF_MEMORY";
+        case GL_CONTEXT_LOST:
+            return "GL_CONTEXT_LOST";
+        default:
+            return "OpenGL error " + std::to_string(error);
+    }
+}
+
+bool is_software(const std::string& renderer) {
+    const auto names = {"llvmpipe", "softpipe", "swrast", "SWR", "Software", "software"};
+    return std::any_of(names.begin(), names.end(),
+                       [&](const char* name) { return renderer.find(name) != std::string::npos; });
+}
+
+}  // namespace
+
+void Context::State::open(std::unique_ptr<Platform> made, Backend backend, const std::string& device) {
+    platform = std::move(made);
+    const int version = gladLoadGLContextUserPtr(&gl, load, platform.get());
+    if (version == 0) throw Error(ErrorCode::no_backend, "the OpenGL functions cannot be loaded");
+    const auto text = [this](GLenum name) {
+        const GLubyte* value = gl.GetString(name);
+        return value != nullptr ? std::string(reinterpret_cast<const char*>(value)) : std::string();
+    };
+    info = {backend, device, text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION), false};
+    info.software = is_software(info.renderer);
+    if (version < GLAD_MAKE_VERSION(4, 5))
+        throw Error(ErrorCode::no_backend, "OpenGL 4.5 is needed, " + info.renderer + " has " + info.version);
+    read_limits();
+
+    gl.Enable(GL_DEBUG_OUTPUT);
+    gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);  // messages arrive on this thread, inside the call they are about
+    for (const GLenum quiet : {GL_DEBUG_SEVERITY_LOW, GL_DEBUG_SEVERITY_NOTIFICATION})
+        gl.DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, quiet, 0, nullptr, GL_FALSE);
+    gl.DebugMessageCallback(collect, this);
+
+    gl.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);  // row 0 of every picture is its top
+    gl.Disable(GL_DITHER);
+    gl.CreateVertexArrays(1, &empty_vertex_array);
+    check("opening the context");
+}
+
+void Context::State::close() noexcept {
+    if (empty_vertex_array != 0) gl.DeleteVertexArrays(1, &empty_vertex_array);
+    if (gl.DebugMessageCallback != nullptr) gl.DebugMessageCallback(nullptr, nullptr);
+    platform.reset();
+}
+
+void Context::State::check(std::string_view what) {
+    const GLenum error = gl.GetError();
+    if (error == GL_NO_ERROR) {
+        messages.clear();
+        return;
+    }
+    bool memory = error == GL_OUT_OF_MEMORY;
+    std::string text = std::string(what) + ": " + name_of(error);
+    // OpenGL keeps one flag of each kind; a lost context would answer forever.
+    for (int i = 0; i < 8; ++i) {
+        const GLenum next = gl.GetError();
+        if (next == GL_NO_ERROR) break;
+        memory = memory || next == GL_OUT_OF_MEMORY;
+        text += ", " + name_of(next);
+    }
+    for (const std::string& message : messages) text += "; " + message;
+    messages.clear();
+    throw Error(memory ? ErrorCode::out_of_memory : ErrorCode::opengl, text);
+}
+
+GLint Context::State::integer(GLenum name) const {
+    GLint value = 0;
+    gl.GetIntegerv(name, &value);
+    return value;
+}
+
+void Context::State::read_limits() {
+    std::array<GLint, 2> viewport{};
+    gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    limits.texture_size = integer(GL_MAX_TEXTURE_SIZE);
+    limits.target_size =
+        std::min({limits.texture_size, integer(GL_MAX_RENDERBUFFER_SIZE), viewport[0], viewport[1]});
+    limits.colour_attachments = std::min(integer(GL_MAX_COLOR_ATTACHMENTS), integer(GL_MAX_DRAW_BUFFERS));
+    limits.texture_units = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+    limits.image_units = integer(GL_MAX_IMAGE_UNITS);
+    limits.storage_bindings = std::min(integer(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS),
+                                       integer(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS));
+    limits.vertex_attributes =
+        std::min(integer(GL_MAX_VERTEX_ATTRIBS), integer(GL_MAX_VERTEX_ATTRIB_BINDINGS));
+    limits.vertex_stride = static_cast<std::size_t>(integer(GL_MAX_VERTEX_ATTRIB_STRIDE));
+    GLint64 bytes = 0;
+    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    // A few drivers answer with -1 for no limit.
+    limits.storage_bytes = bytes > 0 ? static_cast<std::size_t>(bytes) : PTRDIFF_MAX;
+    limits.storage_alignment =
+        static_cast<std::size_t>(std::max(1, integer(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT)));
+    for (GLuint axis = 0; axis < 3; ++axis) {
+        GLint groups = 0;
+        gl.GetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, axis, &groups);
+        limits.groups[axis] = static_cast<unsigned>(std::max(0, groups));
+    }
+}
+
+const GladGLContext& functions(Context& context, std::string_view what) {
+    if (!context.on_thread())
+        throw Error(ErrorCode::internal, std::string(what) + " was called outside Context::run");
+    return context.state().gl;
+}
+
+}  // namespace nicol::gl

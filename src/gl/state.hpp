@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What a context is made of; the only header that shows OpenGL itself.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "gl/context.hpp"
+#include "gl/platform.hpp"
+#include "gl/worker.hpp"
+
+namespace nicol::gl {
+
+/// Shared by the Context and its thread, so that either may go first. Everything but the worker, the account
+/// and what is constant after open() belongs to the thread.
+struct Context::State {
+    Worker worker;
+    std::thread thread;
+    std::unique_ptr<Platform> platform;
+    GladGLContext gl{};
+    ContextInfo info;
+    Limits limits;
+    std::vector<Probe> failed_probes;
+    std::array<std::atomic<std::size_t>, 5> bytes{};
+    GLuint empty_vertex_array = 0;      ///< core profiles draw nothing without one
+    std::vector<std::string> messages;  ///< of KHR_debug since the last check()
+
+    /// Makes the platform current and readies OpenGL. Throws Error(no_backend).
+    void open(std::unique_ptr<Platform> made, Backend backend, const std::string& device);
+    void close() noexcept;
+    /// Throws Error(out_of_memory) or Error(opengl) naming `what`, with the driver's messages, if anything
+    /// since the last check failed.
+    void check(std::string_view what);
+    [[nodiscard]] GLint integer(GLenum name) const;
+    void read_limits();
+};
+
+/// The function pointers, for a caller inside run(); throws Error(internal) naming `what` elsewhere.
+[[nodiscard]] const GladGLContext& functions(Context& context, std::string_view what);
+
+}  // namespace nicol::gl

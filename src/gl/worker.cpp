@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// The job queue of a context's thread.
+#include "gl/worker.hpp"
+
+#include <csignal>
+#include <exception>
+#include <vector>
+
+namespace nicol::gl {
+namespace {
+
+thread_local bool is_quiet_thread = false;
+
+/// Threads whose context was dropped on a context's thread: it may be their own, or each may be waiting for
+/// the other, so they are not joined there. Joined at the latest before the exit handlers of Mesa, which
+/// would pull the ground from under a context that is still being destroyed.
+class LeftThreads {
+public:
+    ~LeftThreads() { join(); }
+    void add(std::thread thread) {
+        const std::lock_guard lock(mutex_);
+        threads_.push_back(std::move(thread));
+    }
+    void join() {
+        std::vector<std::thread> ending;
+        {
+            const std::lock_guard lock(mutex_);
+            ending.swap(threads_);
+        }
+        for (std::thread& thread : ending) thread.join();
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::thread> threads_;
+};
+
+LeftThreads& left_threads() {
+    static LeftThreads instance;
+    return instance;
+}
+
+}  // namespace
+
+void Worker::work() {
+    id_ = std::this_thread::get_id();
+    while (true) {
+        std::function<void()> job;
+        {
+            std::unique_lock lock(mutex_);
+            given_.wait(lock, [this] { return stopped_ || !jobs_.empty(); });
+            if (jobs_.empty()) return;
+            job = std::move(jobs_.front());
+            jobs_.pop_front();
+        }
+        job();
+    }
+}
+
+void Worker::execute(void (*call)(void*), void* argument) {
+    if (on_thread()) {
+        call(argument);
+        return;
+    }
+    struct Done {
+        std::mutex mutex;
+        std::condition_variable changed;
+        bool done = false;
+        std::exception_ptr error;
+    } done;
+    post([call, argument, &done] {
+        std::exception_ptr error;
+        try {
+            call(argument);
+        } catch (...) {
+            error = std::current_exception();
+        }
+        // Told under the lock: the waiting thread may leave, and take `done` along, as soon as it is free.
+        const std::lock_guard lock(done.mutex);
+        done.error = std::move(error);
+        done.done = true;
+        done.changed.notify_one();
+    });
+    std::unique_lock lock(done.mutex);
+    done.changed.wait(lock, [&done] { return done.done; });
+    if (done.error) std::rethrow_exception(std::move(done.error));
+}
+
+void Worker::post(std::function<void()> job) {
+    {
+        const std::lock_guard lock(mutex_);
+        jobs_.push_back(std::move(job));
+    }
+    given_.notify_one();
+}
+
+void Worker::stop() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopped_ = true;
+    }
+    given_.notify_one();
+}
+
+bool Worker::on_thread() const noexcept {
+    return id_.load() == std::this_thread::get_id();
+}
+
+std::thread start_quiet_thread(std::function<void()> body) {
+    sigset_t quiet, before;
+    sigfillset(&quiet);
+    // Faults of the thread itself still reach the host's handlers.
+    for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT, SIGSYS})
+        sigdelset(&quiet, fault);
+    pthread_sigmask(SIG_BLOCK, &quiet, &before);  // inherited by the new thread
+    try {
+        std::thread thread([body = std::move(body)] {
+            is_quiet_thread = true;
+            body();
+        });
+        pthread_sigmask(SIG_SETMASK, &before, nullptr);
+        return thread;
+    } catch (...) {
+        pthread_sigmask(SIG_SETMASK, &before, nullptr);
+        throw;
+    }
+}
+
+void join_or_leave(std::thread thread) {
+    if (is_quiet_thread) {
+        left_threads().add(std::move(thread));
+        return;
+    }
+    thread.join();
+    left_threads().join();
+}
+
+}  // namespace nicol::gl

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// One thread that runs jobs in the order they were given.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace nicol::gl {
+
+/// What is shared between a thread and those who give it jobs; both keep it alive (see State).
+class Worker {
+public:
+    /// The thread's whole life; returns once stop() was called and every job given before is done.
+    void work();
+    /// Calls call(argument) on the thread, waits, and rethrows what it threw. On the thread itself a plain
+    /// call.
+    void execute(void (*call)(void*), void* argument);
+    /// Runs `job` after what was given before, without waiting. `job` must not throw.
+    void post(std::function<void()> job);
+    void stop();
+    [[nodiscard]] bool on_thread() const noexcept;
+
+private:
+    std::mutex mutex_;
+    std::condition_variable given_;
+    std::deque<std::function<void()>> jobs_;
+    bool stopped_ = false;
+    std::atomic<std::thread::id> id_{};
+};
+
+/// Starts a thread that takes no signals meant for the host.
+[[nodiscard]] std::thread start_quiet_thread(std::function<void()> body);
+
+/// Joins `thread`, which was told to stop. If the caller is such a quiet thread itself (perhaps this one),
+/// leaves it to be joined by a later call from elsewhere, or at the process's end.
+void join_or_leave(std::thread thread);
+
+}  // namespace nicol::gl
