@@ -38,7 +38,7 @@ bool is_blank(char c) {
 }
 
 /// For messages: hostile words may be megabytes long or binary.
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
     std::string text = "\"";
     for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
     return text + (word.size() > 40 ? "...\"" : "\"");
@@ -76,7 +76,7 @@ float Words::number(std::string_view what) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size() ||
         !(std::abs(value) <= std::numeric_limits<float>::max()))
-        fail(std::string(what) + " is " + quoted(whole) + ", not a finite number a float can hold");
+        fail(std::string(what) + " is " + in_quotes(whole) + ", not a finite number a float can hold");
     return static_cast<float>(value);
 }
 
@@ -85,7 +85,7 @@ std::uint64_t Words::count(std::string_view what, std::uint64_t max) {
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc() || end != word.data() + word.size() || value > max)
-        fail(std::string(what) + " is " + quoted(word) + ", not a whole number from 0 to " +
+        fail(std::string(what) + " is " + in_quotes(word) + ", not a whole number from 0 to " +
              std::to_string(max));
     return value;
 }

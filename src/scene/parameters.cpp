@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Replaces $parameters.
+#include "scene/parameters.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "nicol/error.hpp"
+#include "scene/xml_document.hpp"
+
+namespace nicol::scene {
+namespace {
+
+constexpr std::size_t max_length = 65536;
+
+}  // namespace
+
+Parameters::Parameters(const SceneParameters& overrides) {
+    for (const auto& [name, text] : overrides) {
+        if (name.empty() || name.find('$') != std::string::npos)
+            throw Error(ErrorCode::invalid_argument,
+                        "scene parameter " + in_quotes(name) + ": expected the name without the $");
+        values_[name] = {text, false};
+    }
+}
+
+void Parameters::add_default(const std::string& name, const std::string& value) {
+    // The used mark of an override: a declared one is no misspelling.
+    const auto [entry, is_new] = values_.try_emplace(name, Value{value, true});
+    entry->second.used = true;
+}
+
+std::string Parameters::replaced(std::string_view text) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t dollar = std::min(text.find('$', at), text.size());
+        out.append(text.substr(at, dollar - at));
+        if (dollar == text.size()) break;
+        const std::string_view rest = text.substr(dollar + 1);
+        auto best = values_.end();
+        for (auto entry = values_.begin(); entry != values_.end(); ++entry)
+            if (rest.starts_with(entry->first) &&
+                (best == values_.end() || entry->first.size() > best->first.size()))
+                best = entry;
+        if (best == values_.end())
+            throw std::invalid_argument("undefined parameter in " + in_quotes(text) + "; defined are " +
+                                        names());
+        best->second.used = true;
+        out.append(best->second.text);
+        if (out.size() > max_length)
+            throw std::invalid_argument("a value longer than " + std::to_string(max_length) +
+                                        " characters once its parameters are replaced");
+        at = dollar + 1 + best->first.size();
+    }
+    return out;
+}
+
+void Parameters::require_all_used(const std::string& file) const {
+    for (const auto& [name, value] : values_)
+        if (!value.used)
+            throw Error(ErrorCode::invalid_argument, file + ": the file has no parameter " +
+                                                         in_quotes("$" + name) + "; it has " + names());
+}
+
+std::string Parameters::names() const {
+    std::string list;
+    for (const auto& [name, value] : values_)
+        if (value.used) list += (list.empty() ? "$" : ", $") + name;
+    return list.empty() ? "none" : list;
+}
+
+}  // namespace nicol::scene

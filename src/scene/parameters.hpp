@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The $parameters of a scene file.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "nicol/scene_description.hpp"
+
+namespace nicol::scene {
+
+/// Values by name: the caller's, and the file's <default>s where the caller gave none.
+class Parameters {
+public:
+    explicit Parameters(const SceneParameters& overrides);
+
+    /// A <default>; without effect where the name has a value already.
+    void add_default(const std::string& name, const std::string& value);
+    /// `text` with every $name replaced. As in Mitsuba the longest name that fits is meant, so that
+    /// "$folder/a.obj" works. Throws std::invalid_argument: unknown name, or a result longer than 64 KiB
+    /// (defaults that double each other would fill the memory).
+    [[nodiscard]] std::string replaced(std::string_view text);
+    /// Throws Error(invalid_argument) if an override was neither used nor declared by a <default>.
+    void require_all_used(const std::string& file) const;
+
+private:
+    struct Value {
+        std::string text;
+        bool used = false;
+    };
+    [[nodiscard]] std::string names() const;
+
+    std::map<std::string, Value, std::less<>> values_;
+};
+
+}  // namespace nicol::scene

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// One plug-in of a scene file and its parameters.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/xml_document.hpp"
+
+namespace nicol::scene {
+
+/// Every question is remembered, so that finish() can tell parameters that nobody asked for: misspelt ones.
+/// All throw Error(invalid_file) with the place, the plug-in, the parameter and what is accepted.
+class Plugin {
+public:
+    Plugin(const XmlDocument& document, pugi::xml_node node);
+
+    [[nodiscard]] const std::string& type() const { return type_; }
+    [[nodiscard]] std::string id() const { return node_.attribute("id").value(); }
+    [[nodiscard]] bool has(const std::string& name) const { return values_.contains(name); }
+    /// True if the file gives the parameter as an element of this name.
+    [[nodiscard]] bool has_tag(const std::string& name, std::string_view tag) const;
+
+    /// A finite number within [least, most]; `exclusive` shuts the ends out.
+    double number(const std::string& name, double otherwise, double least, double most,
+                  bool exclusive = false);
+    double number(const std::string& name, double otherwise);
+    int integer(const std::string& name, int otherwise, int least, int most);
+    bool boolean(const std::string& name, bool otherwise);
+    std::string string(const std::string& name, const std::string& otherwise);
+    /// One of the spellings in `choices`; their index.
+    std::size_t choice(const std::string& name, std::size_t otherwise,
+                       const std::vector<std::string>& choices);
+    /// The file a required parameter names.
+    std::filesystem::path filename(const std::string& name);
+    glm::dvec3 vector(const std::string& name, std::optional<glm::dvec3> otherwise);
+    /// An <rgb>, a <spectrum> of one number or a <float>, in [0, most].
+    glm::dvec3 color(const std::string& name, double otherwise,
+                     double most = std::numeric_limits<double>::max());
+    glm::dmat4 transform(const std::string& name);
+    /// Known parameters that make no difference here.
+    void pass_over(std::initializer_list<const char*> names);
+
+    /// Nested objects (elements that are no parameter) in file order, each with one of the `accepted` names.
+    [[nodiscard]] std::vector<pugi::xml_node> objects(std::initializer_list<std::string_view> accepted) const;
+    /// Throws if a parameter is left that nobody asked for.
+    void finish() const;
+    /// Throws about one parameter, or about the plug-in if it is empty.
+    [[noreturn]] void fail(const std::string& parameter, const std::string& message,
+                           ErrorCode code = ErrorCode::invalid_file) const;
+    /// Throws Error(unsupported) with the list of types that exist.
+    [[noreturn]] void fail_type(const std::string& accepted) const;
+
+private:
+    /// The element of a parameter, null if the file does not give it.
+    pugi::xml_node find(const std::string& name, std::initializer_list<std::string_view> tags);
+    [[nodiscard]] std::string label() const;
+
+    const XmlDocument& document_;
+    pugi::xml_node node_;
+    std::string type_;
+    std::map<std::string, pugi::xml_node> values_;
+    std::vector<std::string> asked_;
+};
+
+}  // namespace nicol::scene

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// <sensor> and its <film>.
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "scene/plugin.hpp"
+#include "scene/readers.hpp"
+#include "scene/values.hpp"
+
+namespace nicol {
+
+namespace scene {
+namespace {
+
+constexpr double no_limit = std::numeric_limits<double>::max();
+constexpr int max_size = 32768;
+
+void read_film(const XmlDocument& document, pugi::xml_node node, SensorDescription& sensor) {
+    Plugin film(document, node);
+    if (film.type() != "hdrfilm") film.fail_type("hdrfilm");
+    sensor.width = film.integer("width", sensor.width, 1, max_size);
+    sensor.height = film.integer("height", sensor.height, 1, max_size);
+    for (const char* crop : {"crop_offset_x", "crop_offset_y", "crop_width", "crop_height"})
+        if (film.has(crop))
+            film.fail(crop, "is not supported; render the whole picture", ErrorCode::unsupported);
+    // How the picture is stored is for whoever writes it.
+    film.pass_over({"file_format", "pixel_format", "component_format", "sample_border", "compensate"});
+    film.finish();
+    static_cast<void>(film.objects({"rfilter"}));
+}
+
+/// Without `fov`, the diagonal of 35 mm film behind a lens of this focal length.
+void read_field_of_view(Plugin& plugin, SensorDescription& sensor) {
+    const bool has_fov = plugin.has("fov");
+    if (has_fov && plugin.has("focal_length"))
+        plugin.fail("focal_length", "is given beside fov; expected one of them");
+    if (has_fov) {
+        sensor.fov = plugin.number("fov", 0.0, 0.0, 180.0, true);
+        sensor.fov_axis = static_cast<SensorDescription::FovAxis>(
+            plugin.choice("fov_axis", 0, {"x", "y", "diagonal", "smaller", "larger"}));
+        return;
+    }
+    plugin.pass_over({"fov"});
+    std::string text = plugin.string("focal_length", "50mm");
+    if (text.ends_with("mm")) text.resize(text.size() - 2);
+    const auto millimetres = parsed_number(text);
+    if (!millimetres || !(*millimetres > 0.0))
+        plugin.fail("focal_length",
+                    "is " + in_quotes(text) + "; expected a positive number of millimetres, as 50mm");
+    sensor.fov = 360.0 / std::numbers::pi * std::atan(std::hypot(36.0, 24.0) / (2.0 * *millimetres));
+    sensor.fov_axis = SensorDescription::FovAxis::diagonal;
+}
+
+bool is_rigid(const glm::dmat4& m) {
+    for (glm::length_t column = 0; column < 3; ++column)
+        if (std::abs(glm::length(glm::dvec3(m[column])) - 1.0) > 1e-3) return false;
+    return true;
+}
+
+}  // namespace
+
+SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node) {
+    Plugin plugin(document, node);
+    SensorDescription sensor;
+    sensor.to_world = plugin.transform("to_world");
+    if (plugin.type() == "perspective") {
+        read_field_of_view(plugin, sensor);
+        for (const char* offset : {"principal_point_offset_x", "principal_point_offset_y"})
+            if (plugin.number(offset, 0.0) != 0.0)
+                plugin.fail(offset, "is not supported", ErrorCode::unsupported);
+        if (!is_rigid(sensor.to_world))
+            plugin.fail("to_world", "scales; a perspective sensor may only be turned and moved");
+    } else if (plugin.type() == "orthographic") {
+        sensor.kind = SensorDescription::Kind::orthographic;
+    } else {
+        plugin.fail_type("perspective, orthographic");
+    }
+    sensor.near_clip = plugin.number("near_clip", sensor.near_clip, 0.0, no_limit, true);
+    sensor.far_clip = plugin.number("far_clip", sensor.far_clip, 0.0, no_limit, true);
+    if (sensor.near_clip >= sensor.far_clip) plugin.fail("near_clip", "must be smaller than far_clip");
+    // Nothing is out of focus or moves.
+    plugin.pass_over({"focus_distance", "shutter_open", "shutter_close"});
+    plugin.finish();
+    pugi::xml_node film;
+    for (const pugi::xml_node object : plugin.objects({"film", "sampler"})) {
+        if (std::string_view(object.name()) != "film") continue;
+        if (film) document.fail(object, "a second <film> in one sensor; expected one");
+        film = object;
+    }
+    if (film) read_film(document, film, sensor);
+    if (sensor.kind == SensorDescription::Kind::perspective) {
+        const double horizontal = horizontal_fov(sensor);
+        if (!(horizontal > 0.0 && horizontal < 179.99))
+            plugin.fail("fov", "makes the picture " + std::to_string(horizontal) +
+                                   " degrees wide; expected below 180");
+    }
+    return sensor;
+}
+
+}  // namespace scene
+
+double horizontal_fov(const SensorDescription& sensor) {
+    using Axis = SensorDescription::FovAxis;
+    const double aspect = static_cast<double>(sensor.width) / sensor.height;
+    Axis axis = sensor.fov_axis;
+    if (axis == Axis::smaller) axis = aspect > 1.0 ? Axis::y : Axis::x;
+    if (axis == Axis::larger) axis = aspect > 1.0 ? Axis::x : Axis::y;
+    // Half the extent along the axis at distance 1, then that of x.
+    double extent = std::tan(sensor.fov * std::numbers::pi / 360.0);
+    if (axis == Axis::y) extent *= aspect;
+    if (axis == Axis::diagonal) extent *= aspect / std::hypot(aspect, 1.0);
+    return std::atan(extent) * 360.0 / std::numbers::pi;
+}
+
+}  // namespace nicol
