@@ -2,8 +2,8 @@
 """Turns GLSL stages into a C++ source: python3 embed.py OUTPUT FUNCTION FILE...
 
 Stages (.vert, .frag, .comp) become entries of nicol::gl::FUNCTION(); other files are only there to be included.
-`#include "name"` is looked up beside the file, then among the given files; a stage holds each file once, wherever
-it is asked for first, whatever #if surrounds it.
+`#include "name"` finds one of the given files, the one beside the including file first, so that a build knows all
+it depends on. A stage holds each file once, where it is asked for first, whatever #if surrounds it.
 """
 import pathlib
 import re
@@ -21,9 +21,9 @@ def fail(path, number, text):
 
 
 class Stage:
-    def __init__(self, path, shared):
+    def __init__(self, path, listed):
         self.path = path
-        self.shared = shared
+        self.listed = listed
         self.files = []
         self.lines = []
         self.add(path)
@@ -53,13 +53,11 @@ class Stage:
                 self.lines.append(line)
 
     def find(self, path, number, name):
-        beside = path.parent / name
-        if beside.is_file():
-            return beside.resolve()
-        for candidate in self.shared:
-            if candidate.name == name:
+        beside = (path.parent / name).resolve()
+        for candidate in [beside] if beside in self.listed else self.listed:
+            if candidate == beside or candidate.name == name:
                 return candidate
-        fail(path, number, f'"{name}" is neither beside this file nor among the listed shaders')
+        fail(path, number, f'"{name}" is not among the shaders that CMakeLists.txt lists')
 
     def text(self):
         table = [f'//@ {number} {path.name}' for number, path in enumerate(self.files)]

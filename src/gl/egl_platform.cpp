@@ -94,7 +94,7 @@ EGLDisplay get_display(const EglChoice& choice) {
     const auto get = egl().extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
     const char* client = egl().query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!has(client, "EGL_EXT_platform_base") || get == nullptr)
-        throw Error(ErrorCode::no_backend, "EGL lacks EGL_EXT_platform_base. " + vendor_hint());
+        throw Error(ErrorCode::no_backend, "EGL lacks EGL_EXT_platform_base");
     EGLDisplay display = EGL_NO_DISPLAY;
     if (choice.device) {
         const std::vector<EGLDeviceEXT> devices = query_devices();
@@ -106,10 +106,7 @@ EGLDisplay get_display(const EglChoice& choice) {
     } else {
         display = get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     }
-    if (display == EGL_NO_DISPLAY)
-        throw Error(ErrorCode::no_backend,
-                    error_text("eglGetPlatformDisplayEXT") +
-                        (query_devices().empty() ? ". " + vendor_hint() : std::string()));
+    if (display == EGL_NO_DISPLAY) throw Error(ErrorCode::no_backend, error_text("eglGetPlatformDisplayEXT"));
     return display;
 }
 

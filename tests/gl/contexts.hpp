@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// For tests that need OpenGL: every backend, one context each.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "gl/context.hpp"
+#include "gl/shader_source.hpp"
+
+namespace nicol::gl {
+
+inline constexpr Backend every_backend[] = {Backend::egl, Backend::osmesa};
+
+inline const char* name_of(Backend backend) {
+    switch (backend) {
+        case Backend::egl:
+            return "egl";
+        case Backend::osmesa:
+            return "osmesa";
+        case Backend::automatic:
+            break;
+    }
+    return "automatic";
+}
+
+/// A fresh context of that backend; failing to make one fails the test.
+inline std::shared_ptr<Context> make_context(Backend backend) {
+    return Context::create({backend, std::nullopt});
+}
+
+/// Calls test(context) once a backend, inside a doctest note of its name.
+template <class Test>
+void on_every_backend(Test test) {
+    for (const Backend backend : every_backend) {
+        CAPTURE(name_of(backend));
+        test(make_context(backend));
+    }
+}
+
+}  // namespace nicol::gl

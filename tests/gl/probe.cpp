@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Makes a context by the environment it is given and prints what came of it: "ok BACKEND RENDERER" or
+// "error CODE MESSAGE". A program of its own, because EGL reads its environment once a process.
+#include <cstdio>
+#include <cstring>
+
+#include "gl/context.hpp"
+#include "nicol/error.hpp"
+
+int main(int count, char** arguments) {
+    nicol::gl::ContextRequest request;
+    if (count > 1 && std::strcmp(arguments[1], "egl") == 0) request.backend = nicol::gl::Backend::egl;
+    if (count > 1 && std::strcmp(arguments[1], "osmesa") == 0) request.backend = nicol::gl::Backend::osmesa;
+    try {
+        const auto context = nicol::gl::Context::create(request);
+        const nicol::gl::ContextInfo& info = context->info();
+        std::printf("ok %s %s\n", info.backend == nicol::gl::Backend::egl ? "egl" : "osmesa",
+                    info.renderer.c_str());
+        for (const nicol::gl::Probe& probe : context->failed_probes())
+            std::printf("failed %s: %s\n", probe.what.c_str(), probe.reason.c_str());
+    } catch (const nicol::Error& error) {
+        std::printf("error %d %s\n", static_cast<int>(error.code()), error.what());
+    }
+    return 0;
+}
