@@ -42,8 +42,8 @@ Mesh load_mesh(const std::filesystem::path& file) {
         throw Error(ErrorCode::unsupported, name + ": more than 2^31 - 1 vertices or faces");
     if (vetted.faces == 0)
         throw Error(ErrorCode::invalid_file, name + ": no faces; a mesh needs at least one");
-    geometry::Soup soup = geometry::read_soup(name, vetted.bytes, suffix);
-    const bool welded = suffix == ".stl";
+    geometry::Soup soup = geometry::read_soup(name, vetted.bytes, vetted.suffix);
+    const bool welded = vetted.suffix == ".stl";
     if (soup.face_ends.size() != vetted.faces || (!welded && soup.positions.size() != vetted.vertices))
         throw Error(ErrorCode::invalid_file, name + ": OpenMesh read " +
                                                  std::to_string(soup.face_ends.size()) + " of " +

@@ -24,7 +24,7 @@ struct Soup {
     std::vector<std::size_t> face_ends;  ///< face f has the corners [face_ends[f - 1], face_ends[f])
 };
 
-/// Runs OpenMesh's reader for `suffix` (".obj", ...) over bytes that have passed vet.hpp. Any thread may
+/// Runs OpenMesh's reader for `suffix` (Vetted::suffix) over bytes that have passed vet.hpp. Any thread may
 /// call. Throws Error(internal) with OpenMesh's own words if it fails all the same.
 [[nodiscard]] Soup read_soup(std::string_view name, const std::string& bytes, const std::string& suffix);
 

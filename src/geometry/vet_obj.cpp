@@ -55,6 +55,8 @@ public:
     ObjVetter(std::string_view name, std::string_view bytes) : name_(name), bytes_(bytes) {}
 
     Vetted run() {
+        out_.suffix = ".obj";
+        if (bytes_.starts_with("\xEF\xBB\xBF")) bytes_.remove_prefix(3);  // byte order mark
         std::size_t line_number = 0;
         while (!bytes_.empty()) {
             const std::size_t first_line = ++line_number;

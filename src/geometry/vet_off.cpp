@@ -26,39 +26,31 @@ Vetted vet_off(std::string_view name, std::string_view bytes) {
     if (ahead.next() == "BINARY")
         throw Error(ErrorCode::unsupported, prefix + "binary OFF; save it as text, or as PLY or STL");
 
-    Vetted out;
-    out.vertices = words.count("the number of vertices");
-    out.faces = words.count("the number of faces");
+    const std::uint64_t vertices = words.count("the number of vertices");
+    const std::uint64_t faces = words.count("the number of faces");
     words.count("the number of edges");
-    out.bytes = std::string(has_normals ? "NOFF\n" : "OFF\n") + std::to_string(out.vertices) + " " +
-                std::to_string(out.faces) + " 0\n";
-    for (std::size_t v = 0; v < out.vertices; ++v) {
-        for (int i = 0; i < (has_normals ? 6 : 3); ++i) {
-            Words word = words;
-            words.number("a coordinate of vertex " + std::to_string(v) + " (0-based)");
-            std::string_view text = word.next();
-            if (text.front() == '+') text.remove_prefix(1);
-            out.bytes.append(text).append(i == (has_normals ? 5 : 2) ? "\n" : " ");
-        }
+    PlainPly out(has_normals);
+    for (std::uint64_t v = 0; v < vertices; ++v) {
+        for (int i = 0; i < (has_normals ? 6 : 3); ++i)
+            out.add_number(words.number("a coordinate of vertex " + std::to_string(v) + " (0-based)"));
         if (has_colours || has_texcoords) words.skip_line();
     }
-    for (std::size_t f = 0; f < out.faces; ++f) {
+    for (std::uint64_t f = 0; f < faces; ++f) {
         const std::string face = "face " + std::to_string(f) + " (0-based)";
         const std::uint64_t corners = words.count("the number of corners of " + face);
         if (corners < 3)
             words.fail(face + " has " + std::to_string(corners) + " corners; it needs 3 or more");
-        out.bytes.append(std::to_string(corners));
+        out.begin_face(static_cast<std::uint32_t>(corners));
         for (std::uint64_t i = 0; i < corners; ++i) {
             const std::uint64_t index = words.count("a vertex of " + face);
-            if (index >= out.vertices)
-                words.fail(face + " uses vertex " + std::to_string(index) + ", but the vertices are 0 to " +
-                           std::to_string(out.vertices) + " - 1");
-            out.bytes.append(" ").append(std::to_string(index));
+            if (index >= vertices)
+                words.fail(face + " uses vertex " + std::to_string(index) + ", but there are " +
+                           std::to_string(vertices));
+            out.add_index(static_cast<std::uint32_t>(index));
         }
-        out.bytes.append("\n");
         words.skip_line();  // the colour of the face
     }
-    return out;
+    return out.finished();
 }
 
 }  // namespace nicol::geometry

@@ -172,19 +172,13 @@ private:
     std::size_t at_ = 0;
 };
 
-template <class T>
-void put(std::string& bytes, T value) {
-    const auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
-    bytes.append(raw.data(), raw.size());
-}
-
 void skip(Values& values, const Property& property, const std::string& what) {
     const std::uint64_t count = property.length ? values.whole(*property.length, what) : 1;
     for (std::uint64_t i = 0; i < count; ++i) values.next(property.type, what);
 }
 
-/// True when the vertices have normals. Appends 3 or 6 floats a vertex.
-bool read_vertices(Values& values, const Element& element, std::string& out) {
+/// The file with its vertices, the faces still to come.
+PlainPly read_vertices(Values& values, const Element& element) {
     constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
     const auto column = [&](std::string_view name) {
         const auto at = std::ranges::find(element.properties, name, &Property::name);
@@ -199,6 +193,7 @@ bool read_vertices(Values& values, const Element& element, std::string& out) {
             values.fail("the vertices have no property " + std::string(names[i]) + "; expected x, y and z");
     const bool normals =
         std::none_of(columns.begin() + 3, columns.end(), [](std::size_t c) { return c == std::size_t(-1); });
+    PlainPly out(normals);
     for (std::uint64_t v = 0; v < element.count; ++v) {
         const std::string what = "vertex " + std::to_string(v) + " (0-based)";
         std::array<float, 6> row{};
@@ -213,12 +208,12 @@ bool read_vertices(Values& values, const Element& element, std::string& out) {
                 values.fail(what + " has a " + element.properties[p].name + " that is not finite");
             row[static_cast<std::size_t>(at - columns.begin())] = static_cast<float>(value);
         }
-        for (std::size_t i = 0; i < (normals ? 6u : 3u); ++i) put(out, row[i]);
+        for (std::size_t i = 0; i < (normals ? 6u : 3u); ++i) out.add_number(row[i]);
     }
-    return normals;
+    return out;
 }
 
-void read_faces(Values& values, const Element& element, std::uint64_t vertices, std::string& out) {
+void read_faces(Values& values, const Element& element, std::uint64_t vertices, PlainPly& out) {
     const auto is_indices = [](const Property& p) {
         return p.length && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
@@ -234,13 +229,13 @@ void read_faces(Values& values, const Element& element, std::uint64_t vertices, 
             const std::uint64_t corners = values.whole(*property.length, what);
             if (corners < 3)
                 values.fail(what + " has " + std::to_string(corners) + " corners; it needs 3 or more");
-            put(out, static_cast<std::uint32_t>(corners));
+            out.begin_face(static_cast<std::uint32_t>(corners));
             for (std::uint64_t i = 0; i < corners; ++i) {
                 const std::uint64_t index = values.whole(property.type, what);
                 if (index >= vertices)
                     values.fail(what + " uses vertex " + std::to_string(index) + ", but there are " +
                                 std::to_string(vertices));
-                put(out, static_cast<std::uint32_t>(index));
+                out.add_index(static_cast<std::uint32_t>(index));
             }
         }
     }
@@ -259,32 +254,20 @@ Vetted vet_ply(std::string_view name, std::string_view bytes) {
     };
     const Element& vertex = element("vertex");
     const Element& face = element("face");
-    std::string vertices;
-    std::string faces;
-    bool normals = false;
+    if (&face < &vertex) values.fail("the faces come before the vertices; expected the other order");
+    PlainPly out(false);
     for (const Element& e : header.elements) {
         if (&e == &vertex) {
-            normals = read_vertices(values, e, vertices);
+            out = read_vertices(values, e);
         } else if (&e == &face) {
-            read_faces(values, e, vertex.count, faces);
+            read_faces(values, e, vertex.count, out);
         } else if (!e.properties.empty()) {
             for (std::uint64_t i = 0; i < e.count; ++i)
                 for (const Property& p : e.properties)
                     skip(values, p, e.name + " " + std::to_string(i) + " (0-based)");
         }
     }
-    Vetted out;
-    out.vertices = vertex.count;
-    out.faces = face.count;
-    out.bytes = std::string("ply\nformat ") +
-                (std::endian::native == std::endian::big ? "binary_big_endian" : "binary_little_endian") +
-                " 1.0\nelement vertex " + std::to_string(vertex.count) +
-                "\nproperty float x\nproperty float y\nproperty float z\n" +
-                (normals ? "property float nx\nproperty float ny\nproperty float nz\n" : "") +
-                "element face " + std::to_string(face.count) +
-                "\nproperty list int int vertex_indices\nend_header\n";
-    out.bytes.append(vertices).append(faces);
-    return out;
+    return out.finished();
 }
 
 }  // namespace nicol::geometry

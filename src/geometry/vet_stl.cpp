@@ -100,6 +100,7 @@ void read_binary(Vetted& out, std::string_view name, std::string_view bytes) {
 
 Vetted vet_stl(std::string_view name, std::string_view bytes) {
     Vetted out;
+    out.suffix = ".stl";
     out.bytes.assign(header_size, '\0');
     // Binary files may begin with "solid" too; only their size gives them away.
     const bool sized_as_binary =
