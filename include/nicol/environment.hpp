@@ -64,8 +64,10 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 [[nodiscard]] EnvironmentPtr load_environment(const std::filesystem::path& path, double scale = 1);
 
 /// The same from memory. Throws Error(invalid_argument) unless the picture is at least 2 x 2, all values are
-/// finite, s0 >= 0, and the polarized part is physical up to rounding and compression:
-/// sqrt(s1^2 + s2^2 + s3^2) <= 1.01 s0 + 1e-3 times the largest s0 of the channel.
+/// finite, s0 is not negative, and the polarized part is physical up to rounding and compression:
+/// sqrt(s1^2 + s2^2 + s3^2) <= 1.01 s0 + 1e-3 times the largest s0 of the channel. Colours outside a file's
+/// gamut and lossy compression make pixels slightly negative: an unpolarized pixel with 0 > s0 >= -0.1 times
+/// the largest s0 of the channel becomes 0.
 [[nodiscard]] EnvironmentPtr image_environment(EquirectImage image, double scale = 1);
 
 /// Unpolarized, the same from everywhere: one radiance a channel, finite and >= 0, at least one.

@@ -55,7 +55,7 @@ struct ExrOptions {
         "x image right, y image up, z from the scene to the camera; s2 > 0 at +45 degrees "
         "counter-clockwise from x; s3 > 0 right circular";
     /// String attribute `comments`; none if empty.
-    std::string comment;
+    std::string comment{};
 };
 
 /// Writes float32 channels with the names Mitsuba 3 uses: R G B (= s0) and S0.R S0.G S0.B ... S3.B for three

@@ -12,6 +12,7 @@
 #include <numbers>
 #include <vector>
 
+#include "light/degree_sums.hpp"
 #include "light/equirect.hpp"
 #include "nicol/grid.hpp"
 #include "nicol/rotation.hpp"
@@ -29,75 +30,98 @@ using Complex = std::complex<double>;
 class RowAnalysis {
 public:
     RowAnalysis(const EquirectPixels& pixels, int order)
-        : pixels_(pixels),
-          order_(order),
-          // Fewer columns than degrees: zeros between the pixels give the transform the columns it needs
-          // and leave sum_j f_j exp(-i m phi_j) as it is.
-          spread_((2 * order + pixels.width) / pixels.width),
-          attenuation_(static_cast<std::size_t>(order) + 1) {
+        : pixels_(pixels), order_(order), factor_(static_cast<std::size_t>(2 * order) + 1) {
         // A row linear between its pixels is their comb convolved with a hat, whose transform is sinc^2.
-        for (int m = 0; m <= order; ++m) {
+        for (int m = -order; m <= order; ++m) {
             const double x = pi * m / pixels.width;
             const double sinc = m == 0 ? 1 : std::sin(x) / x;
-            attenuation_[static_cast<std::size_t>(m)] = spread_ * sinc * sinc;
+            factor_[static_cast<std::size_t>(m + order)] = sinc * sinc / pixels.width;
         }
     }
 
     [[nodiscard]] FourierRows run(int channel) const {
-        struct Worker {
-            FourierTransform transform;
-            std::vector<double> samples;
-        };
-        const int columns = spread_ * pixels_.width;
+        FourierRows result(order_, pixels_.height);
         // phi = pi - 2 pi u falls with the column, so the pixels are taken from the right.
         tbb::enumerable_thread_specific<Worker> workers([&] {
-            return Worker{FourierTransform(order_, columns, pi / pixels_.width - pi),
-                          std::vector<double>(static_cast<std::size_t>(columns) * 4)};
+            return Worker{DegreeSums(order_, pixels_.width, pi / pixels_.width - pi),
+                          std::vector<Complex>(static_cast<std::size_t>(pixels_.width)),
+                          std::vector<Complex>(factor_.size())};
         });
-        FourierRows result(order_, pixels_.height);
-        tbb::parallel_for(0, pixels_.height, [&](int row) {
-            Worker& worker = workers.local();
-            load(channel, pixels_.height - 1 - row, worker.samples);
-            worker.transform.analyze(worker.samples, result, row);
-            attenuate(result, row);
-        });
+        if (pixels_.components == 4) {
+            tbb::parallel_for(0, pixels_.height, [&](int row) {
+                Worker& worker = workers.local();
+                load(worker, channel, {row, 0}, {row, 3}, 1);
+                store_real(worker, result.s0, row);
+                store_imaginary(worker, result.s3, row);
+                // From the picture's frame to the theta-phi frame: a quarter turn.
+                load(worker, channel, {row, 1}, {row, 2}, -1);
+                std::ranges::copy(worker.sums, result.spin.begin() + static_cast<std::ptrdiff_t>(
+                                                                         result.spin_index(row, -order_)));
+            });
+        } else {
+            // Two real rows are one complex row.
+            tbb::parallel_for(0, (pixels_.height + 1) / 2, [&](int pair) {
+                Worker& worker = workers.local();
+                const int second = std::min(2 * pair + 1, pixels_.height - 1);
+                load(worker, channel, {2 * pair, 0}, {second, 0}, 1);
+                store_real(worker, result.s0, 2 * pair);
+                store_imaginary(worker, result.s0, second);
+            });
+        }
         return result;
     }
 
 private:
-    void load(int channel, int row, std::vector<double>& samples) const {
-        const auto width = static_cast<std::size_t>(pixels_.width);
-        const auto components = static_cast<std::size_t>(pixels_.components);
-        const std::size_t rows =
-            static_cast<std::size_t>(channel) * static_cast<std::size_t>(pixels_.height) +
-            static_cast<std::size_t>(row);
-        const float* first = pixels_.values.data() + rows * width * components;
-        for (std::size_t i = 0; i < width; ++i) {
-            const float* pixel = first + (width - 1 - i) * components;
-            double* sample = samples.data() + i * static_cast<std::size_t>(spread_) * 4;
-            sample[0] = pixel[0];
-            if (components == 1) continue;
-            // From the picture's frame to the theta-phi frame: a quarter turn.
-            sample[1] = -pixel[1];
-            sample[2] = -pixel[2];
-            sample[3] = pixel[3];
-        }
+    struct Worker {
+        DegreeSums transform;
+        std::vector<Complex> samples;
+        std::vector<Complex> sums;
+    };
+    struct Source {
+        int row;
+        std::size_t component;
+    };
+
+    [[nodiscard]] const float* first(int channel, Source source) const {
+        const int row = channel * pixels_.height + (pixels_.height - 1 - source.row);
+        return pixels_.values.data() +
+               static_cast<std::size_t>(row) * static_cast<std::size_t>(pixels_.width) *
+                   static_cast<std::size_t>(pixels_.components) +
+               source.component;
     }
 
-    void attenuate(FourierRows& rows, int row) const {
-        for (int m = 0; m <= order_; ++m) {
-            const double factor = attenuation_[static_cast<std::size_t>(m)];
-            rows.s0[rows.scalar_index(row, m)] *= factor;
-            rows.s3[rows.scalar_index(row, m)] *= factor;
-            rows.spin[rows.spin_index(row, m)] *= factor;
-            if (m > 0) rows.spin[rows.spin_index(row, -m)] *= factor;
+    /// The Fourier coefficients of sign * (real + i imaginary).
+    void load(Worker& worker, int channel, Source real, Source imaginary, double sign) const {
+        const auto components = static_cast<std::size_t>(pixels_.components);
+        const float* a = first(channel, real);
+        const float* b = first(channel, imaginary);
+        const std::size_t width = worker.samples.size();
+        for (std::size_t i = 0; i < width; ++i) {
+            const std::size_t at = (width - 1 - i) * components;
+            worker.samples[i] = sign * Complex(a[at], b[at]);
         }
+        worker.transform(worker.samples, worker.sums);
+        for (std::size_t i = 0; i < factor_.size(); ++i) worker.sums[i] *= factor_[i];
+    }
+
+    /// The coefficients m >= 0 of the real part of what was loaded.
+    void store_real(const Worker& worker, std::vector<Complex>& to, int row) const {
+        const auto n = static_cast<std::size_t>(order_);
+        for (std::size_t m = 0; m <= n; ++m)
+            to[static_cast<std::size_t>(row) * (n + 1) + m] =
+                0.5 * (worker.sums[n + m] + std::conj(worker.sums[n - m]));
+    }
+
+    void store_imaginary(const Worker& worker, std::vector<Complex>& to, int row) const {
+        const auto n = static_cast<std::size_t>(order_);
+        for (std::size_t m = 0; m <= n; ++m)
+            to[static_cast<std::size_t>(row) * (n + 1) + m] =
+                Complex(0, -0.5) * (worker.sums[n + m] - std::conj(worker.sums[n - m]));
     }
 
     const EquirectPixels& pixels_;
     int order_;
-    int spread_;
-    std::vector<double> attenuation_;
+    std::vector<double> factor_;
 };
 
 /// Gauss points of one interval between rows: where (0..1) and how much (sum 1).

@@ -73,10 +73,10 @@ private:
     std::vector<float> values_;
 };
 
-/// Throws Error(code) with `name` in front of every message.
+/// Makes a picture physical, or throws Error(code) with `name` in front of every message.
 class Validator {
 public:
-    Validator(const EquirectImage& image, std::string name, ErrorCode code)
+    Validator(EquirectImage& image, std::string name, ErrorCode code)
         : image_(image), name_(std::move(name)), code_(code) {}
 
     void run() const {
@@ -90,16 +90,21 @@ public:
 
 private:
     void check_plane(std::size_t first, std::size_t plane) const {
-        const float* data = image_.data.data();
+        float* data = image_.data.data();
         float largest = 0;
         for (std::size_t i = first; i < first + plane; i += 4) {
             for (std::size_t p = 0; p < 4; ++p)
                 if (!std::isfinite(data[i + p])) refuse(i, "is not finite");
-            if (data[i] < 0) refuse(i, "has s0 < 0; radiance cannot be negative");
             largest = std::max(largest, data[i]);
         }
         for (std::size_t i = first; i < first + plane; i += 4) {
             const double polarized = std::hypot(data[i + 1], data[i + 2], data[i + 3]);
+            if (data[i] < 0) {
+                // Colours outside the gamut of the file's primaries and lossy compression leave such values.
+                if (polarized > 0 || data[i] < -0.1 * largest)
+                    refuse(i, "has s0 < 0; radiance cannot be negative");
+                data[i] = 0;
+            }
             if (polarized > 1.01 * data[i] + 1e-3 * largest)
                 refuse(i, "is polarized more than fully: sqrt(s1^2 + s2^2 + s3^2) exceeds s0");
         }
@@ -114,7 +119,7 @@ private:
                                ") " + what);
     }
 
-    const EquirectImage& image_;
+    EquirectImage& image_;
     std::string name_;
     ErrorCode code_;
 };

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// Light in closed form: constant and Rayleigh sky.
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "image/temporary_folder.hpp"
+#include "light/directions.hpp"
+#include "nicol/evaluate.hpp"
+#include "nicol/grid.hpp"
+#include "nicol/rotation.hpp"
+
+using namespace nicol;
+using std::numbers::pi;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Inner products of the light with the harmonics by a product rule over the world's sphere.
+PshVector brute_force(const Environment& light, int order) {
+    PshVector result(order, light.channels());
+    const LatitudeRows rows = gauss_legendre_rows(24);
+    std::vector<double> scalar(psh_count(order));
+    std::vector<std::complex<double>> spin2(psh_count(order));
+    constexpr int columns = 48;
+    for (std::size_t j = 0; j < rows.theta.size(); ++j) {
+        for (int i = 0; i < columns; ++i) {
+            const double phi = 2 * pi * i / columns;
+            const glm::dvec3 along(std::sin(rows.theta[j]) * std::cos(phi),
+                                   std::sin(rows.theta[j]) * std::sin(phi), std::cos(rows.theta[j]));
+            const double weight = rows.weight[j] * 2 * pi / columns;
+            harmonics_at(order, along, scalar, spin2);
+            for (int c = 0; c < light.channels(); ++c) {
+                const Stokes s = light.radiance(c, -along);
+                for (std::size_t k = 0; k < scalar.size(); ++k) {
+                    const auto spin = weight * std::conj(spin2[k]) * std::complex<double>(s[1], s[2]);
+                    result.channel(c)[4 * k] += weight * scalar[k] * s[0];
+                    result.channel(c)[4 * k + 1] += spin.real();
+                    result.channel(c)[4 * k + 2] += spin.imag();
+                    result.channel(c)[4 * k + 3] += weight * scalar[k] * s[3];
+                }
+            }
+        }
+    }
+    return result;
+}
+
+double largest_difference(const PshVector& a, const PshVector& b) {
+    REQUIRE(a.data().size() == b.data().size());
+    double largest = 0;
+    for (std::size_t i = 0; i < a.data().size(); ++i)
+        largest = std::max(largest, std::abs(a.data()[i] - b.data()[i]));
+    return largest;
+}
+
+}  // namespace
+
+TEST_CASE("constant light has the one coefficient sqrt(4 pi) L") {
+    const auto light = constant_environment({2, 0.5});
+    CHECK(light->channels() == 2);
+    CHECK_FALSE(light->polarized());
+    CHECK_FALSE(light->circular());
+    const PshVector f = light->project(3);
+    for (int c = 0; c < 2; ++c)
+        for (std::size_t i = 0; i < f.channel(c).size(); ++i)
+            CHECK(f.channel(c)[i] == doctest::Approx(i == 0 ? (c == 0 ? 2 : 0.5) * std::sqrt(4 * pi) : 0));
+    CHECK(light->radiance(1, {0, 0, 1}) == Stokes(0.5, 0, 0, 0));
+    const EquirectImage picture = light->picture();
+    CHECK(picture.stokes(0, 1, 1) == Stokes(2, 0, 0, 0));
+}
+
+TEST_CASE("a Rayleigh sky with the sun at +z has the coefficients of its closed form") {
+    const auto light = rayleigh_sky({.sun_direction = {0, 0, 3}, .dop_max = 0.6, .radiance = {2}});
+    CHECK(light->polarized());
+    CHECK_FALSE(light->circular());
+    const PshVector f = light->project(5);
+    // 3/4 (1 + cos^2) = P_0 + P_2 / 2, and s1 = -3/4 dop sin^2 since the field lies along phi-hat, where
+    // 2Y_20 = sqrt(5 / 4 pi) sqrt(6)/4 sin^2.
+    PshVector expected(5, 1);
+    expected.at(0, 0, 0, 0) = 2 * std::sqrt(4 * pi);
+    expected.at(0, 2, 0, 0) = std::sqrt(4 * pi / 5);
+    expected.at(0, 2, 0, 1) = -2 * 0.6 * 3 / std::sqrt(6) * std::sqrt(4 * pi / 5);
+    CHECK(largest_difference(f, expected) < 1e-14);
+}
+
+TEST_CASE("a Rayleigh sky agrees with brute-force quadrature, evaluation and the sun's rotation") {
+    const glm::dvec3 sun(0.3, 0.8, -0.5);
+    const auto light = rayleigh_sky({.sun_direction = sun, .radiance = {1, 0.25, 3}});
+    const PshVector f = light->project(6);
+    CHECK(largest_difference(f, brute_force(*light, 6)) < 1e-13);
+    for (const glm::dvec3& w : random_directions(50)) {
+        const Stokes s = light->radiance(2, w);
+        CHECK(glm::length(s - evaluate(f, 2, -w)) < 1e-13);
+        const double cosine = glm::dot(glm::normalize(sun), w);
+        CHECK(std::hypot(s[1], s[2]) / s[0] ==
+              doctest::Approx(0.8 * (1 - cosine * cosine) / (1 + cosine * cosine)));
+    }
+    const glm::dmat3 turn = some_rotation(7);
+    const auto turned_light = rayleigh_sky({.sun_direction = turn * sun, .radiance = {1, 0.25, 3}});
+    CHECK(largest_difference(turned_light->project(6), rotated(f, turn)) < 1e-13);
+    CHECK(light->project(0).at(2, 0, 0, 0) == doctest::Approx(3 * std::sqrt(4 * pi)));
+    CHECK(light->project(1).at(1, 1, 0, 0) == doctest::Approx(0));
+}
+
+TEST_CASE("the electric field of the sky stands across the plane of sun and view") {
+    const glm::dvec3 sun = glm::normalize(glm::dvec3(0.2, 1, 0.4));
+    const auto light = rayleigh_sky({.sun_direction = sun, .dop_max = 1, .radiance = {1}});
+    for (const glm::dvec3& w : random_directions(20, 3)) {
+        const Frame across = frame_with_x(-w, glm::cross(sun, w));
+        const Stokes s = turned(light->radiance(0, w), angle_between(theta_phi_frame(-w), across));
+        CHECK(s[1] > 0);
+        CHECK(s[2] == doctest::Approx(0));
+    }
+}
+
+TEST_CASE("the sky's picture has the picture's frames and positions") {
+    // Sun overhead: at the horizon the field is horizontal, the picture's x.
+    const auto noon = rayleigh_sky({.radiance = {4}});
+    const EquirectImage picture = noon->picture();
+    const int horizon = (picture.height - 1) / 2;
+    for (int x = 0; x < picture.width; x += 37) {
+        CHECK(picture.stokes(0, horizon, x)[0] == doctest::Approx(3));
+        CHECK(picture.stokes(0, horizon, x)[1] == doctest::Approx(0.8 * 3));
+        CHECK(picture.stokes(0, 0, x)[0] == doctest::Approx(6));
+    }
+    // The picture, taken as an environment, is the same light up to its resolution.
+    const auto sky = rayleigh_sky({.sun_direction = {1, 0.4, 0.7}, .radiance = {1, 2}});
+    const auto image = image_environment(sky->picture());
+    for (const glm::dvec3& w : random_directions(50, 5))
+        CHECK(glm::length(sky->radiance(1, w) - image->radiance(1, w)) < 1e-3);
+}
+
+TEST_CASE("analytic light is smooth and finite at its special directions") {
+    const auto sky = rayleigh_sky({.sun_direction = {0, 1e-200, 0}});
+    for (const glm::dvec3 w : {glm::dvec3(0, 1, 0), {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 0, 0}}) {
+        const Stokes s = sky->radiance(0, w);
+        CHECK(s[0] >= 0.75);
+        CHECK(std::isfinite(s[1] + s[2]));
+        if (w.y != 0) CHECK(std::hypot(s[1], s[2]) == doctest::Approx(0));
+    }
+}
+
+TEST_CASE("analytic light refuses what is out of range and says what") {
+    const auto bad = ErrorCode::invalid_argument;
+    check_error(
+        bad, [] { (void)constant_environment({}); }, "radiance");
+    check_error(
+        bad,
+        [] {
+            (void)constant_environment({1, -1});
+        },
+        "channel 1");
+    check_error(
+        bad, [] { (void)constant_environment({not_a_number}); }, "channel 0");
+    check_error(
+        bad,
+        [] {
+            (void)rayleigh_sky({.sun_direction = {0, 0, 0}});
+        },
+        "sun_direction");
+    check_error(
+        bad,
+        [] {
+            (void)rayleigh_sky({.sun_direction = {0, not_a_number, 1}});
+        },
+        "sun_direction");
+    check_error(
+        bad,
+        [] {
+            (void)rayleigh_sky({.sun_direction = {infinity, 0, 0}});
+        },
+        "sun_direction");
+    check_error(
+        bad, [] { (void)rayleigh_sky({.dop_max = 1.01}); }, "dop_max");
+    check_error(
+        bad, [] { (void)rayleigh_sky({.dop_max = not_a_number}); }, "dop_max");
+    check_error(
+        bad,
+        [] {
+            (void)rayleigh_sky({.radiance = {1, infinity}});
+        },
+        "channel 1");
+    for (const auto& light : {constant_environment({1}), rayleigh_sky({.radiance = {1}})}) {
+        check_error(
+            bad,
+            [&] {
+                (void)light->radiance(1, {0, 0, 1});
+            },
+            "channel 1");
+        check_error(
+            bad,
+            [&] {
+                (void)light->radiance(-1, {0, 0, 1});
+            },
+            "channel -1");
+        check_error(
+            bad,
+            [&] {
+                (void)light->radiance(0, {0, 0, 1.1});
+            },
+            "unit");
+        check_error(
+            bad,
+            [&] {
+                (void)light->radiance(0, {not_a_number, 0, 0});
+            },
+            "unit");
+        check_error(
+            bad, [&] { (void)light->project(-1); }, "order");
+        check_error(
+            bad, [&] { (void)light->project(kMaxOrder + 1); }, "order");
+    }
+    CHECK_FALSE(rayleigh_sky({.dop_max = 0})->polarized());
+    CHECK_FALSE(rayleigh_sky({.radiance = {0}})->polarized());
+}

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Coefficients of pictures against independent integration.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <complex>
+
+#include "light/directions.hpp"
+#include "nicol/evaluate.hpp"
+
+using namespace nicol;
+using std::numbers::pi;
+
+namespace {
+
+/// Inner products of radiance() with the harmonics: five Gauss points a side in every cell between pixels.
+PshVector brute_force(const Environment& light, int width, int height, int order) {
+    constexpr double node[] = {-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
+                               0.9061798459386640};
+    constexpr double share[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                0.4786286704993665, 0.2369268850561891};
+    PshVector result(order, light.channels());
+    std::vector<double> scalar(psh_count(order));
+    std::vector<std::complex<double>> spin2(psh_count(order));
+    // Large cells are cut into small ones, where the rule is as good as exact for the harmonics.
+    const int cuts_u = 1 + 12 / width;
+    const int cuts_v = 1 + 12 / (height - 1);
+    const double du = 1.0 / (width * cuts_u);
+    const double dv = 1.0 / ((height - 1) * cuts_v);
+    for (int j = 0; j < (height - 1) * cuts_v * 5; ++j) {
+        for (int i = 0; i < width * cuts_u * 5; ++i) {
+            const double u = 0.5 / width + (i / 5 + 0.5 + 0.5 * node[i % 5]) * du;
+            const double v = (j / 5 + 0.5 + 0.5 * node[j % 5]) * dv;
+            const double weight =
+                share[i % 5] * share[j % 5] / 4 * (2 * pi * du) * (pi * dv) * std::sin(pi * v);
+            const glm::dvec3 w = towards(u, v);
+            harmonics_at(order, -w, scalar, spin2);
+            for (int c = 0; c < light.channels(); ++c) {
+                const Stokes s = light.radiance(c, w);
+                for (std::size_t k = 0; k < scalar.size(); ++k) {
+                    const auto spin = weight * std::conj(spin2[k]) * std::complex<double>(s[1], s[2]);
+                    result.channel(c)[4 * k] += weight * scalar[k] * s[0];
+                    result.channel(c)[4 * k + 1] += spin.real();
+                    result.channel(c)[4 * k + 2] += spin.imag();
+                    result.channel(c)[4 * k + 3] += weight * scalar[k] * s[3];
+                }
+            }
+        }
+    }
+    return result;
+}
+
+double largest_difference(const PshVector& a, const PshVector& b) {
+    REQUIRE(a.data().size() == b.data().size());
+    double largest = 0;
+    for (std::size_t i = 0; i < a.data().size(); ++i)
+        largest = std::max(largest, std::abs(a.data()[i] - b.data()[i]));
+    return largest;
+}
+
+/// A smooth physical field: small random coefficients on a large constant.
+PshVector smooth_field(int order, int channels) {
+    PshVector field(order, channels);
+    std::mt19937 engine(4);
+    std::uniform_real_distribution<double> uniform(-0.03, 0.03);
+    for (int c = 0; c < channels; ++c)
+        for (int l = 0; l <= order; ++l)
+            for (int m = -l; m <= l; ++m)
+                for (int p = 0; p < 4; ++p)
+                    if (l >= 2 || p == 0 || p == 3) field.at(c, l, m, p) = uniform(engine);
+    for (int c = 0; c < channels; ++c) field.at(c, 0, 0, 0) = 6;
+    return field;
+}
+
+EquirectImage picture_of(const PshVector& field, int width, int height) {
+    EquirectImage image(width, height, field.channels());
+    for (int c = 0; c < field.channels(); ++c)
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const double u = (x + 0.5) / width;
+                const double v = y / (height - 1.0);
+                const glm::dvec3 along = -towards(u, v);
+                const Stokes s = turned(evaluate(field, c, along),
+                                        angle_between(theta_phi_frame(along), pixel_frame(u, v)));
+                for (std::size_t p = 0; p < 4; ++p)
+                    image.at(c, y, x)[p] = static_cast<float>(s[static_cast<int>(p)]);
+            }
+    return image;
+}
+
+}  // namespace
+
+TEST_CASE("the coefficients are those of the bilinear function that radiance() returns") {
+    struct Case {
+        int width, height, order;
+    };
+    // Even and odd sizes, fewer columns than degrees, and a prime width that takes the direct sums.
+    for (const auto& [width, height, order] :
+         {Case{8, 5, 6}, {7, 4, 6}, {2, 2, 4}, {3, 9, 5}, {67, 3, 2}, {16, 2, 7}}) {
+        CAPTURE(width);
+        CAPTURE(height);
+        for (const bool polarized : {true, false}) {
+            const auto light = image_environment(random_picture(width, height, 2, 9, polarized));
+            CHECK(light->polarized() == polarized);
+            CHECK(largest_difference(light->project(order), brute_force(*light, width, height, order)) <
+                  1e-9);
+        }
+    }
+}
+
+TEST_CASE("a constant picture has the coefficients of constant light, at any resolution and order") {
+    for (const auto& [width, height] : {std::pair{2, 2}, {5, 3}, {64, 33}, {101, 40}, {256, 128}}) {
+        EquirectImage image(width, height, 1);
+        for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = 1.5f;
+        const PshVector f = image_environment(std::move(image))->project(20);
+        CHECK(largest_difference(f, constant_environment({1.5})->project(20)) < 2e-13);
+    }
+}
+
+TEST_CASE("a field of known harmonics comes back from its picture, better the finer it is") {
+    const PshVector field = smooth_field(4, 2);
+    double previous = 0;
+    for (const int height : {33, 65, 129}) {
+        const auto light = image_environment(picture_of(field, 2 * height - 2, height));
+        CHECK(light->polarized());
+        CHECK(light->circular());
+        const double error = largest_difference(light->project(4), field);
+        CHECK(error < 60.0 / (height * height));
+        if (previous > 0) CHECK(previous / error == doctest::Approx(4).epsilon(0.05));
+        previous = error;
+    }
+}
+
+TEST_CASE("radiance() is what the coefficients of high order say, for smooth light") {
+    const auto light = image_environment(picture_of(smooth_field(3, 1), 128, 65));
+    const PshVector f = light->project(24);
+    for (const glm::dvec3& w : random_directions(60, 2))
+        CHECK(glm::length(light->radiance(0, w) - evaluate(f, 0, -w)) < 1e-3);
+}
+
+TEST_CASE("light from above travels down: it lies at theta = pi about y") {
+    EquirectImage image(16, 9, 1);
+    for (int x = 0; x < 16; ++x) image.at(0, 0, x)[0] = 10;
+    const PshVector f = image_environment(std::move(image))->project(4);
+    // The real Y_1,-1 is -sqrt(3 / 4 pi) y.
+    CHECK(f.at(0, 1, -1, 0) > 0.1);
+    CHECK(f.at(0, 1, 0, 0) == doctest::Approx(0));
+    CHECK(f.at(0, 1, 1, 0) == doctest::Approx(0));
+    CHECK(evaluate(f, 0, {0, -1, 0})[0] > 5 * std::abs(evaluate(f, 0, {0, 1, 0})[0]));
+}
+
+TEST_CASE("turning the picture about its axis turns the light about y") {
+    const EquirectImage image = random_picture(12, 7, 1, 3);
+    EquirectImage moved(12, 7, 1);
+    // Three of twelve columns to larger u: from -z towards +x, a turn by -90 degrees about y.
+    for (int y = 0; y < 7; ++y)
+        for (int x = 0; x < 12; ++x)
+            std::ranges::copy(image.at(0, y, x), moved.at(0, y, (x + 3) % 12).begin());
+    const glm::dmat3 turn(glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0));
+    const auto a = image_environment(image)->project(6);
+    const auto b = image_environment(moved)->project(6);
+    for (const glm::dvec3& d : random_directions(10, 8)) {
+        const Stokes before = evaluate(a, 0, d);
+        const Stokes after = turned(evaluate(b, 0, turn * d),
+                                    angle_between(theta_phi_frame(turn * d), turn * theta_phi_frame(d)));
+        CHECK(glm::length(before - after) < 1e-12);
+    }
+}
+
+TEST_CASE("the same picture gives the same bits every time") {
+    const auto light = image_environment(random_picture(40, 300, 1, 6));
+    const PshVector a = light->project(12);
+    for (int i = 0; i < 3; ++i) CHECK(std::ranges::equal(a.data(), light->project(12).data()));
+}
