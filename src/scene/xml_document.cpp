@@ -54,8 +54,8 @@ public:
         if (depth() > max_depth)
             document_.fail(node, "elements nested more than " + std::to_string(max_depth) + " deep");
         if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata)
-            document_.fail(node.parent(), "text " + in_quotes(node.value()) + " inside <" +
-                                              node.parent().name() + ">; values go into attributes");
+            document_.fail(node, "text " + in_quotes(node.value()) + " inside <" + node.parent().name() +
+                                     ">; values go into attributes");
         if (node.type() != pugi::node_element) return true;
         for (pugi::xml_attribute attribute : node.attributes()) replace(node, attribute);
         if (std::string_view(node.name()) == "default") define(node);
@@ -94,7 +94,8 @@ private:
 XmlDocument::XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters) : file_(file) {
     const std::string bytes = read_text(file);
     index_lines(bytes);
-    const pugi::xml_parse_result result = document_.load_buffer(bytes.data(), bytes.size());
+    const pugi::xml_parse_result result =
+        document_.load_buffer(bytes.data(), bytes.size(), pugi::parse_default | pugi::parse_trim_pcdata);
     if (!result)
         throw Error(ErrorCode::invalid_file, place(result.offset, true) + ": " + result.description());
     check_scene();

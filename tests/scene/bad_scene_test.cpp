@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+// Scenes that must be refused, and how.
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "nicol/error.hpp"
+#include "nicol/scene_description.hpp"
+#include "scene/scene_file.hpp"
+
+using namespace nicol;
+
+namespace {
+
+/// Reads text that must fail with `code`; the message names the file and holds every part.
+void check_refused_text(const std::string& text, ErrorCode code, const std::vector<std::string>& parts,
+                        const SceneParameters& parameters = {}) {
+    CAPTURE(text.substr(0, 400));
+    const SceneFile file(text);
+    try {
+        static_cast<void>(read_mitsuba_scene(file.path(), parameters));
+        FAIL_CHECK("read, expected a refusal");
+    } catch (const Error& e) {
+        const std::string message = e.what();
+        CAPTURE(message);
+        CHECK(e.code() == code);
+        CHECK(message.find(file.path().string()) == 0);
+        CHECK(message.size() < 1000);
+        for (const std::string& part : parts) {
+            CAPTURE(part);
+            CHECK(message.find(part) != std::string::npos);
+        }
+    }
+}
+
+void invalid(const std::string& content, const std::vector<std::string>& parts) {
+    check_refused_text(scene(content), ErrorCode::invalid_file, parts);
+}
+
+void unsupported(const std::string& content, const std::vector<std::string>& parts) {
+    check_refused_text(scene(content), ErrorCode::unsupported, parts);
+}
+
+std::string shape_with(const std::string& parameters) {
+    return a_sensor + an_emitter + "<shape type='sphere'>" + parameters + "</shape>";
+}
+
+std::string plastic_with(const std::string& parameters) {
+    return a_sensor + an_emitter + a_shape + "<bsdf type='pplastic'>\n" + parameters + "</bsdf>";
+}
+
+std::string sensor_with(const std::string& parameters) {
+    return an_emitter + a_shape + "<sensor type='perspective'>" + parameters + "</sensor>";
+}
+
+std::string film_with(const std::string& parameters) {
+    return sensor_with("<float name='fov' value='40'/><film type='hdrfilm'>" + parameters + "</film>");
+}
+
+}  // namespace
+
+TEST_CASE("files that cannot be read") {
+    for (const char* path : {"/no/such/scene.xml", "/tmp", "/dev/zero"}) {
+        try {
+            static_cast<void>(read_mitsuba_scene(path));
+            FAIL_CHECK("read");
+        } catch (const Error& e) {
+            CHECK(e.code() == ErrorCode::file_not_found);
+            CHECK(std::string(e.what()).starts_with(path));
+        }
+    }
+}
+
+TEST_CASE("XML that is not well-formed, with line and column") {
+    const ErrorCode code = ErrorCode::invalid_file;
+    check_refused_text("", code, {"scene.xml:1:1: "});
+    check_refused_text("not xml", code, {"scene.xml:1:"});
+    check_refused_text("<scene version='3.0.0'>\n<sensor>\n</scene>", code, {"scene.xml:3:", "mismatch"});
+    check_refused_text("<scene version='3.0.0'>\n  <a b=c/></scene>", code, {"scene.xml:2:"});
+    check_refused_text("<scene version='3.0.0'>", code, {"scene.xml:1:"});
+    check_refused_text(std::string("<scene\0version='3.0.0'/>", 24), code, {"scene.xml:1:"});
+}
+
+TEST_CASE("documents that are not scenes of Mitsuba 3") {
+    check_refused_text("<html/>", ErrorCode::invalid_file, {":1: ", "<html>", "<scene version"});
+    check_refused_text("<scene/>", ErrorCode::invalid_file, {"no version"});
+    check_refused_text("<scene version='0.6.0'/>", ErrorCode::unsupported, {"0.6.0", "3.x.x"});
+    check_refused_text("<scene version='30.0.0'/>", ErrorCode::unsupported, {"30.0.0"});
+    invalid("", {"no <sensor>"});
+    invalid(a_sensor, {"no <shape>"});
+    invalid("\n words\n" + a_sensor + a_shape, {":3: text \"words\" inside <scene>"});
+    invalid("<![CDATA[words]]>" + a_sensor + a_shape, {"text \"words\""});
+}
+
+TEST_CASE("plug-ins and elements that do not exist here, with what does") {
+    unsupported("\n<shape type='hair'/>",
+                {":3: shape \"hair\"", "obj, ply, off, stl, sphere, rectangle, cube"});
+    unsupported("<bsdf type='conductor'/>", {":2: bsdf \"conductor\"", "pplastic, diffuse, psh"});
+    unsupported("<emitter type='point'/>", {"emitter \"point\"", "envmap, constant, psh, sky"});
+    unsupported("<sensor type='thinlens'/>", {"sensor \"thinlens\"", "perspective, orthographic"});
+    unsupported(sensor_with("<float name='fov' value='40'/><film type='specfilm'/>"),
+                {"film \"specfilm\"", "hdrfilm"});
+    unsupported("<texture type='bitmap'/>",
+                {"<texture> in <scene>", "default, integrator, sensor, emitter, bsdf, shape"});
+    unsupported("<include filename='a.xml'/>", {"<include>"});
+    unsupported("<float name='x' value='1'/>", {"<float> in <scene>"});
+    unsupported(shape_with("<emitter type='area'/>"), {"<emitter> inside", "bsdf, ref"});
+    unsupported(plastic_with("<texture name='diffuse_reflectance' type='bitmap'/>"), {"<texture> inside"});
+    unsupported(plastic_with("<spectrum name='diffuse_reflectance' type='d65'/>"), {"<spectrum> inside"});
+    unsupported(shape_with("<transform name='to_world'><shear x='1'/></transform>"), {"<shear>", "lookat"});
+    invalid("<shape/>", {"<shape> has no type"});
+}
+
+TEST_CASE("parameters nobody knows, with those that are known") {
+    invalid(plastic_with("<float name='alhpa' value='0.1'/>"),
+            {":6: bsdf \"pplastic\": parameter \"alhpa\" is unknown", "alpha"});
+    invalid(plastic_with("<float name='alpha_u' value='0.1'/>"), {"alpha_u"});
+    invalid(shape_with("<string name='filename' value='a.obj'/>"),
+            {"shape \"sphere\": parameter \"filename\" is unknown", "radius"});
+    invalid(sensor_with("<float name='fov' value='40'/><float name='aperture' value='1'/>"),
+            {"\"aperture\"", "fov"});
+    invalid(film_with("<integer name='widht' value='40'/>"),
+            {"film \"hdrfilm\": parameter \"widht\"", "width"});
+    invalid(a_sensor + a_shape +
+                "<emitter type='envmap'><string name='filename' value='a.exr'/><rgb name='radiance' "
+                "value='1'/></emitter>",
+            {"\"radiance\" is unknown", "filename"});
+    invalid(shape_with("<float value='1'/>"), {"<float> without a name"});
+    invalid(shape_with("<float name='radius' value='1'/><float name='radius' value='2'/>"),
+            {"\"radius\" is given twice"});
+    invalid(shape_with("<float name='radius' velue='1'/>"), {"attribute \"velue\"", "value"});
+    invalid(shape_with("<float name='radius' value='1'><float name='x' value='1'/></float>"),
+            {"elements inside"});
+    invalid("<shape type='sphere' kind='x'/>", {"attribute \"kind\"", "type, id, name"});
+    invalid(shape_with("<transform name='to_wrld'/>"), {"\"to_wrld\" is unknown", "to_world"});
+}
+
+TEST_CASE("values of the wrong type or outside their range") {
+    invalid(plastic_with("<string name='alpha' value='0.1'/>"),
+            {"\"alpha\" is given as <string>", "<float>"});
+    invalid(plastic_with("<float name='alpha' value='0'/>"), {"\"alpha\" is 0", "above 0"});
+    for (const char* number : {"nan", "inf", "-inf", "1e999", "", "x", "0.1f", "0x10", "1 2", "+-1", "++1"})
+        invalid(plastic_with(std::string("<float name='alpha' value='") + number + "'/>"),
+                {"\"alpha\" is", "finite number"});
+    invalid(plastic_with("<float name='alpha'/>"), {"\"alpha\" is \"\""});
+    invalid(plastic_with("<rgb name='diffuse_reflectance' value='1.1'/>"), {"from 0 to 1"});
+    invalid(plastic_with("<rgb name='diffuse_reflectance' value='0.1, -0.1, 0'/>"), {"from 0 to 1"});
+    for (const char* color :
+         {"", "1 2", "1 2 3 4", "1 nan 1", "#12345", "#1234567", "#12345g", "#-12345", "red"})
+        invalid(plastic_with(std::string("<rgb name='diffuse_reflectance' value='") + color + "'/>"),
+                {"#rrggbb"});
+    invalid(plastic_with("<spectrum name='diffuse_reflectance' value='400:0.1, 700:0.2'/>"), {"tabulated"});
+    invalid(plastic_with("<string name='int_ior' value='cheese'/>"), {"\"cheese\"", "bk7", "diamond"});
+    invalid(plastic_with("<float name='int_ior' value='-1.5'/>"), {"\"int_ior\" is -1.5"});
+    invalid(plastic_with("<float name='int_ior' value='1.5'/><float name='ext_ior' value='1.5'/>"),
+            {"must differ"});
+    invalid(plastic_with("<string name='distribution' value='phong'/>"), {"beckmann, ggx"});
+    invalid(shape_with("<float name='radius' value='-1'/>"), {"above 0"});
+    invalid(shape_with("<point name='center' value='1 2'/>"), {"one or three"});
+    invalid(shape_with("<point name='center' value='1' x='1'/>"), {"both"});
+    invalid(shape_with("<point name='center' x='nan'/>"), {"finite"});
+    invalid(shape_with("<boolean name='flip_normals' value='yes'/>"), {"true or false"});
+    invalid("<shape type='obj'/>", {"\"filename\" is missing"});
+    invalid("<shape type='obj'><string name='filename' value='a.ply'/></shape>", {"a.ply", ".obj"});
+    invalid("<emitter type='envmap'/>", {"\"filename\" is missing"});
+    invalid("<emitter type='sky'/>", {"\"sun_direction\" is missing"});
+    invalid("<emitter type='sky'><vector name='sun_direction' value='0'/></emitter>", {"no direction"});
+    invalid(
+        "<emitter type='sky'><vector name='sun_direction' y='1'/><float name='dop_max' "
+        "value='1.5'/></emitter>",
+        {"from 0 to 1"});
+    invalid("<emitter type='constant'><rgb name='radiance' value='-1'/></emitter>", {"at least 0"});
+}
+
+TEST_CASE("cameras that see nothing") {
+    for (const char* width : {"0", "-5", "100000000000", "1e99", "2.5", "99999999999999999999999", "nan", ""})
+        invalid(film_with(std::string("<integer name='width' value='") + width + "'/>"),
+                {"\"width\" is", "from 1 to 32768"});
+    invalid(film_with("<float name='width' value='10'/>"), {"<float>", "<integer>"});
+    unsupported(film_with("<integer name='crop_width' value='10'/>"), {"crop_width"});
+    for (const char* fov : {"0", "180", "-10", "nan"})
+        invalid(sensor_with(std::string("<float name='fov' value='") + fov + "'/>"), {"\"fov\" is"});
+    invalid(sensor_with("<float name='fov' value='40'/><string name='fov_axis' value='z'/>"),
+            {"smaller, larger"});
+    invalid(sensor_with("<float name='fov' value='40'/><string name='focal_length' value='50mm'/>"),
+            {"beside fov"});
+    for (const char* length : {"0mm", "-50mm", "mm", "", "50cm"})
+        invalid(sensor_with(std::string("<string name='focal_length' value='") + length + "'/>"),
+                {"millimetres"});
+    invalid(sensor_with("<float name='near_clip' value='0'/>"), {"\"near_clip\" is 0"});
+    invalid(sensor_with("<float name='near_clip' value='5'/><float name='far_clip' value='5'/>"),
+            {"smaller than far_clip"});
+    invalid(sensor_with("<transform name='to_world'><scale value='2'/></transform>"),
+            {"\"to_world\" scales"});
+    unsupported(sensor_with("<float name='principal_point_offset_x' value='0.1'/>"),
+                {"principal_point_offset_x"});
+    invalid(sensor_with("<film type='hdrfilm'/><film type='hdrfilm'/>"), {"second <film>"});
+}
+
+TEST_CASE("transforms that cannot be") {
+    const auto refused = [](const std::string& operations, const std::string& part) {
+        invalid(shape_with("<transform name='to_world'>" + operations + "</transform>"), {part});
+    };
+    refused("<scale x='0'/>", "cannot be inverted");
+    refused("<scale value='1e200'/><scale value='1e200'/>", "cannot be inverted");
+    refused("<rotate angle='30'/>", "no length");
+    refused("<rotate x='1'/>", "angle is \"\"");
+    refused("<lookat origin='1,1,1' target='1,1,1' up='0,1,0'/>", "coincide");
+    refused("<lookat origin='0,1,0' target='0,5,0' up='0,1,0'/>", "parallel");
+    refused("<lookat origin='0,1,0' target='0,5' up='0,1,0'/>", "target is \"0,5\"");
+    refused("<lookat origin='0,1,0' target='0,5,1'/>", "up is \"\"");
+    refused("<matrix value='1 2 3'/>", "16 or 9");
+    refused("<matrix value='1 0 0 0 0 1 0 0 0 0 nan 0 0 0 0 1'/>", "16 or 9");
+    refused("<translate w='1'/>", "attribute \"w\"");
+    unsupported(
+        shape_with(
+            "<transform name='to_world'><matrix value='1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1'/></transform>"),
+        {"last row"});
+}
+
+TEST_CASE("ids and references") {
+    invalid(a_sensor + "<bsdf type='diffuse' id='a'/>\n<bsdf type='diffuse' id='a'/>",
+            {":4: id \"a\"", "scene.xml:3"});
+    invalid(shape_with("<ref id='nobody'/>"), {"\"nobody\""});
+    invalid(shape_with("<ref/>"), {"<ref> to \"\""});
+    invalid(
+        "<sensor type='orthographic' id='eye'/>" + a_shape + "<shape type='sphere'><ref id='eye'/></shape>",
+        {"which is a <sensor>"});
+    invalid(shape_with("<bsdf type='diffuse'/><bsdf type='diffuse'/>"), {"second bsdf"});
+    unsupported(an_emitter + an_emitter, {":3: a second emitter"});
+}
+
+TEST_CASE("$parameters") {
+    invalid(shape_with("<float name='radius' value='$size'/>"), {"undefined parameter", "$size"});
+    invalid("<default name='a' value='$b'/>", {":2: undefined parameter"});
+    invalid("<default name='size' value='1'/>" + shape_with("<float name='radius' value='$'/>"),
+            {"undefined", "$size"});
+    invalid("<default value='1'/>", {"<default> needs a name"});
+    check_refused_text(scene("<default name='b' value='1'/>" + shape_with("")), ErrorCode::invalid_argument,
+                       {"no parameter \"$a\"", "$b"}, {{"a", "1"}});
+    const SceneFile file(scene(a_sensor + a_shape));
+    CHECK_THROWS_AS(static_cast<void>(read_mitsuba_scene(file.path(), {{"", "1"}})), Error);
+    CHECK_THROWS_AS(static_cast<void>(read_mitsuba_scene(file.path(), {{"$a", "1"}})), Error);
+}
+
+TEST_CASE("hostile documents end soon") {
+    // Each parameter is the last one twice: 2^60 characters if nobody stops.
+    std::string doubling = "<default name='a0_' value='0123456789'/>\n";
+    for (int i = 1; i < 60; ++i)
+        doubling += "<default name='a" + std::to_string(i) + "_' value='$a" + std::to_string(i - 1) + "_$a" +
+                    std::to_string(i - 1) + "_'/>\n";
+    invalid(doubling, {"longer than 65536"});
+
+    std::string nested;
+    for (int i = 0; i < 100000; ++i) nested += "<shape type='x'>";
+    for (int i = 0; i < 100000; ++i) nested += "</shape>";
+    invalid(nested, {"nested more than 32 deep"});
+    check_refused_text(std::string(100000, '<'), ErrorCode::invalid_file, {});
+
+    const std::string entities =
+        "<!DOCTYPE scene [<!ENTITY a 'x'><!ENTITY b '&a;&a;&a;&a;'>]>\n<scene version='3.0.0'><sensor "
+        "type='&b;'/></scene>";
+    check_refused_text(entities, ErrorCode::unsupported, {"sensor \"&b;\""});
+
+    std::string huge = scene(a_sensor + a_shape);
+    huge.append(std::size_t{17} << 20, ' ');
+    check_refused_text(huge, ErrorCode::unsupported, {"16 MiB"});
+
+    invalid(shape_with("<float name='radius' value='" + std::string(1000000, '9') + "'/>"), {"\"radius\""});
+}
+
+TEST_CASE("a scene cut short anywhere or with bytes changed never does worse than fail") {
+    const std::string text = scene(
+        "<default name='k' value='1'/><sensor type='perspective'><float name='fov' value='40'/>"
+        "<transform name='to_world'><lookat origin='0,0,5' target='0,0,0' up='0,1,0'/></transform></sensor>" +
+        an_emitter + "<shape type='sphere'><float name='radius' value='$k'/><bsdf type='pplastic'/></shape>");
+    std::mt19937 random(3);
+    int failures = 0;
+    const auto attempt = [&](const std::string& changed) {
+        const SceneFile file(changed);
+        try {
+            static_cast<void>(read_mitsuba_scene(file.path()));
+        } catch (const Error& e) {
+            CHECK(e.code() != ErrorCode::internal);
+            ++failures;
+        }
+    };
+    for (std::size_t size = 0; size < text.size(); size += 3) attempt(text.substr(0, size));
+    for (int i = 0; i < 500; ++i) {
+        std::string changed = text;
+        for (int k = 0; k < 3; ++k) changed[random() % changed.size()] = static_cast<char>(random());
+        attempt(changed);
+    }
+    CHECK(failures > 500);
+}
