@@ -26,6 +26,12 @@ LegendreTransform::LegendreTransform(int order, LatitudeRows rows) {
     require_size(rows.sin_half.size(), n, "rows.sin_half");
     require_size(rows.cos_half.size(), n, "rows.cos_half");
     require_size(rows.weight.size(), n, "rows.weight");
+    for (std::size_t j = 0; j < n; ++j) {
+        const double s = rows.sin_half[j];
+        const double c = rows.cos_half[j];
+        require(s >= 0 && c >= 0 && std::abs(s * s + c * c - 1) < 1e-12 && std::isfinite(rows.weight[j]),
+                "row " + std::to_string(j) + " has no colatitude in [0, pi] or no finite weight");
+    }
     const std::size_t count = psh_count(order);
     plan_ = std::make_unique<Plan>(
         Plan{order, std::move(rows), std::vector<double>(count), std::vector<double>(count), {}});

@@ -33,8 +33,35 @@ private:
     double small_;
 };
 
+/// The degree that does not vanish at the nearer pole, m = n at the north and m = -n at the south: there the
+/// plain recursion adds its rounding errors up, so this one runs on the differences of d from one l to the
+/// next.
+void run_pole_degree(int m, int order, const HalfAngle& half, double first, std::span<double> out) {
+    const bool north = half.sin <= half.cos;
+    const double small = north ? half.sin * half.sin : half.cos * half.cos;
+    const double mm = static_cast<double>(m) * m;
+    const double alternate = north ? 1 : -1;
+    double value = first;
+    double change = 0;
+    double sign = 1;
+    for (int l = std::abs(m);; ++l) {
+        out[psh_index(l, m)] = norm(l) * sign * value;
+        if (l == order) return;
+        const double k = l + 1.0;
+        const double root = k * k - mm;
+        const double back = l == 0 ? 0 : k * (static_cast<double>(l) * l - mm) / (l * root);
+        change = back * change - 2 * (2 * l + 1) * k / root * small * value;
+        value += change;
+        sign *= alternate;
+    }
+}
+
 void run_degree(int m, int n, int order, const HalfAngle& half, Scaled current, std::span<double> out) {
     if (current.v == 0) return;
+    if (m == (half.sin <= half.cos ? n : -n) && current.e == 0) {
+        run_pole_degree(m, order, half, current.v, out);
+        return;
+    }
     const Factor factor(half, m, n);
     const double mm = static_cast<double>(m) * m;
     const double nn = static_cast<double>(n) * n;

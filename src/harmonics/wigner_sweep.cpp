@@ -14,23 +14,24 @@ WignerSweep::WignerSweep(int order, HalfAngle half)
       unsettled_(static_cast<std::size_t>(order) + 1),
       root_(static_cast<std::size_t>(order) + 2),
       next_root_(static_cast<std::size_t>(order) + 2),
+      change_(static_cast<std::size_t>(order) + 1),
       edge_(1) {
     current_[0] = 1;
 }
 
 /// d^m_{mn} for n = -m..m, outwards from the larger of d_{mm} = cos^2m and |d_{m,-m}| = sin^2m.
 void WignerSweep::start_row(int m) {
-    const bool north = half_.sin <= half_.cos;
-    const double large = north ? half_.cos : half_.sin;
+    const double large = north() ? half_.cos : half_.sin;
     edge_ *= Scaled(large);
     edge_ *= Scaled(large);
-    const double ratio = -(north ? half_.sin / half_.cos : half_.cos / half_.sin);
+    const double ratio = -(north() ? half_.sin / half_.cos : half_.cos / half_.sin);
     Scaled value = edge_;
     const Scaled step(ratio);
     unsettled_[static_cast<std::size_t>(m)] = 0;
+    change_[static_cast<std::size_t>(m)] = 0;
     // South: d_{m,-m} = (-1)^(2m) sin^2m, and the sign alternates with n as it does from the north.
     for (int k = 0; k <= 2 * m; ++k) {
-        const std::size_t i = psh_index(m, north ? m - k : k - m);
+        const std::size_t i = psh_index(m, north() ? m - k : k - m);
         current_[i] = value.v;
         previous_[i] = 0;
         // Beyond this depth an entry cannot grow back to a value that counts.
@@ -60,19 +61,20 @@ void WignerSweep::step() {
         root_[static_cast<std::size_t>(n)] = std::sqrt((l - n) * (l + n) * (n <= l_ ? 1 : 0));
         next_root_[static_cast<std::size_t>(n)] = n <= l_ ? 1 / std::sqrt((k - n) * (k + n)) : 0;
     }
-    const bool north = half_.sin <= half_.cos;
-    const double small = 2 * (north ? half_.sin * half_.sin : half_.cos * half_.cos);
+    const double side = north() ? 1 : -1;
+    const double small = 2 * (north() ? half_.sin * half_.sin : half_.cos * half_.cos);
     const double ll = l * k;
     if (l_ == 0) {
-        previous_[0] = (north ? 1 : -1) * (1 - small);
-        std::swap(current_, previous_);
+        change_[0] = -side * small;
+        current_[0] = side * (1 - small);
+        previous_[0] = 1;
     } else {
         for (int m = 0; m <= l_; ++m) {
             const auto row = static_cast<std::size_t>(m);
             const double up = next_root_[row] / l;
-            const double a = (2 * l + 1) * up * (north ? 1 : -1);
+            const double a = (2 * l + 1) * up * side;
             const double b = k * root_[row] * up;
-            const double shift = north ? m : -m;
+            const double shift = side * m;
             double* now = &current_[psh_index(m, 0)];
             double* before = &previous_[psh_index(m, 0)];
             const double* root = root_.data();
@@ -83,6 +85,17 @@ void WignerSweep::step() {
             for (int n = 1; n <= m; ++n)
                 before[-n] =
                     (a * ((ll + shift * n) - ll * small) * now[-n] - b * root[n] * before[-n]) * inverse[n];
+            // This entry stays near one beside the pole and would collect rounding errors (see
+            // run_pole_degree).
+            const std::size_t pole = psh_index(m, north() ? m : -m);
+            if (exponent_[pole] == 0) {
+                const double inward = root_[row] * next_root_[row];
+                const double value = current_[pole];
+                const double change = k / l * inward * inward * change_[row] -
+                                      (2 * l + 1) * k * next_root_[row] * next_root_[row] * small * value;
+                previous_[pole] = side * (value + change);
+                change_[row] = side * change;
+            }
         }
         std::swap(current_, previous_);
         for (int m = 0; m <= l_; ++m)

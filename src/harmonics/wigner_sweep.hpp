@@ -25,6 +25,7 @@ public:
 private:
     void start_row(int m);
     void rescale_row(int m);
+    [[nodiscard]] bool north() const { return half_.sin <= half_.cos; }
 
     HalfAngle half_;
     int l_ = 0;
@@ -34,7 +35,8 @@ private:
     std::vector<int> unsettled_;          // entries of a row whose exponent is not 0
     std::vector<double> root_;            // sqrt(l^2 - n^2), by n
     std::vector<double> next_root_;
-    Scaled edge_;  // max(sin, cos)^(2m)
+    std::vector<double> change_;  // since the last step, of the entry that does not vanish at the nearer pole
+    Scaled edge_;                 // max(sin, cos)^(2m)
 };
 
 }  // namespace nicol

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Values of fields: against the definition in high precision, and across the poles.
+#include "nicol/evaluate.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "harmonics/reference.hpp"
+#include "nicol/error.hpp"
+
+using namespace nicol;
+using std::numbers::pi;
+
+TEST_CASE("the value is the sum over the basis (Eqs. 29, 30)") {
+    std::mt19937_64 random(1);
+    const PshVector f = reference::random_field(random, 7, 2);
+    for (const double theta : {0.0, 1e-7, .5, pi / 2, 2.8, pi - 1e-7})
+        for (const double phi : {0.0, 1.0, -3.0}) {
+            if (theta == 0 && phi != 0) continue;
+            Stokes want(0);
+            for (int l = 0; l <= 7; ++l)
+                for (int m = -l; m <= l; ++m) {
+                    const double y = reference::spin_harmonic(0, l, std::abs(m), theta) *
+                                     (m > 0   ? std::sqrt(2) * std::cos(m * phi)
+                                      : m < 0 ? std::sqrt(2) * std::sin(-m * phi)
+                                              : 1);
+                    const auto w = std::complex(f.at(1, l, m, 1), f.at(1, l, m, 2)) *
+                                   reference::spin_harmonic(2, l, m, theta) * std::polar(1.0, m * phi);
+                    want += Stokes(f.at(1, l, m, 0) * y, w.real(), w.imag(), f.at(1, l, m, 3) * y);
+                }
+            const Stokes have = evaluate(f, 1, 3.5 * reference::direction(theta, phi));
+            for (int p = 0; p < 4; ++p) CHECK(std::abs(have[p] - want[p]) < 1e-12);
+        }
+}
+
+TEST_CASE("the azimuth keeps its sign: an arc cosine would lose it") {
+    PshVector f(1, 1);
+    f.at(0, 1, -1, 0) = 1;
+    CHECK(evaluate(f, 0, {0, 1, 0})[0] == doctest::Approx(-std::sqrt(3 / (4 * pi))));
+    CHECK(evaluate(f, 0, {0, -1, 0})[0] == doctest::Approx(std::sqrt(3 / (4 * pi))));
+}
+
+TEST_CASE("a field is continuous across the pole once its frames are compared") {
+    std::mt19937_64 random(2);
+    const PshVector f = reference::random_field(random, 6);
+    for (const double z : {1.0, -1.0}) {
+        const Stokes at = evaluate(f, 0, {0, 0, z});
+        for (const double phi : {0.0, 1.0, 2.5, -2.0}) {
+            const Stokes near = evaluate(f, 0, {1e-9 * std::cos(phi), 1e-9 * std::sin(phi), z});
+            // At the pole x is along phi = 0; the frame beside it is turned by phi (by -phi in the south).
+            const auto turn = std::polar(1.0, -2 * z * phi);
+            CHECK(std::abs(std::complex(at[1], at[2]) * turn - std::complex(near[1], near[2])) < 1e-6);
+            CHECK(std::abs(at[0] - near[0]) < 1e-6);
+        }
+    }
+}
+
+TEST_CASE("directions of any length, down to the smallest numbers") {
+    std::mt19937_64 random(3);
+    const PshVector f = reference::random_field(random, 4);
+    const glm::dvec3 d(.3, -.4, .8);
+    const Stokes want = evaluate(f, 0, d);
+    for (const double scale : {1e-300, 1e300, 1e-320}) {
+        const Stokes have = evaluate(f, 0, d * scale);
+        for (int p = 0; p < 4; ++p)
+            CHECK(have[p] == doctest::Approx(want[p]).epsilon(scale < 1e-310 ? 1e-2 : 1e-12));
+    }
+}
+
+TEST_CASE("harmonics_at holds what evaluate sums, and batches equal singles") {
+    std::mt19937_64 random(4);
+    const PshVector f = reference::random_field(random, 8);
+    std::vector<glm::dvec3> directions;
+    for (int i = 0; i < 10; ++i) directions.push_back(reference::random_direction(random));
+    std::vector<Stokes> values(directions.size());
+    evaluate(f, 0, directions, values);
+    std::vector<double> scalar(psh_count(8));
+    std::vector<std::complex<double>> spin2(psh_count(8));
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        harmonics_at(8, directions[k], scalar, spin2);
+        Stokes sum(0);
+        for (std::size_t i = 0; i < scalar.size(); ++i) {
+            const double* c = f.channel(0).data() + 4 * i;
+            const auto w = std::complex(c[1], c[2]) * spin2[i];
+            sum += Stokes(c[0] * scalar[i], w.real(), w.imag(), c[3] * scalar[i]);
+        }
+        CHECK(evaluate(f, 0, directions[k]) == values[k]);
+        for (int p = 0; p < 4; ++p) CHECK(sum[p] == doctest::Approx(values[k][p]).epsilon(1e-11));
+    }
+}
+
+TEST_CASE("evaluation refuses bad arguments") {
+    PshVector f(2, 1);
+    CHECK_THROWS_AS((void)evaluate(f, 0, {0, 0, 0}), Error);
+    CHECK_THROWS_AS((void)evaluate(f, 0, {NAN, 0, 1}), Error);
+    CHECK_THROWS_AS((void)evaluate(f, 0, {INFINITY, 0, 1}), Error);
+    CHECK_THROWS_AS((void)evaluate(f, 1, {0, 0, 1}), Error);
+    f.at(0, 0, 0, 0) = INFINITY;
+    CHECK_THROWS_AS((void)evaluate(f, 0, {0, 0, 1}), Error);
+    std::vector<double> scalar(4);
+    std::vector<std::complex<double>> spin2(9);
+    CHECK_THROWS_AS(harmonics_at(2, {0, 0, 1}, scalar, spin2), Error);
+}

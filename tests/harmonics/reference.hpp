@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// References independent of the library: explicit sums in thousands of bits, and helpers for random fields.
+#pragma once
+
+#include <complex>
+#include <random>
+#include <span>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "nicol/psh.hpp"
+#include "nicol/stokes.hpp"
+
+namespace reference {
+
+/// d^l_{mn}(theta) for the exact value of the double theta, by Wigner's sum; right to all digits up to l =
+/// 4096.
+double wigner_d(int l, int m, int n, double theta);
+
+/// sY_lm(theta, 0) from it.
+double spin_harmonic(int spin, int l, int m, double theta);
+
+/// Standard normal coefficients; p = 1, 2 below l = 2 stay zero.
+nicol::PshVector random_field(std::mt19937_64& random, int order, int channels = 1);
+
+/// A rotation uniform over all.
+glm::dmat3 random_rotation(std::mt19937_64& random);
+glm::dmat3 about_z(double angle);
+glm::dmat3 about_y(double angle);
+
+glm::dvec3 random_direction(std::mt19937_64& random);
+glm::dvec3 direction(double theta, double phi);
+
+/// The theta-phi frame by its definition.
+nicol::Frame theta_phi(const glm::dvec3& direction);
+
+/// exp(-2 i psi) with to = from Rz(psi): what multiplies s1 + i s2 (Eq. 14).
+std::complex<double> frame_change(const nicol::Frame& from, const nicol::Frame& to);
+
+double max_difference(std::span<const double> a, std::span<const double> b);
+
+}  // namespace reference

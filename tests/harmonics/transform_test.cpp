@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// Transforms: exact on every grid for band-limited fields, and equal to evaluation point by point.
+#include "nicol/transform.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "harmonics/reference.hpp"
+#include "nicol/error.hpp"
+#include "nicol/evaluate.hpp"
+
+using namespace nicol;
+using std::numbers::pi;
+
+namespace {
+
+double round_trip(std::mt19937_64& random, int order, LatitudeRows rows, int columns) {
+    const PshVector f = reference::random_field(random, order);
+    PshTransform transform(order, std::move(rows), columns, .3);
+    std::vector<double> samples(4 * static_cast<std::size_t>(transform.rows().count() * columns));
+    std::vector<double> back(f.data().size());
+    transform.synthesize(f.channel(0), samples);
+    transform.analyze(samples, back);
+    double largest = 0;
+    for (const double value : f.data()) largest = std::max(largest, std::abs(value));
+    return reference::max_difference(f.data(), back) / largest;
+}
+
+}  // namespace
+
+TEST_CASE("round trips are exact on every grid") {
+    std::mt19937_64 random(1);
+    for (const auto& [order, bound] : {std::pair(0, 1e-15), std::pair(1, 2e-15), std::pair(2, 3e-15),
+                                       std::pair(9, 1e-14), std::pair(32, 4e-14), std::pair(100, 2e-13)}) {
+        CAPTURE(order);
+        CHECK(round_trip(random, order, gauss_legendre_rows(order + 1), 2 * order + 1) <= bound);
+        CHECK(round_trip(random, order, gauss_legendre_rows(order + 4), 2 * order + 6) <= bound);
+        CHECK(round_trip(random, order, fejer_rows(2 * order + 1), 2 * order + 1) <= bound);
+        CHECK(round_trip(random, order, clenshaw_curtis_rows(2 * order + 2), 2 * order + 2) <= bound);
+    }
+}
+
+TEST_CASE("synthesis equals evaluation at the grid points") {
+    std::mt19937_64 random(3);
+    const int order = 40;
+    const PshVector f = reference::random_field(random, order);
+    for (const bool odd : {false, true}) {
+        const int columns = 90;
+        PshTransform transform(order, fejer_rows(odd ? 83 : 84), columns, -.7);
+        const int rows = transform.rows().count();
+        std::vector<double> samples(4 * static_cast<std::size_t>(rows * columns));
+        transform.synthesize(f.channel(0), samples);
+        for (int row = 0; row < rows; row += 3)
+            for (int c = 0; c < columns; c += 11) {
+                const double theta = transform.rows().theta[static_cast<std::size_t>(row)];
+                const Stokes want = evaluate(f, 0, reference::direction(theta, -.7 + 2 * pi * c / columns));
+                for (int p = 0; p < 4; ++p)
+                    CHECK(std::abs(samples[4 * static_cast<std::size_t>(row * columns + c) +
+                                           static_cast<std::size_t>(p)] -
+                                   want[p]) < 2e-11);
+            }
+    }
+}
+
+TEST_CASE("rows that are not mirrored between north and south work, too") {
+    std::mt19937_64 random(4);
+    const int order = 6;
+    const PshVector f = reference::random_field(random, order);
+    LatitudeRows all = gauss_legendre_rows(20);
+    LatitudeRows some;
+    for (const std::size_t j : {0UL, 3UL, 4UL, 9UL, 12UL, 16UL, 18UL}) {
+        some.theta.push_back(all.theta[j]);
+        some.sin_half.push_back(all.sin_half[j]);
+        some.cos_half.push_back(all.cos_half[j]);
+        some.weight.push_back(all.weight[j]);
+    }
+    LegendreTransform whole(order, all);
+    LegendreTransform part(order, some);
+    FourierRows a(order, 20);
+    FourierRows b(order, 7);
+    whole.synthesize(f.channel(0), a);
+    part.synthesize(f.channel(0), b);
+    int row = 0;
+    for (const int j : {0, 3, 4, 9, 12, 16, 18}) {
+        for (int m = 0; m <= order; ++m) {
+            CHECK(std::abs(a.s0[a.scalar_index(j, m)] - b.s0[b.scalar_index(row, m)]) < 1e-13);
+            CHECK(std::abs(a.s3[a.scalar_index(j, m)] - b.s3[b.scalar_index(row, m)]) < 1e-13);
+            CHECK(std::abs(a.spin[a.spin_index(j, m)] - b.spin[b.spin_index(row, m)]) < 1e-13);
+            CHECK(std::abs(a.spin[a.spin_index(j, -m)] - b.spin[b.spin_index(row, -m)]) < 1e-13);
+        }
+        ++row;
+    }
+    // Analysis is the adjoint of synthesis under the weights, whatever the rows.
+    std::vector<double> back(f.data().size());
+    part.analyze(b, back);
+    double left = 0;
+    for (std::size_t i = 0; i < back.size(); ++i) left += back[i] * f.data()[i];
+    double right = 0;
+    for (int j = 0; j < 7; ++j)
+        for (int m = -order; m <= order; ++m) {
+            const std::size_t g = b.scalar_index(j, std::abs(m));
+            right += 2 * pi * some.weight[static_cast<std::size_t>(j)] *
+                     (std::norm(b.s0[g]) + std::norm(b.s3[g]) + std::norm(b.spin[b.spin_index(j, m)]));
+        }
+    CHECK(left == doctest::Approx(right).epsilon(1e-12));
+}
+
+TEST_CASE("weights integrate polynomials; sin(theta) dtheta weights do not") {
+    const auto moment = [](const LatitudeRows& rows, int power) {
+        double sum = 0;
+        for (std::size_t j = 0; j < rows.theta.size(); ++j) {
+            CHECK(std::abs(rows.sin_half[j] - std::sin(rows.theta[j] / 2)) < 1e-15);
+            CHECK(std::abs(rows.cos_half[j] - std::cos(rows.theta[j] / 2)) < 1e-15);
+            sum += rows.weight[j] * std::pow(std::cos(rows.theta[j]), power);
+        }
+        return sum;
+    };
+    for (const int n : {1, 2, 3, 8, 21, 500}) {
+        for (const int power : {0, 1, 2, 6, 20, 30}) {
+            const double want = power % 2 == 0 ? 2.0 / (power + 1) : 0;
+            if (power < 2 * n) CHECK(std::abs(moment(gauss_legendre_rows(n), power) - want) < 3e-15);
+            if (power < n) CHECK(std::abs(moment(fejer_rows(n), power) - want) < 3e-15);
+            if (n > 1 && power < n) CHECK(std::abs(moment(clenshaw_curtis_rows(n), power) - want) < 3e-15);
+        }
+    }
+    LatitudeRows naive = fejer_rows(512);
+    for (std::size_t j = 0; j < 512; ++j) naive.weight[j] = std::sin(naive.theta[j]) * pi / 512;
+    CHECK(std::abs(moment(naive, 20) - 2.0 / 21) > 1e-7);
+    CHECK(gauss_legendre_rows(3).weight[1] == doctest::Approx(8.0 / 9));
+    CHECK(gauss_legendre_rows(2).theta[0] == doctest::Approx(std::acos(1 / std::sqrt(3))));
+}
+
+TEST_CASE("the naive projection onto scalar harmonics loses what spin harmonics keep") {
+    // s1 = const along the theta-phi frame near the pole is no smooth field; a constant linear polarization
+    // carried over the pole is, and only spin-2 harmonics represent it with few coefficients.
+    std::mt19937_64 random(5);
+    PshVector f(2, 1);
+    f.at(0, 2, -2, 1) = 1;
+    PshTransform wide(20, gauss_legendre_rows(21), 41);
+    std::vector<double> samples(4 * 21 * 41);
+    std::vector<double> padded(4 * psh_count(20));
+    std::ranges::copy(f.data(), padded.begin());
+    wide.synthesize(padded, samples);
+    for (std::size_t i = 0; i < samples.size(); i += 4) samples[i] = samples[i + 1];  // s1 taken for a scalar
+    std::vector<double> naive(padded.size());
+    wide.analyze(samples, naive);
+    double beyond = 0;
+    double beyond_spin = 0;
+    for (std::size_t i = psh_index(3, -3); i < psh_count(20); ++i) {
+        beyond += naive[4 * i] * naive[4 * i];
+        beyond_spin += naive[4 * i + 1] * naive[4 * i + 1] + naive[4 * i + 2] * naive[4 * i + 2];
+    }
+    CHECK(beyond > 1e-3);
+    CHECK(beyond_spin < 1e-24);
+}
+
+TEST_CASE("transforms refuse bad arguments") {
+    CHECK_THROWS_AS((void)gauss_legendre_rows(0), Error);
+    CHECK_THROWS_AS((void)gauss_legendre_rows(kMaxGaussRows + 1), Error);
+    CHECK_THROWS_AS((void)fejer_rows(-3), Error);
+    CHECK_THROWS_AS((void)clenshaw_curtis_rows(1), Error);
+    CHECK_THROWS_AS(PshTransform(-1, fejer_rows(3), 3), Error);
+    CHECK_THROWS_AS(PshTransform(2, fejer_rows(5), 4), Error);
+    CHECK_THROWS_AS(PshTransform(2, fejer_rows(5), 5, NAN), Error);
+    CHECK_THROWS_AS(PshTransform(2, LatitudeRows{}, 5), Error);
+    LatitudeRows torn = fejer_rows(5);
+    torn.weight.pop_back();
+    CHECK_THROWS_AS(PshTransform(2, torn, 5), Error);
+    LatitudeRows bent = fejer_rows(5);
+    bent.sin_half[2] = 2;
+    CHECK_THROWS_AS(PshTransform(2, bent, 5), Error);
+    PshTransform good(2, fejer_rows(5), 5);
+    std::vector<double> samples(100);
+    std::vector<double> coefficients(36);
+    CHECK_THROWS_AS(good.analyze(std::span(samples).first(99), coefficients), Error);
+    CHECK_THROWS_AS(good.analyze(samples, std::span(coefficients).first(35)), Error);
+    CHECK_THROWS_AS(good.synthesize(std::span(coefficients).first(35), samples), Error);
+    CHECK_THROWS_AS(good.synthesize(coefficients, std::span(samples).first(99)), Error);
+    FourierRows other(3, 5);
+    LegendreTransform legendre(2, fejer_rows(5));
+    CHECK_THROWS_AS(legendre.synthesize(coefficients, other), Error);
+    CHECK_THROWS_AS(legendre.analyze(other, coefficients), Error);
+    FourierTransform fourier(2, 5);
+    FourierRows two(2, 2);
+    CHECK_THROWS_AS(fourier.analyze(std::span(samples).first(20), two, 2), Error);
+    CHECK_THROWS_AS(fourier.analyze(std::span(samples).first(21), two, 1), Error);
+    CHECK_THROWS_AS(fourier.synthesize(other, 0, std::span(samples).first(20)), Error);
+}

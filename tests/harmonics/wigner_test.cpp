@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Wigner matrices against explicit sums, and as a representation of the rotation group.
+#include "nicol/wigner.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "harmonics/reference.hpp"
+#include "nicol/error.hpp"
+
+using namespace nicol;
+using std::numbers::pi;
+
+namespace {
+
+double entry(const std::vector<double>& d, int l, int m, int n) {
+    return d[wigner_offset(l) + static_cast<std::size_t>((m + l) * (2 * l + 1) + n + l)];
+}
+
+}  // namespace
+
+TEST_CASE("d agrees with Wigner's sum at every angle") {
+    for (const double beta : {0.0, 1e-300, 1e-9, 1e-3, .7, pi / 2, 2.5, pi - 1e-6, pi}) {
+        const int order = 60;
+        const auto d = wigner_d(order, beta);
+        CHECK(d.size() == wigner_offset(order + 1));
+        for (const int l : {0, 1, 2, 3, 7, 20, 60})
+            for (int m = -l; m <= l; m += 1 + l / 7)
+                for (int n = -l; n <= l; n += 1 + l / 5) {
+                    CAPTURE(l);
+                    CAPTURE(m);
+                    CAPTURE(n);
+                    CAPTURE(beta);
+                    CHECK(std::abs(entry(d, l, m, n) - reference::wigner_d(l, m, n, beta)) <=
+                          4e-16 * (1 + l));
+                }
+    }
+}
+
+TEST_CASE("the convention: d^1_{10} = -sin(beta)/sqrt2") {
+    const auto d = wigner_d(1, .5);
+    CHECK(entry(d, 1, 1, 0) == doctest::Approx(-std::sin(.5) / std::sqrt(2)));
+    CHECK(entry(d, 1, 0, 1) == doctest::Approx(std::sin(.5) / std::sqrt(2)));
+    CHECK(entry(d, 1, 1, 1) == doctest::Approx((1 + std::cos(.5)) / 2));
+    CHECK(entry(d, 1, 1, -1) == doctest::Approx((1 - std::cos(.5)) / 2));
+}
+
+TEST_CASE("d is orthogonal up to the highest order, from tiny angles to half a turn") {
+    for (const double beta : {1e-9, .01, .3, pi / 2, 3.1}) {
+        const int order = kMaxWignerOrder;
+        const auto d = wigner_d(order, beta);
+        for (const int l : {1, 10, 100, 256})
+            for (int m = -l; m <= l; m += 1 + l / 4)
+                for (int k = -l; k <= l; k += 1 + l / 6) {
+                    double dot = 0;
+                    for (int n = -l; n <= l; ++n) dot += entry(d, l, m, n) * entry(d, l, k, n);
+                    CHECK(std::abs(dot - (m == k)) < 1e-15 * (10 + 4 * l));
+                }
+    }
+}
+
+TEST_CASE("angles add up, also backwards and beyond a turn") {
+    const int order = 12;
+    const auto a = wigner_d(order, -2.2);
+    const auto b = wigner_d(order, 5.9);
+    const auto sum = wigner_d(order, 3.7);
+    for (int l = 0; l <= order; ++l)
+        for (int m = -l; m <= l; ++m)
+            for (int n = -l; n <= l; ++n) {
+                double dot = 0;
+                for (int k = -l; k <= l; ++k) dot += entry(a, l, m, k) * entry(b, l, k, n);
+                CHECK(dot == doctest::Approx(entry(sum, l, m, n)).epsilon(0).scale(1).epsilon(1e-14));
+            }
+}
+
+TEST_CASE("D is d between phases") {
+    const auto d = wigner_d(3, .8);
+    const auto D = wigner_D(3, .4, .8, -1.3);
+    for (int m = -3; m <= 3; ++m)
+        for (int n = -3; n <= 3; ++n) {
+            const auto want = entry(d, 3, m, n) * std::exp(std::complex<double>(0, -m * .4 + n * 1.3));
+            CHECK(std::abs(D[static_cast<std::size_t>((m + 3) * 7 + n + 3)] - want) < 1e-14);
+        }
+}
+
+TEST_CASE("Wigner matrices refuse bad arguments") {
+    CHECK_THROWS_AS((void)wigner_d(-1, .1), Error);
+    CHECK_THROWS_AS((void)wigner_d(kMaxWignerOrder + 1, .1), Error);
+    CHECK_THROWS_AS((void)wigner_d(2, INFINITY), Error);
+    CHECK_THROWS_AS((void)wigner_D(2, NAN, 0, 0), Error);
+}
