@@ -2,6 +2,7 @@
 // Draw and dispatch calls.
 #include "gl/draw.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <string>
 

@@ -2,6 +2,7 @@
 // Compiling, linking and uniforms.
 #include "gl/program.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "gl/state.hpp"

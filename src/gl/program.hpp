@@ -2,6 +2,7 @@
 // Linked shader stages and their uniforms.
 #pragma once
 
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

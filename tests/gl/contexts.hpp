@@ -5,11 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <memory>
-#include <span>
-#include <string>
+#include <optional>
 
 #include "gl/context.hpp"
-#include "gl/shader_source.hpp"
 
 namespace nicol::gl {
 
