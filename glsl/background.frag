@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The environment itself, where nothing hides it.
+#version 450 core
+
+layout(location = 0) in vec2 uv;  // (0, 0) upper left
+layout(location = 0) out vec4 pixel[CHANNELS];
+
+// POLARIZED: one Stokes texture a channel; otherwise a single one whose components are the channels' s0.
+#ifdef POLARIZED
+layout(binding = 0) uniform sampler2D environment[CHANNELS];
+#else
+layout(binding = 0) uniform sampler2D environment;
+#endif
+
+uniform mat3 camera;        // columns: right, up, forward in the world
+uniform vec2 half_size;     // of the picture at unit distance
+uniform bool orthographic;  // every pixel looks along forward
+uniform mat3 to_light;      // world directions to the environment's axes, y up
+uniform float scale;
+
+const float PI = 3.14159265358979;
+
+void main() {
+    vec2 at = orthographic ? vec2(0.0) : vec2(2.0 * uv.x - 1.0, 1.0 - 2.0 * uv.y) * half_size;
+    vec3 ray = normalize(camera * vec3(at, 1.0));
+    vec3 d = to_light * ray;
+
+    // Columns are pixel-centred, rows vertex-centred (row 0 is the pole).
+#ifdef POLARIZED
+    float rows = float(textureSize(environment[0], 0).y);
+#else
+    float rows = float(textureSize(environment, 0).y);
+#endif
+    float across = length(d.xz);
+    float u = across > 0.0 ? atan(d.x, -d.z) / (2.0 * PI) : 0.0;
+    vec2 texcoord = vec2(u, (atan(across, d.y) / PI * (rows - 1.0) + 0.5) / rows);
+
+#ifdef POLARIZED
+    // From the picture's frame, x along growing u, to the camera's, x = ray x up; both have z = -ray.
+    vec3 from = across > 0.0 ? vec3(-d.z, 0.0, d.x) / across : vec3(1.0, 0.0, 0.0);
+    vec3 to = normalize(to_light * cross(ray, camera[1]));
+    float c = dot(to, from);
+    float s = dot(to, cross(-d, from));
+    float cos2 = c * c - s * s;
+    float sin2 = 2.0 * c * s;
+    for (int i = 0; i < CHANNELS; ++i) {
+        vec4 stokes = scale * textureLod(environment[i], texcoord, 0.0);
+        pixel[i] = vec4(stokes.x, cos2 * stokes.y + sin2 * stokes.z, cos2 * stokes.z - sin2 * stokes.y, stokes.w);
+    }
+#else
+    vec4 radiance = scale * textureLod(environment, texcoord, 0.0);
+    for (int i = 0; i < CHANNELS; ++i) pixel[i] = vec4(radiance[i], 0.0, 0.0, 0.0);
+#endif
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What a render is asked for and what it reports.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+namespace nicol {
+
+/// Highest order a render accepts.
+inline constexpr int kMaxRenderOrder = 32;
+
+struct RenderOptions {
+    int order_low = 4;   ///< 0..kMaxRenderOrder
+    int order_high = 9;  ///< order_low..64; orders above order_low are not rendered by this version
+    /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
+    /// false stops the render with Error(cancelled).
+    std::function<bool(const char* verb, double fraction)> progress;
+};
+
+/// Milliseconds are 0 for verbs that did not have to run.
+struct Statistics {
+    int order = 0;
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+    double project_ms = 0;
+    double bake_ms = 0;
+    double relight_ms = 0;
+    double shade_ms = 0;
+    double draw_ms = 0;
+    double observe_ms = 0;
+    std::uint64_t vertices_skipped = 0;       ///< of no triangle that faces the camera inside the view
+    std::uint64_t light_columns_skipped = 0;  ///< Stokes components that the light lacks, times its channels
+    std::uint64_t response_rows_skipped =
+        0;                              ///< Stokes components that a material cannot make, times channels
+    std::uint64_t channels_shared = 0;  ///< colour channels of light that equal another
+    std::uint64_t response_bytes = 0;
+    std::uint64_t transfer_bytes = 0;
+    std::uint64_t buffer_bytes = 0;
+    std::uint64_t texture_bytes = 0;
+};
+
+}  // namespace nicol

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The Stokes picture of the last render into it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gl/render_target.hpp"
+#include "nicol/render.hpp"
+#include "nicol/stokes_image.hpp"
+
+namespace nicol {
+
+/// One RGBA32F texture a colour channel, whose texel is the Stokes vector in the camera's frame field.
+/// Channels go in groups of at most kGroup, since a driver draws into few textures at once.
+class Framebuffer {
+public:
+    static constexpr int kGroup = 4;
+
+    /// Throws Error(invalid_argument) for sizes or channels out of range, Error(out_of_memory).
+    Framebuffer(std::shared_ptr<gl::Context> context, int width, int height, int channels);
+
+    [[nodiscard]] int width() const noexcept { return width_; }
+    [[nodiscard]] int height() const noexcept { return height_; }
+    [[nodiscard]] int channels() const noexcept { return channels_; }
+    [[nodiscard]] const std::shared_ptr<gl::Context>& context() const noexcept { return context_; }
+
+    /// Channels group * kGroup and following.
+    [[nodiscard]] std::vector<gl::RenderTarget>& groups() noexcept { return groups_; }
+
+    /// The picture in memory, read back on first use after a render.
+    [[nodiscard]] const StokesImage& image();
+
+    /// To be called once a render has drawn.
+    void rendered(const Statistics& statistics);
+    [[nodiscard]] Statistics& statistics() noexcept { return statistics_; }
+
+private:
+    std::shared_ptr<gl::Context> context_;
+    int width_;
+    int height_;
+    int channels_;
+    std::vector<gl::RenderTarget> groups_;
+    std::optional<StokesImage> image_;
+    Statistics statistics_;
+};
+
+}  // namespace nicol

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "render/geometry.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "nicol/error.hpp"
+
+namespace nicol {
+
+WorldGeometry world_geometry(const Scene& scene) {
+    WorldGeometry world;
+    for (const Instance& instance : scene.instances()) {
+        const Mesh mesh = transformed(*instance.mesh, instance.to_world);
+        const std::size_t first = world.positions.size();
+        if (first + mesh.positions.size() > std::numeric_limits<std::uint32_t>::max()) {
+            throw Error(ErrorCode::invalid_argument, "the scene has more than 2^32 vertices");
+        }
+        world.positions.insert(world.positions.end(), mesh.positions.begin(), mesh.positions.end());
+        world.normals.insert(world.normals.end(), mesh.normals.begin(), mesh.normals.end());
+        for (const glm::uvec3& triangle : mesh.triangles) {
+            world.triangles.push_back(triangle + static_cast<std::uint32_t>(first));
+        }
+        world.ranges.push_back({first, world.positions.size(), instance.material});
+    }
+    return world;
+}
+
+std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
+                         std::vector<std::uint8_t>& visible) {
+    // Which sides of the view a vertex is outside of, as bits.
+    std::vector<std::uint8_t> outside(geometry.positions.size());
+    const glm::mat4 clip(projection.world_to_clip);
+    for (std::size_t v = 0; v < outside.size(); ++v) {
+        const glm::vec4 p = clip * glm::vec4(geometry.positions[v], 1);
+        outside[v] =
+            static_cast<std::uint8_t>((p.x < -p.w ? 1 : 0) | (p.x > p.w ? 2 : 0) | (p.y < -p.w ? 4 : 0) |
+                                      (p.y > p.w ? 8 : 0) | (p.z < -p.w ? 16 : 0) | (p.z > p.w ? 32 : 0));
+    }
+
+    visible.assign(geometry.positions.size(), 0);
+    const glm::vec3 eye(projection.view.eye);
+    const glm::vec3 backward(-projection.view.forward);
+    for (const glm::uvec3& t : geometry.triangles) {
+        if ((outside[t.x] & outside[t.y] & outside[t.z]) != 0) continue;
+        const glm::vec3& a = geometry.positions[t.x];
+        const glm::vec3 normal = glm::cross(geometry.positions[t.y] - a, geometry.positions[t.z] - a);
+        const glm::vec3 towards = projection.view.orthographic ? backward : eye - a;
+        // Edge-on triangles count as facing: rounding here must not lose what the rasteriser keeps.
+        if (glm::dot(normal, towards) < -1e-4F * glm::length(normal) * glm::length(towards)) continue;
+        visible[t.x] = visible[t.y] = visible[t.z] = 1;
+    }
+    return static_cast<std::size_t>(std::count(visible.begin(), visible.end(), std::uint8_t{0}));
+}
+
+}  // namespace nicol

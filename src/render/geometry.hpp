@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A scene's instances as one list of vertices and triangles in the world.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "nicol/scene.hpp"
+#include "render/projection.hpp"
+
+namespace nicol {
+
+/// A run of vertices of one instance.
+struct VertexRange {
+    std::size_t first;
+    std::size_t last;
+    MaterialPtr material;
+};
+
+struct WorldGeometry {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;
+    std::vector<glm::uvec3> triangles;
+    std::vector<VertexRange> ranges;
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return (positions.size() + normals.size()) * sizeof(glm::vec3) +
+               triangles.size() * sizeof(glm::uvec3);
+    }
+};
+
+/// Throws Error(invalid_argument) where there are more than 2^32 vertices.
+[[nodiscard]] WorldGeometry world_geometry(const Scene& scene);
+
+/// 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one side of the view;
+/// the others cannot reach the picture. Resizes `visible`; returns how many are 0.
+std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
+                         std::vector<std::uint8_t>& visible);
+
+}  // namespace nicol

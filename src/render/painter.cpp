@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "render/painter.hpp"
+
+#include <algorithm>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <string>
+#include <utility>
+
+namespace nicol {
+namespace {
+
+constexpr gl::BufferUse vertex_use = gl::BufferUse::vertex;
+
+int group_size(int channels, std::size_t group) {
+    return std::min(Framebuffer::kGroup, channels - static_cast<int>(group) * Framebuffer::kGroup);
+}
+
+gl::TextureDescription equirect(const EquirectImage& picture) {
+    return {.width = picture.width,
+            .height = picture.height,
+            .filter = gl::Filter::linear,
+            .wrap_x = gl::Wrap::repeat,
+            .wrap_y = gl::Wrap::clamp};
+}
+
+}  // namespace
+
+Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
+
+void Painter::draw(const Scene& scene, const TransferCache& transfer, const Projection& projection,
+                   Framebuffer& target) {
+    const int channels = target.channels();
+    if (geometry_revision_ != transfer.geometry_revision() || channels_ != channels) {
+        upload_geometry(transfer, channels);
+    }
+    if (environment_ != scene.environment() || channels_ != channels) {
+        upload_environment(scene.environment().get(), channels);
+    }
+    geometry_revision_ = transfer.geometry_revision();
+    environment_ = scene.environment();
+    channels_ = channels;
+    upload_stokes(transfer);
+
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        gl::RenderTarget& picture = target.groups()[g];
+        gl::Program& surface = program("surface.vert", "surface.frag", group_size(channels, g), false);
+        surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
+        if (environment_) {
+            picture.clear_depth();
+        } else {
+            picture.clear();
+        }
+        if (groups_[g].vertices) gl::draw(picture, surface, *groups_[g].vertices);
+    }
+    if (environment_) draw_background(scene, projection, target);
+    gl::finish(*context_);
+}
+
+gl::Program& Painter::program(const char* vertex, const char* fragment, int channels, bool polarized) {
+    const auto key = std::make_tuple(std::string(fragment), channels, polarized);
+    auto found = programs_.find(key);
+    if (found == programs_.end()) {
+        std::vector<gl::Define> defines{{.name = "CHANNELS", .value = std::to_string(channels)}};
+        if (polarized) defines.push_back({.name = "POLARIZED"});
+        found = programs_.emplace(key, gl::Program::graphics(context_, vertex, fragment, defines)).first;
+    }
+    return found->second;
+}
+
+void Painter::upload_geometry(const TransferCache& transfer, int channels) {
+    const WorldGeometry& world = transfer.geometry();
+    const auto count = static_cast<std::size_t>((channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
+    std::vector<Group> groups(count);
+    indices_.reset();
+    if (!world.triangles.empty()) {
+        indices_ = std::make_shared<gl::IndexBuffer>(
+            context_, std::span(&world.triangles.front().x, 3 * world.triangles.size()));
+        const auto positions =
+            std::make_shared<gl::Buffer>(context_, vertex_use, std::as_bytes(std::span(world.positions)));
+        for (std::size_t g = 0; g < count; ++g) {
+            std::vector<gl::Attribute> attributes{{.location = 0, .components = 3, .buffer = positions}};
+            for (int c = 0; c < group_size(channels, g); ++c) {
+                groups[g].stokes.push_back(std::make_shared<gl::Buffer>(
+                    context_, vertex_use, world.positions.size() * sizeof(glm::vec4),
+                    gl::BufferUpdate::dynamic));
+                attributes.push_back({.location = static_cast<unsigned>(1 + c),
+                                      .components = 4,
+                                      .buffer = groups[g].stokes.back()});
+            }
+            groups[g].vertices.emplace(context_, attributes, indices_);
+        }
+    }
+    for (std::size_t g = 0; g < std::min(groups.size(), groups_.size()); ++g) {
+        groups[g].environment = std::move(groups_[g].environment);
+    }
+    groups_ = std::move(groups);
+}
+
+void Painter::upload_stokes(const TransferCache& transfer) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        for (std::size_t c = 0; c < groups_[g].stokes.size(); ++c) {
+            const auto& values = transfer.stokes()[g * Framebuffer::kGroup + c];
+            groups_[g].stokes[c]->update(0, std::as_bytes(std::span(values)));
+        }
+    }
+}
+
+void Painter::upload_environment(const Environment* environment, int channels) {
+    for (Group& group : groups_) group.environment.clear();
+    if (environment == nullptr) return;
+    const EquirectImage picture = environment->picture();
+    const std::size_t pixels =
+        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    const auto channel_data = [&](int c) {
+        const auto from = static_cast<std::size_t>(picture.channels == 1 ? 0 : c) * 4 * pixels;
+        return std::span(picture.data).subspan(from, 4 * pixels);
+    };
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        const int first = static_cast<int>(g) * Framebuffer::kGroup;
+        if (environment->polarized()) {
+            for (int c = 0; c < group_size(channels, g); ++c) {
+                groups_[g].environment.emplace_back(context_, equirect(picture), channel_data(first + c));
+            }
+            continue;
+        }
+        std::vector<float> packed(4 * pixels);
+        for (int c = 0; c < group_size(channels, g); ++c) {
+            const std::span<const float> from = channel_data(first + c);
+            for (std::size_t i = 0; i < pixels; ++i)
+                packed[4 * i + static_cast<std::size_t>(c)] = from[4 * i];
+        }
+        groups_[g].environment.emplace_back(context_, equirect(picture), packed);
+    }
+}
+
+void Painter::draw_background(const Scene& scene, const Projection& projection, Framebuffer& target) {
+    const bool polarized = scene.environment()->polarized();
+    const Viewpoint& view = projection.view;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        gl::Program& sky =
+            program("fullscreen.vert", "background.frag", group_size(target.channels(), g), polarized);
+        sky.set("camera", glm::mat3(view.right, view.up, view.forward));
+        sky.set("half_size", glm::vec2(projection.half_width, projection.half_height));
+        sky.set("orthographic", view.orthographic ? 1 : 0);
+        sky.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
+        sky.set("scale", static_cast<float>(scene.light_scale()));
+        for (std::size_t i = 0; i < groups_[g].environment.size(); ++i) {
+            groups_[g].environment[i].bind(static_cast<unsigned>(i));
+        }
+        gl::draw_fullscreen(target.groups()[g], sky,
+                            {.depth_test = gl::DepthTest::less_equal, .depth_write = false});
+    }
+}
+
+}  // namespace nicol

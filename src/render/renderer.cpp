@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "render/renderer.hpp"
+
+#include <string>
+#include <utility>
+
+#include "nicol/error.hpp"
+
+namespace nicol {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) {
+    throw Error(ErrorCode::invalid_argument, message);
+}
+
+void check(const RenderOptions& options) {
+    if (options.order_low < 0 || options.order_low > kMaxRenderOrder) {
+        refuse("order_low is " + std::to_string(options.order_low) + "; it must lie in 0 to " +
+               std::to_string(kMaxRenderOrder));
+    }
+    if (options.order_high < options.order_low || options.order_high > 64) {
+        refuse("order_high is " + std::to_string(options.order_high) + "; it must lie in order_low (" +
+               std::to_string(options.order_low) + ") to 64");
+    }
+}
+
+}  // namespace
+
+Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
+    : context_(context), transfer_(threads), painter_(std::move(context)) {}
+
+void Renderer::render(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                      Framebuffer& target) {
+    check(options);
+    if (target.context() != context_) refuse("the framebuffer is of another context than the scene");
+    if (target.channels() != scene.channels()) {
+        refuse("the framebuffer has " + std::to_string(target.channels()) +
+               " colour channels and the scene " + std::to_string(scene.channels()) + "; they must agree");
+    }
+    const Projection projection = project(camera, target.width(), target.height());
+    Progress progress(options.progress);
+    Statistics statistics;
+    transfer_.update(scene, projection, options.order_low, progress, statistics);
+    progress.report("draw", 0);
+
+    const Stopwatch watch;
+    context_->run([&] { painter_.draw(scene, transfer_, projection, target); });
+    statistics.draw_ms = watch.milliseconds();
+
+    const gl::MemoryUse memory = context_->memory();
+    statistics.buffer_bytes = memory.of(gl::MemoryKind::vertex) + memory.of(gl::MemoryKind::index) +
+                              memory.of(gl::MemoryKind::storage);
+    statistics.texture_bytes = memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
+    target.rendered(statistics);
+}
+
+}  // namespace nicol

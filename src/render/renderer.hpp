@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Renders one scene.
+#pragma once
+
+#include <memory>
+
+#include "render/painter.hpp"
+#include "render/transfer_cache.hpp"
+
+namespace nicol {
+
+class Renderer {
+public:
+    /// threads = 0: one a core.
+    Renderer(std::shared_ptr<gl::Context> context, int threads);
+
+    /// The same scene every time. Throws Error(invalid_argument) for options or a camera out of range, a
+    /// framebuffer of another context or with other channels than the scene; Error(cancelled);
+    /// Error(out_of_memory). Then the framebuffer still holds what it held.
+    void render(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
+
+private:
+    std::shared_ptr<gl::Context> context_;
+    TransferCache transfer_;
+    Painter painter_;
+};
+
+}  // namespace nicol
