@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What every call across the C border shares: no exception leaves, every failure has a message.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "nicol.h"
+#include "nicol/error.hpp"
+
+namespace nicol::capi {
+
+/// Keeps the message for nicol_last_error() and returns the code. Allocates nothing.
+nicol_result fail(ErrorCode code, const char* message) noexcept;
+
+/// Runs the body of a C function.
+template <class F>
+nicol_result guarded(F&& body) noexcept {
+    try {
+        body();
+        return NICOL_OK;
+    } catch (const Error& error) {
+        return fail(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ErrorCode::out_of_memory, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(ErrorCode::internal, error.what());
+    } catch (...) {
+        return fail(ErrorCode::internal, "an unknown exception");
+    }
+}
+
+[[noreturn]] inline void refuse(const std::string& message) {
+    throw Error(ErrorCode::invalid_argument, message);
+}
+
+/// Throws Error(invalid_argument) naming the argument where it is NULL.
+template <class T>
+void require(T* pointer, const char* name) {
+    if (pointer == nullptr) refuse(std::string(name) + " is NULL");
+}
+
+/// A caller's descriptor as this version knows it: fields that an older caller does not have are zero, fields
+/// that a newer caller has must be.
+template <class T>
+T read_struct(const T* from, const char* name) {
+    require(from, name);
+    std::uint32_t size = 0;
+    std::memcpy(&size, from, sizeof size);
+    if (size < sizeof size || size > 65536) {
+        refuse(std::string(name) + "->struct_size is " + std::to_string(size) +
+               "; it must be sizeof(the struct), " + std::to_string(sizeof(T)) + " in this version");
+    }
+    const auto* bytes = reinterpret_cast<const unsigned char*>(from);
+    if (std::any_of(bytes + std::min<std::size_t>(size, sizeof(T)), bytes + size,
+                    [](unsigned char b) { return b != 0; })) {
+        refuse(std::string(name) + " has fields set that version " + nicol_version_string() +
+               " does not know");
+    }
+    T out{};
+    std::memcpy(&out, from, std::min<std::size_t>(size, sizeof(T)));
+    return out;
+}
+
+/// Fills as much of a caller's struct as it has room for; struct_size stays.
+template <class T>
+void write_struct(T* to, T value, const char* name) {
+    require(to, name);
+    std::uint32_t size = 0;
+    std::memcpy(&size, to, sizeof size);
+    if (size < sizeof size)
+        refuse(std::string(name) + "->struct_size is not set; it must be sizeof(the struct)");
+    value.struct_size = size;
+    std::memcpy(to, &value, std::min<std::size_t>(size, sizeof(T)));
+}
+
+}  // namespace nicol::capi

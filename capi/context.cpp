@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Version, results and contexts.
+#include <array>
+#include <thread>
+
+#include "handles.hpp"
+#include "nicol/response_table.hpp"
+
+namespace nicol::capi {
+namespace {
+
+// Fixed room, so that reporting a lack of memory needs none.
+thread_local std::array<char, 2048> last_error{};
+
+gl::Backend backend_of(nicol_backend backend) {
+    switch (backend) {
+        case NICOL_BACKEND_AUTOMATIC:
+            return gl::Backend::automatic;
+        case NICOL_BACKEND_EGL:
+            return gl::Backend::egl;
+        case NICOL_BACKEND_OSMESA:
+            return gl::Backend::osmesa;
+        default:
+            refuse("backend is " + std::to_string(backend) + "; it must be one of NICOL_BACKEND_...");
+    }
+}
+
+}  // namespace
+
+nicol_result fail(ErrorCode code, const char* message) noexcept {
+    const std::size_t length = std::min(std::strlen(message), last_error.size() - 1);
+    std::memcpy(last_error.data(), message, length);
+    last_error[length] = '\0';
+    return static_cast<nicol_result>(code);
+}
+
+}  // namespace nicol::capi
+
+using namespace nicol;
+using namespace nicol::capi;
+
+uint32_t nicol_version(void) {
+    return NICOL_VERSION;
+}
+
+const char* nicol_version_string(void) {
+    return NICOL_VERSION_STRING;
+}
+
+const char* nicol_build_info(uint32_t index) {
+    static constexpr std::array facts{
+        "version=" NICOL_VERSION_STRING,
+        "source=" NICOL_SOURCE_ID,
+        "build_type=" NICOL_BUILD_TYPE,
+        "compiler=" __VERSION__,
+        "backends=egl,osmesa",
+        "methods=factored",
+        "max_order=32",
+        "max_channels=16",
+    };
+    return index < facts.size() ? facts[index] : nullptr;
+}
+
+const char* nicol_last_error(void) {
+    return last_error.data();
+}
+
+const char* nicol_result_name(nicol_result result) {
+    switch (result) {
+        case NICOL_OK:
+            return "success";
+        case NICOL_ERROR_INVALID_ARGUMENT:
+            return "invalid argument";
+        case NICOL_ERROR_INVALID_HANDLE:
+            return "invalid handle";
+        case NICOL_ERROR_OUT_OF_MEMORY:
+            return "out of memory";
+        case NICOL_ERROR_FILE_NOT_FOUND:
+            return "file not found";
+        case NICOL_ERROR_INVALID_FILE:
+            return "invalid file";
+        case NICOL_ERROR_WRITE_FAILED:
+            return "write failed";
+        case NICOL_ERROR_UNSUPPORTED:
+            return "unsupported";
+        case NICOL_ERROR_NO_BACKEND:
+            return "no backend";
+        case NICOL_ERROR_CANCELLED:
+            return "cancelled";
+        case NICOL_ERROR_OPENGL:
+            return "OpenGL error";
+        case NICOL_ERROR_INTERNAL:
+            return "internal error";
+        default:
+            return "unknown result";
+    }
+}
+
+nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context) {
+    return guarded([&] {
+        require(context, "context");
+        const nicol_context_options chosen = options != nullptr
+                                                 ? read_struct(options, "options")
+                                                 : nicol_context_options NICOL_CONTEXT_OPTIONS_INIT;
+        if (chosen.threads > 1024) {
+            refuse("threads is " + std::to_string(chosen.threads) +
+                   "; it must lie in 0 (one a core) to 1024");
+        }
+        gl::ContextRequest request{.backend = backend_of(chosen.backend)};
+        if (chosen.device > 1024) {
+            refuse("device is " + std::to_string(chosen.device) + "; it must lie in 0 (choose) to 1024");
+        }
+        if (chosen.device > 0) request.device = static_cast<int>(chosen.device) - 1;
+
+        auto session = std::make_shared<Session>();
+        session->gl = gl::Context::create(request);
+        session->threads = static_cast<int>(chosen.threads);
+        session->log = chosen.log;
+        session->log_user = chosen.log_user;
+        // The information lives as long as the context whose part it is.
+        std::shared_ptr<const gl::ContextInfo> info(session->gl, &session->gl->info());
+        *context = make_handle<nicol_context_impl>(session, info);
+    });
+}
+
+nicol_result nicol_context_retain(nicol_context context) {
+    return retain(context);
+}
+nicol_result nicol_context_release(nicol_context context) {
+    return release(context);
+}
+
+nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info) {
+    return guarded([&] {
+        const nicol_context_impl& self = resolve(context);
+        nicol_context_info out = NICOL_CONTEXT_INFO_INIT;
+        out.backend = self.content->backend == gl::Backend::egl ? NICOL_BACKEND_EGL : NICOL_BACKEND_OSMESA;
+        out.software = self.content->software ? 1 : 0;
+        out.threads = self.session->threads > 0 ? static_cast<uint32_t>(self.session->threads)
+                                                : std::max(1U, std::thread::hardware_concurrency());
+        out.renderer = self.content->renderer.c_str();
+        out.vendor = self.content->vendor.c_str();
+        out.version = self.content->version.c_str();
+        write_struct(info, out, "info");
+    });
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "handles.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <unordered_map>
+
+namespace nicol::capi {
+namespace registry {
+namespace {
+
+struct Registry {
+    std::mutex mutex;
+    std::unordered_map<const void*, HandleKind> alive;
+};
+
+// Never destroyed: a host may release its handles after the library's static objects are gone.
+Registry& all() {
+    static auto* registry = new Registry;
+    return *registry;
+}
+
+const char* name(HandleKind kind) {
+    switch (kind) {
+        case HandleKind::context:
+            return "nicol_context";
+        case HandleKind::environment:
+            return "nicol_environment";
+        case HandleKind::material:
+            return "nicol_material";
+        case HandleKind::mesh:
+            return "nicol_mesh";
+        case HandleKind::scene:
+            return "nicol_scene";
+        case HandleKind::framebuffer:
+            return "nicol_framebuffer";
+    }
+    return "handle";
+}
+
+// With the mutex held.
+void check_alive(const void* handle, HandleKind kind) {
+    const auto found = all().alive.find(handle);
+    if (found != all().alive.end() && found->second == kind) return;
+    const std::string wanted = std::string("a ") + name(kind);
+    if (handle == nullptr) throw Error(ErrorCode::invalid_handle, "NULL was passed for " + wanted);
+    if (found == all().alive.end()) {
+        throw Error(ErrorCode::invalid_handle,
+                    "a handle that was released or never created was passed for " + wanted);
+    }
+    throw Error(ErrorCode::invalid_handle,
+                std::string("a ") + name(found->second) + " was passed for " + wanted);
+}
+
+}  // namespace
+
+void add(const void* handle, HandleKind kind) {
+    const std::lock_guard lock(all().mutex);
+    all().alive.emplace(handle, kind);
+}
+
+void check(const void* handle, HandleKind kind) {
+    const std::lock_guard lock(all().mutex);
+    check_alive(handle, kind);
+}
+
+void retain(const void* handle, HandleKind kind, std::uint32_t& references) {
+    const std::lock_guard lock(all().mutex);
+    check_alive(handle, kind);
+    ++references;
+}
+
+bool release(const void* handle, HandleKind kind, std::uint32_t& references) {
+    const std::lock_guard lock(all().mutex);
+    check_alive(handle, kind);
+    if (--references > 0) return false;
+    all().alive.erase(handle);
+    return true;
+}
+
+}  // namespace registry
+
+std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std::size_t fallback_channels,
+                             const char* name) {
+    if (values.count == 0) return std::vector<double>(fallback_channels, fallback);
+    if (values.count > NICOL_MAX_CHANNELS) {
+        refuse(std::string(name) + ".count is " + std::to_string(values.count) + "; it must lie in 0 to " +
+               std::to_string(NICOL_MAX_CHANNELS));
+    }
+    return {values.values, values.values + values.count};
+}
+
+glm::dmat4 matrix(const double (&rows)[16]) {
+    if (std::all_of(std::begin(rows), std::end(rows), [](double x) { return x == 0; }))
+        return glm::dmat4(1.0);
+    glm::dmat4 m;
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) m[column][row] = rows[4 * row + column];
+    }
+    return m;
+}
+
+glm::dmat3 rotation_of(const glm::dmat4& to_world, const char* what) {
+    glm::dmat3 axes(to_world);
+    for (int i = 0; i < 3; ++i) {
+        const double length = glm::length(axes[i]);
+        if (!(length > 0) || !std::isfinite(length)) {
+            refuse(std::string(what) + ": to_world has an axis without length or that is not finite");
+        }
+        axes[i] /= length;
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > 1e-5 || glm::determinant(axes) < 0) {
+            refuse(std::string(what) + ": to_world must turn without shearing or mirroring");
+        }
+    }
+    return axes;
+}
+
+}  // namespace nicol::capi

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// The objects behind the handles.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "boundary.hpp"
+#include "gl/context.hpp"
+#include "nicol/camera.hpp"
+#include "nicol/environment.hpp"
+#include "nicol/material.hpp"
+#include "nicol/mesh.hpp"
+#include "nicol/scene.hpp"
+#include "render/framebuffer.hpp"
+#include "render/renderer.hpp"
+
+namespace nicol::capi {
+
+/// What a context's objects share; lives as long as any of them.
+struct Session {
+    std::shared_ptr<gl::Context> gl;
+    int threads = 0;
+    nicol_log_callback log = nullptr;
+    void* log_user = nullptr;
+    std::mutex mutex;
+    std::atomic<std::thread::id> busy{};  ///< the thread inside a call
+};
+
+using SessionPtr = std::shared_ptr<Session>;
+
+/// One call at a time on the objects of a session. Refuses calls from within a callback of the same session.
+class Turn {
+public:
+    explicit Turn(SessionPtr session) : session_(std::move(session)) {
+        if (session_->busy == std::this_thread::get_id()) {
+            refuse("a callback called Nicol with an object of the context that is calling it");
+        }
+        session_->mutex.lock();
+        session_->busy = std::this_thread::get_id();
+    }
+    ~Turn() {
+        session_->busy = std::thread::id();
+        session_->mutex.unlock();
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+private:
+    SessionPtr session_;
+};
+
+struct SceneState {
+    SceneState(const SessionPtr& session) : renderer(session->gl, session->threads) {}
+
+    Scene scene;
+    Renderer renderer;
+    std::optional<Camera> camera;  // of the file it was loaded from
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+};
+
+/// Every handle: a session, what it stands for, and a count.
+template <class Content>
+struct Handle {
+    SessionPtr session;
+    std::shared_ptr<Content> content;
+    std::uint32_t references = 1;
+};
+
+enum class HandleKind : std::uint8_t { context, environment, material, mesh, scene, framebuffer };
+
+/// All live handles of the process, so that a wrong or released one is an error and not a crash.
+namespace registry {
+void add(const void* handle, HandleKind kind);
+/// Throws Error(invalid_handle) unless the handle is alive and of this kind.
+void check(const void* handle, HandleKind kind);
+/// Adds to or drops from the count of a checked handle; true where it reached zero and was forgotten.
+void retain(const void* handle, HandleKind kind, std::uint32_t& references);
+[[nodiscard]] bool release(const void* handle, HandleKind kind, std::uint32_t& references);
+}  // namespace registry
+
+}  // namespace nicol::capi
+
+// The names in nicol.h.
+struct nicol_context_impl : nicol::capi::Handle<const nicol::gl::ContextInfo> {
+    static constexpr auto kind = nicol::capi::HandleKind::context;
+};
+struct nicol_environment_impl : nicol::capi::Handle<const nicol::Environment> {
+    static constexpr auto kind = nicol::capi::HandleKind::environment;
+};
+struct nicol_material_impl : nicol::capi::Handle<const nicol::Material> {
+    static constexpr auto kind = nicol::capi::HandleKind::material;
+};
+struct nicol_mesh_impl : nicol::capi::Handle<const nicol::Mesh> {
+    static constexpr auto kind = nicol::capi::HandleKind::mesh;
+};
+struct nicol_scene_impl : nicol::capi::Handle<nicol::capi::SceneState> {
+    static constexpr auto kind = nicol::capi::HandleKind::scene;
+};
+struct nicol_framebuffer_impl : nicol::capi::Handle<nicol::Framebuffer> {
+    static constexpr auto kind = nicol::capi::HandleKind::framebuffer;
+};
+
+namespace nicol::capi {
+
+/// The object behind a handle. Throws Error(invalid_handle).
+template <class Impl>
+Impl& resolve(Impl* handle) {
+    registry::check(handle, Impl::kind);
+    return *handle;
+}
+
+/// Throws Error(invalid_handle) where two objects are of different contexts.
+template <class A, class B>
+void require_same_context(const A& a, const B& b) {
+    if (a.session != b.session) {
+        throw Error(ErrorCode::invalid_handle, "objects of different contexts cannot be used together");
+    }
+}
+
+/// A new handle with one reference.
+template <class Impl, class Content>
+Impl* make_handle(SessionPtr session, std::shared_ptr<Content> content) {
+    auto handle = std::make_unique<Impl>();
+    handle->session = std::move(session);
+    handle->content = std::move(content);
+    registry::add(handle.get(), Impl::kind);
+    return handle.release();
+}
+
+template <class Impl>
+nicol_result retain(Impl* handle) noexcept {
+    return guarded([&] {
+        registry::check(handle, Impl::kind);
+        registry::retain(handle, Impl::kind, handle->references);
+    });
+}
+
+template <class Impl>
+nicol_result release(Impl* handle) noexcept {
+    if (handle == nullptr) return NICOL_OK;
+    return guarded([&] {
+        registry::check(handle, Impl::kind);
+        if (registry::release(handle, Impl::kind, handle->references)) delete handle;
+    });
+}
+
+/// A spectrum of the interface as values; `fallback` where it is empty. Throws Error(invalid_argument).
+std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std::size_t fallback_channels,
+                             const char* name);
+/// A row-major matrix; all zeros are the identity.
+glm::dmat4 matrix(const double (&rows)[16]);
+/// The rotation of an affine matrix whose axes are at right angles. Throws Error(invalid_argument) naming
+/// `what`.
+glm::dmat3 rotation_of(const glm::dmat4& to_world, const char* what);
+
+/// Reads a scene file and everything it names. Notices go to the session's log.
+std::shared_ptr<SceneState> load_scene(const SessionPtr& session, const char* path,
+                                       const char* const* definitions, std::uint32_t count);
+
+}  // namespace nicol::capi

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Cameras and scenes.
+#include <cmath>
+
+#include "handles.hpp"
+
+using namespace nicol;
+using namespace nicol::capi;
+
+namespace {
+
+void write_matrix(const glm::dmat4& m, double* rows) {
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) rows[4 * row + column] = m[column][row];
+    }
+}
+
+glm::dmat4 matrix_or_identity(const double* rows) {
+    if (rows == nullptr) return glm::dmat4(1.0);
+    double copy[16];
+    std::copy_n(rows, 16, copy);
+    return matrix(copy);
+}
+
+}  // namespace
+
+nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3], const double target[3],
+                                  const double up[3]) {
+    return guarded([&] {
+        nicol_camera out = read_struct(camera, "camera");
+        require(origin, "origin");
+        require(target, "target");
+        require(up, "up");
+        write_matrix(look_at({origin[0], origin[1], origin[2]}, {target[0], target[1], target[2]},
+                             {up[0], up[1], up[2]}),
+                     out.to_world);
+        write_struct(camera, out, "camera");
+    });
+}
+
+nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene) {
+    return guarded([&] {
+        require(scene, "scene");
+        const SessionPtr session = resolve(context).session;
+        *scene = make_handle<nicol_scene_impl>(session, std::make_shared<SceneState>(session));
+    });
+}
+
+nicol_result nicol_scene_load(nicol_context context, const char* path, const char* const* definitions,
+                              uint32_t definition_count, nicol_scene* scene) {
+    return guarded([&] {
+        require(scene, "scene");
+        const SessionPtr session = resolve(context).session;
+        *scene =
+            make_handle<nicol_scene_impl>(session, load_scene(session, path, definitions, definition_count));
+    });
+}
+
+nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance, uint32_t* id) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const nicol_instance given = read_struct(instance, "instance");
+        if (given.reserved != 0) refuse("instance->reserved must be 0");
+        const nicol_mesh_impl& mesh = resolve(given.mesh);
+        const nicol_material_impl& material = resolve(given.material);
+        require_same_context(self, mesh);
+        require_same_context(self, material);
+        const Turn turn(self.session);
+        const std::uint32_t added = self.content->scene.add(
+            {.mesh = mesh.content, .material = material.content, .to_world = matrix(given.to_world)});
+        if (id != nullptr) *id = added;
+    });
+}
+
+nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(to_world, "to_world");
+        const Turn turn(self.session);
+        self.content->scene.set_transform(id, matrix_or_identity(to_world));
+    });
+}
+
+nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
+                                         const double to_world[16], double scale) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        EnvironmentPtr light;
+        if (environment != nullptr) {
+            require_same_context(self, resolve(environment));
+            light = environment->content;
+        }
+        const glm::dmat3 rotation = rotation_of(matrix_or_identity(to_world), "environment");
+        const Turn turn(self.session);
+        self.content->scene.set_environment(light, rotation, scale == 0 ? 1 : scale);
+    });
+}
+
+nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        if (!self.content->camera)
+            throw Error(ErrorCode::unsupported, "only a scene loaded from a file has a camera");
+        nicol_camera out = NICOL_CAMERA_INIT;
+        out.projection =
+            self.content->camera->orthographic ? NICOL_PROJECTION_ORTHOGRAPHIC : NICOL_PROJECTION_PERSPECTIVE;
+        write_matrix(self.content->camera->to_world, out.to_world);
+        out.fov = self.content->camera->fov;
+        out.near_clip = self.content->camera->near_clip;
+        out.far_clip = self.content->camera->far_clip;
+        write_struct(camera, out, "camera");
+    });
+}
+
+nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(width, "width");
+        require(height, "height");
+        if (!self.content->camera)
+            throw Error(ErrorCode::unsupported, "only a scene loaded from a file has a film");
+        *width = self.content->width;
+        *height = self.content->height;
+    });
+}
+
+nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(channels, "channels");
+        const Turn turn(self.session);
+        *channels = static_cast<uint32_t>(self.content->scene.channels());
+    });
+}
+
+nicol_result nicol_scene_retain(nicol_scene scene) {
+    return retain(scene);
+}
+nicol_result nicol_scene_release(nicol_scene scene) {
+    return release(scene);
+}
