@@ -3,6 +3,7 @@
 #include <OpenMesh/Core/IO/IOManager.hh>
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/System/omstream.hh>
+#include <locale>
 #include <mutex>
 #include <sstream>
 
@@ -91,29 +92,21 @@ private:
     std::vector<glm::vec3> normals_;
 };
 
-/// OpenMesh speaks to std::cerr through omerr(); while this lives it speaks into text() instead.
+/// OpenMesh speaks to std::cerr through omerr(); while this lives it speaks into text() instead. Its own
+/// connect() and disconnect() would leak.
 class CapturedErrors {
 public:
-    CapturedErrors() : was_enabled_(omerr().is_enabled()), was_connected_(omerr().disconnect(std::cerr)) {
-        omerr().connect(text_);
-        omerr().enable();
-    }
-    ~CapturedErrors() {
-        omerr().disconnect(text_);
-        if (was_connected_) omerr().connect(std::cerr);
-        if (!was_enabled_) omerr().disable();
-    }
+    CapturedErrors() : before_(stream().rdbuf(text_.rdbuf())) {}
+    ~CapturedErrors() { stream().rdbuf(before_); }
     CapturedErrors(const CapturedErrors&) = delete;
     CapturedErrors& operator=(const CapturedErrors&) = delete;
-    [[nodiscard]] std::string text() {
-        omerr().flush();
-        return text_.str();
-    }
+    [[nodiscard]] std::string text() const { return text_.str(); }
 
 private:
+    static std::ostream& stream() { return omerr(); }
+
     std::ostringstream text_;
-    bool was_enabled_;
-    bool was_connected_;
+    std::streambuf* before_;
 };
 
 }  // namespace
@@ -128,6 +121,7 @@ Soup read_soup(std::string_view name, const std::string& bytes, const std::strin
     Soup soup;
     SoupImporter importer(soup, suffix == ".obj");
     std::istringstream stream(bytes, std::ios::in | std::ios::binary);
+    stream.imbue(std::locale::classic());
     if (!OpenMesh::IO::IOManager().read(stream, suffix, importer, options))
         throw Error(ErrorCode::internal, std::string(name) + ": OpenMesh cannot read it: " + errors.text());
     return soup;

@@ -49,6 +49,25 @@ std::optional<Corner> parsed_corner(std::string_view word, std::uint64_t positio
     return Corner{*position, *normal};
 }
 
+/// The shortest text for a number, as 15e-1 for 1.5: OpenMesh takes the sign between the digits from the
+/// locale of the host, which may be a comma.
+std::string without_point(float x) {
+    std::array<char, 32> buffer{};
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::scientific).ptr;
+    const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+    const std::size_t e = text.find('e');
+    int exponent = 0;
+    std::from_chars(text.data() + e + 2, end, exponent);
+    if (text[e + 1] == '-') exponent = -exponent;
+    std::string digits(text.substr(0, e));
+    if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+        exponent -= static_cast<int>(digits.size() - point - 1);
+        digits.erase(point, 1);
+    }
+    return digits + "e" + std::to_string(exponent);
+}
+
 /// One file; faces are checked against the final counts, since OBJ lets an index point ahead.
 class ObjVetter {
 public:
@@ -104,13 +123,9 @@ private:
     void triple(std::string_view key, std::string_view line, std::size_t number) {
         Words words(name_, line, '#', number);
         out_.bytes.append(words.next());
-        for (const char* coordinate : {"x", "y", "z"}) {
-            Words ahead = words;
-            words.number(std::string(key == "v" ? "vertex " : "normal ") + coordinate);
-            std::string_view text = ahead.next();
-            if (text.front() == '+') text.remove_prefix(1);
-            out_.bytes.append(" ").append(text);
-        }
+        for (const char* coordinate : {"x", "y", "z"})
+            out_.bytes.append(" ").append(
+                without_point(words.number(std::string(key == "v" ? "vertex " : "normal ") + coordinate)));
         out_.bytes.append("\n");
         ++(key == "v" ? out_.vertices : normals_);
     }

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <iostream>
+#include <locale>
 #include <map>
+#include <random>
 #include <sstream>
 #include <thread>
 
@@ -248,6 +252,40 @@ TEST_CASE("whatever else an OBJ holds does no harm") {
     CHECK(mesh.positions.size() == 3);
     CHECK(mesh.positions[0] == glm::vec3(1.5f, 0, 0));
     CHECK(mesh.triangles.size() == 1);
+}
+
+TEST_CASE("positions come through to the last bit, in any locale of the host") {
+    struct Comma : std::numpunct<char> {
+        char do_decimal_point() const override { return ','; }
+        char do_thousands_sep() const override { return '.'; }
+        std::string do_grouping() const override { return "\3"; }
+    };
+    const TemporaryFolder folder;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> digits(-1.0f, 1.0f);
+    std::vector<glm::vec3> points;
+    std::string obj;
+    std::string off = "OFF\n300 100 0\n";
+    for (int i = 0; i < 300; ++i) {
+        const float scale = std::pow(10.0f, static_cast<float>(i % 60 - 30));
+        points.emplace_back(scale * digits(random), scale * digits(random), scale * digits(random));
+        std::array<char, 100> line{};
+        std::snprintf(line.data(), line.size(), "%.9g %.9g %.9g\n", double(points.back().x),
+                      double(points.back().y), double(points.back().z));
+        obj += "v " + std::string(line.data());
+        off += line.data();
+    }
+    for (int i = 0; i < 300; i += 3) {
+        obj +=
+            "f " + std::to_string(i + 1) + " " + std::to_string(i + 2) + " " + std::to_string(i + 3) + "\n";
+        off += "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
+    }
+    const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+    const Mesh from_obj = load_mesh(folder.write("a.obj", obj));
+    const Mesh from_off = load_mesh(folder.write("a.off", off));
+    std::locale::global(before);
+    CHECK(from_obj.positions == points);
+    CHECK(from_off.positions == points);
 }
 
 TEST_CASE("OpenMesh says nothing on the error stream") {
