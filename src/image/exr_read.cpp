@@ -5,16 +5,15 @@
 #include <ImfHeader.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
-#include <openexr.h>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <exception>
 #include <fstream>
-#include <memory>
 
 #include "image/exr_names.hpp"
+#include "image/exr_structure.hpp"
 #include "nicol/error.hpp"
 #include "nicol/stokes_image.hpp"
 
@@ -29,56 +28,6 @@ using std::filesystem::path;
 
 [[noreturn]] void unsupported(const path& file, const std::string& what) {
     throw Error(ErrorCode::unsupported, file.string() + ": " + what);
-}
-
-struct CloseContext {
-    void operator()(exr_context_t context) const { exr_finish(&context); }
-};
-
-/// Looks at the header with OpenEXR's C library, which allocates nothing by the sizes it finds; the C++
-/// library allocates tables of whatever size a header claims as soon as it opens the file.
-void check_header(const path& file, std::uintmax_t file_size) {
-    exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
-    options.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
-    exr_context_t context = nullptr;
-    const exr_result_t opened = exr_start_read(&context, file.c_str(), &options);
-    const std::unique_ptr<std::remove_pointer_t<exr_context_t>, CloseContext> closing(
-        opened == EXR_ERR_SUCCESS ? context : nullptr);
-    if (opened != EXR_ERR_SUCCESS)
-        invalid(file,
-                std::string("not a readable OpenEXR file (") + exr_get_default_error_message(opened) + ")");
-
-    int parts = 0;
-    exr_get_count(context, &parts);
-    if (parts < 1) invalid(file, "has no parts");
-    exr_storage_t storage{};
-    if (exr_get_storage(context, 0, &storage) != EXR_ERR_SUCCESS) invalid(file, "part 0 has no storage type");
-    if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-        unsupported(file, "holds deep data; write it as flat scan lines or tiles");
-
-    exr_attr_box2i_t window{};
-    if (exr_get_data_window(context, 0, &window) != EXR_ERR_SUCCESS) invalid(file, "has no data window");
-    const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-    const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    if (width < 1 || height < 1) invalid(file, "the data window is empty");
-    if (width > kMaxImageSide || height > kMaxImageSide ||
-        static_cast<std::size_t>(width * height) > kMaxImagePixels)
-        invalid(file, "claims " + std::to_string(width) + " x " + std::to_string(height) +
-                          " pixels; sides may be at most " + std::to_string(kMaxImageSide) +
-                          " and pixels at most " + std::to_string(kMaxImagePixels));
-
-    // Every part counts, for opening the file makes the chunk tables of all of them. A chunk takes eight
-    // bytes in the table and eight more at its head.
-    std::uintmax_t chunks = 0;
-    for (int part = 0; part < parts; ++part) {
-        std::int32_t count = 0;
-        if (exr_get_chunk_count(context, part, &count) != EXR_ERR_SUCCESS || count < 0)
-            invalid(file, "part " + std::to_string(part) + " has no valid number of chunks");
-        chunks += static_cast<std::uintmax_t>(count);
-    }
-    if (chunks > file_size / 16)
-        invalid(file, "is truncated: " + std::to_string(file_size) + " bytes cannot hold the " +
-                          std::to_string(chunks) + " chunks the header claims");
 }
 
 /// What to read: the names of the channels of each Stokes component, empty where there are none.
@@ -178,7 +127,7 @@ StokesImage read_exr(const path& file) {
                                                    (error ? " (" + error.message() + ")" : ""));
     }
     try {
-        check_header(file, size);
+        check_exr_structure(file, size);
         return read_pixels(file);
     } catch (const Error&) {
         throw;

@@ -23,8 +23,8 @@ PshVector brute_force(const Environment& light, int width, int height, int order
     std::vector<double> scalar(psh_count(order));
     std::vector<std::complex<double>> spin2(psh_count(order));
     // Large cells are cut into small ones, where the rule is as good as exact for the harmonics.
-    const int cuts_u = 1 + 12 / width;
-    const int cuts_v = 1 + 12 / (height - 1);
+    const int cuts_u = 1 + 16 / width;
+    const int cuts_v = 1 + 24 / (height - 1);
     const double du = 1.0 / (width * cuts_u);
     const double dv = 1.0 / ((height - 1) * cuts_v);
     for (int j = 0; j < (height - 1) * cuts_v * 5; ++j) {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Files that are damaged, or lie about themselves.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfOutputFile.h>
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "image/temporary_folder.hpp"
+#include "nicol/stokes_image.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr auto bad = ErrorCode::invalid_file;
+
+StokesImage some_image() {
+    StokesImage image(40, 50, 3);
+    std::mt19937 engine(1);
+    std::uniform_real_distribution<float> uniform(0, 1);
+    for (float& v : image.data) v = uniform(engine);
+    return image;
+}
+
+/// Overwrites the value of a header attribute, found by its name and type.
+void patch(std::string& bytes, const std::string& name, const std::string& type,
+           const std::vector<std::int32_t>& value) {
+    const std::string key = name + '\0' + type + '\0';
+    const std::size_t at = bytes.find(key);
+    REQUIRE(at != std::string::npos);
+    std::memcpy(bytes.data() + at + key.size() + 4, value.data(), 4 * value.size());
+}
+
+/// A plain float32 RGB file of 4 x 3 with one value replaced: the library's own writer would do as well, but
+/// this one stores other programs' pixels.
+void write_with(const std::filesystem::path& path, const std::string& channel, std::size_t pixel,
+                float value) {
+    StokesImage image(4, 3, 3);
+    const std::size_t c = channel.back() == 'R' ? 0 : channel.back() == 'G' ? 1 : 2;
+    const std::size_t p = channel.size() == 1 ? 0 : static_cast<std::size_t>(channel[1] - '0');
+    image.data[(c * 12 + pixel) * 4 + p] = value;
+    write_exr(path, image);
+}
+
+}  // namespace
+
+TEST_CASE("missing, empty and foreign files") {
+    const TemporaryFolder folder;
+    check_error(
+        ErrorCode::file_not_found, [&] { (void)read_exr(folder / "none.exr"); }, "none.exr");
+    check_error(
+        ErrorCode::file_not_found, [&] { (void)read_exr(folder.path()); }, folder.path().string());
+    check_error(
+        ErrorCode::file_not_found, [] { (void)read_exr(""); }, "cannot be opened");
+    write_bytes(folder / "empty.exr", "");
+    check_error(
+        bad, [&] { (void)read_exr(folder / "empty.exr"); }, "empty.exr", "is empty");
+    write_bytes(folder / "text.exr", std::string(5000, 'x'));
+    check_error(
+        bad, [&] { (void)read_exr(folder / "text.exr"); }, "text.exr", "OpenEXR");
+}
+
+TEST_CASE("a file cut anywhere is refused") {
+    const TemporaryFolder folder;
+    write_exr(folder / "whole.exr", some_image());
+    const std::string bytes = file_bytes(folder / "whole.exr");
+    std::vector<std::size_t> lengths;
+    for (std::size_t n = 1; n < 1600; n += 7) lengths.push_back(n);
+    for (std::size_t n = 1600; n < bytes.size(); n += bytes.size() / 60) lengths.push_back(n);
+    lengths.push_back(bytes.size() - 1);
+    for (const std::size_t n : lengths) {
+        CAPTURE(n);
+        write_bytes(folder / "cut.exr", bytes.substr(0, n));
+        check_error(
+            bad, [&] { (void)read_exr(folder / "cut.exr"); }, "cut.exr");
+    }
+}
+
+TEST_CASE("sizes beyond reason are refused before they are allocated") {
+    const TemporaryFolder folder;
+    write_exr(folder / "whole.exr", some_image());
+    const std::string bytes = file_bytes(folder / "whole.exr");
+    constexpr std::int32_t huge = std::numeric_limits<std::int32_t>::max();
+    const std::vector<std::vector<std::int32_t>> windows = {
+        {0, 0, huge, huge},       {0, 0, huge - 1, 49}, {0, 0, 39, huge - 1}, {-huge, -huge, huge, huge},
+        {0, 0, 40000, 40000},     {0, 0, 32767, 32767}, {0, 0, -1, -1},       {5, 5, 3, 9},
+        {0, 0, 39, 1'000'000},    {0, 0, 30000, 2000},  {0, 0, 39, 30000},    {huge - 5, 0, huge, 49},
+        {-huge - 1, 0, -huge, 49}};
+    for (const auto& window : windows) {
+        CAPTURE(window[2]);
+        CAPTURE(window[3]);
+        std::string lie = bytes;
+        patch(lie, "dataWindow", "box2i", window);
+        write_bytes(folder / "lie.exr", lie);
+        check_error(
+            bad, [&] { (void)read_exr(folder / "lie.exr"); }, "lie.exr");
+    }
+}
+
+TEST_CASE("values that are not finite are named by channel and pixel") {
+    const TemporaryFolder folder;
+    constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    write_with(folder / "a.exr", "S1.G", 6, not_a_number);
+    check_error(
+        bad, [&] { (void)read_exr(folder / "a.exr"); }, "a.exr", "channel S1.G", "pixel (2, 1)",
+        "not a number");
+    write_with(folder / "a.exr", "S3.B", 11, -infinity);
+    check_error(
+        bad, [&] { (void)read_exr(folder / "a.exr"); }, "channel S3.B", "pixel (3, 2)", "infinite");
+    write_with(folder / "a.exr", "S0.R", 0, infinity);
+    check_error(
+        bad, [&] { (void)read_exr(folder / "a.exr"); }, "channel S0.R", "pixel (0, 0)");
+}
+
+TEST_CASE("subsampled channels are refused") {
+    const TemporaryFolder folder;
+    Imf::Header header(8, 8);
+    std::vector<float> values(64);
+    Imf::FrameBuffer buffer;
+    for (const char* name : {"R", "G", "B"}) {
+        const int step = *name == 'G' ? 2 : 1;
+        header.channels().insert(name, Imf::Channel(Imf::FLOAT, step, step));
+        buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4,
+                                       static_cast<std::size_t>(32 / step), step, step));
+    }
+    {
+        Imf::OutputFile file((folder / "a.exr").c_str(), header, 0);
+        file.setFrameBuffer(buffer);
+        file.writePixels(8);
+    }
+    check_error(
+        ErrorCode::unsupported, [&] { (void)read_exr(folder / "a.exr"); }, "channel G", "subsampled");
+}
+
+TEST_CASE("random damage is an error or a picture, never a crash") {
+    const TemporaryFolder folder;
+    write_exr(folder / "whole.exr", some_image());
+    const std::string bytes = file_bytes(folder / "whole.exr");
+    std::mt19937 engine(5);
+    for (int i = 0; i < 300; ++i) {
+        std::string damaged = bytes;
+        const std::size_t reach = i % 2 == 0 ? 1400 : bytes.size();
+        for (int k = 0; k < 3; ++k) damaged[engine() % reach] = static_cast<char>(engine() & 0xff);
+        write_bytes(folder / "damaged.exr", damaged);
+        try {
+            read_exr(folder / "damaged.exr").check("damaged");
+        } catch (const Error& e) {
+            CHECK(std::string(e.what()).find("damaged.exr") != std::string::npos);
+        }
+    }
+}

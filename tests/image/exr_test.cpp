@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Stokes pictures through OpenEXR files.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <ImfTiledOutputFile.h>
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "image/temporary_folder.hpp"
+#include "nicol/stokes_image.hpp"
+
+using namespace nicol;
+
+namespace {
+
+StokesImage numbered(int width, int height, int channels) {
+    StokesImage image(width, height, channels);
+    for (std::size_t i = 0; i < image.data.size(); ++i)
+        image.data[i] = static_cast<float>(i % 977) * 0.37f - 50.0f;
+    return image;
+}
+
+std::set<std::string> channel_names(const std::filesystem::path& path) {
+    std::set<std::string> names;
+    const Imf::InputFile file(path.c_str());
+    const Imf::ChannelList& list = file.header().channels();
+    for (auto i = list.begin(); i != list.end(); ++i) names.insert(i.name());
+    return names;
+}
+
+/// Writes the channels, all holding 0.25, 1.25, 2.25 ... by pixel, with the data window starting at `origin`.
+void write_channels(const std::filesystem::path& path, const std::vector<std::string>& names,
+                    Imf::PixelType type, Imf::Compression compression, bool tiled, Imath::V2i origin) {
+    const int width = 21;
+    const int height = 19;
+    const Imath::Box2i window(origin, origin + Imath::V2i(width - 1, height - 1));
+    Imf::Header header(Imath::Box2i({0, 0}, {99, 99}), window);
+    header.compression() = compression;
+    std::vector<float> values(static_cast<std::size_t>(width * height));
+    std::vector<unsigned> integers(values.size());
+    std::vector<Imath::half> halves(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = static_cast<float>(i) + 0.25f;
+        integers[i] = static_cast<unsigned>(i);
+        halves[i] = values[i];
+    }
+    Imf::FrameBuffer buffer;
+    for (const std::string& name : names) {
+        header.channels().insert(name, Imf::Channel(type));
+        void* base = values.data();
+        if (type == Imf::UINT) base = integers.data();
+        if (type == Imf::HALF) base = halves.data();
+        const std::size_t size = type == Imf::HALF ? 2 : 4;
+        buffer.insert(name, Imf::Slice::Make(type, base, window, size, size * width));
+    }
+    if (tiled) {
+        header.setTileDescription(Imf::TileDescription(8, 8));
+        Imf::TiledOutputFile file(path.c_str(), header, 0);
+        file.setFrameBuffer(buffer);
+        file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+    } else {
+        Imf::OutputFile file(path.c_str(), header, 0);
+        file.setFrameBuffer(buffer);
+        file.writePixels(height);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("what is written comes back bit for bit, under Mitsuba's channel names") {
+    const TemporaryFolder folder;
+    for (const int channels : {1, 3}) {
+        const StokesImage image = numbered(37, 23, channels);
+        write_exr(folder / "a.exr", image, {.comment = "a note"});
+        const StokesImage back = read_exr(folder / "a.exr");
+        CHECK(back.width == 37);
+        CHECK(back.height == 23);
+        CHECK(back.channels == channels);
+        CHECK(back.data == image.data);
+        const std::set<std::string> rgb = {"R",    "G",    "B",    "S0.R", "S0.G", "S0.B", "S1.R", "S1.G",
+                                           "S1.B", "S2.R", "S2.G", "S2.B", "S3.R", "S3.G", "S3.B"};
+        const std::set<std::string> grey = {"Y", "S0.Y", "S1.Y", "S2.Y", "S3.Y"};
+        CHECK(channel_names(folder / "a.exr") == (channels == 3 ? rgb : grey));
+        const Imf::InputFile file((folder / "a.exr").c_str());
+        CHECK(file.header().channels().findChannel(channels == 3 ? "S2.G" : "S2.Y")->type == Imf::FLOAT);
+        const auto text = [&](const char* name) {
+            return file.header().typedAttribute<Imf::StringAttribute>(name).value();
+        };
+        CHECK(text("stokesFrame").find("x image right, y image up") != std::string::npos);
+        CHECK(text("comments") == "a note");
+        CHECK(text("software").find("Nicol") == 0);
+    }
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("R G B hold s0, so that any viewer shows the picture") {
+    const TemporaryFolder folder;
+    const StokesImage image = numbered(4, 3, 3);
+    write_exr(folder / "a.exr", image, {.components = 0});
+    CHECK(channel_names(folder / "a.exr") == std::set<std::string>{"R", "G", "B"});
+    const StokesImage back = read_exr(folder / "a.exr");
+    for (std::size_t i = 0; i < image.data.size(); ++i)
+        CHECK(back.data[i] == (i % 4 == 0 ? image.data[i] : 0));
+}
+
+TEST_CASE("only the asked components are written") {
+    const TemporaryFolder folder;
+    write_exr(folder / "a.exr", numbered(4, 3, 1), {.components = 0b0110});
+    CHECK(channel_names(folder / "a.exr") == std::set<std::string>{"Y", "S1.Y", "S2.Y"});
+    const StokesImage back = read_exr(folder / "a.exr");
+    CHECK(back.at(0, 2, 3)[0] == numbered(4, 3, 1).at(0, 2, 3)[0]);
+    CHECK(back.at(0, 2, 3)[2] == numbered(4, 3, 1).at(0, 2, 3)[2]);
+    CHECK(back.at(0, 2, 3)[3] == 0);
+}
+
+TEST_CASE(
+    "any pixel type, compression, tiling and data window is read; row 0 is the top of the data window") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> names = {"A", "B", "G", "R", "Z"};
+    for (int compression = 0; compression < Imf::NUM_COMPRESSION_METHODS; ++compression) {
+        for (const bool tiled : {false, true}) {
+            for (const Imf::PixelType type : {Imf::HALF, Imf::FLOAT, Imf::UINT}) {
+                CAPTURE(compression);
+                CAPTURE(tiled);
+                CAPTURE(static_cast<int>(type));
+                write_channels(folder / "a.exr", names, type, static_cast<Imf::Compression>(compression),
+                               tiled, {-3, 40});
+                const StokesImage image = read_exr(folder / "a.exr");
+                REQUIRE(image.width == 21);
+                REQUIRE(image.height == 19);
+                REQUIRE(image.channels == 3);
+                const float fraction = type == Imf::UINT ? 0.0f : 0.25f;
+                // Lossy compressions keep a percent or so of neighbouring values.
+                CHECK(image.at(2, 0, 1)[0] == doctest::Approx(1 + fraction).epsilon(0.5));
+                CHECK(image.at(1, 18, 20)[0] == doctest::Approx(18 * 21 + 20 + fraction).epsilon(0.02));
+            }
+        }
+    }
+    write_channels(folder / "y.exr", {"Y"}, Imf::HALF, Imf::ZIP_COMPRESSION, false, {0, 0});
+    CHECK(read_exr(folder / "y.exr").channels == 1);
+    CHECK(read_exr(folder / "y.exr").at(0, 0, 5)[0] == 5.25f);
+}
+
+TEST_CASE("files that call for channels they lack are refused by the name of the channel") {
+    const TemporaryFolder folder;
+    const auto refuse = [&](const std::vector<std::string>& names, ErrorCode code, const std::string& what) {
+        write_channels(folder / "a.exr", names, Imf::FLOAT, Imf::NO_COMPRESSION, false, {0, 0});
+        check_error(
+            code, [&] { (void)read_exr(folder / "a.exr"); }, "a.exr", what);
+    };
+    const auto bad = ErrorCode::invalid_file;
+    refuse({"R", "B"}, bad, "no channel G");
+    refuse({"A", "Z"}, bad, "neither R G B nor Y");
+    refuse({"Y", "S2.Y"}, bad, "no channel S1.Y");
+    refuse({"Y", "S1.Y"}, bad, "no channel S2.Y");
+    refuse({"Y", "S3.Y"}, bad, "no channel S1.Y");
+    refuse({"R", "G", "B", "S1.R", "S1.B", "S2.R", "S2.G", "S2.B"}, bad, "no channel S1.G");
+    refuse({"R", "G", "B", "S0.R"}, bad, "no channel S0.G");
+    refuse({"Y", "RY", "BY"}, ErrorCode::unsupported, "chroma");
+    // S0 alone serves without R G B.
+    write_channels(folder / "b.exr", {"S0.R", "S0.G", "S0.B"}, Imf::FLOAT, Imf::NO_COMPRESSION, false,
+                   {0, 0});
+    CHECK(read_exr(folder / "b.exr").at(1, 0, 3)[0] == 3.25f);
+}
+
+TEST_CASE("a file that cannot be written says so and leaves nothing behind") {
+    const TemporaryFolder folder;
+    const StokesImage image = numbered(4, 3, 3);
+    const auto bad = ErrorCode::write_failed;
+    check_error(
+        bad, [&] { write_exr(folder / "none" / "a.exr", image); }, "none/a.exr");
+    std::filesystem::create_directories(folder / "taken.exr" / "inside");
+    check_error(
+        bad, [&] { write_exr(folder / "taken.exr", image); }, "taken.exr");
+    check_error(
+        bad, [&] { write_exr(folder.path() / "", image); }, "folder");
+    check_error(
+        bad, [&] { write_exr("", image); }, "cannot be written");
+    CHECK(folder.files() == 1);
+    // A file name that is too long for the system.
+    check_error(
+        bad, [&] { write_exr(folder / std::string(300, 'a'), image); }, "aaaa");
+    if (std::filesystem::exists("/dev/full")) {
+        // A failing write under a finished stream: the disk that is full.
+        write_exr(folder / "kept.exr", image);
+        CHECK(folder.files() == 2);
+    }
+    check_error(
+        ErrorCode::invalid_argument, [&] { write_exr(folder / "a.exr", StokesImage()); }, "image");
+    check_error(
+        ErrorCode::invalid_argument, [&] { write_exr(folder / "a.exr", StokesImage(2, 2, 2)); },
+        "2 channels");
+    check_error(
+        ErrorCode::invalid_argument, [&] { write_exr(folder / "a.exr", image, {.components = 0b10000}); },
+        "components");
+}
+
+TEST_CASE("an existing file is replaced only by a complete one") {
+    const TemporaryFolder folder;
+    write_exr(folder / "a.exr", numbered(4, 3, 1));
+    CHECK_THROWS((void)write_exr(folder / "a.exr", StokesImage(2, 2, 2)));
+    CHECK(read_exr(folder / "a.exr").width == 4);
+    write_exr(folder / "a.exr", numbered(9, 2, 1));
+    CHECK(read_exr(folder / "a.exr").width == 9);
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("Mitsuba's own files are read") {
+    const char* data = std::getenv("NICOL_TEST_DATA");
+    const std::filesystem::path file =
+        std::filesystem::path(data != nullptr ? data : "") / "mitsuba" / "sphere_const_a03.exr";
+    if (!std::filesystem::exists(file)) {
+        MESSAGE("skipped: no ", file.string());
+        return;
+    }
+    const StokesImage image = read_exr(file);
+    CHECK(image.width == 128);
+    CHECK(image.channels == 3);
+    // A dielectric sphere under even light: at the right of its rim the plane of incidence is horizontal, so
+    // the reflected light is polarized vertically, s1 < 0; above the centre it is horizontal, s1 > 0.
+    CHECK(image.at(1, 64, 64 + 45)[1] < -0.01f);
+    CHECK(image.at(1, 64 - 45, 64)[1] > 0.01f);
+    // Towards the upper right the field is perpendicular to that direction: -45 degrees, s2 < 0.
+    CHECK(image.at(1, 64 - 32, 64 + 32)[2] < -0.01f);
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// PNG files, read back with libpng.
+#include <doctest/doctest.h>
+#include <png.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+#include "image/temporary_folder.hpp"
+#include "nicol/observer.hpp"
+
+using namespace nicol;
+
+namespace {
+
+struct Decoded {
+    int width = 0;
+    int height = 0;
+    int depth = 0;
+    int colour_type = 0;
+    bool srgb = false;
+    bool gamma = false;
+    std::vector<std::uint8_t> rgb;
+    std::map<std::string, std::string> text;
+};
+
+Decoded decode(const std::filesystem::path& path) {
+    Decoded result;
+    std::FILE* file = std::fopen(path.c_str(), "rb");
+    REQUIRE(file != nullptr);
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    if (setjmp(png_jmpbuf(png)) != 0) {
+        FAIL("libpng cannot read ", path.string());
+    }
+    png_init_io(png, file);
+    png_read_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+    result.width = static_cast<int>(png_get_image_width(png, info));
+    result.height = static_cast<int>(png_get_image_height(png, info));
+    result.depth = png_get_bit_depth(png, info);
+    result.colour_type = png_get_color_type(png, info);
+    result.srgb = png_get_valid(png, info, PNG_INFO_sRGB) != 0;
+    result.gamma = png_get_valid(png, info, PNG_INFO_gAMA) != 0;
+    png_bytepp rows = png_get_rows(png, info);
+    for (int y = 0; y < result.height; ++y)
+        result.rgb.insert(result.rgb.end(), rows[y], rows[y] + 3 * result.width);
+    png_textp text = nullptr;
+    const int count = png_get_text(png, info, &text, nullptr);
+    for (int i = 0; i < count; ++i) result.text[text[i].key] = text[i].text;
+    png_destroy_read_struct(&png, &info, nullptr);
+    std::fclose(file);
+    return result;
+}
+
+/// Light polarized around the centre of the picture like a wheel: the field points away from the centre.
+StokesImage radial_light(int size) {
+    StokesImage image(size, size, 1);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            // y points up, rows run down.
+            const double angle = std::atan2((size - 1) / 2.0 - y, x - (size - 1) / 2.0);
+            image.at(0, y, x)[0] = 1;
+            image.at(0, y, x)[1] = static_cast<float>(std::cos(2 * angle));
+            image.at(0, y, x)[2] = static_cast<float>(std::sin(2 * angle));
+        }
+    return image;
+}
+
+}  // namespace
+
+TEST_CASE("a PNG holds the pixels and the text of its picture") {
+    const TemporaryFolder folder;
+    const Picture picture{3,
+                          2,
+                          {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 250, 251, 252, 253, 254, 255},
+                          {{"Title", "A test"}, {"Nicol:Scale", "code 255 is 3"}},
+                          false};
+    write_png(folder / "a.png", picture);
+    const Decoded back = decode(folder / "a.png");
+    CHECK(back.width == 3);
+    CHECK(back.height == 2);
+    CHECK(back.depth == 8);
+    CHECK(back.colour_type == PNG_COLOR_TYPE_RGB);
+    CHECK(back.rgb == picture.rgb);
+    CHECK(back.text.at("Title") == "A test");
+    CHECK(back.text.at("Nicol:Scale") == "code 255 is 3");
+    CHECK(back.text.at("Software").find("Nicol") == 0);
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("only tone-mapped pictures claim a transfer curve") {
+    const TemporaryFolder folder;
+    write_png(folder / "a.png", tone_mapped(radial_light(4)));
+    CHECK(decode(folder / "a.png").srgb);
+    for (const Picture& picture : {signed_component(radial_light(4), 1), dolp_picture(radial_light(4)),
+                                   aolp_picture(radial_light(4))}) {
+        write_png(folder / "a.png", picture);
+        const Decoded back = decode(folder / "a.png");
+        CHECK_FALSE(back.srgb);
+        CHECK_FALSE(back.gamma);
+        CHECK(back.text.count("Nicol:Observer") == 1);
+        CHECK(back.text.count("Nicol:Scale") == 1);
+        CHECK(back.text.at("Nicol:Frame").find("counter-clockwise") != std::string::npos);
+    }
+}
+
+TEST_CASE("in the file the AoLP wheel turns counter-clockwise: y is up") {
+    const TemporaryFolder folder;
+    constexpr int size = 9;
+    write_png(folder / "a.png", aolp_picture(radial_light(size)));
+    const Decoded back = decode(folder / "a.png");
+    const auto pixel = [&](int x, int y) {
+        const auto i = static_cast<std::size_t>(3 * (y * size + x));
+        return std::vector<int>{back.rgb[i], back.rgb[i + 1], back.rgb[i + 2]};
+    };
+    const auto near = [](const std::vector<int>& a, const std::vector<int>& b) {
+        return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) <= 1;
+    };
+    CHECK(near(pixel(8, 4), {255, 0, 0}));
+    CHECK(near(pixel(8, 0), {128, 255, 0}));  // top right: +45 degrees
+    CHECK(near(pixel(4, 0), {0, 255, 255}));
+    CHECK(near(pixel(0, 0), {128, 0, 255}));  // top left: -45 degrees
+    CHECK(near(pixel(8, 8), {128, 0, 255}));
+    CHECK(near(pixel(0, 8), {128, 255, 0}));
+}
+
+TEST_CASE("what cannot be written is an error and leaves nothing behind") {
+    const TemporaryFolder folder;
+    const Picture good{1, 1, {1, 2, 3}, {}, false};
+    check_error(
+        ErrorCode::write_failed, [&] { write_png(folder / "none" / "a.png", good); }, "none/a.png");
+    std::filesystem::create_directories(folder / "taken.png" / "inside");
+    check_error(
+        ErrorCode::write_failed, [&] { write_png(folder / "taken.png", good); }, "taken.png");
+    CHECK(folder.files() == 1);
+
+    const auto refuse = [&](Picture picture, const char* what) {
+        check_error(
+            ErrorCode::invalid_argument, [&] { write_png(folder / "a.png", picture); }, what);
+    };
+    refuse({}, "0 x 0");
+    refuse({2, 1, {1, 2, 3}, {}, false}, "3 bytes");
+    refuse({-1, -1, {1, 2, 3}, {}, false}, "-1 x -1");
+    refuse({1, 1, {1, 2, 3}, {{"", "text"}}, false}, "keyword");
+    refuse({1, 1, {1, 2, 3}, {{std::string(80, 'k'), "text"}}, false}, "keyword");
+    refuse({1, 1, {1, 2, 3}, {{"a\nb", "text"}}, false}, "keyword");
+    refuse({1, 1, {1, 2, 3}, {{"a", std::string("x\0y", 3)}}, false}, "zero bytes");
+    CHECK(folder.files() == 1);
+}
