@@ -19,7 +19,8 @@ struct Mesh {
 };
 
 /// Reads Wavefront OBJ, PLY (text, binary), OFF (text) or STL (text, binary), told apart by the suffix.
-/// Polygons become fans of triangles; every face is kept, whether the surface is a manifold or not.
+/// Polygons become fans of triangles, from the corner that suits a notch; every face is kept, whether the
+/// surface is a manifold or not.
 /// - Normals in the file are kept. An OBJ vertex whose corners name different normals is split, so that a
 /// hard
 ///   edge stays hard; the order of the vertices is otherwise the file's.
@@ -48,7 +49,8 @@ void validate(Mesh& mesh, std::string_view name);
 /// first.
 void smooth_normals(Mesh& mesh);
 
-/// The same triangles with three vertices each and the normal of the plane: every edge is hard.
+/// The same triangles with three vertices each and the normal of the plane: every edge is hard. The mesh must
+/// have passed validate().
 [[nodiscard]] Mesh with_face_normals(const Mesh& mesh);
 
 /// The other side becomes the front: normals negated, winding reversed.

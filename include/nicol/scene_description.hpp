@@ -85,11 +85,12 @@ using SceneParameters = std::map<std::string, std::string>;
 /// Reads a scene of Mitsuba 3's XML format. Defaults are Mitsuba's, and so is the meaning of each parameter;
 /// beside its plug-ins (sensors perspective, orthographic; shapes obj, ply, sphere, rectangle, cube; bsdfs
 /// pplastic, diffuse; emitters envmap, constant) these are ours: shapes off and stl, bsdf psh, emitters psh
-/// and sky. Integrator, sampler and reconstruction filter are not followed. Filenames are resolved against
-/// the folder of the scene, not opened. Throws Error: file_not_found; unsupported (a plug-in, element or
-/// value outside the above); invalid_file (XML that is not well-formed, unknown or missing parameters, values
-/// out of range, undefined $parameters, ids that are missing or doubled) as file:line, plug-in and parameter
-/// with what is accepted; invalid_argument (an entry of `parameters` that the file never uses).
+/// and sky. Integrator, sampler and reconstruction filter are not followed. <rgb> takes one value, three, or
+/// #rrggbb, which is linear n / 255. Filenames are resolved against the folder of the scene, not opened.
+/// Throws Error: file_not_found; unsupported (a plug-in, element or value outside the above); invalid_file
+/// (XML that is not well-formed, unknown or missing parameters, values out of range, undefined $parameters,
+/// ids that are missing or doubled) as file:line, plug-in and parameter with what is accepted;
+/// invalid_argument (an entry of `parameters` that the file never uses).
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
                                                   const SceneParameters& parameters = {});
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Mesh files that must be refused, and how.
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <cstring>
 #include <random>
@@ -42,8 +43,9 @@ const std::string obj_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\n";
 
 TEST_CASE("files that are not there or of no known kind") {
     const TemporaryFolder folder;
+    REQUIRE(mkfifo((folder.path() / "pipe.stl").c_str(), 0600) == 0);  // nobody writes: opening it would wait
     for (const auto& file : {folder.path() / "absent.obj", folder.path() / "folder.ply",
-                             std::filesystem::path("/dev/zero.stl")}) {
+                             folder.path() / "pipe.stl", std::filesystem::path("/dev/zero.stl")}) {
         if (file.stem() == "folder") std::filesystem::create_directory(file);
         try {
             static_cast<void>(load_mesh(file));
@@ -116,6 +118,9 @@ TEST_CASE("faults of PLY files") {
             "no list vertex_indices");
     refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n" + ply_faces + "end_header\n0\n",
             "no property y");
+    refused(
+        "ply\nformat ascii 1.0\n" + ply_faces + ply_vertices + "end_header\n3 0 1 2\n0 0 0\n1 0 0\n0 1 0\n",
+        "the faces come before the vertices");
     refused(ply_header + "0 0 0\n1 0 0\n0 1\n", ":13: the file ends where vertex 2 (0-based)");
     refused(ply_header + "0 0 0\n1 0 0\n0 1 x\n3 0 1 2\n", ":12: vertex 2 (0-based) is \"x\"");
     refused(ply_header + "0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n", ":12: ");
