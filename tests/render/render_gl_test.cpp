@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <initializer_list>
+#include <memory>
+#include <numbers>
+#include <random>
+
+#include "gl/contexts.hpp"
+#include "nicol/error.hpp"
+#include "render/renderer.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr int width = 48;
+constexpr int height = 32;
+
+Camera camera_at(const glm::dvec3& origin) {
+    Camera camera;
+    camera.to_world = look_at(origin, {0, 0, 0}, {0.1, 1, 0.2});
+    camera.fov = 60;
+    return camera;
+}
+
+StokesImage render(const std::shared_ptr<gl::Context>& context, const Scene& scene, const Camera& camera,
+                   int order) {
+    Framebuffer target(context, width, height, scene.channels());
+    Renderer renderer(context, 0);
+    renderer.render(scene, camera, {.order_low = order, .order_high = order, .progress = {}}, target);
+    return target.image();
+}
+
+glm::dmat3 some_rotation() {
+    return frame_with_x(glm::normalize(glm::dvec3(0.3, -0.5, 0.7)), glm::dvec3(1, 0.2, 0.1));
+}
+
+glm::dmat4 affine(const glm::dmat3& linear, const glm::dvec3& translation = glm::dvec3(0.0)) {
+    glm::dmat4 m(linear);
+    m[3] = glm::dvec4(translation, 1);
+    return m;
+}
+
+EnvironmentPtr noisy_polarized_light(int channels) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> value(-0.5F, 0.5F);
+    EquirectImage image(16, 9, channels);
+    for (int c = 0; c < channels; ++c) {
+        for (int y = 0; y < 9; ++y) {
+            for (int x = 0; x < 16; ++x) {
+                const auto pixel = image.at(c, y, x);
+                pixel[0] = 1 + value(random);
+                for (std::size_t p = 1; p < 4; ++p) pixel[p] = 0.5F * value(random);
+            }
+        }
+    }
+    return image_environment(std::move(image));
+}
+
+// The world's direction a pixel looks along, written out once more.
+glm::dvec3 ray_of(const Camera& camera, int x, int y) {
+    const double half = std::tan(camera.fov * std::numbers::pi / 360);
+    const double right = (2 * (x + 0.5) / width - 1) * half;
+    const double up = (1 - 2 * (y + 0.5) / height) * half * height / width;
+    return glm::normalize(glm::dvec3(camera.to_world * glm::dvec4(-right, up, 1, 0)));
+}
+
+float largest(const StokesImage& image) {
+    float most = 0;
+    for (const float value : image.data) most = std::max(most, std::abs(value));
+    return most;
+}
+
+float largest_difference(const StokesImage& a, const StokesImage& b) {
+    REQUIRE(a.data.size() == b.data.size());
+    float most = 0;
+    for (std::size_t i = 0; i < a.data.size(); ++i) most = std::max(most, std::abs(a.data[i] - b.data[i]));
+    return most;
+}
+
+std::shared_ptr<const Mesh> sphere() {
+    return std::make_shared<const Mesh>(make_sphere());
+}
+
+}  // namespace
+
+TEST_CASE("the background is the environment, turned, with its Stokes vectors in the camera's frame") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        for (const int channels : {1, 3, 6}) {
+            for (const bool polarized : {true, false}) {
+                Scene scene;
+                std::vector<double> radiance;
+                for (int c = 0; c < channels; ++c) radiance.push_back(0.5 + c);
+                const EnvironmentPtr light =
+                    polarized ? noisy_polarized_light(channels) : constant_environment(radiance);
+                scene.set_environment(light, some_rotation(), 1.5);
+                const Camera camera = camera_at({2, 1, -3});
+                const glm::dvec3 up = glm::normalize(glm::dvec3(camera.to_world[1]));
+                const StokesImage image = render(context, scene, camera, 4);
+                double error = 0;
+                for (int c = 0; c < channels; ++c) {
+                    for (int y = 0; y < height; ++y) {
+                        for (int x = 0; x < width; ++x) {
+                            const glm::dvec3 ray = ray_of(camera, x, y);
+                            const glm::dvec3 local = glm::normalize(glm::transpose(some_rotation()) * ray);
+                            const Stokes own = 1.5 * light->radiance(c, local);
+                            const glm::dvec3 right = glm::normalize(glm::cross(ray, up));
+                            const Frame to(right, glm::cross(-ray, right), -ray);
+                            const Frame from = some_rotation() * theta_phi_frame(-local);
+                            const Stokes expected = turned(own, angle_between(from, to));
+                            error = std::max(error, glm::distance(image.stokes(c, y, x), expected));
+                        }
+                    }
+                }
+                CAPTURE(channels);
+                CAPTURE(polarized);
+                // Texture units interpolate with few bits.
+                CHECK(error < (polarized ? 5e-3 : 1e-5));
+            }
+        }
+    });
+}
+
+TEST_CASE("OSMesa and EGL give the same floats") {
+    Scene scene;
+    scene.add(
+        {.mesh = sphere(), .material = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.3})});
+    scene.set_environment(rayleigh_sky({.sun_direction = {1, 1, 0.5}}), glm::dmat3(1.0), 1);
+    const Camera camera = camera_at({1, 1, 3});
+    const StokesImage egl = render(gl::make_context(gl::Backend::egl), scene, camera, 6);
+    const StokesImage osmesa = render(gl::make_context(gl::Backend::osmesa), scene, camera, 6);
+    CHECK(largest(egl) > 0.1F);
+    CHECK(largest_difference(egl, osmesa) < 1e-5F * largest(egl));
+}
+
+TEST_CASE("turning light, object and camera together changes nothing") {
+    const glm::dmat3 turn = some_rotation();
+    const EnvironmentPtr light = noisy_polarized_light(1);
+    const auto picture = [&](const glm::dmat3& rotation) {
+        Scene scene;
+        scene.add({.mesh = std::make_shared<const Mesh>(make_cube(6)),
+                   .material = pplastic({.alpha = 0.2}),
+                   .to_world = affine(rotation)});
+        scene.set_environment(light, rotation, 1);
+        Camera camera = camera_at({2, 3, 4});
+        camera.to_world = affine(rotation) * camera.to_world;
+        return render(gl::make_context(gl::Backend::osmesa), scene, camera, 9);
+    };
+    const StokesImage before = picture(glm::dmat3(1.0));
+    const StokesImage after = picture(turn);
+    // Rounding may move an edge by a pixel here and there.
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < before.data.size(); ++i) {
+        if (std::abs(before.data[i] - after.data[i]) > 1e-5F * largest(before)) ++differing;
+    }
+    CHECK(differing < before.data.size() / 100);
+    for (int y = height / 2 - 3; y < height / 2 + 3; ++y) {
+        for (int x = width / 2 - 3; x < width / 2 + 3; ++x) {
+            CHECK(glm::distance(before.stokes(0, y, x), after.stokes(0, y, x)) <
+                  1e-5 * static_cast<double>(largest(before)));
+        }
+    }
+}
+
+TEST_CASE("a diffuse surface under constant light has its albedo's radiance, and its back is black") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Scene scene;
+        scene.add(
+            {.mesh = std::make_shared<const Mesh>(make_rectangle(2)), .material = diffuse({0.25, 0.5})});
+        scene.set_environment(constant_environment({2}), glm::dmat3(1.0), 3);
+        const StokesImage front = render(context, scene, camera_at({0, 0, 1}), 4);
+        CHECK(front.at(0, height / 2, width / 2)[0] == doctest::Approx(1.5).epsilon(1e-5));
+        CHECK(front.at(1, height / 2, width / 2)[0] == doctest::Approx(3).epsilon(1e-5));
+        CHECK(front.at(0, height / 2, width / 2)[1] == 0);
+        const StokesImage back = render(context, scene, camera_at({0, 0, -1}), 4);
+        CHECK(back.at(0, height / 2, width / 2)[0] == 0);
+    });
+}
+
+TEST_CASE("near things hide far ones whatever the order, and darkness is black") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    for (const bool near_first : {true, false}) {
+        Scene scene;
+        const auto square = std::make_shared<const Mesh>(make_rectangle(1));
+        const Instance near{
+            .mesh = square, .material = diffuse({0.8}), .to_world = affine(glm::dmat3(0.5), {0, 0, 1})};
+        const Instance far{.mesh = square, .material = diffuse({0.2}), .to_world = glm::dmat4(1.0)};
+        scene.add(near_first ? near : far);
+        scene.add(near_first ? far : near);
+        scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+        const StokesImage lit = render(context, scene, camera_at({0, 0, 4}), 2);
+        CHECK(lit.at(0, height / 2, width / 2)[0] == doctest::Approx(0.8).epsilon(1e-5));
+        scene.set_environment(nullptr, glm::dmat3(1.0), 1);
+        CHECK(largest(render(context, scene, camera_at({0, 0, 4}), 2)) == 0);
+    }
+}
+
+TEST_CASE("only what a change makes necessary runs again") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    Scene scene;
+    const auto id = scene.add({.mesh = sphere(), .material = pplastic({})});
+    scene.set_environment(constant_environment({1, 1, 1}), glm::dmat3(1.0), 1);
+    Framebuffer target(context, width, height, 3);
+    Renderer renderer(context, 0);
+    const auto run = [&](const Camera& camera) {
+        renderer.render(scene, camera, {}, target);
+        return target.statistics();
+    };
+    const Statistics first = run(camera_at({0, 0, 3}));
+    CHECK(first.project_ms > 0);
+    CHECK(first.relight_ms > 0);
+    CHECK(first.vertices == 14442);
+    CHECK(first.vertices_skipped > first.vertices / 3);
+    CHECK(first.light_columns_skipped == 3);  // one channel of grey light, of which s0 alone exists
+    CHECK(first.channels_shared == 2);
+    CHECK(first.response_rows_skipped == 3);  // no s3, in three channels
+
+    const StokesImage picture = target.image();
+    const Statistics again = run(camera_at({0, 0, 3}));
+    CHECK(again.relight_ms == 0);
+    CHECK(largest_difference(picture, target.image()) == 0);
+    CHECK(run(camera_at({0, 3, 3})).relight_ms == 0);
+    CHECK(largest_difference(picture, target.image()) > 0);
+    scene.set_environment(scene.environment(), some_rotation(), 1);
+    CHECK(run(camera_at({0, 0, 3})).relight_ms > 0);
+    scene.set_transform(id, affine(glm::dmat3(0.5)));
+    CHECK(run(camera_at({0, 0, 3})).relight_ms > 0);
+    CHECK(largest_difference(picture, target.image()) > 0.1F);
+}
+
+TEST_CASE("options and framebuffers that do not fit are refused") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    Scene scene;
+    scene.add({.mesh = sphere(), .material = pplastic({})});
+    Renderer renderer(context, 0);
+    Framebuffer target(context, 8, 8, 1);
+    Framebuffer coloured(context, 8, 8, 3);
+    const auto refuses = [&](const RenderOptions& options, Framebuffer& framebuffer) {
+        CHECK_THROWS_AS(renderer.render(scene, camera_at({0, 0, 3}), options, framebuffer), Error);
+    };
+    refuses({.order_low = -1, .order_high = 9, .progress = {}}, target);
+    refuses({.order_low = 33, .order_high = 33, .progress = {}}, target);
+    refuses({.order_low = 5, .order_high = 4, .progress = {}}, target);
+    refuses({}, coloured);
+    Framebuffer foreign(gl::make_context(gl::Backend::osmesa), 8, 8, 1);
+    refuses({}, foreign);
+    CHECK_THROWS_AS(Framebuffer(context, 0, 8, 1), Error);
+    CHECK_THROWS_AS(Framebuffer(context, 1 << 20, 8, 1), Error);
+    refuses({.order_low = 4, .order_high = 9, .progress = [](const char*, double) { return false; }}, target);
+}

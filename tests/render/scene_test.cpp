@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "nicol/scene.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <initializer_list>
+#include <memory>
+
+#include "nicol/error.hpp"
+#include "render/geometry.hpp"
+
+using namespace nicol;
+
+namespace {
+
+std::shared_ptr<const Mesh> cube() {
+    return std::make_shared<const Mesh>(make_cube(1));
+}
+
+Projection looking_down_z(double distance) {
+    Camera camera;
+    camera.to_world = look_at({0, 0, distance}, {0, 0, 0}, {0, 1, 0});
+    return project(camera, 64, 64);
+}
+
+}  // namespace
+
+TEST_CASE("every change counts, and nothing else does") {
+    Scene scene;
+    const auto id = scene.add({.mesh = cube(), .material = diffuse({0.5})});
+    const auto geometry = scene.geometry_revision();
+    const auto light = scene.light_revision();
+    scene.set_transform(id, glm::dmat4(1.0));
+    CHECK(scene.geometry_revision() == geometry);
+    scene.set_transform(id, glm::dmat4(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1));
+    CHECK(scene.geometry_revision() > geometry);
+    CHECK(scene.light_revision() == light);
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    CHECK(scene.light_revision() > light);
+}
+
+TEST_CASE("what does not fit is refused and changes nothing") {
+    Scene scene;
+    CHECK_THROWS_AS(scene.add({.mesh = nullptr, .material = diffuse({0.5})}), Error);
+    CHECK_THROWS_AS(scene.add({.mesh = cube(), .material = nullptr}), Error);
+    CHECK_THROWS_AS(scene.add({.mesh = cube(), .material = diffuse({0.5}), .to_world = glm::dmat4(0.0)}),
+                    Error);
+    CHECK(scene.instances().empty());
+    scene.add({.mesh = cube(), .material = diffuse({0.5, 0.4, 0.3})});
+    CHECK(scene.channels() == 3);
+    CHECK_THROWS_AS(scene.add({.mesh = cube(), .material = diffuse({0.5, 0.4})}), Error);
+    CHECK_THROWS_AS(scene.set_environment(constant_environment({1, 2}), glm::dmat3(1.0), 1), Error);
+    CHECK_THROWS_AS(scene.set_environment(constant_environment({1}), glm::dmat3(1.0), -1), Error);
+    CHECK_THROWS_AS(scene.set_environment(constant_environment({1}), glm::dmat3(2.0), 1), Error);
+    CHECK_THROWS_AS(scene.set_environment(constant_environment({1}), glm::dmat3(-1.0), 1), Error);
+    CHECK(scene.environment() == nullptr);
+    CHECK_THROWS_AS(scene.set_transform(1, glm::dmat4(1.0)), Error);
+}
+
+TEST_CASE("instances become one list of triangles in the world") {
+    Scene scene;
+    const auto mesh = cube();
+    scene.add({.mesh = mesh, .material = diffuse({0.5})});
+    glm::dmat4 away(1.0);
+    away[3] = {10, 0, 0, 1};
+    scene.add({.mesh = mesh, .material = diffuse({0.1}), .to_world = away});
+    const WorldGeometry world = world_geometry(scene);
+    CHECK(world.positions.size() == 2 * mesh->positions.size());
+    CHECK(world.triangles.size() == 2 * mesh->triangles.size());
+    REQUIRE(world.ranges.size() == 2);
+    CHECK(world.ranges[1].first == mesh->positions.size());
+    CHECK(world.ranges[1].material == scene.instances()[1].material);
+    CHECK(world.positions[world.ranges[1].first] == mesh->positions[0] + glm::vec3(10, 0, 0));
+    for (std::size_t t = mesh->triangles.size(); t < world.triangles.size(); ++t) {
+        CHECK(std::min({world.triangles[t].x, world.triangles[t].y, world.triangles[t].z}) >=
+              world.ranges[1].first);
+    }
+}
+
+TEST_CASE("of a cube seen face on, only the face towards the camera can be visible") {
+    Scene scene;
+    scene.add({.mesh = cube(), .material = diffuse({0.5})});
+    const WorldGeometry world = world_geometry(scene);
+    std::vector<std::uint8_t> visible;
+    const std::size_t skipped = find_visible(world, looking_down_z(5), visible);
+    CHECK(skipped == world.positions.size() - 4);
+    for (std::size_t v = 0; v < visible.size(); ++v) {
+        CHECK((visible[v] != 0) == (world.normals[v].z > 0.5F));
+    }
+    // From inside every face shows its back.
+    CHECK(find_visible(world, looking_down_z(0.5), visible) == world.positions.size());
+}
+
+TEST_CASE("triangles outside one side of the view are skipped, those that straddle it are kept") {
+    Scene scene;
+    glm::dmat4 aside(1.0);
+    aside[3] = {100, 0, 0, 1};
+    scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(1)),
+               .material = diffuse({0.5}),
+               .to_world = aside});
+    std::vector<std::uint8_t> visible;
+    CHECK(find_visible(world_geometry(scene), looking_down_z(5), visible) == 4);
+    // Larger than the picture on every side: no vertex is in view, yet the middle is.
+    Scene large;
+    large.add({.mesh = std::make_shared<const Mesh>(make_rectangle(1)),
+               .material = diffuse({0.5}),
+               .to_world = glm::dmat4(100, 0, 0, 0, 0, 100, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1)});
+    CHECK(find_visible(world_geometry(large), looking_down_z(5), visible) == 0);
+    // Behind the camera.
+    CHECK(find_visible(world_geometry(large), looking_down_z(-5), visible) == 4);
+}
