@@ -258,7 +258,7 @@ TEST_CASE("scenes rendered with Mitsuba are read") {
     CHECK(constant.materials.at(0).diffuse_reflectance == glm::dvec3(0.5, 0.3, 0.1));
     CHECK(constant.sensor.width == 128);
     const SceneDescription environment = read_mitsuba_scene(folder / "sphere_env.xml");
-    CHECK(environment.emitter.value().filename == folder / "env.exr");
+    CHECK(environment.emitter.value().filename == (folder / "env.exr").lexically_normal());
     CHECK(environment.materials.at(0).alpha == 0.3);
     const SceneDescription buddha = read_mitsuba_scene(folder / "buddha.xml");
     CHECK(buddha.shapes.size() == 2);
