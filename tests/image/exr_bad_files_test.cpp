@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Files that are damaged, or lie about themselves.
 #include <ImfChannelList.h>
+#include <ImfDeepFrameBuffer.h>
+#include <ImfDeepScanLineOutputFile.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
+#include <ImfPartType.h>
 #include <doctest/doctest.h>
 
 #include <cstdint>
@@ -37,8 +40,7 @@ void patch(std::string& bytes, const std::string& name, const std::string& type,
     std::memcpy(bytes.data() + at + key.size() + 4, value.data(), 4 * value.size());
 }
 
-/// A plain float32 RGB file of 4 x 3 with one value replaced: the library's own writer would do as well, but
-/// this one stores other programs' pixels.
+/// A small picture, zero but for one value.
 void write_with(const std::filesystem::path& path, const std::string& channel, std::size_t pixel,
                 float value) {
     StokesImage image(4, 3, 3);
@@ -137,6 +139,28 @@ TEST_CASE("subsampled channels are refused") {
     }
     check_error(
         ErrorCode::unsupported, [&] { (void)read_exr(folder / "a.exr"); }, "channel G", "subsampled");
+}
+
+TEST_CASE("deep data is refused") {
+    const TemporaryFolder folder;
+    Imf::Header header(2, 1);
+    header.setType(Imf::DEEPSCANLINE);
+    header.compression() = Imf::NO_COMPRESSION;
+    header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+    {
+        unsigned counts[] = {1, 1};
+        float values[] = {3, 4};
+        float* samples[] = {&values[0], &values[1]};
+        Imf::DeepFrameBuffer buffer;
+        buffer.insertSampleCountSlice(Imf::Slice(Imf::UINT, reinterpret_cast<char*>(counts), 4, 8));
+        buffer.insert("Y", Imf::DeepSlice(Imf::FLOAT, reinterpret_cast<char*>(samples), sizeof(float*),
+                                          2 * sizeof(float*), sizeof(float)));
+        Imf::DeepScanLineOutputFile file((folder / "a.exr").c_str(), header, 0);
+        file.setFrameBuffer(buffer);
+        file.writePixels(1);
+    }
+    check_error(
+        ErrorCode::unsupported, [&] { (void)read_exr(folder / "a.exr"); }, "a.exr", "deep");
 }
 
 TEST_CASE("random damage is an error or a picture, never a crash") {

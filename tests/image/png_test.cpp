@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "image/file_size_limit.hpp"
 #include "image/temporary_folder.hpp"
 #include "nicol/observer.hpp"
 
@@ -136,6 +137,15 @@ TEST_CASE("what cannot be written is an error and leaves nothing behind") {
         ErrorCode::write_failed, [&] { write_png(folder / "taken.png", good); }, "taken.png");
     CHECK(folder.files() == 1);
 
+    write_png(folder / "whole.png", good);
+    const auto size = std::filesystem::file_size(folder / "whole.png");
+    for (const auto limit : {std::uintmax_t{0}, size / 2, size - 1}) {
+        const FileSizeLimit full(limit);
+        check_error(
+            ErrorCode::write_failed, [&] { write_png(folder / "a.png", good); }, "a.png");
+    }
+    CHECK(folder.files() == 2);
+
     const auto refuse = [&](Picture picture, const char* what) {
         check_error(
             ErrorCode::invalid_argument, [&] { write_png(folder / "a.png", picture); }, what);
@@ -147,5 +157,5 @@ TEST_CASE("what cannot be written is an error and leaves nothing behind") {
     refuse({1, 1, {1, 2, 3}, {{std::string(80, 'k'), "text"}}, false}, "keyword");
     refuse({1, 1, {1, 2, 3}, {{"a\nb", "text"}}, false}, "keyword");
     refuse({1, 1, {1, 2, 3}, {{"a", std::string("x\0y", 3)}}, false}, "zero bytes");
-    CHECK(folder.files() == 1);
+    CHECK(folder.files() == 2);
 }
