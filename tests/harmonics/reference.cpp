@@ -66,6 +66,26 @@ double spin_harmonic(int spin, int l, int m, double theta) {
            wigner_d(l, m, -spin, theta);
 }
 
+double wigner_3j(int l1, int l2, int l3, int m1, int m2, int m3) {
+    using Real = mp::number<mp::cpp_bin_float<1200, mp::digit_base_2>, mp::et_off>;
+    if (m1 + m2 + m3 != 0 || l1 > l2 + l3 || l1 < std::abs(l2 - l3)) return 0;
+    if (std::abs(m1) > l1 || std::abs(m2) > l2 || std::abs(m3) > l3) return 0;
+    static const std::vector<Real> factorial = factorials<Real>(2100);
+    const auto f = [&](int i) { return factorial[static_cast<std::size_t>(i)]; };
+    const Real triangle = f(l1 + l2 - l3) * f(l1 - l2 + l3) * f(-l1 + l2 + l3) / f(l1 + l2 + l3 + 1);
+    const Real outer = f(l1 + m1) * f(l1 - m1) * f(l2 + m2) * f(l2 - m2) * f(l3 + m3) * f(l3 - m3);
+    Real sum = 0;
+    const int first = std::max({0, l2 - l3 - m1, l1 - l3 + m2});
+    const int last = std::min({l1 + l2 - l3, l1 - m1, l2 + m2});
+    for (int k = first; k <= last; ++k) {
+        const Real term = 1 / (f(k) * f(l3 - l2 + k + m1) * f(l3 - l1 + k - m2) * f(l1 + l2 - l3 - k) *
+                               f(l1 - k - m1) * f(l2 - k + m2));
+        sum += k % 2 == 0 ? term : Real(-term);
+    }
+    const double value = static_cast<double>(Real(sqrt(triangle * outer) * sum));
+    return (l1 - l2 - m3) % 2 == 0 ? value : -value;
+}
+
 nicol::PshVector random_field(std::mt19937_64& random, int order, int channels) {
     std::normal_distribution<double> normal;
     nicol::PshVector field(order, channels);

@@ -21,6 +21,9 @@ double wigner_d(int l, int m, int n, double theta);
 /// sY_lm(theta, 0) from it.
 double spin_harmonic(int spin, int l, int m, double theta);
 
+/// (l1 l2 l3; m1 m2 m3) by Racah's sum, right to all digits for l up to 200.
+double wigner_3j(int l1, int l2, int l3, int m1, int m2, int m3);
+
 /// Standard normal coefficients; p = 1, 2 below l = 2 stay zero.
 nicol::PshVector random_field(std::mt19937_64& random, int order, int channels = 1);
 

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// Convolution: the theorem against the integral over the sphere, block by block, with the wrong variants.
+#include "nicol/convolution.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harmonics/reference.hpp"
+#include "nicol/error.hpp"
+#include "nicol/evaluate.hpp"
+#include "nicol/rotation.hpp"
+
+using namespace nicol;
+using std::numbers::pi;
+
+namespace {
+
+ConvolutionKernel random_kernel(std::mt19937_64& random, int order) {
+    std::normal_distribution<double> normal;
+    const auto complex = [&] { return std::complex(normal(random), normal(random)); };
+    ConvolutionKernel out(static_cast<std::size_t>(order) + 1);
+    for (std::size_t l = 0; l < out.size(); ++l) {
+        out[l].k00 = normal(random);
+        out[l].k03 = normal(random);
+        out[l].k30 = normal(random);
+        out[l].k33 = normal(random);
+        if (l < 2) continue;
+        out[l].p0 = complex();
+        out[l].p3 = complex();
+        out[l].from_p0 = complex();
+        out[l].from_p3 = complex();
+        out[l].iso = complex();
+        out[l].conj = complex();
+    }
+    return out;
+}
+
+/// Eq. 63: over all input directions, the kernel between frames along the great circle.
+Stokes angular(const ConvolutionKernel& kernel, const PshVector& field, const glm::dvec3& to) {
+    const int order = static_cast<int>(kernel.size()) - 1 + field.order();
+    const LatitudeRows rows = gauss_legendre_rows(order / 2 + 2);
+    const int columns = order + 3;
+    std::complex<double> spin = 0;
+    double s0 = 0;
+    double s3 = 0;
+    for (std::size_t j = 0; j < rows.theta.size(); ++j)
+        for (int c = 0; c < columns; ++c) {
+            const glm::dvec3 from = reference::direction(rows.theta[j], 2 * pi * c / columns);
+            const glm::dvec3 towards = glm::normalize(to - from * glm::dot(to, from));
+            const glm::dvec3 onwards = -glm::normalize(from - to * glm::dot(to, from));
+            const Frame in(towards, glm::cross(from, towards), from);
+            const Frame out(onwards, glm::cross(to, onwards), to);
+            const Stokes f = evaluate(field, 0, from);
+            const auto turned =
+                std::complex(f[1], f[2]) * reference::frame_change(reference::theta_phi(from), in);
+            const double v[4] = {f[0], turned.real(), turned.imag(), f[3]};
+            const Mueller k =
+                kernel_at(kernel, std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to)));
+            double r[4] = {};
+            for (std::size_t p = 0; p < 4; ++p)
+                for (std::size_t q = 0; q < 4; ++q) r[p] += k(p, q) * v[q];
+            const double weight = rows.weight[j] * 2 * pi / columns;
+            s0 += weight * r[0];
+            s3 += weight * r[3];
+            spin +=
+                weight * std::complex(r[1], r[2]) * reference::frame_change(out, reference::theta_phi(to));
+        }
+    return {s0, spin.real(), spin.imag(), s3};
+}
+
+double worst_deviation(const ConvolutionKernel& kernel, const PshVector& field, const PshVector& result,
+                       std::mt19937_64& random) {
+    double worst = 0;
+    for (int i = 0; i < 4; ++i) {
+        const glm::dvec3 d = reference::random_direction(random);
+        const Stokes want = angular(kernel, field, d);
+        const Stokes have = evaluate(result, 0, d);
+        for (int p = 0; p < 4; ++p) worst = std::max(worst, std::abs(want[p] - have[p]));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the convolution theorem (Eq. 69): frequency domain equals the integral, all 16 degrees of freedom") {
+    std::mt19937_64 random(1);
+    const ConvolutionKernel kernel = random_kernel(random, 5);
+    const PshVector f = reference::random_field(random, 5);
+    CHECK(worst_deviation(kernel, f, convolved(kernel, f), random) < 1e-12);
+    PshVector low(3, 1);
+    for (std::size_t i = 0; i < low.data().size(); ++i) low.data()[i] = f.data()[i];
+    CHECK(worst_deviation(kernel, low, convolved(kernel, low), random) < 1e-12);
+}
+
+TEST_CASE("wrong variants of the theorem are noticed") {
+    std::mt19937_64 random(2);
+    const PshVector f = reference::random_field(random, 4);
+    const auto try_kernel = [&](auto&& change) {
+        const ConvolutionKernel right = random_kernel(random, 4);
+        ConvolutionKernel wrong = right;
+        for (KernelBand& band : wrong) change(band);
+        return worst_deviation(right, f, convolved(wrong, f), random);
+    };
+    CHECK(try_kernel([](KernelBand&) {}) < 1e-12);
+    CHECK(try_kernel([](KernelBand& b) { b.p0 = std::conj(b.p0); }) > .01);            // k10 - i k20
+    CHECK(try_kernel([](KernelBand& b) { b.from_p0 = std::conj(b.from_p0); }) > .01);  // k01 + i k02
+    CHECK(try_kernel([](KernelBand& b) { std::swap(b.iso, b.conj); }) > .01);
+    CHECK(try_kernel([](KernelBand& b) { b.conj = std::conj(b.conj); }) > .01);
+    // The conjugation part without (-1)^m.
+    ConvolutionKernel only_conj(5);
+    for (std::size_t l = 2; l < 5; ++l) only_conj[l].conj = 1;
+    PshVector wrong = convolved(only_conj, f);
+    CHECK(worst_deviation(only_conj, f, wrong, random) < 1e-12);
+    for (int l = 2; l <= 4; ++l)
+        for (int m = -l; m <= l; ++m)
+            for (const int p : {1, 2}) wrong.at(0, l, m, p) *= m % 2 == 0 ? 1 : -1;
+    CHECK(worst_deviation(only_conj, f, wrong, random) > .01);
+}
+
+TEST_CASE("kernel functions and coefficients are inverses of each other (Eq. 68)") {
+    std::mt19937_64 random(3);
+    const ConvolutionKernel kernel = random_kernel(random, 8);
+    const ConvolutionKernel back =
+        project_kernel([&](double theta) { return kernel_at(kernel, theta); }, 8, gauss_legendre_rows(9));
+    for (std::size_t l = 0; l <= 8; ++l) {
+        CHECK(std::abs(kernel[l].k00 - back[l].k00) < 1e-13);
+        CHECK(std::abs(kernel[l].k03 - back[l].k03) < 1e-13);
+        CHECK(std::abs(kernel[l].k30 - back[l].k30) < 1e-13);
+        CHECK(std::abs(kernel[l].k33 - back[l].k33) < 1e-13);
+        CHECK(std::abs(kernel[l].p0 - back[l].p0) < 1e-13);
+        CHECK(std::abs(kernel[l].p3 - back[l].p3) < 1e-13);
+        CHECK(std::abs(kernel[l].from_p0 - back[l].from_p0) < 1e-13);
+        CHECK(std::abs(kernel[l].from_p3 - back[l].from_p3) < 1e-13);
+        CHECK(std::abs(kernel[l].iso - back[l].iso) < 1e-13);
+        CHECK(std::abs(kernel[l].conj - back[l].conj) < 1e-13);
+    }
+}
+
+TEST_CASE("the scalar case is the classical theorem (Eq. 11): a cosine lobe scales orders by known factors") {
+    const ConvolutionKernel lambert = project_kernel(
+        [](double theta) {
+            Mueller m;
+            m(0, 0) = std::max(0.0, std::cos(theta)) / pi;
+            return m;
+        },
+        2, gauss_legendre_rows(2000));
+    const double factor[3] = {1, 2.0 / 3, 1.0 / 4};
+    PshVector f(2, 1);
+    for (int l = 0; l <= 2; ++l) f.at(0, l, l, 0) = 1;
+    const PshVector g = convolved(lambert, f);
+    for (int l = 0; l <= 2; ++l) CHECK(g.at(0, l, l, 0) == doctest::Approx(factor[l]).epsilon(1e-6));
+}
+
+TEST_CASE("convolution commutes with every rotation") {
+    std::mt19937_64 random(4);
+    const ConvolutionKernel kernel = random_kernel(random, 7);
+    const PshVector f = reference::random_field(random, 7, 2);
+    const glm::dmat3 r = reference::random_rotation(random);
+    CHECK(reference::max_difference(convolved(kernel, rotated(f, r)).data(),
+                                    rotated(convolved(kernel, f), r).data()) < 1e-13 * 20);
+}
+
+TEST_CASE("as an operator, composed, and extracted again") {
+    std::mt19937_64 random(5);
+    const ConvolutionKernel a = random_kernel(random, 5);
+    const ConvolutionKernel b = random_kernel(random, 5);
+    const PshVector f = reference::random_field(random, 5);
+    std::vector<double> by_matrix(f.data().size());
+    kernel_matrix(a).apply(f.channel(0), by_matrix);
+    CHECK(reference::max_difference(by_matrix, convolved(a, f).data()) < 1e-13);
+    CHECK(reference::max_difference(convolved(compose(a, b), f).data(),
+                                    convolved(a, convolved(b, f)).data()) < 1e-12);
+    const ConvolutionKernel back = nearest_kernel(kernel_matrix(a).dense());
+    CHECK(reference::max_difference(convolved(back, f).data(), convolved(a, f).data()) < 1e-13);
+}
+
+TEST_CASE("the nearest kernel is nearest: what remains is orthogonal to every convolution") {
+    std::mt19937_64 random(6);
+    std::normal_distribution<double> normal;
+    CoefficientMatrix matrix(4, 4);
+    for (std::size_t i = 0; i < matrix.rows(); ++i)
+        for (std::size_t j = 0; j < matrix.columns(); ++j) {
+            const auto low = [](std::size_t k) { return (k % 4 == 1 || k % 4 == 2) && k / 4 < 4; };
+            if (!low(i) && !low(j)) matrix(i, j) = normal(random);
+        }
+    const CoefficientMatrix nearest = kernel_matrix(nearest_kernel(matrix)).dense();
+    for (int k = 0; k < 10; ++k) {
+        const CoefficientMatrix other = kernel_matrix(random_kernel(random, 4)).dense();
+        double dot = 0;
+        double size = 0;
+        for (std::size_t i = 0; i < matrix.data().size(); ++i) {
+            dot += (matrix.data()[i] - nearest.data()[i]) * other.data()[i];
+            size += std::abs(matrix.data()[i] * other.data()[i]);
+        }
+        CHECK(std::abs(dot) < 1e-14 * size);
+    }
+}
+
+TEST_CASE("convolution refuses bad arguments") {
+    std::mt19937_64 random(7);
+    const ConvolutionKernel kernel = random_kernel(random, 3);
+    std::vector<double> f(4 * psh_count(4));
+    std::vector<double> g(4 * psh_count(4));
+    CHECK_THROWS_AS(convolve(kernel, f, g), Error);
+    CHECK_THROWS_AS(convolve(kernel, std::span(f).first(40), std::span(g).first(40)), Error);
+    CHECK_THROWS_AS(convolve(kernel, std::span(f).first(64), std::span(g).first(36)), Error);
+    CHECK_THROWS_AS(convolve({}, std::span(f).first(4), std::span(g).first(4)), Error);
+    CHECK_THROWS_AS((void)kernel_at(kernel, -1), Error);
+    CHECK_THROWS_AS((void)kernel_at(kernel, NAN), Error);
+    CHECK_THROWS_AS((void)compose(kernel, random_kernel(random, 2)), Error);
+    CHECK_THROWS_AS((void)nearest_kernel(CoefficientMatrix(2, 3)), Error);
+    const KernelFunction nan = [](double) {
+        Mueller m;
+        m(0, 0) = INFINITY;
+        return m;
+    };
+    CHECK_THROWS_AS((void)project_kernel(nan, 2, gauss_legendre_rows(3)), Error);
+    CHECK_THROWS_AS((void)project_kernel(nan, -2, gauss_legendre_rows(3)), Error);
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Visibility times light: the matrix of triple products and the grid product are the same and match the
+// directions.
+#include "nicol/product.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "harmonics/reference.hpp"
+#include "nicol/error.hpp"
+#include "nicol/evaluate.hpp"
+
+using namespace nicol;
+
+namespace {
+
+std::vector<double> random_scalar(std::mt19937_64& random, int order) {
+    std::normal_distribution<double> normal;
+    std::vector<double> out(psh_count(order));
+    for (double& value : out) value = normal(random);
+    return out;
+}
+
+PshVector as_field(const std::vector<double>& scalar, int order) {
+    PshVector out(order, 1);
+    for (std::size_t i = 0; i < scalar.size(); ++i) out.data()[4 * i] = scalar[i];
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("the grid product is the product, direction by direction") {
+    std::mt19937_64 random(1);
+    const auto v = random_scalar(random, 4);
+    const PshVector f = reference::random_field(random, 6);
+    PshVector out(10, 1);
+    PshProduct(4, 6, 10).multiply(v, f.channel(0), out.channel(0));
+    for (int i = 0; i < 50; ++i) {
+        const glm::dvec3 d = reference::random_direction(random);
+        const Stokes want = evaluate(as_field(v, 4), 0, d)[0] * evaluate(f, 0, d);
+        const Stokes have = evaluate(out, 0, d);
+        for (int p = 0; p < 4; ++p) CHECK(std::abs(want[p] - have[p]) < 1e-12);
+    }
+}
+
+TEST_CASE("the shadow matrix gives the same coefficients as the grid") {
+    std::mt19937_64 random(2);
+    for (const auto& [lv, lo, li] : {std::array{8, 4, 4}, std::array{5, 3, 6}, std::array{0, 2, 2},
+                                     std::array{3, 9, 1}, std::array{14, 3, 2}, std::array{18, 9, 9}}) {
+        const auto v = random_scalar(random, lv);
+        const PshVector f = reference::random_field(random, li);
+        std::vector<double> by_grid(4 * psh_count(lo));
+        std::vector<double> by_matrix(by_grid.size());
+        PshProduct(lv, li, lo).multiply(v, f.channel(0), by_grid);
+        ShadowMatrix(lv, lo, li).expand(v).apply(f.channel(0), by_matrix);
+        CHECK(reference::max_difference(by_grid, by_matrix) < 2e-13);
+    }
+}
+
+TEST_CASE("the shadow matrix is symmetric, keeps spins apart, and is the identity for no shadow") {
+    std::mt19937_64 random(3);
+    const ShadowMatrix shadow(6, 3, 3);
+    const CoefficientMatrix m = shadow.expand(random_scalar(random, 6));
+    for (std::size_t i = 0; i < m.rows(); ++i)
+        for (std::size_t j = 0; j < m.columns(); ++j) {
+            CHECK(m(i, j) == doctest::Approx(m(j, i)).epsilon(1e-12));
+            const auto part = [](std::size_t k) { return k % 4 == 0 ? 0 : k % 4 == 3 ? 2 : 1; };
+            if (part(i) != part(j)) CHECK(m(i, j) == 0);
+        }
+    std::vector<double> open(psh_count(6));
+    open[0] = std::sqrt(4 * 3.14159265358979323846);
+    const CoefficientMatrix identity = shadow.expand(open);
+    for (std::size_t i = 0; i < m.rows(); ++i)
+        for (std::size_t j = 0; j < m.columns(); ++j) {
+            const bool spin2_low = (i % 4 == 1 || i % 4 == 2) && i / 4 < 4;
+            CHECK(std::abs(identity(i, j) - (i == j && !spin2_low)) < 1e-14);
+        }
+}
+
+TEST_CASE("products refuse bad arguments") {
+    CHECK_THROWS_AS(ShadowMatrix(-1, 2, 2), Error);
+    CHECK_THROWS_AS(ShadowMatrix(2, 200, 2), Error);
+    CHECK_THROWS_AS(PshProduct(2, -2, 2), Error);
+    const ShadowMatrix shadow(2, 1, 1);
+    std::vector<double> v(9);
+    CHECK_THROWS_AS((void)shadow.expand(std::span(v).first(4)), Error);
+    v[3] = NAN;
+    CHECK_THROWS_AS((void)shadow.expand(v), Error);
+    PshProduct product(2, 1, 1);
+    std::vector<double> f(16);
+    CHECK_THROWS_AS(product.multiply(std::span(v).first(8), f, f), Error);
+    CHECK_THROWS_AS(product.multiply(v, std::span(f).first(8), f), Error);
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// 3j symbols against Racah's sum; triple products against quadrature, and the misprint of Eq. 216.
+#include "nicol/wigner3j.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "harmonics/reference.hpp"
+#include "nicol/error.hpp"
+#include "nicol/grid.hpp"
+#include "nicol/spin_harmonics.hpp"
+
+using namespace nicol;
+using std::numbers::pi;
+
+namespace {
+
+/// int conj(s1Y) s2Y s3Y by quadrature.
+double by_quadrature(int s1, int l1, int m1, int s2, int l2, int m2, int s3, int l3, int m3) {
+    if (m1 != m2 + m3) return 0;
+    const LatitudeRows rows = gauss_legendre_rows((l1 + l2 + l3) / 2 + 1);
+    double sum = 0;
+    for (std::size_t j = 0; j < rows.theta.size(); ++j)
+        sum += rows.weight[j] * reference::spin_harmonic(s1, l1, m1, rows.theta[j]) *
+               reference::spin_harmonic(s2, l2, m2, rows.theta[j]) *
+               reference::spin_harmonic(s3, l3, m3, rows.theta[j]);
+    return 2 * pi * sum;
+}
+
+}  // namespace
+
+TEST_CASE("every small symbol agrees with Racah's sum") {
+    double worst = 0;
+    for (int l2 = 0; l2 <= 5; ++l2)
+        for (int l3 = 0; l3 <= 5; ++l3)
+            for (int m2 = -l2; m2 <= l2; ++m2)
+                for (int m3 = -l3; m3 <= l3; ++m3) {
+                    const Wigner3jRun run = wigner_3j_run(l2, l3, m2, m3);
+                    for (int l1 = 0; l1 <= 11; ++l1)
+                        worst = std::max(
+                            worst, std::abs(run.at(l1) - reference::wigner_3j(l1, l2, l3, -m2 - m3, m2, m3)));
+                }
+    CHECK(worst < 1e-15);
+}
+
+TEST_CASE("large symbols keep their relative accuracy, also where they are tiny") {
+    for (const auto& [l2, l3, m2, m3] :
+         {std::array{40, 60, 3, -5}, std::array{100, 100, 0, 0}, std::array{100, 100, 90, 95},
+          std::array{120, 30, -100, 2}, std::array{200, 200, 150, -150}, std::array{200, 1, 10, 1},
+          std::array{150, 150, 1, -2}, std::array{64, 64, 2, -2}}) {
+        const Wigner3jRun run = wigner_3j_run(l2, l3, m2, m3);
+        double largest = 0;
+        for (const double value : run.value) largest = std::max(largest, std::abs(value));
+        for (int l1 = run.first_l1; l1 <= std::min(l2 + l3, 300); l1 += 7) {
+            const double want = reference::wigner_3j(l1, l2, l3, -m2 - m3, m2, m3);
+            CAPTURE(l1);
+            CAPTURE(l2);
+            CAPTURE(m2);
+            CHECK(std::abs(run.at(l1) - want) < 1e-12 * std::max(std::abs(want), .05 * largest));
+        }
+        // The ends, far below the largest, relatively.
+        CHECK(run.at(run.first_l1) ==
+              doctest::Approx(reference::wigner_3j(run.first_l1, l2, l3, -m2 - m3, m2, m3)).epsilon(1e-10));
+        CHECK(run.at(l2 + l3) ==
+              doctest::Approx(reference::wigner_3j(l2 + l3, l2, l3, -m2 - m3, m2, m3)).epsilon(1e-10));
+    }
+}
+
+TEST_CASE(
+    "symbols of order a thousand are finite and normalised; alternating sums that need log-gamma are not "
+    "used") {
+    for (const auto& [l2, l3, m2, m3] : {std::array{1000, 1000, 2, -2}, std::array{4000, 4000, 1500, -1500},
+                                         std::array{4096, 4096, 4096, 4096}, std::array{3000, 900, 3, 890}}) {
+        const Wigner3jRun run = wigner_3j_run(l2, l3, m2, m3);
+        double sum = 0;
+        for (std::size_t i = 0; i < run.value.size(); ++i)
+            sum += (2.0 * (run.first_l1 + static_cast<int>(i)) + 1) * run.value[i] * run.value[i];
+        CHECK(sum == doctest::Approx(1).epsilon(1e-11));
+    }
+    // Orthogonality of two runs with other degrees of the same sum.
+    const Wigner3jRun a = wigner_3j_run(500, 400, 20, -7);
+    const Wigner3jRun b = wigner_3j_run(500, 400, 300, -287);
+    double dot = 0;
+    for (int l1 = 100; l1 <= 900; ++l1) dot += (2 * l1 + 1) * a.at(l1) * b.at(l1);
+    CHECK(std::abs(dot) < 1e-11);
+}
+
+TEST_CASE("triple products of any spins agree with quadrature") {
+    double worst = 0;
+    for (const auto& [s2, s3] : {std::pair(0, 0), std::pair(0, 2), std::pair(2, 0), std::pair(2, -2),
+                                 std::pair(-1, 2), std::pair(1, 1), std::pair(2, 2)})
+        for (int l1 = 0; l1 <= 4; ++l1)
+            for (int l2 = 0; l2 <= 4; ++l2)
+                for (int l3 = 0; l3 <= 4; ++l3)
+                    for (int m2 = -l2; m2 <= l2; ++m2)
+                        for (int m3 = -l3; m3 <= l3; ++m3) {
+                            const int m1 = m2 + m3;
+                            if (std::abs(m1) > l1) continue;
+                            const double want = by_quadrature(s2 + s3, l1, m1, s2, l2, m2, s3, l3, m3);
+                            const double have = triple_product(s2 + s3, l1, m1, s2, l2, m2, s3, l3, m3);
+                            worst = std::max(worst, std::abs(want - have));
+                        }
+    CHECK(worst < 1e-14);
+}
+
+TEST_CASE("Eq. 216 as printed is right only for even sums of orders") {
+    const auto printed = [](int l1, int m1, int l2, int m2, int l3, int m3) {
+        return (m1 % 2 == 0 ? 1 : -1) * std::sqrt((2. * l1 + 1) * (2. * l2 + 1) * (2. * l3 + 1) / (4 * pi)) *
+               wigner_3j(l1, l2, l3, -m1, m2, m3) * wigner_3j(l1, l2, l3, -2, 0, 2);
+    };
+    CHECK(printed(3, 1, 2, 0, 3, 1) == doctest::Approx(by_quadrature(2, 3, 1, 0, 2, 0, 2, 3, 1)));
+    CHECK(std::abs(printed(3, 1, 1, 0, 3, 1) - by_quadrature(2, 3, 1, 0, 1, 0, 2, 3, 1)) > .1);
+    CHECK(triple_product(2, 3, 1, 0, 1, 0, 2, 3, 1) ==
+          doctest::Approx(by_quadrature(2, 3, 1, 0, 1, 0, 2, 3, 1)));
+}
+
+TEST_CASE("selection rules and bad arguments") {
+    CHECK(wigner_3j(1, 1, 3, 0, 0, 0) == 0);
+    CHECK(wigner_3j(1, 1, 1, 0, 0, 0) == 0);
+    CHECK(wigner_3j(1, 1, 2, 1, 1, 1) == 0);
+    CHECK(wigner_3j(1, 1, 2, 2, -2, 0) == 0);
+    CHECK(wigner_3j(1, 1, 0, 1, -1, 0) == doctest::Approx(1 / std::sqrt(3.)));
+    CHECK_THROWS_AS((void)wigner_3j(-1, 1, 1, 0, 0, 0), Error);
+    CHECK_THROWS_AS((void)wigner_3j_run(2, 2, 3, 0), Error);
+    CHECK_THROWS_AS((void)wigner_3j_run(5000, 2, 3, 0), Error);
+    CHECK_THROWS_AS((void)triple_product(2, 2, 0, 0, 2, 0, 0, 2, 0), Error);
+}
