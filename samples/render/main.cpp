@@ -121,6 +121,16 @@ void require_replaceable(const std::string& path) {
         throw Failure(path + ": cannot write: exists and is not a regular file");
 }
 
+// Scripts count on one line; a path may hold a line feed, and a driver's message more.
+std::string one_line(const char* message) {
+    std::string line;
+    for (const char* p = message; *p; ++p) {
+        const char c = *p == '\n' ? ' ' : *p;
+        if (c != ' ' || line.empty() || line.back() != ' ') line += c;
+    }
+    return line;
+}
+
 void print_version() {
     std::printf("nicol-render %s\n", nicol_version_string());
     for (std::uint32_t i = 0; const char* fact = nicol_build_info(i); ++i) std::printf("%s\n", fact);
@@ -151,7 +161,7 @@ int main(int argc, char** argv) {
             run(options);
         return 0;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "nicol-render: %s\n", error.what());
+        std::fprintf(stderr, "nicol-render: %s\n", one_line(error.what()).c_str());
     } catch (...) {
         std::fputs("nicol-render: an unknown error\n", stderr);
     }
