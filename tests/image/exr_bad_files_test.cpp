@@ -8,6 +8,7 @@
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 
 #include <cstdint>
 #include <cstring>
@@ -29,6 +30,13 @@ StokesImage some_image() {
     std::uniform_real_distribution<float> uniform(0, 1);
     for (float& v : image.data) v = uniform(engine);
     return image;
+}
+
+/// The most memory this process has held so far.
+long peak_megabytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss / 1024;
 }
 
 /// Overwrites the value of a header attribute, found by its name and type.
@@ -88,6 +96,7 @@ TEST_CASE("sizes beyond reason are refused before they are allocated") {
     const TemporaryFolder folder;
     write_exr(folder / "whole.exr", some_image());
     const std::string bytes = file_bytes(folder / "whole.exr");
+    const long before = peak_megabytes();
     constexpr std::int32_t huge = std::numeric_limits<std::int32_t>::max();
     const std::vector<std::vector<std::int32_t>> windows = {
         {0, 0, huge, huge},       {0, 0, huge - 1, 49}, {0, 0, 39, huge - 1}, {-huge, -huge, huge, huge},
@@ -103,6 +112,7 @@ TEST_CASE("sizes beyond reason are refused before they are allocated") {
         check_error(
             bad, [&] { (void)read_exr(folder / "lie.exr"); }, "lie.exr");
     }
+    CHECK(peak_megabytes() < before + 256);
 }
 
 TEST_CASE("values that are not finite are named by channel and pixel") {
