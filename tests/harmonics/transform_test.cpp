@@ -44,6 +44,11 @@ TEST_CASE("round trips are exact on every grid") {
     }
 }
 
+TEST_CASE("a round trip at order 1000 keeps 5e-12") {
+    std::mt19937_64 random(2);
+    CHECK(round_trip(random, 1000, gauss_legendre_rows(1001), 2016) <= 5e-12);
+}
+
 TEST_CASE("synthesis equals evaluation at the grid points") {
     std::mt19937_64 random(3);
     const int order = 40;
