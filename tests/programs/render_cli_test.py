@@ -388,8 +388,8 @@ class BadMesh(RenderTest):
 class NoBackend(RenderTest):
     def test_egl_without_a_driver(self):
         nothing = {"__EGL_VENDOR_LIBRARY_DIRS": self.path("out"), "__EGL_VENDOR_LIBRARY_FILENAMES": ""}
-        self.assert_fails(["egl"], "good.xml", "-o", "out/a.exr", NICOL_BACKEND="egl", **nothing)
-        self.assert_fails(["egl"], "good.xml", "-o", "out/a.exr", "--backend", "egl", **nothing)
+        self.assert_fails(["EGL"], "good.xml", "-o", "out/a.exr", NICOL_BACKEND="egl", **nothing)
+        self.assert_fails(["EGL"], "good.xml", "-o", "out/a.exr", "--backend", "egl", **nothing)
 
     def test_unknown_name(self):
         self.assert_fails(["NICOL_BACKEND", "metal"], "good.xml", "-o", "out/a.exr", NICOL_BACKEND="metal")
