@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
@@ -27,7 +28,7 @@ Frame s_frame(const glm::dvec3& axis, const glm::dvec3& propagation) {
 
 class Pplastic final : public Material {
 public:
-    explicit Pplastic(const PplasticParameters& parameters) : p_(parameters), eta_(p_.int_ior / p_.ext_ior) {
+    explicit Pplastic(PplasticParameters parameters) : p_(std::move(parameters)), eta_(p_.int_ior / p_.ext_ior) {
         check_reflectance(p_.diffuse_reflectance, "diffuse_reflectance");
         check_reflectance(p_.specular_reflectance, "specular_reflectance");
         check_range(p_.int_ior, 1e-3, 1e3, "int_ior");
