@@ -200,10 +200,15 @@ class Success(RenderTest):
         self.assertIn("notice: ", run.stderr)
         self.assertIn("stokes", run.stderr)
 
-    def test_overwrites(self):
-        self.write("out/a.exr", b"old")
-        self.assert_succeeds("good.xml", "-o", "out/a.exr")
+    def test_replaces_in_one_step(self):
+        # Another name of the old file shows whether it was written into.
+        for name in ("a.exr", "s.json"):
+            self.write("out/" + name, b"old")
+            os.link(self.path("out", name), self.path("old_" + name))
+        self.assert_succeeds("good.xml", "-o", "out/a.exr", "--stats", "out/s.json")
         self.assertEqual(exr_size(self.path("out/a.exr")), (24, 16))
+        for name in ("a.exr", "s.json"):
+            self.assertEqual(self.files()[self.path("old_" + name)], b"old")
 
     def test_help_and_version(self):
         self.assertIn("--order-low", self.assert_succeeds("--help").stdout)
