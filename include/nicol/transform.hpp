@@ -74,10 +74,11 @@ public:
     [[nodiscard]] int order() const noexcept;
     [[nodiscard]] int columns() const noexcept;
 
-    /// One row of samples [column][4] into row `row` of `fourier`.
-    void analyze(std::span<const double> samples, FourierRows& fourier, int row);
-    /// The inverse: one row of `fourier` to samples [column][4].
-    void synthesize(const FourierRows& fourier, int row, std::span<double> samples);
+    /// Samples [row][column][4] of one or more rows into `fourier` from row `first_row` on; several rows in
+    /// one call are faster. What is zero throughout a row is not transformed.
+    void analyze(std::span<const double> samples, FourierRows& fourier, int first_row);
+    /// The inverse: as many rows of `fourier` as `samples` holds.
+    void synthesize(const FourierRows& fourier, int first_row, std::span<double> samples);
 
 private:
     struct Plan;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The Fourier step: s0 + i s3 and s1 + i s2 are one complex FFT each.
+// The Fourier step. s0 + i s3 and s1 + i s2 are one complex sequence each, and eight sequences of several
+// rows are transformed at once.
 #include <cmath>
-#include <kissfft/kissfft.hh>
-#include <numbers>
 
+#include "harmonics/batch_fft.hpp"
 #include "harmonics/require.hpp"
 #include "nicol/transform.hpp"
 
@@ -13,7 +13,8 @@ using Complex = std::complex<double>;
 
 FourierRows::FourierRows(int order_, int rows_) : order(order_), rows(rows_) {
     require_order(order);
-    require(rows >= 1, "rows is " + std::to_string(rows) + ", expected at least 1");
+    require(rows >= 1 && rows <= kMaxRows,
+            "rows is " + std::to_string(rows) + ", expected 1 to " + std::to_string(kMaxRows));
     const auto r = static_cast<std::size_t>(rows);
     const auto n = static_cast<std::size_t>(order) + 1;
     s0.resize(r * n);
@@ -22,27 +23,108 @@ FourierRows::FourierRows(int order_, int rows_) : order(order_), rows(rows_) {
 }
 
 struct FourierTransform::Plan {
-    int order;
-    int columns;
-    kissfft<double> forward;
-    kissfft<double> backward;
-    std::vector<Complex> phase;  // exp(i m phi0)
-    std::vector<Complex> scalar_in, spin_in, scalar_out, spin_out;
+    /// One sequence of a batch: the scalar or the spin-2 part of a row.
+    struct Lane {
+        int row;
+        bool spin;
+    };
 
     Plan(int order_, int columns_, double phi0)
         : order(order_),
           columns(columns_),
-          forward(static_cast<std::size_t>(columns_), false),
-          backward(static_cast<std::size_t>(columns_), true),
+          fft(columns_),
           phase(static_cast<std::size_t>(order_) + 1),
-          scalar_in(static_cast<std::size_t>(columns_)),
-          spin_in(scalar_in),
-          scalar_out(scalar_in),
-          spin_out(scalar_in) {
+          data(BatchFft::kElement * static_cast<std::size_t>(columns_)) {
         for (int m = 0; m <= order; ++m) phase[static_cast<std::size_t>(m)] = std::polar(1.0, m * phi0);
     }
+
     /// Where degree m stands in a transform.
-    [[nodiscard]] std::size_t bin(int m) const { return static_cast<std::size_t>(m >= 0 ? m : m + columns); }
+    [[nodiscard]] std::size_t bin(int m) const {
+        return BatchFft::kElement * static_cast<std::size_t>(m >= 0 ? m : m + columns);
+    }
+    [[nodiscard]] Complex unit(int m) const { return phase[static_cast<std::size_t>(m)]; }
+
+    /// Lanes without a sequence would otherwise transform what earlier ones left, and grow without end.
+    void clear_unused() {
+        for (std::size_t i = 0; i < data.size(); i += BatchFft::kLanes)
+            for (std::size_t lane = lanes.size(); lane < BatchFft::kLanes; ++lane) data[i + lane] = 0;
+    }
+
+    void load_samples(std::span<const double> samples, const Lane& lane, std::size_t at) {
+        const auto n = static_cast<std::size_t>(columns);
+        const double* row = &samples[4 * n * static_cast<std::size_t>(lane.row)];
+        double* to = data.data() + at;
+        for (std::size_t c = 0; c < n; ++c, row += 4, to += BatchFft::kElement) {
+            to[0] = lane.spin ? row[1] : row[0];
+            to[BatchFft::kLanes] = lane.spin ? row[2] : row[3];
+        }
+    }
+
+    void store_samples(const double* from, const Lane& lane, std::size_t at,
+                       std::span<double> samples) const {
+        const auto n = static_cast<std::size_t>(columns);
+        double* row = &samples[4 * n * static_cast<std::size_t>(lane.row)];
+        from += at;
+        for (std::size_t c = 0; c < n; ++c, row += 4, from += BatchFft::kElement) {
+            (lane.spin ? row[1] : row[0]) = from[BatchFft::kLanes];
+            (lane.spin ? row[2] : row[3]) = from[0];
+        }
+    }
+
+    void store_coefficients(const double* from, const Lane& lane, std::size_t at, FourierRows& out,
+                            int row) const {
+        const double scale = 1.0 / columns;
+        from += at;
+        for (int m = 0; m <= order; ++m) {
+            const double* p = from + bin(m);
+            const double* n = from + bin(-m);
+            const Complex plus = scale * Complex(p[0], p[BatchFft::kLanes]);
+            const Complex minus = scale * Complex(n[0], n[BatchFft::kLanes]);
+            if (lane.spin) {
+                out.spin[out.spin_index(row, -m)] = minus * unit(m);
+                out.spin[out.spin_index(row, m)] = plus * std::conj(unit(m));
+            } else {
+                const Complex sum = plus + std::conj(minus);
+                const Complex difference = plus - std::conj(minus);
+                out.s0[out.scalar_index(row, m)] = 0.5 * sum * std::conj(unit(m));
+                out.s3[out.scalar_index(row, m)] =
+                    0.5 * Complex(difference.imag(), -difference.real()) * std::conj(unit(m));
+            }
+        }
+    }
+
+    /// Real and imaginary part exchanged, which turns the transform into its inverse.
+    void load_coefficients(const FourierRows& in, const Lane& lane, std::size_t at, int row) {
+        double* to = data.data() + at;
+        for (std::size_t i = 0; i < data.size(); i += BatchFft::kElement)
+            to[i] = to[i + BatchFft::kLanes] = 0;
+        const auto put = [&](int m, Complex value) {
+            to[bin(m)] = value.imag();
+            to[bin(m) + BatchFft::kLanes] = value.real();
+        };
+        for (int m = 0; m <= order; ++m) {
+            if (lane.spin) {
+                put(-m, in.spin[in.spin_index(row, -m)] * std::conj(unit(m)));
+                put(m, in.spin[in.spin_index(row, m)] * unit(m));
+                continue;
+            }
+            const Complex s0 = in.s0[in.scalar_index(row, m)] * unit(m);
+            const Complex s3 = in.s3[in.scalar_index(row, m)] * unit(m);
+            if (m == 0) {
+                put(0, {s0.real(), s3.real()});
+            } else {
+                put(m, {s0.real() - s3.imag(), s0.imag() + s3.real()});
+                put(-m, {s0.real() + s3.imag(), s3.real() - s0.imag()});
+            }
+        }
+    }
+
+    int order;
+    int columns;
+    BatchFft fft;
+    std::vector<Complex> phase;  // exp(i m phi0)
+    std::vector<double> data;
+    std::vector<Lane> lanes;
 };
 
 FourierTransform::FourierTransform(int order, int columns, double phi0) {
@@ -66,70 +148,98 @@ int FourierTransform::columns() const noexcept {
 
 namespace {
 
-void require_row(const FourierRows& fourier, int order, int row) {
+/// Number of rows in `samples`.
+int count_rows(std::size_t samples, int columns, const FourierRows& fourier, int order, int first_row) {
+    const std::size_t row = 4 * static_cast<std::size_t>(columns);
+    require(samples > 0 && samples % row == 0, "samples holds " + std::to_string(samples) +
+                                                   " values, expected a multiple of " + std::to_string(row));
     require(fourier.order == order,
             "fourier has order " + std::to_string(fourier.order) + ", expected " + std::to_string(order));
-    require(row >= 0 && row < fourier.rows,
-            "row is " + std::to_string(row) + ", fourier has " + std::to_string(fourier.rows));
+    const std::size_t count = samples / row;
+    require(first_row >= 0 && first_row < fourier.rows &&
+                count <= static_cast<std::size_t>(fourier.rows - first_row),
+            "rows from " + std::to_string(first_row) + " on do not fit into the " +
+                std::to_string(fourier.rows) + " of fourier");
+    return static_cast<int>(count);
+}
+
+bool has_samples(std::span<const double> samples, std::size_t a, std::size_t b) {
+    for (std::size_t i = 0; i < samples.size(); i += 4)
+        if (samples[i + a] != 0 || samples[i + b] != 0) return true;
+    return false;
+}
+
+bool any(std::span<const Complex> values) {
+    for (const Complex& value : values)
+        if (value != Complex()) return true;
+    return false;
 }
 
 }  // namespace
 
-void FourierTransform::analyze(std::span<const double> samples, FourierRows& fourier, int row) {
+void FourierTransform::analyze(std::span<const double> samples, FourierRows& fourier, int first_row) {
     Plan& p = *plan_;
-    const auto columns = static_cast<std::size_t>(p.columns);
-    require_size(samples.size(), 4 * columns, "samples");
-    require_row(fourier, p.order, row);
-    for (std::size_t c = 0; c < columns; ++c) {
-        p.scalar_in[c] = {samples[4 * c], samples[4 * c + 3]};
-        p.spin_in[c] = {samples[4 * c + 1], samples[4 * c + 2]};
-    }
-    p.forward.transform(p.scalar_in.data(), p.scalar_out.data());
-    p.forward.transform(p.spin_in.data(), p.spin_out.data());
-    const double scale = 1.0 / p.columns;
-    for (int m = 0; m <= p.order; ++m) {
-        const Complex unit = scale * std::conj(p.phase[static_cast<std::size_t>(m)]);
-        const Complex plus = p.scalar_out[p.bin(m)];
-        const Complex minus = std::conj(p.scalar_out[p.bin(-m)]);
-        const Complex difference = plus - minus;
-        fourier.s0[fourier.scalar_index(row, m)] = 0.5 * (plus + minus) * unit;
-        fourier.s3[fourier.scalar_index(row, m)] =
-            0.5 * Complex(difference.imag(), -difference.real()) * unit;
-        fourier.spin[fourier.spin_index(row, m)] = p.spin_out[p.bin(m)] * unit;
-        if (m > 0)
-            fourier.spin[fourier.spin_index(row, -m)] =
-                p.spin_out[p.bin(-m)] * (scale * p.phase[static_cast<std::size_t>(m)]);
+    const int rows = count_rows(samples.size(), p.columns, fourier, p.order, first_row);
+    const auto row_size = 4 * static_cast<std::size_t>(p.columns);
+    p.lanes.clear();
+    for (int row = 0; row < rows; ++row) {
+        const auto one = samples.subspan(row_size * static_cast<std::size_t>(row), row_size);
+        const int to = first_row + row;
+        if (has_samples(one, 0, 3)) {
+            p.lanes.push_back({row, false});
+        } else {
+            std::fill_n(&fourier.s0[fourier.scalar_index(to, 0)], p.order + 1, Complex());
+            std::fill_n(&fourier.s3[fourier.scalar_index(to, 0)], p.order + 1, Complex());
+        }
+        if (has_samples(one, 1, 2)) {
+            p.lanes.push_back({row, true});
+        } else {
+            std::fill_n(&fourier.spin[fourier.spin_index(to, -p.order)], 2 * p.order + 1, Complex());
+        }
+        if (p.lanes.size() >= BatchFft::kLanes - 1 || row + 1 == rows) {
+            if (p.lanes.empty()) continue;
+            p.clear_unused();
+            for (std::size_t i = 0; i < p.lanes.size(); ++i) p.load_samples(samples, p.lanes[i], i);
+            const double* out = p.fft.forward(p.data.data());
+            for (std::size_t i = 0; i < p.lanes.size(); ++i)
+                p.store_coefficients(out, p.lanes[i], i, fourier, first_row + p.lanes[i].row);
+            p.lanes.clear();
+        }
     }
 }
 
-void FourierTransform::synthesize(const FourierRows& fourier, int row, std::span<double> samples) {
+void FourierTransform::synthesize(const FourierRows& fourier, int first_row, std::span<double> samples) {
     Plan& p = *plan_;
-    const auto columns = static_cast<std::size_t>(p.columns);
-    require_size(samples.size(), 4 * columns, "samples");
-    require_row(fourier, p.order, row);
-    std::fill(p.scalar_in.begin(), p.scalar_in.end(), Complex());
-    std::fill(p.spin_in.begin(), p.spin_in.end(), Complex());
-    for (int m = 0; m <= p.order; ++m) {
-        const Complex unit = p.phase[static_cast<std::size_t>(m)];
-        const Complex s0 = fourier.s0[fourier.scalar_index(row, m)] * unit;
-        const Complex s3 = fourier.s3[fourier.scalar_index(row, m)] * unit;
-        if (m == 0) {
-            p.scalar_in[0] = {s0.real(), s3.real()};
-            p.spin_in[0] = fourier.spin[fourier.spin_index(row, 0)];
-        } else {
-            p.scalar_in[p.bin(m)] = {s0.real() - s3.imag(), s0.imag() + s3.real()};
-            p.scalar_in[p.bin(-m)] = {s0.real() + s3.imag(), s3.real() - s0.imag()};
-            p.spin_in[p.bin(m)] = fourier.spin[fourier.spin_index(row, m)] * unit;
-            p.spin_in[p.bin(-m)] = fourier.spin[fourier.spin_index(row, -m)] * std::conj(unit);
+    const int rows = count_rows(samples.size(), p.columns, fourier, p.order, first_row);
+    const auto row_size = 4 * static_cast<std::size_t>(p.columns);
+    const auto degrees = static_cast<std::size_t>(p.order) + 1;
+    p.lanes.clear();
+    for (int row = 0; row < rows; ++row) {
+        const int from = first_row + row;
+        const auto clear = [&](std::size_t a, std::size_t b) {
+            double* to = &samples[row_size * static_cast<std::size_t>(row)];
+            for (std::size_t i = 0; i < row_size; i += 4) to[i + a] = to[i + b] = 0;
+        };
+        const bool scalar = any({&fourier.s0[fourier.scalar_index(from, 0)], degrees}) ||
+                            any({&fourier.s3[fourier.scalar_index(from, 0)], degrees});
+        const bool spin = any({&fourier.spin[fourier.spin_index(from, -p.order)], 2 * degrees - 1});
+        if (scalar)
+            p.lanes.push_back({row, false});
+        else
+            clear(0, 3);
+        if (spin)
+            p.lanes.push_back({row, true});
+        else
+            clear(1, 2);
+        if (p.lanes.size() >= BatchFft::kLanes - 1 || row + 1 == rows) {
+            if (p.lanes.empty()) continue;
+            p.clear_unused();
+            for (std::size_t i = 0; i < p.lanes.size(); ++i)
+                p.load_coefficients(fourier, p.lanes[i], i, first_row + p.lanes[i].row);
+            const double* out = p.fft.forward(p.data.data());
+            for (std::size_t i = 0; i < p.lanes.size(); ++i) p.store_samples(out, p.lanes[i], i, samples);
+            p.lanes.clear();
         }
-    }
-    p.backward.transform(p.scalar_in.data(), p.scalar_out.data());
-    p.backward.transform(p.spin_in.data(), p.spin_out.data());
-    for (std::size_t c = 0; c < columns; ++c) {
-        samples[4 * c] = p.scalar_out[c].real();
-        samples[4 * c + 1] = p.spin_out[c].real();
-        samples[4 * c + 2] = p.spin_out[c].imag();
-        samples[4 * c + 3] = p.scalar_out[c].imag();
     }
 }
 

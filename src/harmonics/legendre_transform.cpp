@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "harmonics/legendre_kernel.hpp"
 #include "harmonics/scaled.hpp"
+#include "harmonics/vector_kernel.hpp"
 #include "nicol/transform.hpp"
 
 namespace nicol {
@@ -106,6 +106,9 @@ struct LegendreTransform::Plan {
             first_step.push_back(step);
         }
         for (auto& chain : chains) chain.resize(rings.size());
+        for (int m = 0; m <= 2; ++m)
+            for (const int n : kSecond)
+                for (const Ring& ring : rings) beginnings.push_back(first_value(m, n, ring.half));
         steps.resize(static_cast<std::size_t>(order) + 1);
         sums.resize(8 * padded);
         work.resize(steps.size() * 4 * kRingLanes);
@@ -142,10 +145,9 @@ struct LegendreTransform::Plan {
             const double ratio = m > inner ? -next_first_ratio(m - 1, n) : 0;
             for (std::size_t r = skipped; r < rings.size(); ++r) {
                 if (m <= inner) {
-                    chains[c][r] = first_value(m, n, rings[r].half);
+                    chains[c][r] = beginnings[(static_cast<std::size_t>(m) * 3 + c) * rings.size() + r];
                 } else {
-                    chains[c][r] *= first_step[r];
-                    chains[c][r] *= ratio;
+                    chains[c][r].multiply(first_step[r], ratio);
                 }
             }
         }
@@ -196,7 +198,7 @@ struct LegendreTransform::Plan {
     LatitudeRows rows;
     RootTables tables;
     std::vector<Ring> rings;
-    const LegendreKernel& kernel = legendre_kernel();
+    const VectorKernel& kernel = vector_kernel();
     std::size_t padded = 0;
     std::size_t skipped = 0;
     std::size_t from = 0;
@@ -204,6 +206,7 @@ struct LegendreTransform::Plan {
     std::vector<int> exponent;
     std::vector<Scaled> first_step;
     std::vector<Scaled> chains[3];
+    std::vector<Scaled> beginnings;  // [m = 0..2][chain][ring]
     std::vector<LegendreStep> steps;
     std::vector<double> sums;  // [8][padded]
     std::vector<double> work;

@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "harmonics/vector_kernel.hpp"
 #include "harmonics/wigner_sweep.hpp"
 #include "nicol/wigner.hpp"
 
@@ -117,15 +118,6 @@ void store(int l, const Lanes* in, const std::vector<Complex>& phase, double* ou
     }
 }
 
-void multiply(int width, const double* d, const Lanes* in, Lanes* out) {
-    for (int row = 0; row < width; ++row, d += width) {
-        Lanes sum{};
-        for (int column = 0; column < width; ++column)
-            for (int lane = 0; lane < 4; ++lane) sum.v[lane] += d[column] * in[column].v[lane];
-        out[row] = sum;
-    }
-}
-
 }  // namespace
 
 EulerZyz euler_zyz(const glm::dmat3& r) {
@@ -186,7 +178,7 @@ void PshRotation::apply(std::span<const double> in, std::span<double> out) const
         const std::size_t centre = 4 * psh_index(l, 0);
         for (std::size_t base = 0; base < in.size(); base += size) {
             load(l, in.data() + base + centre, gamma_, from.data() + l);
-            multiply(2 * l + 1, d, from.data(), to.data());
+            vector_kernel().multiply_lanes(2 * l + 1, d, from[0].v, to[0].v);
             store(l, to.data() + l, alpha_, out.data() + base + centre);
         }
     }

@@ -33,6 +33,13 @@ struct Scaled {
         return *this;
     }
 
+    /// *this *= o * factor in one go, for a factor of moderate size.
+    void multiply(const Scaled& o, double factor) {
+        v *= o.v * factor;
+        e += o.e;
+        settle();
+    }
+
     /// Factor that turns v into the value, 0 where that would underflow.
     [[nodiscard]] double factor() const { return e == 0 ? 1.0 : e < -4 ? 0.0 : std::ldexp(1.0, 256 * e); }
 

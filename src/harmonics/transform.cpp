@@ -16,8 +16,7 @@ PshTransform::PshTransform(int order, LatitudeRows rows, int columns, double phi
 void PshTransform::analyze(std::span<const double> samples, std::span<double> coefficients) {
     const auto stride = 4 * static_cast<std::size_t>(columns());
     require_size(samples.size(), stride * static_cast<std::size_t>(work_.rows), "samples");
-    for (int row = 0; row < work_.rows; ++row)
-        fourier_.analyze(samples.subspan(stride * static_cast<std::size_t>(row), stride), work_, row);
+    fourier_.analyze(samples, work_, 0);
     legendre_.analyze(work_, coefficients);
 }
 
@@ -25,8 +24,7 @@ void PshTransform::synthesize(std::span<const double> coefficients, std::span<do
     const auto stride = 4 * static_cast<std::size_t>(columns());
     require_size(samples.size(), stride * static_cast<std::size_t>(work_.rows), "samples");
     legendre_.synthesize(coefficients, work_);
-    for (int row = 0; row < work_.rows; ++row)
-        fourier_.synthesize(work_, row, samples.subspan(stride * static_cast<std::size_t>(row), stride));
+    fourier_.synthesize(work_, 0, samples);
 }
 
 }  // namespace nicol
