@@ -45,9 +45,11 @@ public:
         for (double& value : f.data()) value = sparse && integer(0, 3) != 0 ? 0 : value * scale_;
         return f;
     }
-    /// What an error is measured in; denormals have an absolute one.
-    [[nodiscard]] double unit(int order) const {
-        return std::max(scale_ * (order + 1) * (order + 1), 1e-320);
+    /// What an error is measured in.
+    [[nodiscard]] double unit(int order) const { return scale_ * (order + 1) * (order + 1); }
+    /// A relative bound, and the rounding of denormal numbers.
+    [[nodiscard]] double bound(double relative, int order) const {
+        return relative * unit(order) + 5e-324 * 4 * (order + 1) * (order + 1);
     }
 
     glm::dvec3 direction() {
