@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <exception>
 
-#include "image/atomic_file.hpp"
+#include "files/atomic_file.hpp"
 #include "image/exr_names.hpp"
 #include "nicol/error.hpp"
 #include "nicol/stokes_image.hpp"

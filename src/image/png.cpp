@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "image/atomic_file.hpp"
+#include "files/atomic_file.hpp"
 #include "nicol/error.hpp"
 #include "nicol/observer.hpp"
 

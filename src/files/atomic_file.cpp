@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Temporary file and rename.
-#include "image/atomic_file.hpp"
+#include "files/atomic_file.hpp"
 
 #include <cerrno>
 #include <random>

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The header of a NumPy array.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "files/zip.hpp"
+
+namespace nicol {
+
+/// What stands before the values of an array.
+struct NpyHeader {
+    std::string type;  ///< NumPy's descr, as "<f8"
+    bool fortran_order = false;
+    std::vector<std::size_t> shape;
+
+    /// Product of the shape. Throws Error(invalid_file) naming `member` above `most`.
+    [[nodiscard]] std::size_t count(const std::string& member, std::size_t most) const;
+};
+
+/// Reads the header, versions 1 to 3, and leaves the stream at the first value. Throws Error(unsupported) for
+/// structured types and later versions, Error(invalid_file) naming `member` for what is malformed.
+[[nodiscard]] NpyHeader read_npy_header(ZipStream& stream, const std::string& member);
+
+}  // namespace nicol

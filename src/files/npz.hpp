@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// NumPy .npz archives: arrays of numbers by name.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace nicol {
+
+/// Numbers in C order: the last index runs fastest. An empty shape is a single number.
+struct NpyArray {
+    std::vector<std::size_t> shape;
+    std::vector<double> values;
+};
+
+/// Most numbers an array may have unless the caller says otherwise: 1 GiB of them.
+inline constexpr std::size_t kMaxNpyValues = std::size_t{1} << 27;
+
+/// The names in the archive without their ".npy", in its order. Throws as read_npz_member().
+[[nodiscard]] std::vector<std::string> npz_members(const std::filesystem::path& path);
+
+/// The array called `name` (without ".npy"): little-endian float32, float64, int32 or int64 in C order,
+/// stored or deflated. Memory grows with the data that is really there, not with what a header claims. Throws
+/// Error(file_not_found); Error(unsupported) for other types, Fortran order, object arrays, encrypted members
+/// or archives above 4 GiB; Error(invalid_file) naming file and member for one that is missing, truncated,
+/// corrupt (CRC-32), of more than 32 dimensions or more than `most_values` numbers, or whose sizes contradict
+/// each other. Values may be NaN or infinite; integers must fit a double exactly.
+[[nodiscard]] NpyArray read_npz_member(const std::filesystem::path& path, std::string_view name,
+                                       std::size_t most_values = kMaxNpyValues);
+
+/// The single text called `name` (NumPy type U or S, ASCII, at most 1024 characters). Throws as
+/// read_npz_member().
+[[nodiscard]] std::string read_npz_text(const std::filesystem::path& path, std::string_view name);
+
+/// A member to write: numbers (as float64) or one ASCII text.
+struct NpzMember {
+    std::string name;  ///< without ".npy"
+    std::variant<NpyArray, std::string> content;
+};
+
+/// Writes the members uncompressed, always the same bytes for the same content. The file appears under its
+/// name only when complete. Throws Error(invalid_argument) for a shape that does not fit its values, a text
+/// that is empty or not ASCII, a name that is empty or there twice, and sizes of 4 GiB; Error(write_failed)
+/// naming the path.
+void write_npz(const std::filesystem::path& path, std::span<const NpzMember> members);
+
+}  // namespace nicol

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Members of ZIP archives, read as streams.
+#pragma once
+
+#include <zlib.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace nicol {
+
+struct ZipEntry {
+    std::string name;
+    std::uint64_t offset = 0;       ///< of the local header
+    std::uint64_t stored_size = 0;  ///< bytes in the archive
+    std::uint64_t size = 0;         ///< bytes of content
+    std::uint32_t crc = 0;
+    bool deflated = false;
+};
+
+/// The central directory. Throws Error(file_not_found), Error(unsupported) for archives of several volumes,
+/// of ZIP64 sizes, with encrypted members or compression other than deflate, and Error(invalid_file) for
+/// anything damaged: afterwards every entry lies inside the file, no name is there twice, and no size exceeds
+/// what deflate can make of the bytes that are there.
+[[nodiscard]] std::vector<ZipEntry> read_zip_directory(const std::filesystem::path& path);
+
+/// The content of one member from its beginning. Memory: a few tens of KiB.
+class ZipStream {
+public:
+    /// Throws Error(invalid_file) if there is no such member at the entry's offset.
+    ZipStream(const std::filesystem::path& path, const ZipEntry& entry);
+    ~ZipStream();
+    ZipStream(const ZipStream&) = delete;
+    ZipStream& operator=(const ZipStream&) = delete;
+
+    /// Bytes of content not yet read.
+    [[nodiscard]] std::uint64_t left() const noexcept { return left_; }
+    /// Fills `bytes`, which must not be more than left(). The last byte of the member is given only if the
+    /// CRC-32 agrees. Throws Error(invalid_file) naming file and member.
+    void read(std::span<unsigned char> bytes);
+
+private:
+    void fill();
+    [[noreturn]] void invalid(const std::string& what) const;
+
+    std::string name_;
+    std::ifstream file_;
+    ZipEntry entry_;
+    std::uint64_t left_;
+    std::uint64_t stored_left_;
+    std::uint32_t crc_ = 0;
+    std::vector<unsigned char> buffer_;
+    z_stream inflate_{};
+};
+
+}  // namespace nicol
