@@ -70,9 +70,8 @@ Framebuffer make_framebuffer(nicol_context context, nicol_scene scene, const Opt
 
 void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options, ProgressBar& progress) {
     // In the ABI zero stands for the default order, and -1 for order zero.
-    const auto order = [](const std::optional<std::uint32_t>& given) {
-        if (!given) return 0;
-        return *given == 0 ? -1 : static_cast<std::int32_t>(*given);
+    const auto order = [](const std::optional<std::int32_t>& given) {
+        return given ? (*given == 0 ? -1 : *given) : 0;
     };
     nicol_camera camera = NICOL_CAMERA_INIT;
     check(nicol_scene_get_camera(scene, &camera));

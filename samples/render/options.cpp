@@ -33,12 +33,12 @@ std::uint32_t parse_number(std::string_view option, std::string_view text) {
     return value;
 }
 
-std::uint32_t parse_order(std::string_view option, std::string_view text) {
+// The library knows which orders it has; here they need only fit its type.
+std::int32_t parse_order(std::string_view option, std::string_view text) {
     const std::uint32_t order = parse_number(option, text);
-    if (order > NICOL_MAX_ORDER)
-        throw Failure(std::string(option) + ": " + std::string(text) + " is above the highest order, " +
-                      std::to_string(NICOL_MAX_ORDER));
-    return order;
+    if (order > INT32_MAX)
+        throw Failure(std::string(option) + ": " + std::string(text) + " is no order of light");
+    return static_cast<std::int32_t>(order);
 }
 
 void parse_size(Options& options, std::string_view text) {

@@ -25,7 +25,7 @@ struct Options {
     std::string stats;                     ///< file, empty: none
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     nicol_method method = NICOL_METHOD_FACTORED;
-    std::optional<std::uint32_t> order_low, order_high;
+    std::optional<std::int32_t> order_low, order_high;
     std::optional<std::uint32_t> width, height;  ///< both or neither
 };
 
