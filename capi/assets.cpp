@@ -74,6 +74,12 @@ double or_default(float value, double fallback) {
 
 }  // namespace
 
+EnvironmentPtr nicol::capi::read_image(const nicol_image* image) {
+    const nicol_image description = read_struct(image, "image");
+    const Releaser releaser{description};
+    return environment_from(description);
+}
+
 nicol_result nicol_environment_load(nicol_context context, const char* path, nicol_environment* environment) {
     return create(context, environment, "environment", [&] {
         require(path, "path");

@@ -72,7 +72,7 @@ struct Handle {
     std::uint32_t references = 1;
 };
 
-enum class HandleKind : std::uint8_t { context, environment, material, mesh, scene, framebuffer };
+enum class HandleKind : std::uint8_t { context, environment, material, mesh, scene, framebuffer, psh_transform };
 
 /// All live handles of the process, so that a wrong or released one is an error and not a crash.
 namespace registry {
@@ -153,6 +153,9 @@ nicol_result release(Impl* handle) noexcept {
 /// A spectrum of the interface as values; `fallback` where it is empty. Throws Error(invalid_argument).
 std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std::size_t fallback_channels,
                              const char* name);
+/// The light of a caller's picture, whose release callback is called in any case. Throws
+/// Error(invalid_argument).
+EnvironmentPtr read_image(const nicol_image* image);
 /// A row-major matrix; all zeros are the identity.
 glm::dmat4 matrix(const double (&rows)[16]);
 /// The rotation of an affine matrix whose axes are at right angles. Throws Error(invalid_argument) naming
