@@ -157,11 +157,8 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         const RenderOptions chosen =
             options_from(options != nullptr ? read_struct(options, "options")
                                             : nicol_render_options NICOL_RENDER_OPTIONS_INIT);
-        // Kept alive through the call, whatever other threads release.
-        const auto state = self.content;
-        const auto picture = target.content;
         const Turn turn(self.session);
-        state->renderer.render(state->scene, from, chosen, *picture);
+        self.content->renderer.render(self.content->scene, from, chosen, *target.content);
     });
 }
 

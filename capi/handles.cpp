@@ -62,30 +62,24 @@ void add(const void* handle, HandleKind kind) {
     all().alive.emplace(handle, kind);
 }
 
-void check(const void* handle, HandleKind kind) {
-    const std::lock_guard lock(all().mutex);
+std::unique_lock<std::mutex> hold(const void* handle, HandleKind kind) {
+    std::unique_lock lock(all().mutex);
     check_alive(handle, kind);
+    return lock;
 }
 
-void retain(const void* handle, HandleKind kind, std::uint32_t& references) {
-    const std::lock_guard lock(all().mutex);
-    check_alive(handle, kind);
-    ++references;
-}
-
-bool release(const void* handle, HandleKind kind, std::uint32_t& references) {
-    const std::lock_guard lock(all().mutex);
-    check_alive(handle, kind);
-    if (--references > 0) return false;
+void forget(const void* handle) noexcept {
     all().alive.erase(handle);
-    return true;
 }
 
 }  // namespace registry
 
 std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std::size_t fallback_channels,
                              const char* name) {
-    if (values.count == 0) return std::vector<double>(fallback_channels, fallback);
+    if (values.count == 0) {
+        std::vector<double> filled(fallback_channels, fallback);
+        return filled;
+    }
     if (values.count > NICOL_MAX_CHANNELS) {
         refuse(std::string(name) + ".count is " + std::to_string(values.count) + "; it must lie in 0 to " +
                std::to_string(NICOL_MAX_CHANNELS));

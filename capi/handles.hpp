@@ -77,11 +77,11 @@ enum class HandleKind : std::uint8_t { context, environment, material, mesh, sce
 /// All live handles of the process, so that a wrong or released one is an error and not a crash.
 namespace registry {
 void add(const void* handle, HandleKind kind);
-/// Throws Error(invalid_handle) unless the handle is alive and of this kind.
-void check(const void* handle, HandleKind kind);
-/// Adds to or drops from the count of a checked handle; true where it reached zero and was forgotten.
-void retain(const void* handle, HandleKind kind, std::uint32_t& references);
-[[nodiscard]] bool release(const void* handle, HandleKind kind, std::uint32_t& references);
+/// Keeps every thread from adding and releasing handles as long as the lock lives. Throws
+/// Error(invalid_handle) unless the handle is alive and of this kind.
+[[nodiscard]] std::unique_lock<std::mutex> hold(const void* handle, HandleKind kind);
+/// To be called with the lock of hold().
+void forget(const void* handle) noexcept;
 }  // namespace registry
 
 }  // namespace nicol::capi
@@ -108,10 +108,11 @@ struct nicol_framebuffer_impl : nicol::capi::Handle<nicol::Framebuffer> {
 
 namespace nicol::capi {
 
-/// The object behind a handle. Throws Error(invalid_handle).
+/// A copy of what a handle stands for: it stays through the call, whatever other threads release meanwhile.
+/// Throws Error(invalid_handle).
 template <class Impl>
-Impl& resolve(Impl* handle) {
-    registry::check(handle, Impl::kind);
+Impl resolve(Impl* handle) {
+    const auto lock = registry::hold(handle, Impl::kind);
     return *handle;
 }
 
@@ -136,8 +137,8 @@ Impl* make_handle(SessionPtr session, std::shared_ptr<Content> content) {
 template <class Impl>
 nicol_result retain(Impl* handle) noexcept {
     return guarded([&] {
-        registry::check(handle, Impl::kind);
-        registry::retain(handle, Impl::kind, handle->references);
+        const auto lock = registry::hold(handle, Impl::kind);
+        ++handle->references;
     });
 }
 
@@ -145,8 +146,11 @@ template <class Impl>
 nicol_result release(Impl* handle) noexcept {
     if (handle == nullptr) return NICOL_OK;
     return guarded([&] {
-        registry::check(handle, Impl::kind);
-        if (registry::release(handle, Impl::kind, handle->references)) delete handle;
+        std::unique_ptr<Impl> last;  // destroyed after the lock, since that may take a while
+        const auto lock = registry::hold(handle, Impl::kind);
+        if (--handle->references > 0) return;
+        registry::forget(handle);
+        last.reset(handle);
     });
 }
 

@@ -87,8 +87,9 @@ nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment en
         const nicol_scene_impl& self = resolve(scene);
         EnvironmentPtr light;
         if (environment != nullptr) {
-            require_same_context(self, resolve(environment));
-            light = environment->content;
+            const nicol_environment_impl& source = resolve(environment);
+            require_same_context(self, source);
+            light = source.content;
         }
         const glm::dmat3 rotation = rotation_of(matrix_or_identity(to_world), "environment");
         const Turn turn(self.session);
