@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Environments, materials and meshes.
-#include <limits>
+#include <cstddef>
 
 #include "handles.hpp"
 
@@ -19,12 +19,25 @@ nicol_result create(nicol_context context, Impl** out, const char* name, Make&& 
     });
 }
 
-// Calls an image's release callback when the library is done reading, on failure too.
-struct Releaser {
-    const nicol_image& image;
-    ~Releaser() {
-        if (image.release != nullptr) image.release(image.release_user);
+// Calls an image's release callback when the library is done reading, on failure too: even a description that
+// is refused has one, if its struct_size reaches that far.
+class Releaser {
+public:
+    explicit Releaser(const nicol_image* image) {
+        constexpr std::size_t end = offsetof(nicol_image, release_user) + sizeof image->release_user;
+        if (image == nullptr || image->struct_size < end || image->struct_size > max_struct_size) return;
+        release_ = image->release;
+        user_ = image->release_user;
     }
+    ~Releaser() {
+        if (release_ != nullptr) release_(user_);
+    }
+    Releaser(const Releaser&) = delete;
+    Releaser& operator=(const Releaser&) = delete;
+
+private:
+    void (*release_)(void* user) = nullptr;
+    void* user_ = nullptr;
 };
 
 EnvironmentPtr environment_from(const nicol_image& image) {
@@ -75,9 +88,8 @@ double or_default(float value, double fallback) {
 }  // namespace
 
 EnvironmentPtr nicol::capi::read_image(const nicol_image* image) {
-    const nicol_image description = read_struct(image, "image");
-    const Releaser releaser{description};
-    return environment_from(description);
+    const Releaser releaser(image);
+    return environment_from(read_struct(image, "image"));
 }
 
 nicol_result nicol_environment_load(nicol_context context, const char* path, nicol_environment* environment) {
@@ -90,8 +102,8 @@ nicol_result nicol_environment_load(nicol_context context, const char* path, nic
 nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                             nicol_environment* environment) {
     return guarded([&] {
+        const Releaser releaser(image);
         const nicol_image description = read_struct(image, "image");
-        const Releaser releaser{description};
         require(environment, "environment");
         const SessionPtr session = resolve(context).session;
         *environment = make_handle<nicol_environment_impl>(session, environment_from(description));

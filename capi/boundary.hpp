@@ -45,6 +45,9 @@ void require(T* pointer, const char* name) {
     if (pointer == nullptr) refuse(std::string(name) + " is NULL");
 }
 
+/// Larger descriptors are taken for uninitialised memory.
+inline constexpr std::uint32_t max_struct_size = 65536;
+
 /// A caller's descriptor as this version knows it: fields that an older caller does not have are zero, fields
 /// that a newer caller has must be.
 template <class T>
@@ -52,7 +55,7 @@ T read_struct(const T* from, const char* name) {
     require(from, name);
     std::uint32_t size = 0;
     std::memcpy(&size, from, sizeof size);
-    if (size < sizeof size || size > 65536) {
+    if (size < sizeof size || size > max_struct_size) {
         refuse(std::string(name) + "->struct_size is " + std::to_string(size) +
                "; it must be sizeof(the struct), " + std::to_string(sizeof(T)) + " in this version");
     }
