@@ -28,8 +28,14 @@ gl::Backend backend_of(nicol_backend backend) {
 }  // namespace
 
 nicol_result fail(ErrorCode code, const char* message) noexcept {
-    const std::size_t length = std::min(std::strlen(message), last_error.size() - 1);
-    std::memcpy(last_error.data(), message, length);
+    std::size_t length = std::strlen(message);
+    if (length >= last_error.size()) {
+        length = last_error.size() - 1;
+        // Not in the middle of a UTF-8 character.
+        while (length > 0 && (static_cast<unsigned char>(message[length]) & 0xC0) == 0x80) --length;
+    }
+    // One line, whatever a path or a driver says.
+    std::replace_copy(message, message + length, last_error.begin(), '\n', ' ');
     last_error[length] = '\0';
     return static_cast<nicol_result>(code);
 }
