@@ -19,6 +19,13 @@ namespace nicol {
 void evaluate(const PshVector& field, int channel, std::span<const glm::dvec3> directions,
               std::span<Stokes> out);
 
+/// The adjoint: coefficients[psh_index(l, m)][p] = sum over i of weights[i] <Y_lmp, samples[i]> of one
+/// channel. With solid angles for weights this is the projection (Eq. 32) by whatever quadrature they make.
+/// The first three spans must have the same length, coefficients 4 * psh_count(order) values. Throws
+/// Error(invalid_argument) as evaluate.
+void project_samples(int order, std::span<const glm::dvec3> directions, std::span<const Stokes> samples,
+                     std::span<const double> weights, std::span<double> coefficients);
+
 /// The values of all harmonics at a direction, so that a field there is their dot product with its
 /// coefficients: scalar[psh_index(l, m)] is the real harmonic (for p = 0 and 3), spin2 the complex 2Y_lm.
 /// Both spans hold psh_count(order) values. Throws Error(invalid_argument) as evaluate.

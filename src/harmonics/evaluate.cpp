@@ -7,11 +7,19 @@
 
 #include "harmonics/direction.hpp"
 #include "nicol/spin_harmonics.hpp"
+#include "nicol/transform.hpp"
 
 namespace nicol {
 namespace {
 
-/// Work space for one direction after another.
+/// z^m by index, each from two of half its degree so that errors grow with log m.
+void set_powers(std::complex<double> z, std::span<std::complex<double>> powers) {
+    powers[0] = 1;
+    if (powers.size() > 1) powers[1] = z;
+    for (std::size_t m = 2; m < powers.size(); ++m) powers[m] = powers[m / 2] * powers[m - m / 2];
+}
+
+/// The harmonics at one direction.
 class Point {
 public:
     explicit Point(int order)
@@ -24,43 +32,7 @@ public:
         const Polar polar(direction);
         spin_harmonics(0, order_, polar.half.sin, polar.half.cos, scalar_);
         spin_harmonics(2, order_, polar.half.sin, polar.half.cos, spin2_);
-        phase_[0] = 1;
-        if (order_ > 0) phase_[1] = polar.phase;
-        for (std::size_t m = 2; m < phase_.size(); ++m) phase_[m] = phase_[m / 2] * phase_[m - m / 2];
-    }
-
-    [[nodiscard]] Stokes sum(std::span<const double> f) const {
-        Stokes s(0);
-        for (int m = 0; m <= order_; ++m) {
-            // Sums over l of one degree first: the phase is then applied once.
-            double even[2] = {0, 0};
-            double odd[2] = {0, 0};
-            double plus[2] = {0, 0};
-            double minus[2] = {0, 0};
-            for (int l = m; l <= order_; ++l) {
-                const std::size_t i = psh_index(l, m);
-                const std::size_t j = psh_index(l, -m);
-                even[0] += scalar_[i] * f[4 * i];
-                even[1] += scalar_[i] * f[4 * i + 3];
-                odd[0] += scalar_[i] * f[4 * j];
-                odd[1] += scalar_[i] * f[4 * j + 3];
-                plus[0] += spin2_[i] * f[4 * i + 1];
-                plus[1] += spin2_[i] * f[4 * i + 2];
-                minus[0] += spin2_[j] * f[4 * j + 1];
-                minus[1] += spin2_[j] * f[4 * j + 2];
-            }
-            const double c = phase_[static_cast<std::size_t>(m)].real();
-            const double n = phase_[static_cast<std::size_t>(m)].imag();
-            if (m == 0) {
-                s += Stokes(even[0], plus[0], plus[1], even[1]);
-            } else {
-                s[0] += std::numbers::sqrt2 * (c * even[0] + n * odd[0]);
-                s[3] += std::numbers::sqrt2 * (c * even[1] + n * odd[1]);
-                s[1] += c * (plus[0] + minus[0]) - n * (plus[1] - minus[1]);
-                s[2] += c * (plus[1] + minus[1]) + n * (plus[0] - minus[0]);
-            }
-        }
-        return s;
+        set_powers(polar.phase, phase_);
     }
 
     void values(std::span<double> scalar, std::span<std::complex<double>> spin2) const {
@@ -83,6 +55,68 @@ private:
     std::vector<std::complex<double>> phase_;
 };
 
+/// Directions at a time.
+constexpr std::size_t kBlock = 256;
+
+/// Directions as rows of latitude of one point each: the Legendre step then runs over them in vectors.
+struct Block {
+    LegendreTransform legendre;
+    FourierRows fourier;
+    std::vector<std::complex<double>> phase;  // [row][m], exp(i m phi)
+
+    Block(int order, std::span<const glm::dvec3> directions, std::span<const double> weights)
+        : legendre(order, rows(directions, weights)),
+          fourier(order, static_cast<int>(directions.size())),
+          phase(fourier.s0.size()) {
+        for (std::size_t i = 0; i < directions.size(); ++i)
+            set_powers(Polar(directions[i]).phase, {&phase[fourier.scalar_index(static_cast<int>(i), 0)],
+                                                    static_cast<std::size_t>(order) + 1});
+    }
+
+    static LatitudeRows rows(std::span<const glm::dvec3> directions, std::span<const double> weights) {
+        LatitudeRows out;
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const Polar polar(directions[i]);
+            out.theta.push_back(2 * std::atan2(polar.half.sin, polar.half.cos));
+            out.sin_half.push_back(polar.half.sin);
+            out.cos_half.push_back(polar.half.cos);
+            out.weight.push_back(weights.empty() ? 0 : weights[i] / (2 * std::numbers::pi));
+        }
+        return out;
+    }
+
+    /// The Fourier series of row i at its azimuth.
+    [[nodiscard]] Stokes sum(std::size_t i) const {
+        const int row = static_cast<int>(i);
+        const std::complex<double>* e = &phase[fourier.scalar_index(row, 0)];
+        const std::complex<double>* s0 = &fourier.s0[fourier.scalar_index(row, 0)];
+        const std::complex<double>* s3 = &fourier.s3[fourier.scalar_index(row, 0)];
+        const std::complex<double>* spin = &fourier.spin[fourier.spin_index(row, 0)];
+        Stokes s(s0[0].real(), spin[0].real(), spin[0].imag(), s3[0].real());
+        for (int m = 1; m <= fourier.order; ++m) {
+            const double c = e[m].real();
+            const double n = e[m].imag();
+            s[0] += 2 * (s0[m].real() * c - s0[m].imag() * n);
+            s[3] += 2 * (s3[m].real() * c - s3[m].imag() * n);
+            s[1] += (spin[m].real() + spin[-m].real()) * c - (spin[m].imag() - spin[-m].imag()) * n;
+            s[2] += (spin[m].imag() + spin[-m].imag()) * c + (spin[m].real() - spin[-m].real()) * n;
+        }
+        return s;
+    }
+
+    /// The Fourier coefficients of a point of unit weight.
+    void spread(std::size_t i, const Stokes& s) {
+        const int row = static_cast<int>(i);
+        for (int m = 0; m <= fourier.order; ++m) {
+            const std::complex<double> e = std::conj(phase[fourier.scalar_index(row, m)]);
+            fourier.s0[fourier.scalar_index(row, m)] = s[0] * e;
+            fourier.s3[fourier.scalar_index(row, m)] = s[3] * e;
+            fourier.spin[fourier.spin_index(row, -m)] = std::complex(s[1], s[2]) * std::conj(e);
+            fourier.spin[fourier.spin_index(row, m)] = std::complex(s[1], s[2]) * e;
+        }
+    }
+};
+
 }  // namespace
 
 Stokes evaluate(const PshVector& field, int channel, const glm::dvec3& direction) {
@@ -96,10 +130,34 @@ void evaluate(const PshVector& field, int channel, std::span<const glm::dvec3> d
     require_size(out.size(), directions.size(), "out");
     const auto coefficients = field.channel(channel);
     require_finite(coefficients, "field");
-    Point point(field.order());
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-        point.move_to(directions[i]);
-        out[i] = point.sum(coefficients);
+    for (std::size_t first = 0; first < directions.size(); first += kBlock) {
+        const auto some = directions.subspan(first, std::min(kBlock, directions.size() - first));
+        Block block(field.order(), some, {});
+        block.legendre.synthesize(coefficients, block.fourier);
+        for (std::size_t i = 0; i < some.size(); ++i) out[first + i] = block.sum(i);
+    }
+}
+
+void project_samples(int order, std::span<const glm::dvec3> directions, std::span<const Stokes> samples,
+                     std::span<const double> weights, std::span<double> coefficients) {
+    require_order(order);
+    require_size(samples.size(), directions.size(), "samples");
+    require_size(weights.size(), directions.size(), "weights");
+    require_size(coefficients.size(), 4 * psh_count(order), "coefficients");
+    require_finite(weights, "weights");
+    std::ranges::fill(coefficients, 0.0);
+    std::vector<double> part(coefficients.size());
+    for (std::size_t first = 0; first < directions.size(); first += kBlock) {
+        const std::size_t count = std::min(kBlock, directions.size() - first);
+        Block block(order, directions.subspan(first, count), weights.subspan(first, count));
+        for (std::size_t i = 0; i < count; ++i) {
+            for (int p = 0; p < 4; ++p)
+                require(std::isfinite(samples[first + i][p]),
+                        "samples value " + std::to_string(first + i) + " is not finite");
+            block.spread(i, samples[first + i]);
+        }
+        block.legendre.analyze(block.fourier, part);
+        for (std::size_t i = 0; i < part.size(); ++i) coefficients[i] += part[i];
     }
 }
 

@@ -92,6 +92,36 @@ TEST_CASE("harmonics_at holds what evaluate sums, and batches equal singles") {
     }
 }
 
+TEST_CASE("projecting samples is the adjoint of evaluating them") {
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal;
+    const PshVector f = reference::random_field(random, 11);
+    std::vector<glm::dvec3> directions = {{0, 0, 1}, {0, 0, -1}};
+    while (directions.size() < 300) directions.push_back(reference::random_direction(random));
+    std::vector<Stokes> samples(directions.size());
+    std::vector<double> weights(directions.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        samples[i] = {normal(random), normal(random), normal(random), normal(random)};
+        weights[i] = normal(random);
+    }
+    std::vector<double> projected(f.data().size());
+    project_samples(11, directions, samples, weights, projected);
+    std::vector<Stokes> values(directions.size());
+    evaluate(f, 0, directions, values);
+    double left = 0;
+    double right = 0;
+    for (std::size_t i = 0; i < projected.size(); ++i) left += projected[i] * f.data()[i];
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        for (int p = 0; p < 4; ++p) right += weights[i] * samples[i][p] * values[i][p];
+    CHECK(left == doctest::Approx(right).epsilon(1e-12));
+    CHECK_THROWS_AS(project_samples(11, directions, samples, std::span(weights).first(3), projected), Error);
+    weights[7] = NAN;
+    CHECK_THROWS_AS(project_samples(11, directions, samples, weights, projected), Error);
+    weights[7] = 1;
+    samples[9][2] = INFINITY;
+    CHECK_THROWS_AS(project_samples(11, directions, samples, weights, projected), Error);
+}
+
 TEST_CASE("evaluation refuses bad arguments") {
     PshVector f(2, 1);
     CHECK_THROWS_AS((void)evaluate(f, 0, {0, 0, 0}), Error);
