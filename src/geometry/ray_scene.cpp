@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/ray_scene.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "nicol/error.hpp"
+
+namespace nicol {
+namespace {
+
+// Embree squares coordinates in single precision.
+constexpr float largest_coordinate = 1e15F;
+
+[[noreturn]] void refuse(std::size_t surface, const std::string& message) {
+    throw Error(ErrorCode::invalid_argument, "surface " + std::to_string(surface) + ": " + message);
+}
+
+/// The largest coordinate.
+float check(std::size_t index, const RaySurface& surface) {
+    float largest = 0;
+    for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+        const glm::vec3& p = surface.positions[v];
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(std::abs(p[axis]) <= largest_coordinate)) {
+                refuse(index, "vertex " + std::to_string(v) + " is not finite or beyond 1e15");
+            }
+            largest = std::max(largest, std::abs(p[axis]));
+        }
+    }
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const glm::uvec3& corners = surface.triangles[t];
+        if (std::max({corners.x, corners.y, corners.z}) >= surface.positions.size()) {
+            refuse(index, "triangle " + std::to_string(t) + " has a vertex that does not exist; there are " +
+                              std::to_string(surface.positions.size()));
+        }
+    }
+    return largest;
+}
+
+}  // namespace
+
+struct RayScene::Embree {
+    template <auto release>
+    struct Release {
+        template <class T>
+        void operator()(T* object) const {
+            release(object);
+        }
+    };
+    std::unique_ptr<RTCDeviceTy, Release<rtcReleaseDevice>> device{rtcNewDevice(nullptr)};
+    std::unique_ptr<RTCSceneTy, Release<rtcReleaseScene>> scene;
+
+    Embree() {
+        if (device) scene.reset(rtcNewScene(device.get()));
+        check();
+        rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+    }
+
+    void check() const {
+        const RTCError error = rtcGetDeviceError(device.get());
+        if (error == RTC_ERROR_NONE && scene) return;
+        if (error == RTC_ERROR_OUT_OF_MEMORY) {
+            throw Error(ErrorCode::out_of_memory, "not enough memory for the rays' hierarchy of boxes");
+        }
+        throw Error(ErrorCode::internal,
+                    "Embree failed with error " + std::to_string(static_cast<int>(error)));
+    }
+
+    void add(const RaySurface& surface, unsigned id) {
+        const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        const std::size_t vertices = surface.positions.size();
+        const std::size_t triangles = surface.triangles.size();
+        void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                  sizeof(glm::vec3), vertices);
+        void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                sizeof(glm::uvec3), triangles);
+        if (positions != nullptr && indices != nullptr) {
+            std::ranges::copy(surface.positions, static_cast<glm::vec3*>(positions));
+            std::ranges::copy(surface.triangles, static_cast<glm::uvec3*>(indices));
+            rtcCommitGeometry(geometry);
+            rtcAttachGeometryByID(scene.get(), geometry, id);
+        }
+        rtcReleaseGeometry(geometry);
+        check();
+    }
+};
+
+RayScene::RayScene(std::span<const RaySurface> surfaces) {
+    float largest = 0;
+    for (std::size_t s = 0; s < surfaces.size(); ++s) largest = std::max(largest, check(s, surfaces[s]));
+    offset_ = std::ldexp(static_cast<double>(largest), -19);
+
+    embree_ = std::make_unique<Embree>();
+    for (std::size_t s = 0; s < surfaces.size(); ++s) {
+        if (!surfaces[s].triangles.empty()) embree_->add(surfaces[s], static_cast<unsigned>(s));
+    }
+    rtcCommitScene(embree_->scene.get());
+    embree_->check();
+}
+
+RayScene::~RayScene() = default;
+
+std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
+    RTCRayHit query{};
+    const glm::vec3 origin(ray.origin);
+    const glm::vec3 direction(ray.direction);
+    query.ray.org_x = origin.x;
+    query.ray.org_y = origin.y;
+    query.ray.org_z = origin.z;
+    query.ray.dir_x = direction.x;
+    query.ray.dir_y = direction.y;
+    query.ray.dir_z = direction.z;
+    query.ray.tnear = static_cast<float>(ray.nearest);
+    query.ray.tfar = static_cast<float>(std::min(ray.farthest, double{std::numeric_limits<float>::max()}));
+    query.ray.mask = ~0U;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(embree_->scene.get(), &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return RayHit{.surface = query.hit.geomID,
+                  .triangle = query.hit.primID,
+                  .distance = static_cast<double>(query.ray.tfar),
+                  .b1 = static_cast<double>(query.hit.u),
+                  .b2 = static_cast<double>(query.hit.v)};
+}
+
+bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal,
+                        const glm::dvec3& direction) const {
+    const double side = glm::dot(normal, direction) < 0 ? -offset_ : offset_;
+    const glm::vec3 origin(point + side * normal);
+    const glm::vec3 towards(direction);
+    RTCRay ray{};
+    ray.org_x = origin.x;
+    ray.org_y = origin.y;
+    ray.org_z = origin.z;
+    ray.dir_x = towards.x;
+    ray.dir_y = towards.y;
+    ray.dir_z = towards.z;
+    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.mask = ~0U;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(embree_->scene.get(), &context, &ray);
+    // Embree marks an occluded ray with a negative length.
+    return ray.tfar < 0;
+}
+
+}  // namespace nicol

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Rays against triangles.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace nicol {
+
+/// Triangles of one surface in the world: indices into positions.
+struct RaySurface {
+    std::span<const glm::vec3> positions;
+    std::span<const glm::uvec3> triangles;
+};
+
+struct Ray {
+    glm::dvec3 origin{0.0};
+    glm::dvec3 direction{0, 0, 1};  ///< unit
+    double nearest = 0;             ///< distances that count: nearest to farthest, nearest >= 0
+    double farthest = std::numeric_limits<double>::infinity();
+};
+
+struct RayHit {
+    std::uint32_t surface;   ///< index into the surfaces given
+    std::uint32_t triangle;  ///< index into its triangles
+    double distance;
+    double b1, b2;  ///< barycentric weights of the triangle's corners 1 and 2; corner 0 has the rest
+};
+
+/// A bounding volume hierarchy (Embree's, in its robust mode: a ray does not slip between two triangles that
+/// share an edge). Triangles are seen from both sides. Immutable; queries may be made from any thread.
+class RayScene {
+public:
+    /// Copies what it needs; surfaces may be empty. Throws Error(invalid_argument) naming the surface and
+    /// vertex or triangle for a position that is not finite or beyond 1e15 and an index out of range,
+    /// Error(out_of_memory), Error(internal) where Embree fails.
+    explicit RayScene(std::span<const RaySurface> surfaces);
+    ~RayScene();
+    RayScene(const RayScene&) = delete;
+    RayScene& operator=(const RayScene&) = delete;
+
+    [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
+
+    /// Whether anything lies in the unit `direction` from `point`, which itself lies on a triangle with the
+    /// unit `normal` (either sign). The ray starts offset() away from the triangle, on the side that it
+    /// leaves to.
+    [[nodiscard]] bool occluded(const glm::dvec3& point, const glm::dvec3& normal,
+                                const glm::dvec3& direction) const;
+
+    /// 2^-19 of the largest coordinate in the scene: some 30 units in the last place of the 32-bit floats
+    /// that hold it, against which a triangle's own plane is known to about 1.
+    [[nodiscard]] double offset() const noexcept { return offset_; }
+
+private:
+    struct Embree;
+    std::unique_ptr<Embree> embree_;
+    double offset_ = 0;
+};
+
+}  // namespace nicol

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "reference/direct_light.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace nicol {
+
+struct DirectLight::Hit {
+    const Surface& surface;
+    glm::dvec3 position;
+    glm::dvec3 geometric_normal;
+    Frame frame;                ///< z = the shading normal
+    glm::dvec3 towards_viewer;  ///< in that frame
+};
+
+DirectLight::DirectLight(const Scene& scene, Strategy strategy)
+    : environment_(scene.environment().get()),
+      light_to_world_(scene.light_rotation()),
+      light_scale_(scene.light_scale()),
+      strategy_(strategy) {
+    if (environment_ != nullptr) {
+        channels_ = environment_->channels();
+        light_sampler_ = std::make_unique<LightSampler>(*environment_);
+    }
+    std::vector<RaySurface> triangles;
+    surfaces_.reserve(scene.instances().size());
+    for (const Instance& instance : scene.instances()) {
+        const Material& material = *instance.material;
+        channels_ = std::max(channels_, material.channels());
+        const SurfaceSampler& sampler = samplers_.try_emplace(&material, material).first->second;
+        surfaces_.push_back({transformed(*instance.mesh, instance.to_world), &material, &sampler});
+        triangles.push_back({surfaces_.back().mesh.positions, surfaces_.back().mesh.triangles});
+        triangles_ += surfaces_.back().mesh.triangles.size();
+    }
+    rays_ = std::make_unique<RayScene>(triangles);
+}
+
+void DirectLight::add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
+                      const glm::dvec2& surface_point, std::span<Stokes> sum, Workspace& workspace) const {
+    if (environment_ == nullptr) return;
+    const std::optional<RayHit> found = rays_->intersect(ray);
+    if (!found) {
+        add_background(ray.direction, received, sum);
+        return;
+    }
+    const Hit hit = hit_at(*found, -ray.direction);
+    if (!(hit.towards_viewer.z > 0)) return;
+
+    if (strategy_ != Strategy::surface && !light_sampler_->dark()) {
+        const LightSample light = light_sampler_->sample(light_point);
+        const glm::dvec3 towards_light = (light_to_world_ * light.towards_light) * hit.frame;
+        add_reflected(hit, towards_light, pdf(hit, towards_light), received, sum, workspace);
+    }
+    if (strategy_ != Strategy::light) {
+        const glm::dvec3 towards_light = hit.surface.sampler->sample(hit.towards_viewer, surface_point);
+        add_reflected(hit, towards_light, pdf(hit, towards_light), received, sum, workspace);
+    }
+}
+
+DirectLight::Hit DirectLight::hit_at(const RayHit& hit, const glm::dvec3& towards_viewer) const {
+    const Surface& surface = surfaces_[hit.surface];
+    const glm::uvec3& corners = surface.mesh.triangles[hit.triangle];
+    const glm::dvec3 weights(1 - hit.b1 - hit.b2, hit.b1, hit.b2);
+    // From the corners rather than along the ray, which is known to single precision only.
+    glm::dmat3 positions;
+    glm::dvec3 shading_normal(0.0);
+    for (int i = 0; i < 3; ++i) {
+        positions[i] = surface.mesh.positions[corners[i]];
+        shading_normal += weights[i] * glm::dvec3(surface.mesh.normals[corners[i]]);
+    }
+    const glm::dvec3 normal =
+        glm::normalize(glm::cross(positions[1] - positions[0], positions[2] - positions[0]));
+    const double length = glm::length(shading_normal);
+    const Frame frame = theta_phi_frame(length > 0 ? shading_normal / length : normal);
+    return {.surface = surface,
+            .position = positions * weights,
+            .geometric_normal = normal,
+            .frame = frame,
+            .towards_viewer = glm::normalize(towards_viewer * frame)};
+}
+
+void DirectLight::add_background(const glm::dvec3& direction, const Frame& received,
+                                 std::span<Stokes> sum) const {
+    const glm::dvec3 towards_light = glm::normalize(direction * light_to_world_);
+    const double turn = angle_between(light_to_world_ * theta_phi_frame(-towards_light), received);
+    for (int c = 0; c < channels_; ++c)
+        sum[static_cast<std::size_t>(c)] += turned(radiance(c, towards_light), turn);
+}
+
+void DirectLight::add_reflected(const Hit& hit, const glm::dvec3& towards_light, double pdf,
+                                const Frame& received, std::span<Stokes> sum, Workspace& workspace) const {
+    if (!(towards_light.z > 0) || !(pdf > 0)) return;
+    const glm::dvec3 in_world = glm::normalize(hit.frame * towards_light);
+    ++workspace.shadow_rays;
+    if (rays_->occluded(hit.position, hit.geometric_normal, in_world)) return;
+
+    const Material& material = *hit.surface.material;
+    const int terms = material.terms();
+    workspace.terms.resize(static_cast<std::size_t>(terms));
+    for (int t = 0; t < terms; ++t) {
+        workspace.terms[static_cast<std::size_t>(t)] =
+            material.evaluate(t, towards_light, hit.towards_viewer);
+    }
+    const glm::dvec3 in_light = glm::normalize(in_world * light_to_world_);
+    const double turn_in = environment_->polarized()
+                               ? angle_between(light_to_world_ * theta_phi_frame(-in_light),
+                                               hit.frame * theta_phi_frame(-towards_light))
+                               : 0;
+    const double turn_out = angle_between(hit.frame * theta_phi_frame(hit.towards_viewer), received);
+    for (int c = 0; c < channels_; ++c) {
+        const Stokes incident = turned(radiance(c, in_light), turn_in);
+        Stokes reflected(0.0);
+        for (int t = 0; t < terms; ++t) {
+            const double weight = material.weight(t, material.channels() == 1 ? 0 : c);
+            reflected += weight * (workspace.terms[static_cast<std::size_t>(t)] * incident);
+        }
+        sum[static_cast<std::size_t>(c)] += turned(towards_light.z / pdf * reflected, turn_out);
+    }
+}
+
+double DirectLight::pdf(const Hit& hit, const glm::dvec3& towards_light) const {
+    double sum = 0;
+    if (strategy_ != Strategy::surface)
+        sum += light_sampler_->pdf(glm::normalize((hit.frame * towards_light) * light_to_world_));
+    if (strategy_ != Strategy::light) sum += hit.surface.sampler->pdf(hit.towards_viewer, towards_light);
+    return sum;
+}
+
+Stokes DirectLight::radiance(int channel, const glm::dvec3& towards_light) const {
+    return light_scale_ * environment_->radiance(environment_->channels() == 1 ? 0 : channel, towards_light);
+}
+
+}  // namespace nicol

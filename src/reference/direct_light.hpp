@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The light that reaches the camera along a ray: the environment's, directly or after one reflection.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "geometry/ray_scene.hpp"
+#include "nicol/scene.hpp"
+#include "reference/light_sampler.hpp"
+#include "reference/surface_sampler.hpp"
+
+namespace nicol {
+
+/// Which directions a reflection is estimated from. Each alone is unbiased; together (weighted by the balance
+/// heuristic) they are the least noisy.
+enum class Strategy { both, light, surface };
+
+/// A scene made ready for rays. Immutable; its scene must not change meanwhile.
+class DirectLight {
+public:
+    /// Throws what RayScene throws.
+    DirectLight(const Scene& scene, Strategy strategy);
+
+    /// What one thread needs: room for one reflection, and its count.
+    struct Workspace {
+        std::vector<Mueller> terms;
+        std::uint64_t shadow_rays = 0;
+    };
+
+    [[nodiscard]] int channels() const noexcept { return channels_; }
+    [[nodiscard]] std::uint64_t triangles() const noexcept { return triangles_; }
+
+    /// Adds, for each channel, an estimate of the Stokes vector of the light that travels against the ray, in
+    /// `received`, whose z is -ray.direction. The points in [0, 1)^2 choose the directions towards the light.
+    void add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
+             const glm::dvec2& surface_point, std::span<Stokes> sum, Workspace& workspace) const;
+
+private:
+    struct Surface {
+        Mesh mesh;  ///< in the world
+        const Material* material;
+        const SurfaceSampler* sampler;
+    };
+    struct Hit;
+
+    [[nodiscard]] Hit hit_at(const RayHit& hit, const glm::dvec3& towards_viewer) const;
+    void add_background(const glm::dvec3& direction, const Frame& received, std::span<Stokes> sum) const;
+    void add_reflected(const Hit& hit, const glm::dvec3& towards_light, double pdf, const Frame& received,
+                       std::span<Stokes> sum, Workspace& workspace) const;
+    [[nodiscard]] double pdf(const Hit& hit, const glm::dvec3& towards_light) const;
+    [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const;
+
+    const Environment* environment_;
+    glm::dmat3 light_to_world_;
+    double light_scale_;
+    Strategy strategy_;
+    int channels_ = 1;
+    std::uint64_t triangles_ = 0;
+    std::vector<Surface> surfaces_;
+    std::map<const Material*, SurfaceSampler> samplers_;
+    std::unique_ptr<LightSampler> light_sampler_;
+    std::unique_ptr<RayScene> rays_;
+};
+
+}  // namespace nicol

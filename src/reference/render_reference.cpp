@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "reference/render_reference.hpp"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+#include <string>
+#include <thread>
+
+#include "nicol/error.hpp"
+#include "reference/camera_rays.hpp"
+#include "reference/low_discrepancy.hpp"
+#include "render/progress.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr int tile_side = 8;
+// Samples between two looks at the progress callback.
+constexpr int samples_a_look = 512;
+
+void check(const ReferenceOptions& options) {
+    if (options.samples < 1 || options.samples > kMaxReferenceSamples) {
+        throw Error(ErrorCode::invalid_argument, "samples is " + std::to_string(options.samples) +
+                                                     "; it must lie in 1 to " +
+                                                     std::to_string(kMaxReferenceSamples));
+    }
+    if (options.threads < 0) {
+        throw Error(ErrorCode::invalid_argument,
+                    "threads is " + std::to_string(options.threads) + "; it must be 0 (one a core) or more");
+    }
+}
+
+/// Counts samples on all threads; the thread that made it passes the count on.
+class SharedProgress {
+public:
+    SharedProgress(const Progress::Callback& callback, double total) : progress_(callback), total_(total) {}
+
+    /// Throws Error(cancelled).
+    void add(std::uint64_t samples) {
+        const std::uint64_t done = done_ += samples;
+        if (std::this_thread::get_id() == caller_)
+            progress_.report("trace", static_cast<double>(done) / total_);
+    }
+
+private:
+    Progress progress_;
+    double total_;
+    std::thread::id caller_ = std::this_thread::get_id();
+    std::atomic<std::uint64_t> done_ = 0;
+};
+
+class Tracer {
+public:
+    Tracer(const DirectLight& light, const CameraRays& rays, const ReferenceOptions& options,
+           SharedProgress& progress, tbb::task_group_context& group, StokesImage& image)
+        : light_(light), rays_(rays), options_(options), progress_(progress), group_(group), image_(image) {}
+
+    void trace(const tbb::blocked_range2d<int>& tile) {
+        DirectLight::Workspace workspace;
+        std::vector<Stokes> sum(static_cast<std::size_t>(image_.channels));
+        for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
+            for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
+                std::ranges::fill(sum, Stokes(0.0));
+                if (!sample_pixel(x, y, sum, workspace)) return;
+                for (int c = 0; c < image_.channels; ++c) {
+                    const Stokes mean =
+                        sum[static_cast<std::size_t>(c)] / static_cast<double>(options_.samples);
+                    const auto pixel = image_.at(c, y, x);
+                    for (std::size_t p = 0; p < 4; ++p)
+                        pixel[p] = static_cast<float>(mean[static_cast<glm::length_t>(p)]);
+                }
+            }
+        }
+        shadow_rays_ += workspace.shadow_rays;
+    }
+
+    [[nodiscard]] std::uint64_t shadow_rays() const { return shadow_rays_; }
+
+private:
+    /// False where the render has been stopped.
+    bool sample_pixel(int x, int y, std::span<Stokes> sum, DirectLight::Workspace& workspace) {
+        // Every pixel has points of its own, so neither tiles nor threads show.
+        const std::uint64_t pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
+        const LowDiscrepancy points(mixed(mixed(options_.seed, 0), pixel));
+        for (int first = 0; first < options_.samples; first += samples_a_look) {
+            const int last = std::min(first + samples_a_look, options_.samples);
+            for (int i = first; i < last; ++i) {
+                const auto index = static_cast<std::uint32_t>(i);
+                const glm::dvec2 position = points.point(index, 0);
+                const Ray ray = rays_.through(x + position.x, y + position.y);
+                light_.add(ray, rays_.frame(ray), points.point(index, 1), points.point(index, 2), sum,
+                           workspace);
+            }
+            if (group_.is_group_execution_cancelled()) return false;
+            progress_.add(static_cast<std::uint64_t>(last - first));
+        }
+        return true;
+    }
+
+    const DirectLight& light_;
+    const CameraRays& rays_;
+    const ReferenceOptions& options_;
+    SharedProgress& progress_;
+    tbb::task_group_context& group_;
+    StokesImage& image_;
+    std::atomic<std::uint64_t> shadow_rays_ = 0;
+};
+
+StokesImage render(const Scene& scene, const Projection& projection, int width, int height,
+                   const ReferenceOptions& options, ReferenceStatistics& statistics, Strategy strategy) {
+    const Stopwatch build;
+    const DirectLight light(scene, strategy);
+    StokesImage image(width, height, light.channels());
+    statistics.triangles = light.triangles();
+    statistics.build_ms = build.milliseconds();
+
+    const Stopwatch watch;
+    const std::uint64_t samples = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) *
+                                  static_cast<std::uint64_t>(options.samples);
+    SharedProgress progress(options.progress, static_cast<double>(samples));
+    tbb::task_group_context group;
+    const CameraRays rays(projection, width, height);
+    Tracer tracer(light, rays, options, progress, group, image);
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    arena.execute([&] {
+        tbb::parallel_for(
+            tbb::blocked_range2d<int>(0, height, tile_side, 0, width, tile_side),
+            [&](const tbb::blocked_range2d<int>& tile) { tracer.trace(tile); }, tbb::simple_partitioner(),
+            group);
+    });
+    statistics.camera_rays = samples;
+    statistics.shadow_rays = tracer.shadow_rays();
+    statistics.trace_ms = watch.milliseconds();
+    return image;
+}
+
+}  // namespace
+
+StokesImage render_reference(const Scene& scene, const Projection& projection, int width, int height,
+                             const ReferenceOptions& options, ReferenceStatistics& statistics,
+                             Strategy strategy) {
+    check(options);
+    try {
+        return render(scene, projection, width, height, options, statistics, strategy);
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::out_of_memory,
+                    "not enough memory for the scene's triangles, its light and a picture of " +
+                        std::to_string(width) + " x " + std::to_string(height));
+    }
+}
+
+}  // namespace nicol

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Directions towards the light, where the surface's lobes are more often.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "nicol/material.hpp"
+
+namespace nicol {
+
+/// A mixture of the cosine-weighted hemisphere and, for each lobe width of the material below 1, reflection
+/// off the facets of a GGX surface of that roughness that the viewer sees. All directions are in the
+/// surface's frame with the normal along z.
+class SurfaceSampler {
+public:
+    explicit SurfaceSampler(const Material& material);
+
+    /// A unit direction towards the light for a unit `towards_viewer` above the horizon; `point` in [0, 1)^2.
+    /// A facet may reflect below the horizon: such directions carry no light, and their share is part of the
+    /// density.
+    [[nodiscard]] glm::dvec3 sample(const glm::dvec3& towards_viewer, const glm::dvec2& point) const;
+    /// Per steradian, over the whole sphere; above 0 everywhere above the horizon.
+    [[nodiscard]] double pdf(const glm::dvec3& towards_viewer, const glm::dvec3& towards_light) const;
+
+private:
+    struct Lobe {
+        double roughness;
+        double share;
+    };
+    std::vector<Lobe> lobes_;
+    double cosine_share_ = 1;
+};
+
+}  // namespace nicol
