@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <numbers>
 
+#include "material/key.hpp"
 #include "material/reflectance.hpp"
 #include "nicol/material.hpp"
 
@@ -17,6 +18,9 @@ public:
     [[nodiscard]] int terms() const noexcept override { return 1; }
     [[nodiscard]] double weight(int, int channel) const override { return of_channel(reflectance_, channel); }
     [[nodiscard]] double lobe_width(int) const noexcept override { return 1; }
+    [[nodiscard]] std::string content_key() const override {
+        return Key("diffuse").add("reflectance", reflectance_).text();
+    }
 
     [[nodiscard]] Mueller evaluate(int, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {

@@ -27,4 +27,11 @@ double facet_visibility(Distribution distribution, double alpha, double cos_view
     return (3.535 * a + 2.181 * a * a) / (1 + 2.276 * a + 2.577 * a * a);
 }
 
+double facet_reflection(Distribution distribution, double alpha, const glm::dvec3& light,
+                        const glm::dvec3& viewer, const glm::dvec3& half) {
+    const double g =
+        facet_visibility(distribution, alpha, light.z) * facet_visibility(distribution, alpha, viewer.z);
+    return facet_density(distribution, alpha, half.z) * g / (4 * light.z * viewer.z);
+}
+
 }  // namespace nicol

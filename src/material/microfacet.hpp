@@ -14,4 +14,9 @@ namespace nicol {
 /// horizon. Exact for GGX; for Beckmann, Walter's rational fit, as in Mitsuba 3.
 [[nodiscard]] double facet_visibility(Distribution distribution, double alpha, double cos_view);
 
+/// Part of the light that facets with the half vector as their normal send from one direction to the other,
+/// without Fresnel's factor: D G / (4 cos cos), per steradian. Both directions above the horizon.
+[[nodiscard]] double facet_reflection(Distribution distribution, double alpha, const glm::dvec3& light,
+                                      const glm::dvec3& viewer, const glm::dvec3& half);
+
 }  // namespace nicol

@@ -22,4 +22,11 @@ void check_reflectance(const std::vector<double>& values, std::string_view name)
     for (const double value : values) check_range(value, 0, 1, name);
 }
 
+void check_channels(std::size_t a, std::string_view a_name, std::size_t b, std::string_view b_name) {
+    if (a == b || a == 1 || b == 1) return;
+    throw Error(ErrorCode::invalid_argument,
+                std::string(a_name) + " has " + std::to_string(a) + " channels and " + std::string(b_name) +
+                    " " + std::to_string(b) + "; they must agree, or one of them have a single value");
+}
+
 }  // namespace nicol

@@ -13,6 +13,9 @@ void check_reflectance(const std::vector<double>& values, std::string_view name)
 /// Throws Error(invalid_argument) unless low <= value <= high (so never for NaN).
 void check_range(double value, double low, double high, std::string_view name);
 
+/// Throws Error(invalid_argument) unless two parameters have as many values, or one of them a single one.
+void check_channels(std::size_t a, std::string_view a_name, std::size_t b, std::string_view b_name);
+
 /// One value stands for every channel.
 [[nodiscard]] inline double of_channel(const std::vector<double>& values, int channel) {
     return values.size() == 1 ? values.front() : values.at(static_cast<std::size_t>(channel));

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "nicol/conductor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "material/frames.hpp"
+#include "material/key.hpp"
+#include "material/microfacet.hpp"
+#include "material/reflectance.hpp"
+#include "nicol/error.hpp"
+
+namespace nicol {
+namespace {
+
+// One term for each index: a single one where colour is in the reflectance alone.
+class RoughConductor final : public Material {
+public:
+    explicit RoughConductor(RoughConductorParameters parameters) : p_(std::move(parameters)) {
+        if (p_.eta.empty())
+            throw Error(ErrorCode::invalid_argument, "eta has no value; give one, or one a channel");
+        for (const std::complex<double> eta : p_.eta) {
+            check_range(eta.real(), 0, 100, "eta");
+            check_range(-eta.imag(), 0, 100, "k");
+            if (std::abs(eta) < 1e-3)
+                throw Error(ErrorCode::invalid_argument, "eta and k are both zero; a metal has an index");
+        }
+        check_reflectance(p_.specular_reflectance, "specular_reflectance");
+        check_range(p_.alpha, 0.001, 1, "alpha");
+        check_channels(p_.eta.size(), "eta", p_.specular_reflectance.size(), "specular_reflectance");
+        if (std::all_of(p_.eta.begin(), p_.eta.end(), [this](auto eta) { return eta == p_.eta.front(); }) &&
+            p_.specular_reflectance.size() > 1)
+            p_.eta.resize(1);
+    }
+
+    [[nodiscard]] int channels() const noexcept override {
+        return static_cast<int>(std::max(p_.eta.size(), p_.specular_reflectance.size()));
+    }
+    [[nodiscard]] int terms() const noexcept override { return static_cast<int>(p_.eta.size()); }
+    [[nodiscard]] double weight(int term, int channel) const override {
+        return p_.eta.size() == 1 || term == channel ? of_channel(p_.specular_reflectance, channel) : 0;
+    }
+    [[nodiscard]] double lobe_width(int) const noexcept override { return p_.alpha; }
+    [[nodiscard]] std::string content_key() const override {
+        return Key("roughconductor")
+            .add("eta", p_.eta)
+            .add("specular_reflectance", p_.specular_reflectance)
+            .add("alpha", p_.alpha)
+            .add("distribution", p_.distribution == Distribution::ggx)
+            .text();
+    }
+
+    [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
+                                   const glm::dvec3& towards_viewer) const override {
+        if (towards_light.z <= 0 || towards_viewer.z <= 0) return {};
+        const Facet facet(p_, towards_light, towards_viewer);
+        return facet.reflect(p_.eta[static_cast<std::size_t>(term)]);
+    }
+    void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
+                        std::span<Mueller> out) const override {
+        if (towards_light.z <= 0 || towards_viewer.z <= 0) {
+            std::fill(out.begin(), out.end(), Mueller{});
+            return;
+        }
+        const Facet facet(p_, towards_light, towards_viewer);
+        for (std::size_t t = 0; t < p_.eta.size(); ++t) out[t] = facet.reflect(p_.eta[t]);
+    }
+
+private:
+    // What every index shares.
+    struct Facet {
+        Facet(const RoughConductorParameters& p, const glm::dvec3& light, const glm::dvec3& viewer)
+            : half(glm::normalize(light + viewer)),
+              cosine(std::min(1.0, glm::dot(viewer, half))),
+              scale(facet_reflection(p.distribution, p.alpha, light, viewer, half)),
+              turns(turns_from_s_frames(light, viewer)) {}
+        [[nodiscard]] Mueller reflect(std::complex<double> eta) const {
+            return in_turned_frames(scale, reflection_block(cosine, eta), turns);
+        }
+
+        glm::dvec3 half;
+        double cosine;
+        double scale;
+        SurfaceTurns turns;
+    };
+
+    RoughConductorParameters p_;
+};
+
+}  // namespace
+
+MaterialPtr rough_conductor(const RoughConductorParameters& parameters) {
+    return std::make_shared<RoughConductor>(parameters);
+}
+
+MaterialPtr conductor(std::vector<std::complex<double>> eta, std::vector<double> specular_reflectance) {
+    return rough_conductor({.eta = std::move(eta),
+                            .specular_reflectance = std::move(specular_reflectance),
+                            .alpha = kSmoothAlpha,
+                            .distribution = Distribution::beckmann});
+}
+
+}  // namespace nicol

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "material/frames.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "nicol/fresnel.hpp"
+
+namespace nicol {
+namespace {
+
+// From x along s (any length, perpendicular to the propagation z) to theta-hat.
+FrameTurn to_theta_phi(const glm::dvec3& s, const glm::dvec3& z) {
+    // Theta-hat and phi-hat times sin(theta): all lengths cancel in the ratios below.
+    glm::dvec3 theta_hat(z.x * z.z, z.y * z.z, -(z.x * z.x + z.y * z.y));
+    glm::dvec3 phi_hat(-z.y, z.x, 0);
+    if (!(-theta_hat.z > 1e-280)) {
+        theta_hat = {z.z, 0, 0};
+        phi_hat = {0, 1, 0};
+    }
+    const double cosine = glm::dot(theta_hat, s);
+    const double sine = -glm::dot(phi_hat, s);  // theta-hat . (z x s)
+    const double norm = 1 / (cosine * cosine + sine * sine);
+    return {(cosine * cosine - sine * sine) * norm, 2 * cosine * sine * norm};
+}
+
+void turn_rows(Mueller& m, const FrameTurn& turn) {
+    for (std::size_t q = 0; q < 4; ++q) {
+        const double m1 = m(1, q);
+        const double m2 = m(2, q);
+        m(1, q) = turn.cos2 * m1 + turn.sin2 * m2;
+        m(2, q) = turn.cos2 * m2 - turn.sin2 * m1;
+    }
+}
+
+}  // namespace
+
+SurfaceTurns turns_from_s_frames(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer) {
+    glm::dvec3 s = glm::cross(towards_light, towards_viewer);
+    if (glm::dot(s, s) < 1e-24) {
+        const glm::dvec3& v = towards_viewer;
+        const bool vertical = v.x * v.x + v.y * v.y < 1e-24;
+        s = vertical ? glm::dvec3(0, 1, 0) : glm::normalize(glm::dvec3(-v.y, v.x, 0));
+    }
+    return {to_theta_phi(s, -towards_light), to_theta_phi(s, towards_viewer)};
+}
+
+Mueller in_turned_frames(const Mueller& m, const SurfaceTurns& turns) {
+    Mueller out = m;
+    for (std::size_t p = 0; p < 4; ++p) {
+        out(p, 1) = turns.in.cos2 * m(p, 1) + turns.in.sin2 * m(p, 2);
+        out(p, 2) = turns.in.cos2 * m(p, 2) - turns.in.sin2 * m(p, 1);
+    }
+    turn_rows(out, turns.out);
+    return out;
+}
+
+ReflectionBlock reflection_block(double cos_incident, std::complex<double> eta) {
+    const double q2 = eta.real() * eta.real() - 1 + cos_incident * cos_incident;
+    if (eta.imag() == 0 && q2 > 0) {
+        const double q = std::sqrt(q2);
+        const double t = eta.real() * eta.real() * cos_incident;
+        const double s = (cos_incident - q) / (cos_incident + q);
+        const double p = (t - q) / (t + q);
+        return {(s * s + p * p) / 2, (s * s - p * p) / 2, s * p, 0};
+    }
+    const FresnelAmplitudes r = fresnel_amplitudes(cos_incident, eta);
+    const std::complex<double> cross = r.p * std::conj(r.s);
+    return {(std::norm(r.s) + std::norm(r.p)) / 2, (std::norm(r.s) - std::norm(r.p)) / 2, cross.real(),
+            cross.imag()};
+}
+
+Mueller in_turned_frames(double scale, const ReflectionBlock& block, const SurfaceTurns& turns) {
+    const double a = scale * block.a;
+    const double b = scale * block.b;
+    const double c = scale * block.c;
+    const double d = scale * block.d;
+    const auto& [ci, si] = turns.in;
+    Mueller out({a, b * ci, -b * si, 0, b, a * ci, -a * si, 0, 0, c * si, c * ci, -d, 0, d * si, d * ci, c});
+    turn_rows(out, turns.out);
+    return out;
+}
+
+}  // namespace nicol

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <utility>
+
+#include "nicol/error.hpp"
+#include "nicol/material.hpp"
+
+namespace nicol {
+namespace {
+
+class Twosided final : public Material {
+public:
+    explicit Twosided(MaterialPtr front) : front_(std::move(front)) {}
+
+    [[nodiscard]] int channels() const noexcept override { return front_->channels(); }
+    [[nodiscard]] int terms() const noexcept override { return front_->terms(); }
+    [[nodiscard]] double weight(int term, int channel) const override {
+        return front_->weight(term, channel);
+    }
+    [[nodiscard]] double lobe_width(int term) const noexcept override { return front_->lobe_width(term); }
+    [[nodiscard]] bool twosided() const noexcept override { return true; }
+    // Of the front: its tables serve.
+    [[nodiscard]] std::string content_key() const override { return front_->content_key(); }
+    [[nodiscard]] const IsotropicMatrix* matrix(int channel) const override {
+        return front_->matrix(channel);
+    }
+
+    [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
+                                   const glm::dvec3& towards_viewer) const override {
+        const bool back = towards_viewer.z < 0;
+        return front_->evaluate(term, on_front(towards_light, back), on_front(towards_viewer, back));
+    }
+    void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
+                        std::span<Mueller> out) const override {
+        const bool back = towards_viewer.z < 0;
+        front_->evaluate_terms(on_front(towards_light, back), on_front(towards_viewer, back), out);
+    }
+
+private:
+    // Half a turn about x. It takes theta-hat and phi-hat to their opposites, so no Stokes component changes.
+    static glm::dvec3 on_front(const glm::dvec3& d, bool back) {
+        return back ? glm::dvec3(d.x, -d.y, -d.z) : d;
+    }
+
+    MaterialPtr front_;
+};
+
+}  // namespace
+
+MaterialPtr twosided(MaterialPtr material) {
+    if (material == nullptr)
+        throw Error(ErrorCode::invalid_argument, "twosided: the material is null; give one");
+    return std::make_shared<Twosided>(std::move(material));
+}
+
+}  // namespace nicol
