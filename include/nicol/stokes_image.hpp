@@ -17,6 +17,9 @@ namespace nicol {
 inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 26;
 inline constexpr int kMaxImageSide = 32768;
 
+/// Most colour channels that are read from or written to a file.
+inline constexpr int kMaxFileChannels = 16;
+
 /// Stokes vectors as 32-bit floats, data[channel][y][x][p] with p = 0..3 for s0..s3. Row 0 is the top.
 /// The frame is that of whoever made it; for a rendered picture x points to image right, y to image up and z
 /// from the scene to the camera, so s2 > 0 at +45 degrees counter-clockwise as displayed.
@@ -25,6 +28,8 @@ struct StokesImage {
     int height = 0;
     int channels = 0;
     std::vector<float> data;
+    /// Of spectral pictures: nanometres, one a channel. Empty for colours.
+    std::vector<double> wavelengths;
 
     StokesImage() = default;
     /// All zero. Throws Error(invalid_argument) unless channels >= 1, 1 <= width, height <= kMaxImageSide and
@@ -37,8 +42,10 @@ struct StokesImage {
     /// The same as doubles. Throws as at().
     [[nodiscard]] Stokes stokes(int channel, int y, int x) const;
 
-    /// Throws Error(invalid_argument) naming `what` unless the sizes are in range and `data` has
-    /// channels * height * width * 4 elements. Every function of the library that takes a picture calls it.
+    /// Throws Error(invalid_argument) naming `what` unless the sizes are in range, `data` has channels *
+    /// height
+    /// * width * 4 elements, and `wavelengths` is empty or has one finite value > 0 a channel. Every function
+    /// of the library that takes a picture calls it.
     void check(const char* what) const;
 };
 
@@ -47,7 +54,7 @@ inline constexpr unsigned kStokesAll = 0b1111;
 
 /// How write_exr() writes.
 struct ExrOptions {
-    /// Components that get channels `S<p>.<colour>`, bits 1 << p. R G B (or Y) hold s0 in any case.
+    /// Components that get channels `S<p>.<colour>`, bits 1 << p. s0 is written in any case.
     unsigned components = kStokesAll;
     /// String attribute `stokesFrame`: the frame the components are measured in. The default is right for
     /// rendered pictures.
@@ -58,19 +65,32 @@ struct ExrOptions {
     std::string comment{};
 };
 
-/// Writes float32 channels with the names Mitsuba 3 uses: R G B (= s0) and S0.R S0.G S0.B ... S3.B for three
-/// colour channels, Y and S0.Y ... S3.Y for one. The file appears under its name only when complete; a
-/// failure leaves what was there before. Throws Error(invalid_argument) for another number of channels or
-/// no picture, Error(write_failed) naming the path.
+/// Writes float32 channels, p = 0..3:
+/// - three colour channels as Mitsuba 3 does, R G B (= s0) and S<p>.R S<p>.G S<p>.B; one as Y and S<p>.Y;
+/// - channels with wavelengths, each larger than the one before, in the layout of Fichet et al. (2021):
+///   S<p>.550,000000nm with the attributes spectralLayoutVersion "1.0", emissiveUnits and
+///   polarisationHandedness "right";
+/// - any other number up to kMaxFileChannels as S<p>.0 S<p>.1 ...
+/// The file appears under its name only when complete; a failure leaves what was there before. Throws
+/// Error(invalid_argument) for more channels, unordered wavelengths or no picture, Error(write_failed) naming
+/// the path.
 void write_exr(const std::filesystem::path& path, const StokesImage& image, const ExrOptions& options = {});
 
 /// Reads the channels that write_exr() writes, as float, half or uint, in scan lines or tiles, in any
 /// compression; of a multi-part file the first part. The picture is the data window. s0 comes from
 /// S0.<colour>, or from R G B / Y where that is absent; components without channels are zero, but a file with
-/// any of S1..S3 must have S1 and S2 in every colour. Other channels, such as A, are ignored. Throws
-/// Error(file_not_found); Error(unsupported) for deep or subsampled data; Error(invalid_file) naming what is
-/// missing, truncated or too large, or the first channel and pixel (x, y from the top left) that is not
-/// finite.
-[[nodiscard]] StokesImage read_exr(const std::filesystem::path& path);
+/// any of S1..S3 must have S1 and S2 in every colour. Other channels, such as A, are ignored.
+///
+/// A file with spectral channels is read as such, by increasing wavelength (names in m or Hz with any
+/// prefix); its R G B are a preview. polarisationHandedness "left" means that s3 > 0 is left circular there,
+/// and turns its sign. `wavelengths` (nm) chooses, in this order, the nearest channels of a spectral file and
+/// must lie within its range; without it a file may have at most kMaxFileChannels.
+///
+/// Throws Error(file_not_found); Error(unsupported) for deep or subsampled data, reflectances (T channels)
+/// and too many wavelengths; Error(invalid_argument) for `wavelengths` out of range or of a file that has
+/// none; Error(invalid_file) naming what is missing, truncated or too large, or the first channel and pixel
+/// (x, y from the top left) that is not finite.
+[[nodiscard]] StokesImage read_exr(const std::filesystem::path& path,
+                                   std::span<const double> wavelengths = {});
 
 }  // namespace nicol

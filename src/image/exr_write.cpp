@@ -8,13 +8,15 @@
 #include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 
-#include <array>
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <exception>
+#include <functional>
+#include <vector>
 
 #include "files/atomic_file.hpp"
-#include "image/exr_names.hpp"
+#include "image/exr_layout.hpp"
 #include "nicol/error.hpp"
 #include "nicol/stokes_image.hpp"
 
@@ -40,13 +42,28 @@ private:
     std::FILE* file_;
 };
 
+/// What stands behind "S<p>." for each channel.
+std::vector<std::string> exr_colours(const StokesImage& image) {
+    std::vector<std::string> colours;
+    for (const double nm : image.wavelengths) colours.push_back(exr_wavelength(nm));
+    if (!colours.empty()) return colours;
+    if (image.channels == 1) return {"Y"};
+    if (image.channels == 3) return {"R", "G", "B"};
+    for (int c = 0; c < image.channels; ++c) colours.push_back(std::to_string(c));
+    return colours;
+}
+
 }  // namespace
 
 void write_exr(const std::filesystem::path& path, const StokesImage& image, const ExrOptions& options) {
     image.check("write_exr: image");
-    if (image.channels != 1 && image.channels != 3)
+    if (image.channels > kMaxFileChannels)
         throw Error(ErrorCode::invalid_argument, "write_exr: image has " + std::to_string(image.channels) +
-                                                     " channels; it must have 1 (Y) or 3 (R G B)");
+                                                     " channels; it may have at most " +
+                                                     std::to_string(kMaxFileChannels));
+    if (std::ranges::adjacent_find(image.wavelengths, std::greater_equal()) != image.wavelengths.end())
+        throw Error(ErrorCode::invalid_argument,
+                    "write_exr: each wavelength must be larger than the one before");
     if ((options.components & ~kStokesAll) != 0)
         throw Error(ErrorCode::invalid_argument, "write_exr: components has bits beyond s0..s3 (0b1111)");
 
@@ -55,6 +72,12 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
     header.insert("software", Imf::StringAttribute("Nicol " NICOL_VERSION_STRING));
     if (!options.frame.empty()) header.insert("stokesFrame", Imf::StringAttribute(options.frame));
     if (!options.comment.empty()) Imf::addComments(header, options.comment);
+
+    if (!image.wavelengths.empty()) {
+        header.insert("spectralLayoutVersion", Imf::StringAttribute("1.0"));
+        header.insert("emissiveUnits", Imf::StringAttribute("W.m^-2.sr^-1"));
+        header.insert("polarisationHandedness", Imf::StringAttribute("right"));
+    }
 
     constexpr std::size_t pixel_bytes = 4 * sizeof(float);
     const std::size_t row_bytes = static_cast<std::size_t>(image.width) * pixel_bytes;
@@ -68,12 +91,14 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
         buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(base)),
                                        pixel_bytes, row_bytes));
     };
-    constexpr std::array<const char*, 3> rgb = {"R", "G", "B"};
+    const std::vector<std::string> colours = exr_colours(image);
+    const bool preview = image.wavelengths.empty() && (image.channels == 1 || image.channels == 3);
     for (int c = 0; c < image.channels; ++c) {
-        const std::string colour = image.channels == 1 ? "Y" : rgb[static_cast<std::size_t>(c)];
-        insert(colour, c, 0);
+        const std::string& colour = colours[static_cast<std::size_t>(c)];
+        if (preview) insert(colour, c, 0);
         for (std::size_t p = 0; p < 4; ++p)
-            if ((options.components >> p & 1u) != 0) insert(exr_channel(p, colour), c, p);
+            if ((options.components >> p & 1u) != 0 || (p == 0 && !preview))
+                insert(exr_channel(p, colour), c, p);
     }
 
     AtomicFile file(path);

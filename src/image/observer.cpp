@@ -222,6 +222,7 @@ StokesImage through_polarizer(const StokesImage& image, double angle) {
     const double c = std::cos(2 * angle);
     const double s = std::sin(2 * angle);
     StokesImage result(image.width, image.height, image.channels);
+    result.wavelengths = image.wavelengths;
     for (std::size_t i = 0; i < image.data.size(); i += 4) {
         const double passed =
             0.5 * (finite(image.data[i]) + c * finite(image.data[i + 1]) + s * finite(image.data[i + 2]));

@@ -2,6 +2,9 @@
 // Sizes and element access of Stokes pictures.
 #include "nicol/stokes_image.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "nicol/error.hpp"
 
 namespace nicol {
@@ -71,6 +74,11 @@ void StokesImage::check(const char* what) const {
         throw Error(ErrorCode::invalid_argument,
                     std::string(what) + ": data has " + std::to_string(data.size()) + " elements; " +
                         size_text(width, height, channels) + " need " + std::to_string(expected));
+    const bool valid =
+        std::ranges::all_of(wavelengths, [](double nm) { return nm > 0 && std::isfinite(nm); });
+    if (!valid || (!wavelengths.empty() && wavelengths.size() != static_cast<std::size_t>(channels)))
+        throw Error(ErrorCode::invalid_argument,
+                    std::string(what) + ": wavelengths must be empty or one finite value > 0 a channel");
 }
 
 }  // namespace nicol
