@@ -63,7 +63,6 @@ void TransferCache::project_light(const Scene& scene, int order, Statistics& sta
     if (!same_layout) {
         tables_.clear();
         layout_ = std::make_unique<LightLayout>(order, kind);
-        relight_ = std::make_unique<Relight>(*layout_);
         shade_ = std::make_unique<Shade>(*layout_);
     }
     statistics.project_ms += watch.milliseconds();
@@ -95,14 +94,15 @@ void TransferCache::relight(const Scene& scene, Progress& progress, Statistics& 
     PshVector light = rotated(light_, scene.light_rotation());
     for (double& coefficient : light.data()) coefficient *= scene.light_scale();
     const std::size_t vertices = geometry_.positions.size();
+    const Relight turn(*layout_, light);
     vertex_light_ = VertexLight(*layout_, light.channels(), vertices);
     for (std::size_t first = 0; first < vertices; first += chunk) {
         progress.report("relight", static_cast<double>(first) / static_cast<double>(vertices));
         const tbb::blocked_range<std::size_t> all(first, std::min(first + chunk, vertices), grain);
         arena_.execute([&] {
             tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& range) {
-                relight_->run(light, std::span(geometry_.normals).subspan(range.begin(), range.size()),
-                              range.begin(), vertex_light_);
+                turn.run(std::span(geometry_.normals).subspan(range.begin(), range.size()), range.begin(),
+                         vertex_light_);
             });
         });
     }

@@ -52,7 +52,6 @@ private:
     EnvironmentPtr environment_;  // that light_ was projected from
     PshVector light_;             // in the environment's axes, unscaled; one channel where all are equal
     std::unique_ptr<LightLayout> layout_;
-    std::unique_ptr<Relight> relight_;
     std::unique_ptr<Shade> shade_;
 
     std::map<MaterialPtr, ResponseTable> tables_;

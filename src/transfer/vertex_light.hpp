@@ -40,23 +40,25 @@ private:
     std::vector<float> data_;
 };
 
-/// Turns a distant light into the vertices' frames. The turn is Ry(-theta) Rz(-phi) for a normal at (theta,
-/// phi), with the y rotation as two constant matrices around a phase: d(theta) = i^m D e^{-ik theta} D^T
-/// i^-m', D = d(-pi/2).
+/// A distant light ready to be turned into many vertices' frames.
 class Relight {
 public:
-    explicit Relight(const LightLayout& layout);
+    /// `light`: coefficients in the world's axes, of at least the layout's order.
+    Relight(const LightLayout& layout, const PshVector& light);
 
-    /// `light`: coefficients in the world's axes, of at least the layout's order; `normals`: unit vectors,
-    /// one for each vertex of `out` from `first` on. Runs on the calling thread; calls for different vertices
-    /// may run side by side.
-    void run(const PshVector& light, std::span<const glm::vec3> normals, std::size_t first,
-             VertexLight& out) const;
+    /// `normals`: unit vectors, one for each vertex of `out` from `first` on. Runs on the calling thread;
+    /// calls for different vertices may run side by side.
+    void run(std::span<const glm::vec3> normals, std::size_t first, VertexLight& out) const;
 
 private:
+    struct Channel {
+        std::vector<std::complex<float>> s0;    // over complex harmonics, m >= 0
+        std::vector<std::complex<float>> s3;    // likewise, or empty
+        std::vector<std::complex<float>> spin;  // s1 + i s2, all m, or empty
+    };
+
     LightLayout layout_;
-    std::vector<float> half_turn_;  // blocks of d(-pi/2), and
-    std::vector<float> transposed_;
+    std::vector<Channel> channels_;
 };
 
 }  // namespace nicol
