@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Version, build information, result names and the last error of a thread. No context is needed.
+#include <barrier>
+#include <cmath>
+#include <set>
+#include <thread>
+
+#include "capi.hpp"
+
+using namespace capi_test;
+
+extern "C" int use_header(void);
+
+TEST_CASE("a C program can be linked to the library") {
+    CHECK(use_header() == 0);
+}
+
+TEST_CASE("the header's version is the library's") {
+    CHECK(nicol_version() == NICOL_VERSION);
+    CHECK(nicol_version() == NICOL_VERSION_MAJOR * 10000 + NICOL_VERSION_MINOR * 100 + NICOL_VERSION_PATCH);
+    CHECK(std::string(nicol_version_string()) == std::to_string(NICOL_VERSION_MAJOR) + "." +
+                                                     std::to_string(NICOL_VERSION_MINOR) + "." +
+                                                     std::to_string(NICOL_VERSION_PATCH));
+    CHECK(nicol_version_string() == nicol_version_string());
+}
+
+TEST_CASE("build information is a list of key=value that ends") {
+    std::set<std::string> keys;
+    std::uint32_t count = 0;
+    while (const char* fact = nicol_build_info(count)) {
+        const std::string text = fact;
+        const std::size_t equals = text.find('=');
+        CAPTURE(text);
+        REQUIRE(equals != std::string::npos);
+        CHECK(equals > 0);
+        CHECK(keys.insert(text.substr(0, equals)).second);
+        if (text.starts_with("version=")) CHECK(text.substr(8) == nicol_version_string());
+        if (text.starts_with("max_order=")) CHECK(text.substr(10) == std::to_string(NICOL_MAX_ORDER));
+        if (text.starts_with("max_channels=")) CHECK(text.substr(13) == std::to_string(NICOL_MAX_CHANNELS));
+        REQUIRE(++count < 1000);
+    }
+    for (const char* key : {"version", "source", "compiler", "backends", "methods", "max_order"})
+        CHECK_MESSAGE(keys.contains(key), key);
+    CHECK(nicol_build_info(count + 1) == nullptr);
+    CHECK(nicol_build_info(UINT32_MAX) == nullptr);
+}
+
+TEST_CASE("every result has a name of its own") {
+    std::set<std::string> names;
+    for (nicol_result result = NICOL_OK; result <= NICOL_ERROR_INTERNAL; ++result) {
+        const char* name = nicol_result_name(result);
+        REQUIRE(name != nullptr);
+        CHECK(name[0] != '\0');
+        CHECK_MESSAGE(names.insert(name).second, name);
+    }
+    for (const nicol_result result : {-1, NICOL_ERROR_INTERNAL + 1, INT32_MAX, INT32_MIN}) {
+        REQUIRE(nicol_result_name(result) != nullptr);
+        CHECK_FALSE(names.contains(nicol_result_name(result)));
+    }
+    CHECK(std::string(nicol_result_name(NICOL_ERROR_OUT_OF_MEMORY)) == "out of memory");
+}
+
+TEST_CASE("the last error is empty at first and stays after a success") {
+    std::thread([] {
+        const std::string first = nicol_last_error();
+        const nicol_result failed = nicol_mesh_retain(nullptr);
+        const std::string second = nicol_last_error();
+        const nicol_result succeeded = nicol_mesh_release(nullptr);
+        const std::string third = nicol_last_error();
+        CHECK(first.empty());
+        CHECK(failed == NICOL_ERROR_INVALID_HANDLE);
+        CHECK(second.find("nicol_mesh") != std::string::npos);
+        CHECK(succeeded == NICOL_OK);
+        CHECK(third == second);
+    }).join();
+}
+
+TEST_CASE("eight threads fail at once, each with its own message") {
+    constexpr std::size_t threads = 8;
+    constexpr std::uint32_t rounds = 200;
+    std::vector<std::string> wrong(threads);
+    std::barrier together(static_cast<std::ptrdiff_t>(threads));
+    std::vector<std::thread> running;
+    for (std::size_t t = 0; t < threads; ++t) {
+        running.emplace_back([&, t] {
+            for (std::uint32_t round = 0; round < rounds; ++round) {
+                nicol_camera camera = NICOL_CAMERA_INIT;
+                camera.struct_size = 100000 + static_cast<std::uint32_t>(t) * 1000 + round;
+                const double zero[3] = {};
+                together.arrive_and_wait();
+                const nicol_result result = nicol_camera_look_at(&camera, zero, zero, zero);
+                together.arrive_and_wait();
+                const std::string message = nicol_last_error();
+                if (result != NICOL_ERROR_INVALID_ARGUMENT ||
+                    message.find(std::to_string(camera.struct_size)) == std::string::npos) {
+                    wrong[t] = message;
+                }
+            }
+        });
+    }
+    for (std::thread& thread : running) thread.join();
+    for (const std::string& message : wrong) CHECK(message.empty());
+}
+
+TEST_CASE("messages are one line of whole characters, however long") {
+    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
+    nicol_mesh mesh = marker<nicol_mesh>();
+    for (const std::size_t length : {std::size_t{1500}, std::size_t{1501}, std::size_t{20000}}) {
+        std::string path = length % 2 == 1 ? "a\n" : "";
+        while (path.size() < length) path += "\xC3\xA9";  // two bytes a character
+        CHECK(nicol_mesh_load(context, (path + ".obj").c_str(), &mesh) == NICOL_ERROR_FILE_NOT_FOUND);
+        const std::string message = nicol_last_error();
+        CHECK(message.size() > 1000);
+        CHECK(message.find('\n') == std::string::npos);
+        std::size_t leads = 0, follows = 0;
+        for (const char c : message) {
+            if (c == '\xC3') ++leads;
+            if (c == '\xA9') ++follows;
+        }
+        CHECK(leads == follows);
+    }
+    CHECK(mesh == marker<nicol_mesh>());
+    OK(nicol_context_release(context));
+}
+
+TEST_CASE("a camera is turned towards its target") {
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    camera.fov = 30;
+    camera.far_clip = 7;
+    const double origin[] = {1, 2, 3}, target[] = {1, 2, -5}, up[] = {0, 2, 1};
+    OK(nicol_camera_look_at(&camera, origin, target, up));
+    // Columns: left, up, forward, position.
+    const double expected[] = {-1, 0, 0, 1, 0, 1, 0, 2, 0, 0, -1, 3, 0, 0, 0, 1};
+    for (std::size_t i = 0; i < 16; ++i) CHECK(camera.to_world[i] == doctest::Approx(expected[i]));
+    CHECK(camera.fov == 30);
+    CHECK(camera.far_clip == 7);
+    CHECK(camera.struct_size == sizeof camera);
+}
+
+TEST_CASE("a view without a direction is refused and leaves the camera alone") {
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    camera.to_world[3] = 42;
+    const double origin[] = {1, 2, 3}, target[] = {1, 2, -5}, up[] = {0, 1, 0}, along[] = {0, 0, 7};
+    const double nowhere[] = {0, 0, NAN}, zero[] = {0, 0, 0};
+    FAILS(nicol_camera_look_at(nullptr, origin, target, up), NICOL_ERROR_INVALID_ARGUMENT, "camera");
+    FAILS(nicol_camera_look_at(&camera, nullptr, target, up), NICOL_ERROR_INVALID_ARGUMENT, "origin");
+    FAILS(nicol_camera_look_at(&camera, origin, nullptr, up), NICOL_ERROR_INVALID_ARGUMENT, "target");
+    FAILS(nicol_camera_look_at(&camera, origin, target, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "up");
+    FAILS(nicol_camera_look_at(&camera, origin, origin, up), NICOL_ERROR_INVALID_ARGUMENT, "target");
+    FAILS(nicol_camera_look_at(&camera, origin, target, along), NICOL_ERROR_INVALID_ARGUMENT, "up");
+    FAILS(nicol_camera_look_at(&camera, origin, target, zero), NICOL_ERROR_INVALID_ARGUMENT, "up");
+    FAILS(nicol_camera_look_at(&camera, nowhere, target, up), NICOL_ERROR_INVALID_ARGUMENT, "look_at");
+    FAILS(nicol_camera_look_at(&camera, origin, nowhere, up), NICOL_ERROR_INVALID_ARGUMENT, "look_at");
+    CHECK(camera.to_world[3] == 42);
+    CHECK(camera.to_world[0] == 0);
+}

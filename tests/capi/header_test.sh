@@ -1,0 +1,39 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# nicol.h compiles without a warning in every dialect of C and C++ that its users may choose.
+# usage: header_test.sh FOLDER_OF_NICOL_H HEADER_USE_C COMPILER...
+set -eu
+include=$1
+source=$2
+shift 2
+
+compiled=0
+failed=0
+for macro in $(sed -n 's/^#define \(NICOL_[A-Z_]*_INIT\).*/\1/p' "$include/nicol.h"); do
+    grep -q "= $macro;" "$source" && continue
+    echo "$source does not use $macro" >&2
+    failed=1
+done
+
+compile() {
+    compiled=$((compiled + 1))
+    "$@" -Wall -Wextra -pedantic -Werror -fsyntax-only -I"$include" "$source" && return
+    echo "failed: $*" >&2
+    failed=1
+}
+
+for compiler in "$@"; do
+    for standard in c99 c11 c17 c2x; do
+        compile "$compiler" -x c -std=$standard -Wstrict-prototypes
+    done
+    # <stdint.h> takes long long, which C++98 does not have.
+    compile "$compiler" -x c++ -std=c++98 -Wno-long-long
+    for standard in c++11 c++14 c++17 c++20 c++23; do
+        case $("$compiler" --version) in
+        *clang*) [ $standard != c++23 ] || standard=c++2b ;;
+        esac
+        compile "$compiler" -x c++ -std=$standard
+    done
+done
+echo "$compiled compilations"
+[ "$compiled" -gt 0 ] && exit $failed

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT
+ * Every NICOL_..._INIT macro and callback type, as any dialect of C and C++ must take them. */
+#include "nicol.h"
+
+static void log_nothing(void* user, uint32_t severity, nicol_result code, const char* message) {
+    (void)user;
+    (void)severity;
+    (void)code;
+    (void)message;
+}
+
+static int32_t go_on(void* user, const char* verb, double fraction) {
+    (void)user;
+    (void)verb;
+    return fraction <= 1.0;
+}
+
+static void forget(void* user) {
+    (void)user;
+}
+
+int use_header(void);
+
+int use_header(void) {
+    nicol_context context = 0;
+    nicol_environment environment = 0;
+    nicol_material material = 0;
+    nicol_mesh mesh = 0;
+    nicol_scene scene = 0;
+    nicol_framebuffer framebuffer = 0;
+    nicol_spectrum spectrum = NICOL_SPECTRUM_INIT;
+    nicol_context_options context_options = NICOL_CONTEXT_OPTIONS_INIT;
+    nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
+    nicol_image image = NICOL_IMAGE_INIT;
+    nicol_sky sky = NICOL_SKY_INIT;
+    nicol_pplastic pplastic = NICOL_PPLASTIC_INIT;
+    nicol_mesh_data mesh_data = NICOL_MESH_DATA_INIT;
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    nicol_instance instance = NICOL_INSTANCE_INIT;
+    nicol_render_options render_options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_statistics statistics = NICOL_STATISTICS_INIT;
+    nicol_picture picture = NICOL_PICTURE_INIT;
+    nicol_psh_sampling sampling = NICOL_PSH_SAMPLING_INIT;
+    nicol_psh_mueller_field field = NICOL_PSH_MUELLER_FIELD_INIT;
+
+    context_options.log = log_nothing;
+    render_options.progress = go_on;
+    image.release = forget;
+    sky.radiance = spectrum;
+    pplastic.diffuse_reflectance = spectrum;
+    instance.mesh = mesh;
+    instance.material = material;
+    if (nicol_version() != (uint32_t)NICOL_VERSION) return 1;
+    if (context_options.struct_size != sizeof context_options || image.struct_size != sizeof image) return 2;
+    if (sky.struct_size != sizeof sky || pplastic.struct_size != sizeof pplastic) return 3;
+    if (mesh_data.struct_size != sizeof mesh_data || instance.struct_size != sizeof instance) return 4;
+    if (statistics.struct_size != sizeof statistics || picture.struct_size != sizeof picture) return 5;
+    if (sampling.struct_size != sizeof sampling || field.struct_size != sizeof field) return 9;
+    if (nicol_context_get_info(context, &info) != NICOL_ERROR_INVALID_HANDLE) return 6;
+    if (nicol_render(scene, &camera, &render_options, framebuffer) != NICOL_ERROR_INVALID_HANDLE) return 7;
+    return nicol_environment_release(environment) == NICOL_OK ? 0 : 8;
+}
