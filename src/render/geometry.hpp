@@ -18,10 +18,13 @@ struct VertexRange {
     MaterialPtr material;
 };
 
+/// An instance of a two-sided material appears twice, the second time turned inside out, so that each side
+/// has vertices of its own; of those triangles only the front may be drawn.
 struct WorldGeometry {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
-    std::vector<glm::uvec3> triangles;
+    std::vector<glm::uvec3> triangles;  ///< one-sided ones first
+    std::size_t one_sided = 0;          ///< how many of them
     std::vector<VertexRange> ranges;
 
     [[nodiscard]] std::size_t bytes() const noexcept {

@@ -51,7 +51,12 @@ void Painter::draw(const Scene& scene, const TransferCache& transfer, const Proj
         } else {
             picture.clear();
         }
-        if (groups_[g].vertices) gl::draw(picture, surface, *groups_[g].vertices);
+        if (!groups_[g].vertices) continue;
+        // Materials without a back are drawn black from behind, the others have triangles for each side.
+        const std::size_t one_sided = 3 * transfer.geometry().one_sided;
+        const std::size_t two_sided = groups_[g].vertices->index_count() - one_sided;
+        gl::draw(picture, surface, *groups_[g].vertices, 0, one_sided);
+        gl::draw(picture, surface, *groups_[g].vertices, one_sided, two_sided, {.cull = gl::Cull::back});
     }
     if (environment_) draw_background(scene, projection, target);
     gl::finish(*context_);

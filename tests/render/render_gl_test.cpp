@@ -181,6 +181,29 @@ TEST_CASE("a diffuse surface under constant light has its albedo's radiance, and
     });
 }
 
+TEST_CASE("a two-sided surface is lit on both sides, each by the light it faces") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Scene scene;
+        scene.add(
+            {.mesh = std::make_shared<const Mesh>(make_rectangle(2)), .material = twosided(diffuse({0.5}))});
+        // Brighter towards +z: s0 = 1 + z over the directions light comes from.
+        EquirectImage image(64, 33, 1);
+        for (int y = 0; y < 33; ++y) {
+            for (int x = 0; x < 64; ++x) {
+                const double theta = std::numbers::pi * y / 32;
+                const double phi = 2 * std::numbers::pi * (x + 0.5) / 64;
+                image.at(0, y, x)[0] = static_cast<float>(1 - std::cos(phi) * std::sin(theta));
+            }
+        }
+        scene.set_environment(image_environment(std::move(image)), glm::dmat3(1.0), 1);
+        // Lambert under 1 + c z, facing +-z: albedo (1 +- 2/3 c).
+        const StokesImage front = render(context, scene, camera_at({0, 0, 1}), 8);
+        CHECK(front.at(0, height / 2, width / 2)[0] == doctest::Approx(0.5 * (1 + 2.0 / 3)).epsilon(2e-3));
+        const StokesImage back = render(context, scene, camera_at({0, 0, -1}), 8);
+        CHECK(back.at(0, height / 2, width / 2)[0] == doctest::Approx(0.5 * (1 - 2.0 / 3)).epsilon(2e-3));
+    });
+}
+
 TEST_CASE("near things hide far ones whatever the order, and darkness is black") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     for (const bool near_first : {true, false}) {
