@@ -14,6 +14,12 @@ namespace nicol {
 
 AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
     if (!target_.has_filename()) fail(EISDIR);
+    // Renaming would put a file in the place of a device, a pipe or a folder.
+    std::error_code unknown;
+    const std::filesystem::file_status status = std::filesystem::status(target_, unknown);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+        throw Error(ErrorCode::write_failed, target_.string() + ": exists and is not a regular file");
+    }
     std::random_device random;
     for (int attempt = 0; attempt < 16; ++attempt) {
         temporary_ = target_;
