@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "material/row_integral.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "material/lobe_quadrature.hpp"
+#include "nicol/spin_harmonics.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Whether M_pq is even in the azimuth, for materials with mirror symmetry; else it is odd.
+constexpr bool is_even(std::size_t p, std::size_t q) {
+    return (p < 2) == (q < 2);
+}
+
+}  // namespace
+
+RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
+    : material_(material), layout_(layout), waves_(static_cast<std::size_t>(layout.order()) + 1) {
+    // Terms of one lobe width share their nodes, and then what evaluate_terms() shares.
+    const int terms = material.terms();
+    bool alike = true;
+    for (int t = 1; t < terms; ++t) alike = alike && material.lobe_width(t) == material.lobe_width(0);
+    if (alike) groups_.emplace_back();
+    for (int t = 0; t < terms; ++t) {
+        if (!alike) groups_.emplace_back();
+        groups_.back().push_back(t);
+    }
+    for (std::size_t j = 0; j < layout.size(); ++j) {
+        const LightLayout::Entry& e = layout.entries()[j];
+        if (runs_.empty() || runs_.back().part != e.part || runs_.back().m != e.m)
+            runs_.push_back({e.part, e.m, j, 0});
+        ++runs_.back().count;
+    }
+    const auto all = static_cast<std::size_t>(terms);
+    muellers_.resize(all);
+    moments_.resize(all * 16 * waves_);
+    scalar_.resize(psh_count(layout.order()));
+    spin2_.resize(psh_count(layout.order()));
+    harmonic_.resize(layout.size());
+    rows_.resize(all * 4 * layout.size());
+}
+
+std::span<const double> RowIntegral::integrate(double theta_out) {
+    std::ranges::fill(rows_, 0.0);
+    for (const std::vector<int>& terms : groups_) add_terms(theta_out, terms);
+    return rows_;
+}
+
+void RowIntegral::place_azimuths(double narrow, double wide) {
+    azimuths_.clear();
+    cosines_.clear();
+    sines_.clear();
+    for (const QuadratureNode& q : nodes_around(pi, 0, pi, narrow, wide)) {
+        const double c = std::cos(q.x);
+        const double s = std::sin(q.x);
+        azimuths_.push_back({c, s, q.weight});
+        double cosine = 1;
+        double sine = 0;
+        for (std::size_t m = 0; m < waves_; ++m) {
+            cosines_.push_back(cosine);
+            sines_.push_back(sine);
+            const double next = -(cosine * c - sine * s);
+            sine = -(sine * c + cosine * s);
+            cosine = next;
+        }
+    }
+}
+
+void RowIntegral::add_terms(double theta_out, std::span<const int> terms) {
+    const double lobe = material_.lobe_width(terms.front());
+    // Eight nodes a panel follow about four half-waves.
+    const double wide = std::min(pi / 4, 2 * pi / static_cast<double>(waves_));
+    const glm::dvec3 viewer(std::sin(theta_out), 0, std::cos(theta_out));
+    place_azimuths(std::min(1.0, lobe / std::max(lobe, viewer.x)), wide);
+    for (const QuadratureNode& node : nodes_around(theta_out, 0, pi / 2, lobe, wide)) {
+        take_moments(node.x, viewer, terms);
+        // Propagation is opposite: theta_p = pi - theta, so the half-angle functions change places.
+        const double sine = std::sin(node.x / 2);
+        const double cosine = std::cos(node.x / 2);
+        spin_harmonics(0, layout_.order(), cosine, sine, scalar_);
+        if (layout_.kind() != LightKind::unpolarized)
+            spin_harmonics(2, layout_.order(), cosine, sine, spin2_);
+        // With the factor cos(theta).
+        accumulate(std::sin(node.x) * std::cos(node.x) * node.weight, terms);
+    }
+}
+
+// Cosine moments of the even elements, sine moments of the odd ones, over the whole circle.
+void RowIntegral::take_moments(double theta, const glm::dvec3& viewer, std::span<const int> terms) {
+    std::ranges::fill(moments_, 0.0);
+    const auto columns = static_cast<std::size_t>(layout_.kind());
+    const double sin_theta = std::sin(theta);
+    const double cos_theta = std::cos(theta);
+    const bool together = terms.size() == muellers_.size();
+    for (std::size_t n = 0; n < azimuths_.size(); ++n) {
+        const AzimuthNode& node = azimuths_[n];
+        const glm::dvec3 light(sin_theta * node.cos_phi, sin_theta * node.sin_phi, cos_theta);
+        if (together) {
+            material_.evaluate_terms(light, viewer, muellers_);
+        } else {
+            muellers_[0] = material_.evaluate(terms.front(), light, viewer);
+        }
+        const double* cosines = &cosines_[n * waves_];
+        const double* sines = &sines_[n * waves_];
+        double* out = moments_.data();
+        for (std::size_t t = 0; t < terms.size(); ++t) {
+            for (std::size_t p = 0; p < 4; ++p) {
+                for (std::size_t q = 0; q < 4; ++q, out += waves_) {
+                    const double value = 2 * node.weight * muellers_[t](p, q);
+                    if (q >= columns || value == 0) continue;
+                    const double* wave = is_even(p, q) ? cosines : sines;
+                    for (std::size_t m = 0; m < waves_; ++m) out[m] += value * wave[m];
+                }
+            }
+        }
+    }
+}
+
+void RowIntegral::accumulate(double solid_angle, std::span<const int> terms) {
+    for (const Run& run : runs_) {
+        const auto m = static_cast<std::size_t>(std::abs(run.m));
+        const bool linear = run.part == LightKind::linear;
+        const double sign = run.m < 0 ? -1 : 1;
+        const double scale = solid_angle * (!linear && run.m > 0 ? std::numbers::sqrt2 : 1);
+        const std::vector<double>& harmonics = linear ? spin2_ : scalar_;
+        const int lowest = layout_.entries()[run.first].l;
+        double* h = &harmonic_[run.first];
+        for (std::size_t i = 0; i < run.count; ++i)
+            h[i] = scale * harmonics[psh_index(lowest + static_cast<int>(i), run.m)];
+        for (std::size_t t = 0; t < terms.size(); ++t) {
+            const auto moment = [&](std::size_t p, std::size_t q) {
+                return moments_[(16 * t + 4 * p + q) * waves_ + m];
+            };
+            for (std::size_t p = 0; p < 4; ++p) {
+                double factor = 0;
+                if (run.part == LightKind::unpolarized) {
+                    factor = moment(p, 0);
+                } else if (run.part == LightKind::full) {
+                    factor = moment(p, 3);
+                } else if (p < 2) {
+                    // f1 = Re, f2 = Im of z 2Y e^{im phi}: the part of Re z.
+                    factor = moment(p, 1) + sign * moment(p, 2);
+                } else {
+                    factor = moment(p, 2) - sign * moment(p, 1);
+                }
+                if (factor == 0) continue;
+                const std::size_t row = 4 * static_cast<std::size_t>(terms[t]) + p;
+                double* out = &rows_[row * layout_.size() + run.first];
+                for (std::size_t i = 0; i < run.count; ++i) out[i] += factor * h[i];
+            }
+        }
+    }
+}
+
+}  // namespace nicol

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The rows of a response table by quadrature.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "nicol/light_layout.hpp"
+#include "nicol/material.hpp"
+
+namespace nicol {
+
+/// Rows at any outgoing angle, term by term. Keeps its work space, so one object serves one thread.
+class RowIntegral {
+public:
+    /// Both must outlive the object.
+    RowIntegral(const Material& material, const LightLayout& layout);
+
+    /// Rows [term][p][j] (see ResponseTable) at a zenith angle in [0, pi/2), valid until the next call.
+    [[nodiscard]] std::span<const double> integrate(double theta_out);
+
+private:
+    struct AzimuthNode {
+        double cos_phi;  // of the direction towards the light
+        double sin_phi;
+        double weight;
+    };
+    /// A run of layout entries of the same part and degree; l ascends.
+    struct Run {
+        LightKind part;
+        int m;
+        std::size_t first;
+        std::size_t count;
+    };
+
+    void place_azimuths(double narrow, double wide);
+    void add_terms(double theta_out, std::span<const int> terms);
+    void take_moments(double theta, const glm::dvec3& viewer, std::span<const int> terms);
+    void accumulate(double solid_angle, std::span<const int> terms);
+
+    const Material& material_;
+    const LightLayout& layout_;
+    std::size_t waves_;  // order + 1
+    std::vector<std::vector<int>> groups_;
+    std::vector<Run> runs_;
+    std::vector<AzimuthNode> azimuths_;
+    std::vector<double> cosines_, sines_;  // [node][m] of m phi_p, phi_p = phi + pi of the propagation
+    std::vector<Mueller> muellers_;        // [term]
+    std::vector<double> moments_;          // [term in group][p][q][m]
+    std::vector<double> scalar_, spin2_;   // harmonics by psh_index
+    std::vector<double> harmonic_;         // by layout entry
+    std::vector<double> rows_;             // [term][p][j]
+};
+
+}  // namespace nicol
