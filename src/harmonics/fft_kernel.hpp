@@ -208,5 +208,32 @@ void multiply_lanes(int width, const double* d, const double* in, double* out) {
     }
 }
 
+void low_degrees(const double* folded, int count, const double* table, int degrees, double* sums) {
+    const FourUnaligned* four = reinterpret_cast<const FourUnaligned*>(folded);
+    const long n = count;
+    // Two degrees of the same parity at a time, each its cosine and its sine: four chains of additions.
+    for (int m = 0; m < degrees; ++m) {
+        if (m % 4 >= 2) continue;
+        const FourUnaligned* cosine = four + (m % 2) * n;
+        const FourUnaligned* sine = four + (2 + m % 2) * n;
+        const double* a = table + 2 * m * n;
+        const bool pair = m + 2 < degrees;
+        const double* b = pair ? a + 4 * n : a;
+        Four sum[4] = {};
+        for (long i = 0; i < n; ++i) {
+            sum[0] += a[2 * i] * cosine[i];
+            sum[1] += a[2 * i + 1] * sine[i];
+            sum[2] += b[2 * i] * cosine[i];
+            sum[3] += b[2 * i + 1] * sine[i];
+        }
+        FourUnaligned* out = reinterpret_cast<FourUnaligned*>(sums) + 2 * m;
+        out[0] += sum[0];
+        out[1] += sum[1];
+        if (!pair) continue;
+        out[4] += sum[2];
+        out[5] += sum[3];
+    }
+}
+
 }  // namespace
 }  // namespace nicol

@@ -2,8 +2,10 @@
 // The Fourier step. s0 + i s3 and s1 + i s2 are one complex sequence each, and eight sequences of several
 // rows are transformed at once.
 #include <cmath>
+#include <optional>
 
 #include "harmonics/batch_fft.hpp"
+#include "harmonics/low_degrees.hpp"
 #include "harmonics/require.hpp"
 #include "nicol/transform.hpp"
 
@@ -36,6 +38,7 @@ struct FourierTransform::Plan {
           phase(static_cast<std::size_t>(order_) + 1),
           data(BatchFft::kElement * static_cast<std::size_t>(columns_)) {
         for (int m = 0; m <= order; ++m) phase[static_cast<std::size_t>(m)] = std::polar(1.0, m * phi0);
+        if (LowDegrees::suits(order, columns)) low.emplace(order, columns);
     }
 
     /// Where degree m stands in a transform.
@@ -68,6 +71,20 @@ struct FourierTransform::Plan {
         for (std::size_t c = 0; c < n; ++c, row += 4, from += BatchFft::kElement) {
             (lane.spin ? row[1] : row[0]) = from[BatchFft::kLanes];
             (lane.spin ? row[2] : row[3]) = from[0];
+        }
+    }
+
+    /// s0, s3 and s1 + i s2 from sums with cosines and sines.
+    void store_low_degrees(std::span<const double> sums, FourierRows& out, int row) const {
+        const double scale = 1.0 / columns;
+        for (int m = 0; m <= order; ++m) {
+            const double* c = &sums[8 * static_cast<std::size_t>(m)];
+            const double* s = c + 4;
+            const Complex turn = scale * std::conj(unit(m));
+            out.s0[out.scalar_index(row, m)] = Complex(c[0], -s[0]) * turn;
+            out.s3[out.scalar_index(row, m)] = Complex(c[3], -s[3]) * turn;
+            out.spin[out.spin_index(row, -m)] = Complex(c[1] - s[2], c[2] + s[1]) * std::conj(turn);
+            out.spin[out.spin_index(row, m)] = Complex(c[1] + s[2], c[2] - s[1]) * turn;
         }
     }
 
@@ -122,6 +139,7 @@ struct FourierTransform::Plan {
     int order;
     int columns;
     BatchFft fft;
+    std::optional<LowDegrees> low;
     std::vector<Complex> phase;  // exp(i m phi0)
     std::vector<double> data;
     std::vector<Lane> lanes;
@@ -181,6 +199,13 @@ void FourierTransform::analyze(std::span<const double> samples, FourierRows& fou
     Plan& p = *plan_;
     const int rows = count_rows(samples.size(), p.columns, fourier, p.order, first_row);
     const auto row_size = 4 * static_cast<std::size_t>(p.columns);
+    if (p.low) {
+        for (int row = 0; row < rows; ++row)
+            p.store_low_degrees(
+                p.low->sums(samples.subspan(row_size * static_cast<std::size_t>(row), row_size)), fourier,
+                first_row + row);
+        return;
+    }
     p.lanes.clear();
     for (int row = 0; row < rows; ++row) {
         const auto one = samples.subspan(row_size * static_cast<std::size_t>(row), row_size);

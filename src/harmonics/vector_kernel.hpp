@@ -37,6 +37,10 @@ struct VectorKernel {
                       const double* roots);
     /// out[row] = sum over columns of d[row * width + column] in[column], in and out in groups of four.
     void (*multiply_lanes)(int width, const double* d, const double* in, double* out);
+    /// Adds to sums[2 m] and sums[2 m + 1] (groups of four), m = 0..degrees-1, the sums over i < count of
+    /// table[2 (m count + i)] cosine_(m % 2)[i] and table[2 (m count + i) + 1] sine_(m % 2)[i]; `folded`
+    /// holds cosine_0, cosine_1, sine_0 and sine_1, each of `count` groups of four.
+    void (*low_degrees)(const double* folded, int count, const double* table, int degrees, double* sums);
 };
 
 /// The fastest this processor can run.

@@ -6,6 +6,6 @@
 namespace nicol {
 
 extern const VectorKernel NICOL_KERNEL;
-const VectorKernel NICOL_KERNEL = {synthesize, analyze, fft_stage, multiply_lanes};
+const VectorKernel NICOL_KERNEL = {synthesize, analyze, fft_stage, multiply_lanes, low_degrees};
 
 }  // namespace nicol

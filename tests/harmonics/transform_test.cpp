@@ -49,6 +49,17 @@ TEST_CASE("a round trip at order 1000 keeps 5e-12") {
     CHECK(round_trip(random, 1000, gauss_legendre_rows(1001), 2016) <= 5e-12);
 }
 
+TEST_CASE("rows far longer than the order needs") {
+    std::mt19937_64 random(7);
+    for (const auto& [order, columns] :
+         {std::pair(9, 64), std::pair(9, 516), std::pair(0, 1024), std::pair(4, 66), std::pair(3, 4096),
+          std::pair(40, 400), std::pair(8, 68)}) {
+        CAPTURE(order);
+        CAPTURE(columns);
+        CHECK(round_trip(random, order, gauss_legendre_rows(order + 1), columns) <= 1e-13);
+    }
+}
+
 TEST_CASE("synthesis equals evaluation at the grid points") {
     std::mt19937_64 random(3);
     const int order = 40;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "harmonics/low_degrees.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "harmonics/vector_kernel.hpp"
+
+namespace nicol {
+
+LowDegrees::LowDegrees(int order, int columns)
+    : order_(order),
+      columns_(columns),
+      folded_(16 * kBlock),
+      sums_(8 * (static_cast<std::size_t>(order) + 1)) {
+    // Columns 0 to columns / 4; the first and the last stand for two points of the row, not four.
+    const int quarter = columns / 4;
+    for (int first = 0; first <= quarter; first += kBlock)
+        for (int m = 0; m <= order; ++m)
+            for (int c = first; c < std::min(first + kBlock, quarter + 1); ++c) {
+                const long long turn = static_cast<long long>(m) * c % columns;
+                const double angle = 2 * std::numbers::pi * static_cast<double>(turn) / columns;
+                table_.push_back(std::cos(angle));
+                table_.push_back(std::sin(angle));
+            }
+}
+
+std::span<const double> LowDegrees::sums(std::span<const double> samples) {
+    std::ranges::fill(sums_, 0.0);
+    const int quarter = columns_ / 4;
+    const double* table = table_.data();
+    for (int first = 0; first <= quarter; first += kBlock) {
+        const int count = std::min(kBlock, quarter + 1 - first);
+        const long set = 4L * count;
+        for (int i = 0; i < count; ++i) {
+            const int c = first + i;
+            const double weight = c == 0 || c == quarter ? .5 : 1;
+            const double* a = samples.data() + 4L * c;
+            const double* b = samples.data() + 4L * (columns_ / 2 - c);
+            const double* d = samples.data() + 4L * (columns_ / 2 + c);
+            const double* e = samples.data() + 4L * (c == 0 ? 0 : columns_ - c);
+            double* to = folded_.data() + 4L * i;
+            for (int p = 0; p < 4; ++p) {
+                const double near_sum = weight * (a[p] + e[p]);
+                const double far_sum = weight * (b[p] + d[p]);
+                const double near_gap = weight * (a[p] - e[p]);
+                const double far_gap = weight * (d[p] - b[p]);
+                to[p] = near_sum + far_sum;
+                to[set + p] = near_sum - far_sum;
+                to[2 * set + p] = near_gap + far_gap;
+                to[3 * set + p] = near_gap - far_gap;
+            }
+        }
+        vector_kernel().low_degrees(folded_.data(), count, table, order_ + 1, sums_.data());
+        table += 2L * count * (order_ + 1);
+    }
+    return sums_;
+}
+
+}  // namespace nicol

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Fourier coefficients of a few low degrees of a long row, without a whole transform.
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+namespace nicol {
+
+/// The four points of a row that mirror each other in the axes share their cosines and sines, so a degree
+/// costs half a multiplication a sample and component.
+class LowDegrees {
+public:
+    /// Whether this is faster than a transform.
+    [[nodiscard]] static bool suits(int order, int columns) {
+        return columns % 4 == 0 && columns >= 8 * order && columns >= 64 && order <= 64;
+    }
+
+    LowDegrees(int order, int columns);
+
+    /// Sums over c of samples[c][p] cos(2 pi m c / columns) at [2 m][p], of sines at [2 m + 1][p].
+    std::span<const double> sums(std::span<const double> samples);
+
+private:
+    static constexpr int kBlock = 64;
+
+    int order_;
+    int columns_;
+    std::vector<double> table_;   // by block: [m][i] cos, sin
+    std::vector<double> folded_;  // [4][block][4]
+    std::vector<double> sums_;
+};
+
+}  // namespace nicol
