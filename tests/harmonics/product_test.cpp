@@ -8,6 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <string>
 
 #include "harmonics/reference.hpp"
 #include "nicol/error.hpp"
@@ -27,6 +31,23 @@ std::vector<double> random_scalar(std::mt19937_64& random, int order) {
 PshVector as_field(const std::vector<double>& scalar, int order) {
     PshVector out(order, 1);
     for (std::size_t i = 0; i < scalar.size(); ++i) out.data()[4 * i] = scalar[i];
+    return out;
+}
+
+/// The doubles of the last array in an uncompressed .npz file; empty where there is no such file.
+std::vector<double> npz_values(const std::string& name) {
+    const char* folder = std::getenv("NICOL_TEST_DATA");
+    std::ifstream file(std::string(folder != nullptr ? folder : "") + "/polarsh/" + name, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::size_t magic = bytes.rfind("\x93NUMPY");
+    if (magic == std::string::npos) return {};
+    const auto byte = [&](std::size_t i) {
+        return static_cast<std::size_t>(static_cast<unsigned char>(bytes.at(i)));
+    };
+    const std::size_t first = magic + 10 + byte(magic + 8) + 256 * byte(magic + 9);
+    // Behind the values stands the archive's table of contents.
+    std::vector<double> out((bytes.find("PK\x01\x02", first) - first) / sizeof(double));
+    std::memcpy(out.data(), bytes.data() + first, out.size() * sizeof(double));
     return out;
 }
 
@@ -78,6 +99,30 @@ TEST_CASE("the shadow matrix is symmetric, keeps spins apart, and is the identit
             const bool spin2_low = (i % 4 == 1 || i % 4 == 2) && i / 4 < 4;
             CHECK(std::abs(identity(i, j) - (i == j && !spin2_low)) < 1e-14);
         }
+}
+
+TEST_CASE("the shadow matrix of a vertex of the authors' data (Fig. 13) equals theirs") {
+    const std::vector<double> visibility = npz_values("vis_SHVec_buddha_v17650_256_L9.npz");
+    const std::vector<double> published = npz_values("vis_TPmat_buddha_v17650_256_L5.npz");
+    if (visibility.empty() || published.empty()) {
+        MESSAGE("skipped: no polarsh data in NICOL_TEST_DATA");
+        return;
+    }
+    REQUIRE(visibility.size() == psh_count(8));
+    REQUIRE(published.size() == 25 * 25 * 9);
+    const CoefficientMatrix matrix = ShadowMatrix(8, 4, 4).expand(visibility);
+    double worst = 0;
+    double largest = 0;
+    for (std::size_t i = 0; i < 25; ++i)
+        for (std::size_t j = 0; j < 25; ++j)
+            for (std::size_t p = 0; p < 3; ++p)
+                for (std::size_t q = 0; q < 3; ++q) {
+                    const double want = published[(i * 25 + j) * 9 + p * 3 + q];
+                    worst = std::max(worst, std::abs(matrix(4 * i + p, 4 * j + q) - want));
+                    largest = std::max(largest, std::abs(want));
+                }
+    CHECK(largest > .1);
+    CHECK(worst < 1e-6);
 }
 
 TEST_CASE("products refuse bad arguments") {

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -83,6 +84,23 @@ TEST_CASE("D is d between phases") {
             const auto want = entry(d, 3, m, n) * std::exp(std::complex<double>(0, -m * .4 + n * 1.3));
             CHECK(std::abs(D[static_cast<std::size_t>((m + 3) * 7 + n + 3)] - want) < 1e-14);
         }
+}
+
+TEST_CASE("entries that start below the range of double grow back at order 1000") {
+    const int l = 1000;
+    const auto D = wigner_D(l, 0, .9, 0);
+    double largest = 0;
+    for (const auto& [m, n] : {std::pair(700, -200), std::pair(-640, 300), std::pair(620, -10),
+                               std::pair(850, 100), std::pair(-200, 760), std::pair(0, 0), std::pair(3, -2),
+                               std::pair(1000, 998), std::pair(560, -560)}) {
+        const double want = reference::wigner_d(l, m, n, .9);
+        const double have = D[static_cast<std::size_t>((m + l) * (2 * l + 1) + n + l)].real();
+        CAPTURE(m);
+        CAPTURE(n);
+        CHECK(std::abs(have - want) < 1e-12);
+        largest = std::max(largest, std::abs(want));
+    }
+    CHECK(largest > .01);
 }
 
 TEST_CASE("Wigner matrices refuse bad arguments") {
