@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "nicol/psh.hpp"
@@ -37,6 +38,8 @@ public:
     [[nodiscard]] virtual bool polarized() const noexcept = 0;
     /// Some s3 is not zero.
     [[nodiscard]] virtual bool circular() const noexcept = 0;
+    /// Of spectral light: nanometres, one a channel. Empty for colours.
+    [[nodiscard]] virtual const std::vector<double>& wavelengths() const noexcept;
 
     /// Radiance from the unit direction `towards_light`, in the theta-phi frame (about the world's z) of the
     /// propagation direction -towards_light: theta_phi_frame(-towards_light).
@@ -57,18 +60,32 @@ protected:
 
 using EnvironmentPtr = std::shared_ptr<const Environment>;
 
-/// An OpenEXR file in the layout of EquirectImage (see read_exr() for the channels): R G B or Y is
-/// unpolarized light, S1.. S3 make it polarized. Values are multiplied by `scale`. Throws
-/// Error(invalid_argument) unless scale is finite and >= 0, and what read_exr() and image_environment()
-/// throw, as Error(invalid_file) naming the file.
-[[nodiscard]] EnvironmentPtr load_environment(const std::filesystem::path& path, double scale = 1);
+/// Light from a file, its values multiplied by `scale`:
+/// - `.npz`: coefficients, see read_psh_vector() and psh_environment();
+/// - any of `NAME_s0.exr` ... `NAME_s3.exr`, or `NAME` where no file has that name: see read_cube_cross();
+/// - else an OpenEXR file in the layout of EquirectImage (see read_exr() for the channels): R G B or Y is
+///   unpolarized light, S1.. S3 make it polarized. `wavelengths` chooses channels of spectral files.
+/// Throws Error(invalid_argument) unless scale is finite and >= 0, or for `wavelengths` of a file of another
+/// kind; what the readers throw; and what image_environment() throws as Error(invalid_file) naming the file.
+[[nodiscard]] EnvironmentPtr load_environment(const std::filesystem::path& path, double scale = 1,
+                                              std::span<const double> wavelengths = {});
 
-/// The same from memory. Throws Error(invalid_argument) unless the picture is at least 2 x 2, all values are
-/// finite, s0 is not negative, and the polarized part is physical up to rounding and compression:
-/// sqrt(s1^2 + s2^2 + s3^2) <= 1.01 s0 + 1e-3 times the largest s0 of the channel. Colours outside a file's
-/// gamut and lossy compression make pixels slightly negative: an unpolarized pixel with 0 > s0 >= -0.1 times
-/// the largest s0 of the channel becomes 0.
+/// Writes picture() as OpenEXR in the layout of EquirectImage, see write_exr(); unpolarized light without
+/// S1..S3. Throws as write_exr().
+void write_environment(const std::filesystem::path& path, const Environment& environment);
+
+/// Light from an equirectangular picture. Throws Error(invalid_argument) unless the picture is at least 2 x
+/// 2, all values are finite, s0 is not negative, and the polarized part is physical up to rounding and
+/// compression: sqrt(s1^2 + s2^2 + s3^2) <= 1.01 s0 + 1e-3 times the largest s0 of the channel. Colours
+/// outside a file's gamut and lossy compression make pixels slightly negative: an unpolarized pixel with 0 >
+/// s0 >= -0.1 times the largest s0 of the channel becomes 0.
 [[nodiscard]] EnvironmentPtr image_environment(EquirectImage image, double scale = 1);
+
+/// Light given by its coefficients in the world's axes: radiance() evaluates them, project() truncates or
+/// fills up with zeros, picture() synthesizes (orders above 1023 are left out of it). Truncated light rings:
+/// s0 may be negative and Eq. 70 violated. Throws Error(invalid_argument) unless all coefficients are finite,
+/// there is a channel, p = 1, 2 vanish below l = 2, and `wavelengths` is empty or has one value a channel.
+[[nodiscard]] EnvironmentPtr psh_environment(PshVector coefficients, std::vector<double> wavelengths = {});
 
 /// Unpolarized, the same from everywhere: one radiance a channel, finite and >= 0, at least one.
 [[nodiscard]] EnvironmentPtr constant_environment(std::vector<double> radiance);

@@ -2,6 +2,7 @@
 // Checks of arguments.
 #include "light/environment_checks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -34,6 +35,19 @@ void check_radiance(const char* what, const std::vector<double>& radiance) {
         if (!(radiance[c] >= 0) || std::isinf(radiance[c]))
             throw Error(ErrorCode::invalid_argument, std::string(what) + ": radiance of channel " +
                                                          std::to_string(c) + " must be finite and >= 0");
+}
+
+void check_wavelengths(const char* what, const std::vector<double>& wavelengths, int channels) {
+    const bool valid =
+        std::ranges::all_of(wavelengths, [](double nm) { return nm > 0 && std::isfinite(nm); });
+    if (!valid || (!wavelengths.empty() && wavelengths.size() != static_cast<std::size_t>(channels)))
+        throw Error(ErrorCode::invalid_argument,
+                    std::string(what) + ": wavelengths must be empty or one finite value > 0 a channel");
+}
+
+void check_scale(const std::string& what, double scale) {
+    if (!(scale >= 0) || std::isinf(scale))
+        throw Error(ErrorCode::invalid_argument, what + ": scale must be finite and >= 0");
 }
 
 }  // namespace nicol

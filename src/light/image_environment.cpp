@@ -22,11 +22,13 @@ public:
           channels_(size.channels),
           components_(components),
           circular_(circular),
+          wavelengths_(size.wavelengths),
           values_(std::move(values)) {}
 
     int channels() const noexcept override { return channels_; }
     bool polarized() const noexcept override { return components_ == 4; }
     bool circular() const noexcept override { return circular_; }
+    const std::vector<double>& wavelengths() const noexcept override { return wavelengths_; }
 
     Stokes radiance(int channel, const glm::dvec3& towards_light) const override {
         check_look_up(*this, channel, towards_light);
@@ -52,6 +54,7 @@ public:
 
     EquirectImage picture() const override {
         EquirectImage image(width_, height_, channels_);
+        image.wavelengths = wavelengths_;
         const auto step = static_cast<std::size_t>(components_);
         for (std::size_t i = 0; i * step < values_.size(); ++i)
             for (std::size_t p = 0; p < step; ++p) image.data[4 * i + p] = values_[i * step + p];
@@ -70,65 +73,17 @@ private:
 
     int width_, height_, channels_, components_;
     bool circular_;
+    std::vector<double> wavelengths_;
     std::vector<float> values_;
 };
 
-/// Makes a picture physical, or throws Error(code) with `name` in front of every message.
-class Validator {
-public:
-    Validator(EquirectImage& image, std::string name, ErrorCode code)
-        : image_(image), name_(std::move(name)), code_(code) {}
+}  // namespace
 
-    void run() const {
-        if (image_.width < 2 || image_.height < 2)
-            throw Error(code_, name_ + ": " + std::to_string(image_.width) + " x " +
-                                   std::to_string(image_.height) +
-                                   " pixels; an environment needs at least 2 x 2");
-        const std::size_t plane = image_.data.size() / static_cast<std::size_t>(image_.channels);
-        for (std::size_t first = 0; first < image_.data.size(); first += plane) check_plane(first, plane);
-    }
-
-private:
-    void check_plane(std::size_t first, std::size_t plane) const {
-        float* data = image_.data.data();
-        float largest = 0;
-        for (std::size_t i = first; i < first + plane; i += 4) {
-            for (std::size_t p = 0; p < 4; ++p)
-                if (!std::isfinite(data[i + p])) refuse(i, "is not finite");
-            largest = std::max(largest, data[i]);
-        }
-        for (std::size_t i = first; i < first + plane; i += 4) {
-            const double polarized = std::hypot(data[i + 1], data[i + 2], data[i + 3]);
-            if (data[i] < 0) {
-                // Colours outside the gamut of the file's primaries and lossy compression leave such values.
-                if (polarized > 0 || data[i] < -0.1 * largest)
-                    refuse(i, "has s0 < 0; radiance cannot be negative");
-                data[i] = 0;
-            }
-            if (polarized > 1.01 * data[i] + 1e-3 * largest)
-                refuse(i, "is polarized more than fully: sqrt(s1^2 + s2^2 + s3^2) exceeds s0");
-        }
-    }
-
-    [[noreturn]] void refuse(std::size_t element, const std::string& what) const {
-        const std::size_t pixel = element / 4;
-        const auto width = static_cast<std::size_t>(image_.width);
-        const auto height = static_cast<std::size_t>(image_.height);
-        throw Error(code_, name_ + ": channel " + std::to_string(pixel / (width * height)) + ", pixel (" +
-                               std::to_string(pixel % width) + ", " + std::to_string(pixel / width % height) +
-                               ") " + what);
-    }
-
-    EquirectImage& image_;
-    std::string name_;
-    ErrorCode code_;
-};
-
-EnvironmentPtr make(EquirectImage image, double scale, const std::string& name, ErrorCode code) {
-    if (!(scale >= 0) || std::isinf(scale))
-        throw Error(ErrorCode::invalid_argument, name + ": scale must be finite and >= 0");
+EnvironmentPtr checked_environment(EquirectImage image, double scale, const std::string& name,
+                                   ErrorCode code) {
+    check_scale(name, scale);
     for (float& v : image.data) v = static_cast<float>(scale * v);
-    Validator(image, name, code).run();
+    check_physical(image, name, code);
 
     bool linear = false;
     bool circular = false;
@@ -145,17 +100,9 @@ EnvironmentPtr make(EquirectImage image, double scale, const std::string& name, 
     return std::make_shared<ImageEnvironment>(image, std::move(values), 1, false);
 }
 
-}  // namespace
-
-EnvironmentPtr load_environment(const std::filesystem::path& path, double scale) {
-    EquirectImage image;
-    static_cast<StokesImage&>(image) = read_exr(path);
-    return make(std::move(image), scale, path.string(), ErrorCode::invalid_file);
-}
-
 EnvironmentPtr image_environment(EquirectImage image, double scale) {
     image.check("image_environment: image");
-    return make(std::move(image), scale, "image_environment", ErrorCode::invalid_argument);
+    return checked_environment(std::move(image), scale, "image_environment", ErrorCode::invalid_argument);
 }
 
 }  // namespace nicol

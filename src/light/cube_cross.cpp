@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+// Cube maps: directions, frames, and the same light as an equirectangular picture.
+#include "nicol/cube_cross.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <glm/geometric.hpp>
+
+#include "light/equirect.hpp"
+#include "nicol/error.hpp"
+
+namespace nicol {
+namespace {
+
+/// A face by its axes, its image's right and up, and its cell in the cross.
+struct Face {
+    glm::dvec3 forward, right, up;
+    int column, row;
+};
+
+const std::array<Face, 6> kFaces = {{{{0, 0, 1}, {1, 0, 0}, {0, -1, 0}, 1, 0},
+                                     {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 1},
+                                     {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 1, 1},
+                                     {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, 2, 1},
+                                     {{0, -1, 0}, {-1, 0, 0}, {0, 0, 1}, 3, 1},
+                                     {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}, 1, 2}}};
+
+/// The face that a direction meets: its largest component.
+const Face& face_of(const glm::dvec3& direction) {
+    return *std::ranges::max_element(kFaces, {},
+                                     [&](const Face& f) { return glm::dot(direction, f.forward); });
+}
+
+/// Position on the plane of a face in pixels, 0 at its left and top edge.
+glm::dvec2 on_face(const Face& face, const glm::dvec3& direction, int edge) {
+    const double depth = glm::dot(direction, face.forward);
+    const double a = glm::dot(direction, face.right) / depth;
+    const double b = glm::dot(direction, face.up) / depth;
+    return 0.5 * edge * glm::dvec2(1 + a, 1 - b);
+}
+
+CubePoint point_on(const Face& face, int edge, double x, double y) {
+    const glm::dvec3 direction =
+        glm::normalize(face.forward + (2 * x / edge - 1) * face.right + (1 - 2 * y / edge) * face.up);
+    // x = up cross propagation is image right, as a camera's perspective frame (Eq. 83).
+    const glm::dvec3 right = glm::normalize(glm::cross(direction, face.up));
+    return {direction, {right, glm::cross(-direction, right), -direction}};
+}
+
+class CrossSampler {
+public:
+    explicit CrossSampler(const CubeCross& cross) : cross_(cross), edge_(cross.width / 4) {}
+
+    /// Bilinear, in `frame`; adds the four pixels' shares of every channel to `out`.
+    void sample(const glm::dvec3& direction, const Frame& frame, std::span<Stokes> out) const {
+        std::ranges::fill(out, Stokes(0));
+        const Face& face = face_of(direction);
+        const glm::dvec2 at = on_face(face, direction, edge_) - 0.5;
+        const int left = static_cast<int>(std::floor(at.x));
+        const int top = static_cast<int>(std::floor(at.y));
+        const double a = at.x - left;
+        const double b = at.y - top;
+        add(face, left, top, (1 - a) * (1 - b), frame, out);
+        add(face, left + 1, top, a * (1 - b), frame, out);
+        add(face, left, top + 1, (1 - a) * b, frame, out);
+        add(face, left + 1, top + 1, a * b, frame, out);
+    }
+
+private:
+    void add(const Face& face, int x, int y, double weight, const Frame& frame, std::span<Stokes> out) const {
+        if (weight == 0) return;
+        const Face* home = &face;
+        if (x < 0 || y < 0 || x >= edge_ || y >= edge_) {
+            // Beyond the edge lies the neighbour's nearest pixel.
+            const glm::dvec3 beyond = point_on(face, edge_, x + 0.5, y + 0.5).towards_light;
+            home = &face_of(beyond);
+            const glm::dvec2 at = on_face(*home, beyond, edge_);
+            x = std::clamp(static_cast<int>(at.x), 0, edge_ - 1);
+            y = std::clamp(static_cast<int>(at.y), 0, edge_ - 1);
+        }
+        // Parallel transport to a direction so near: the frame's x as seen in the pixel's frame.
+        const Frame own = point_on(*home, edge_, x + 0.5, y + 0.5).frame;
+        const double c = glm::dot(frame[0], own[0]);
+        const double s = glm::dot(frame[0], own[1]);
+        const double norm = c * c + s * s;
+        const double cosine = (c * c - s * s) / norm;
+        const double sine = 2 * c * s / norm;
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const Stokes v =
+                cross_.stokes(static_cast<int>(i), home->row * edge_ + y, home->column * edge_ + x);
+            out[i] += weight * Stokes(v[0], cosine * v[1] + sine * v[2], cosine * v[2] - sine * v[1], v[3]);
+        }
+    }
+
+    const CubeCross& cross_;
+    int edge_;
+};
+
+}  // namespace
+
+void CubeCross::check(const char* what) const {
+    StokesImage::check(what);
+    if (width % 4 != 0 || height % 3 != 0 || width / 4 != height / 3 || width < 8)
+        throw Error(ErrorCode::invalid_argument,
+                    std::string(what) + ": " + std::to_string(width) + " x " + std::to_string(height) +
+                        " pixels are no cross of a cube; it has 4 edge x 3 edge, edge >= 2");
+}
+
+CubePoint cube_point(int edge, double x, double y) {
+    if (edge < 1 || edge > kMaxImageSide)
+        throw Error(ErrorCode::invalid_argument,
+                    "cube_point: edge must be 1 to " + std::to_string(kMaxImageSide));
+    for (const Face& face : kFaces) {
+        const double u = x - face.column * edge;
+        const double v = y - face.row * edge;
+        if (u >= 0 && v >= 0 && u < edge && v < edge) return point_on(face, edge, u, v);
+    }
+    throw Error(ErrorCode::invalid_argument,
+                "cube_point: x " + std::to_string(x) + ", y " + std::to_string(y) + " lies on no face");
+}
+
+EquirectImage equirect_from_cross(const CubeCross& cross) {
+    cross.check("equirect_from_cross: cross");
+    const CrossSampler sampler(cross);
+    EquirectImage image(cross.width, cross.width / 2 + 1, cross.channels);
+    image.wavelengths = cross.wavelengths;
+    tbb::parallel_for(0, image.height, [&](int y) {
+        std::vector<Stokes> values(static_cast<std::size_t>(cross.channels));
+        for (int x = 0; x < image.width; ++x) {
+            const double u = (x + 0.5) / image.width;
+            const double v = y / (image.height - 1.0);
+            sampler.sample(equirect_direction(u, v), equirect_frame(u, v), values);
+            for (int c = 0; c < image.channels; ++c)
+                for (std::size_t p = 0; p < 4; ++p)
+                    image.at(c, y, x)[p] = static_cast<float>(
+                        values[static_cast<std::size_t>(c)][static_cast<glm::length_t>(p)]);
+        }
+    });
+    return image;
+}
+
+}  // namespace nicol

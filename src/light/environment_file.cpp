@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Light from and to files.
+#include <string>
+
+#include "light/cube_names.hpp"
+#include "light/environment_checks.hpp"
+#include "nicol/cube_cross.hpp"
+#include "nicol/error.hpp"
+#include "nicol/psh_file.hpp"
+
+namespace nicol {
+
+using std::filesystem::path;
+
+const std::vector<double>& Environment::wavelengths() const noexcept {
+    static const std::vector<double> none;
+    return none;
+}
+
+EnvironmentPtr load_environment(const path& file, double scale, std::span<const double> wavelengths) {
+    const std::string name = file.string();
+    check_scale(name, scale);
+    const bool coefficients = file.extension() == ".npz";
+    const bool cube = cube_cross_stem(file) || (!file.empty() && !std::filesystem::exists(file) &&
+                                                std::filesystem::exists(cube_cross_file(file, 0)));
+    if (!wavelengths.empty() && (coefficients || cube))
+        throw Error(ErrorCode::invalid_argument,
+                    name + ": wavelengths can be chosen from spectral EXR files only");
+    if (coefficients) {
+        PshVector field = read_psh_vector(file);
+        for (double& value : field.data()) value *= scale;
+        return psh_environment(std::move(field));
+    }
+    if (cube) {
+        CubeCross cross = read_cube_cross(file);
+        check_physical(cross, name, ErrorCode::invalid_file);
+        return checked_environment(equirect_from_cross(cross), scale, name, ErrorCode::invalid_file);
+    }
+    EquirectImage image;
+    static_cast<StokesImage&>(image) = read_exr(file, wavelengths);
+    return checked_environment(std::move(image), scale, name, ErrorCode::invalid_file);
+}
+
+void write_environment(const path& file, const Environment& environment) {
+    write_exr(
+        file, environment.picture(),
+        {.components = environment.polarized() ? kStokesAll : 0u,
+         .frame = "equirectangular, y up, over the directions the light comes from; z propagation, x image "
+                  "right (increasing u), y image up; s3 > 0 right circular"});
+}
+
+}  // namespace nicol
