@@ -123,6 +123,23 @@ TEST_CASE("wrong variants of the theorem are noticed") {
     CHECK(worst_deviation(only_conj, f, wrong, random) > .01);
 }
 
+TEST_CASE(
+    "convolutions join degrees of the same size, and only those (the text under Eq. 225 has it the other "
+    "way)") {
+    std::mt19937_64 random(8);
+    const CoefficientMatrix matrix = kernel_matrix(random_kernel(random, 3)).dense();
+    for (int m = -3; m <= 3; ++m)
+        for (int n = -3; n <= 3; ++n) {
+            double size = 0;
+            for (std::size_t p = 1; p <= 2; ++p)
+                size += std::abs(matrix(4 * psh_index(3, m) + p, 4 * psh_index(3, n)));
+            if (std::abs(m) == std::abs(n))
+                CHECK(size > 1e-3);
+            else
+                CHECK(size == 0);
+        }
+}
+
 TEST_CASE("kernel functions and coefficients are inverses of each other (Eq. 68)") {
     std::mt19937_64 random(3);
     const ConvolutionKernel kernel = random_kernel(random, 8);

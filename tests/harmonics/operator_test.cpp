@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/matrix.hpp>
 #include <numbers>
 
 #include "harmonics/reference.hpp"
@@ -240,6 +241,47 @@ TEST_CASE("a matrix transposed or composed in the wrong order is another operato
     fill(random, a);
     fill(random, b);
     CHECK(reference::max_difference(compose(a, b).dense().data(), compose(b, a).dense().data()) > .1);
+}
+
+TEST_CASE("the isotropic part keeps isotropic operators, and is the mean over turns of others") {
+    std::mt19937_64 random(8);
+    std::normal_distribution<double> normal;
+    IsotropicMatrix a(4, 3);
+    fill(random, a);
+    CHECK(reference::max_difference(isotropic_part(a.dense()).dense().data(), a.dense().data()) < 1e-14);
+    CoefficientMatrix any(3, 3);
+    for (double& value : any.data()) value = normal(random);
+    CoefficientMatrix mean(3, 3);
+    const int turns = 8;  // more than twice the order
+    for (int k = 0; k < turns; ++k) {
+        const CoefficientMatrix there = rotation_matrix(3, reference::about_z(2 * pi * k / turns));
+        const CoefficientMatrix back = rotation_matrix(3, reference::about_z(-2 * pi * k / turns));
+        const CoefficientMatrix turned = compose(back, compose(any, there));
+        for (std::size_t i = 0; i < mean.data().size(); ++i) mean.data()[i] += turned.data()[i] / turns;
+    }
+    CHECK(reference::max_difference(isotropic_part(any).dense().data(), mean.data()) < 1e-13);
+}
+
+TEST_CASE("the matrix of a rotation is orthogonal, block-diagonal, and does what rotated() does") {
+    std::mt19937_64 random(9);
+    const glm::dmat3 r = reference::random_rotation(random);
+    const CoefficientMatrix d = rotation_matrix(4, r);
+    const PshVector f = reference::random_field(random, 4);
+    std::vector<double> out(f.data().size());
+    d.apply(f.channel(0), out);
+    CHECK(reference::max_difference(out, rotated(f, r).data()) < 1e-13);
+    const CoefficientMatrix identity = compose(rotation_matrix(4, glm::transpose(r)), d);
+    for (std::size_t i = 0; i < d.rows(); ++i)
+        for (std::size_t j = 0; j < d.columns(); ++j) {
+            CHECK(std::abs(identity(i, j) - (i == j)) < 1e-13);
+            const auto order = [](std::size_t k) {
+                return static_cast<int>(std::sqrt(static_cast<double>(k / 4) + .5));
+            };
+            if (order(i) != order(j)) CHECK(d(i, j) == 0);
+        }
+    CHECK_THROWS_AS((void)rotation_matrix(2, glm::dmat3(0)), Error);
+    CHECK_THROWS_AS((void)rotation_matrix(-1, glm::dmat3(1)), Error);
+    CHECK_THROWS_AS((void)isotropic_part(CoefficientMatrix()), Error);
 }
 
 TEST_CASE("operators refuse bad arguments") {
