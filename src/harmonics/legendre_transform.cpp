@@ -1,62 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The Legendre step: for each degree, one recursion over l for s0 and s3 and two for s1 + i s2, on all rings
-// at once. A ring in the north and its mirror image share them, as d^l_{mn}(pi - theta) = (-1)^(l+m)
-// d^l_{m,-n}(theta).
+// The Legendre step: coefficients to the steps of the recursions and sums on rings to rows, and back.
 #include <algorithm>
 #include <numbers>
 #include <utility>
 
-#include "harmonics/scaled.hpp"
-#include "harmonics/vector_kernel.hpp"
-#include "nicol/transform.hpp"
+#include "harmonics/legendre_plan.hpp"
 
 namespace nicol {
 namespace {
 
 using Complex = std::complex<double>;
 using std::numbers::pi;
-
-/// Products of square roots that make the steps of every recursion.
-struct RootTables {
-    explicit RootTables(int order)
-        : root(2 * static_cast<std::size_t>(order) + 4), inverse_root(root.size()), inverse_ll(root.size()) {
-        for (std::size_t k = 1; k < root.size(); ++k) {
-            root[k] = std::sqrt(static_cast<double>(k));
-            inverse_root[k] = 1 / root[k];
-            inverse_ll[k] = 1 / (static_cast<double>(k) * static_cast<double>(k + 1));
-        }
-        for (std::size_t s = 0; s < 2; ++s) {
-            up[s].resize(static_cast<std::size_t>(order) + 2);
-            down[s].resize(up[s].size());
-            for (std::size_t l = 2 * s; l < up[s].size(); ++l) {
-                const double k = static_cast<double>(l) + 1;
-                const double n = 2.0 * static_cast<double>(s);
-                up[s][l] = k * std::sqrt((2 * k - 1) * (2 * k + 1) / ((k - n) * (k + n)));
-                down[s][l] = 1 / up[s][l];
-            }
-        }
-    }
-
-    std::vector<double> root, inverse_root, inverse_ll;
-    std::vector<double> up[2], down[2];  // by |spin| / 2, then l
-};
-
-/// Recursion at degree m and second index n (0 or +-2) from `first` to `order`, for harmonics with their
-/// norm.
-void fill_steps(const RootTables& tables, int m, int n, int first, int order, LegendreStep* steps) {
-    const double* up = tables.up[n != 0 ? 1 : 0].data();
-    const double* down = tables.down[n != 0 ? 1 : 0].data();
-    const double* root = tables.root.data();
-    const double* inverse_root = tables.inverse_root.data();
-    const double mn = static_cast<double>(m) * n;
-    for (int l = first; l <= order; ++l) {
-        const double a = up[l] * inverse_root[l + 1 - m] * inverse_root[l + 1 + m];
-        LegendreStep& s = steps[l - first];
-        s.p = a * (1 - mn * tables.inverse_ll[static_cast<std::size_t>(l)]);
-        s.q = a;
-        s.c = l == first ? 0 : a * (down[l - 1] * root[l - m] * root[l + m]);
-    }
-}
 
 /// Whether there are coefficients of s0 or s3, and of s1 + i s2: what is zero is not computed.
 struct Contents {
@@ -78,139 +32,7 @@ bool any(const std::vector<Complex>& values) {
     return std::ranges::any_of(values, [](Complex v) { return v != Complex(); });
 }
 
-/// Below this many units of -log, a harmonic is taken for zero on a ring.
-constexpr double kNegligible = 60;
-
 }  // namespace
-
-struct LegendreTransform::Plan {
-    /// A latitude of the northern half and the rows at it and at its mirror image; -1 where there is none.
-    struct Ring {
-        HalfAngle half;
-        int north = -1;
-        int south = -1;
-    };
-
-    Plan(int order_, LatitudeRows rows_)
-        : order(order_), rows(std::move(rows_)), tables(order_), rings(pair_rows(rows)) {
-        std::ranges::sort(rings, {}, [](const Ring& r) { return r.half.sin; });
-        const std::size_t lanes = kRingLanes;
-        padded = (rings.size() + lanes - 1) / lanes * lanes;
-        t.resize(padded);
-        value.resize(padded);
-        exponent.resize(padded);
-        for (std::size_t r = 0; r < rings.size(); ++r) {
-            t[r] = 2 * rings[r].half.sin * rings[r].half.sin;
-            Scaled step(rings[r].half.sin);
-            step *= Scaled(rings[r].half.cos);
-            first_step.push_back(step);
-        }
-        for (auto& chain : chains) chain.resize(rings.size());
-        for (int m = 0; m <= 2; ++m)
-            for (const int n : kSecond)
-                for (const Ring& ring : rings) beginnings.push_back(first_value(m, n, ring.half));
-        steps.resize(static_cast<std::size_t>(order) + 1);
-        sums.resize(8 * padded);
-        work.resize(steps.size() * 4 * kRingLanes);
-    }
-
-    static std::vector<Ring> pair_rows(const LatitudeRows& rows) {
-        std::vector<Ring> out;
-        const int count = rows.count();
-        for (int j = 0; j < count; ++j) {
-            const auto a = static_cast<std::size_t>(j);
-            const auto b = static_cast<std::size_t>(count - 1 - j);
-            const bool mirrored =
-                rows.sin_half[a] == rows.cos_half[b] && rows.cos_half[a] == rows.sin_half[b];
-            const bool north = rows.sin_half[a] <= rows.cos_half[a];
-            if (mirrored && a != b) {
-                // The pair counts once, at its northern row.
-                if (rows.sin_half[a] < rows.cos_half[a] || (rows.sin_half[a] == rows.cos_half[a] && a < b))
-                    out.push_back({{rows.sin_half[a], rows.cos_half[a]}, j, count - 1 - j});
-            } else if (north) {
-                out.push_back({{rows.sin_half[a], rows.cos_half[a]}, j, -1});
-            } else {
-                out.push_back({{rows.cos_half[a], rows.sin_half[a]}, -1, j});
-            }
-        }
-        return out;
-    }
-
-    /// First values at degree m of the chains n = 0, -2, 2, called for m = 0, 1, 2 ... in turn.
-    void start_degree(int m) {
-        if (m == 0) skipped = 0;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const int n = kSecond[c];
-            const int inner = std::abs(n);
-            const double ratio = m > inner ? -next_first_ratio(m - 1, n) : 0;
-            for (std::size_t r = skipped; r < rings.size(); ++r) {
-                if (m <= inner) {
-                    chains[c][r] = beginnings[(static_cast<std::size_t>(m) * 3 + c) * rings.size() + r];
-                } else {
-                    chains[c][r].multiply(first_step[r], ratio);
-                }
-            }
-        }
-        // Rings so near the pole that this and every higher degree vanishes on them, by the decay of the
-        // harmonics below their turning point (with two to spare for the spin).
-        while (skipped < rings.size() && m > 2) {
-            const HalfAngle& half = rings[skipped].half;
-            const double x = (order + 1) * 2 * half.sin * half.cos / (m - 2);
-            if (x >= 1) break;
-            const double decay = x == 0 ? 1e300 : std::acosh(1 / x) - std::sqrt(1 - x * x);
-            if ((m - 2) * decay < kNegligible) break;
-            ++skipped;
-        }
-    }
-
-    /// Rings of chain c, from the first whole group that is not skipped.
-    LegendreRings start(std::size_t c, int first) {
-        from = skipped / kRingLanes * kRingLanes;
-        const double norm = std::sqrt((2 * first + 1) / (4 * pi));
-        for (std::size_t r = from; r < rings.size(); ++r) {
-            const bool gone = r < skipped;
-            value[r] = gone ? 0 : norm * chains[c][r].v;
-            exponent[r] = gone ? 0 : chains[c][r].e;
-        }
-        return {t.data() + from, value.data() + from, exponent.data() + from,
-                static_cast<int>(padded - from)};
-    }
-
-    void synthesize(std::size_t c, int first, bool split) {
-        const LegendreRings r = start(c, first);
-        for (std::size_t k = 0; k < 8; ++k)
-            std::fill_n(sums.begin() + static_cast<std::ptrdiff_t>(k * padded), from, 0.0);
-        kernel.synthesize(steps.data(), order - first + 1, r, split, sums.data() + from,
-                          static_cast<long>(padded));
-    }
-
-    void analyze(std::size_t c, int first, bool split) {
-        const LegendreRings r = start(c, first);
-        kernel.analyze(steps.data(), order - first + 1, r, split, sums.data() + from,
-                       static_cast<long>(padded), work.data());
-    }
-
-    double& sum(std::size_t k, std::size_t ring) { return sums[k * padded + ring]; }
-
-    static constexpr int kSecond[3] = {0, -2, 2};
-
-    int order;
-    LatitudeRows rows;
-    RootTables tables;
-    std::vector<Ring> rings;
-    const VectorKernel& kernel = vector_kernel();
-    std::size_t padded = 0;
-    std::size_t skipped = 0;
-    std::size_t from = 0;
-    std::vector<double> t, value;
-    std::vector<int> exponent;
-    std::vector<Scaled> first_step;
-    std::vector<Scaled> chains[3];
-    std::vector<Scaled> beginnings;  // [m = 0..2][chain][ring]
-    std::vector<LegendreStep> steps;
-    std::vector<double> sums;  // [8][padded]
-    std::vector<double> work;
-};
 
 LegendreTransform::LegendreTransform(int order, LatitudeRows rows) {
     require_order(order);
@@ -252,7 +74,7 @@ void LegendreTransform::synthesize(std::span<const double> f, FourierRows& fouri
     for (int m = 0; m <= p.order; ++m) {
         p.start_degree(m);
         if (has_scalar) {
-            fill_steps(p.tables, m, 0, m, p.order, p.steps.data());
+            p.fill_steps(0, m, m);
             for (int l = m; l <= p.order; ++l) {
                 const double* plus = &f[4 * psh_index(l, m)];
                 const double* minus = &f[4 * psh_index(l, -m)];
@@ -285,7 +107,7 @@ void LegendreTransform::synthesize(std::span<const double> f, FourierRows& fouri
         for (const int n : {-2, 2}) {
             // n = -2 makes degree m in the north and -m in the south, n = 2 the other two.
             if (m == 0 && n == 2) continue;
-            fill_steps(p.tables, m, n, first, p.order, p.steps.data());
+            p.fill_steps(n < 0 ? 1 : 2, m, first);
             const int north = n < 0 ? m : -m;
             const double sign = n < 0 ? 1 : parity(m);
             for (int l = first; l <= p.order; ++l) {
@@ -323,9 +145,9 @@ void LegendreTransform::analyze(const FourierRows& fourier, std::span<double> f)
     for (int m = 0; m <= p.order; ++m) {
         p.start_degree(m);
         if (has_scalar) {
-            fill_steps(p.tables, m, 0, m, p.order, p.steps.data());
+            p.fill_steps(0, m, m);
             for (std::size_t r = 0; r < p.rings.size(); ++r) {
-                const Plan::Ring& ring = p.rings[r];
+                const LatitudeRing& ring = p.rings[r];
                 for (std::size_t k = 0; k < 4; k += 2) {
                     const std::vector<Complex>& g = k == 0 ? fourier.s0 : fourier.s3;
                     const Complex north = ring.north < 0
@@ -357,11 +179,11 @@ void LegendreTransform::analyze(const FourierRows& fourier, std::span<double> f)
         const int first = std::max(m, 2);
         for (const int n : {-2, 2}) {
             if (m == 0 && n == 2) continue;
-            fill_steps(p.tables, m, n, first, p.order, p.steps.data());
+            p.fill_steps(n < 0 ? 1 : 2, m, first);
             const int north = n < 0 ? m : -m;
             const double sign = n < 0 ? 1 : parity(m);
             for (std::size_t r = 0; r < p.rings.size(); ++r) {
-                const Plan::Ring& ring = p.rings[r];
+                const LatitudeRing& ring = p.rings[r];
                 const Complex a =
                     ring.north < 0
                         ? Complex()

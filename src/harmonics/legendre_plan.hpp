@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Rings of latitude and their recursions for the Legendre step: for each degree one over l for s0 and s3 and
+// two for s1 + i s2, on all rings at once.
+#pragma once
+
+#include "harmonics/scaled.hpp"
+#include "harmonics/vector_kernel.hpp"
+#include "nicol/transform.hpp"
+
+namespace nicol {
+
+/// Products of square roots that make the steps of every recursion.
+struct RootTables {
+    explicit RootTables(int order)
+        : root(2 * static_cast<std::size_t>(order) + 4), inverse_root(root.size()), inverse_ll(root.size()) {
+        for (std::size_t k = 1; k < root.size(); ++k) {
+            root[k] = std::sqrt(static_cast<double>(k));
+            inverse_root[k] = 1 / root[k];
+            inverse_ll[k] = 1 / (static_cast<double>(k) * static_cast<double>(k + 1));
+        }
+        for (std::size_t s = 0; s < 2; ++s) {
+            up[s].resize(static_cast<std::size_t>(order) + 2);
+            down[s].resize(up[s].size());
+            for (std::size_t l = 2 * s; l < up[s].size(); ++l) {
+                const double k = static_cast<double>(l) + 1;
+                const double n = 2.0 * static_cast<double>(s);
+                up[s][l] = k * std::sqrt((2 * k - 1) * (2 * k + 1) / ((k - n) * (k + n)));
+                down[s][l] = 1 / up[s][l];
+            }
+        }
+    }
+
+    std::vector<double> root, inverse_root, inverse_ll;
+    std::vector<double> up[2], down[2];  // by |spin| / 2, then l
+};
+
+/// A latitude of the northern half and the rows at it and at its mirror image; -1 where there is none.
+/// Both share their recursions, as d^l_{mn}(pi - theta) = (-1)^(l+m) d^l_{m,-n}(theta).
+struct LatitudeRing {
+    HalfAngle half;
+    int north = -1;
+    int south = -1;
+};
+
+struct LegendreTransform::Plan {
+    /// Second indices of d that have a chain of first values each.
+    static constexpr int kSecond[3] = {0, -2, 2};
+
+    Plan(int order_, LatitudeRows rows_);
+
+    /// First values at degree m of all chains; called for m = 0, 1, 2 ... in turn.
+    void start_degree(int m);
+    /// Fills steps with the recursion of chain c at degree m from l = `first` on, for harmonics with their
+    /// norm.
+    void fill_steps(std::size_t c, int m, int first);
+    /// Runs the kernel on steps from l = `first`: from f of the steps to sums, and back.
+    void synthesize(std::size_t c, int first, bool split);
+    void analyze(std::size_t c, int first, bool split);
+
+    double& sum(std::size_t k, std::size_t ring) { return sums[k * padded + ring]; }
+
+    int order;
+    LatitudeRows rows;
+    std::vector<LatitudeRing> rings;  // from the pole to the equator
+    std::vector<LegendreStep> steps;
+
+private:
+    LegendreRings start(std::size_t c, int first);
+
+    RootTables tables;
+    const VectorKernel& kernel = vector_kernel();
+    std::size_t padded = 0;   // rings, up to whole groups of kRingLanes
+    std::size_t skipped = 0;  // rings too near the pole for this degree
+    std::size_t from = 0;     // first ring of the first group that is not skipped
+    std::vector<double> t, value;
+    std::vector<int> exponent;
+    std::vector<Scaled> first_step;  // sin cos of each ring's half angle
+    std::vector<Scaled> chains[3];
+    std::vector<Scaled> beginnings;  // [m = 0..2][chain][ring]
+    std::vector<double> sums;        // [8][padded]
+    std::vector<double> work;
+};
+
+}  // namespace nicol
