@@ -24,7 +24,8 @@ public:
     /// cubics, so that the linear interpolation at run time misses less than 1e-4 of a row up to order 16.
     static constexpr int kAngles = 4 * 255 + 1;
 
-    /// Integrates every term of the material on quadrature nodes that crowd around the mirror direction.
+    /// Integrates every term of the material on quadrature nodes that crowd around the mirror direction; of a
+    /// material that is defined by a matrix, sums up its outgoing side.
     /// channels is 1 or the scene's; a material of one channel serves any. Throws Error(invalid_argument)
     /// where the channels do not fit.
     ResponseTable(const Material& material, const LightLayout& layout, int channels);
@@ -45,6 +46,9 @@ public:
     [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(float); }
 
 private:
+    void integrate(const Material& material, const LightLayout& layout);
+    void rows_of_matrices(const Material& material, const LightLayout& layout);
+
     std::size_t row_size_;
     int channels_;
     std::array<bool, 4> makes_{};

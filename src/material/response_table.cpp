@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "material/matrix_rows.hpp"
 #include "material/row_integral.hpp"
 #include "nicol/error.hpp"
 
@@ -44,6 +45,7 @@ void interpolate_between(std::vector<float>& data, std::size_t row) {
 }
 
 bool is_grey(const Material& material, int channels) {
+    if (material.matrix(0) != nullptr) return false;
     for (int term = 0; term < material.terms(); ++term) {
         for (int c = 1; c < channels; ++c) {
             if (material.weight(term, c) != material.weight(term, 0)) return false;
@@ -67,6 +69,21 @@ ResponseTable::ResponseTable(const Material& material, const LightLayout& layout
     const std::size_t set = 4 * row_size_;
     data_.assign(kAngles * table_channels * set, 0.0F);
 
+    if (material.matrix(0) != nullptr) {
+        rows_of_matrices(material, layout);
+    } else {
+        integrate(material, layout);
+        interpolate_between(data_, set * table_channels);
+    }
+
+    for (std::size_t i = 0; i < data_.size(); ++i) {
+        if (data_[i] != 0) makes_[i / row_size_ % 4] = true;
+    }
+}
+
+void ResponseTable::integrate(const Material& material, const LightLayout& layout) {
+    const std::size_t set = 4 * row_size_;
+    const auto table_channels = static_cast<std::size_t>(channels_);
     tbb::parallel_for(tbb::blocked_range<int>(0, integrated), [&](const tbb::blocked_range<int>& range) {
         RowIntegral integral(material, layout);
         for (int i = range.begin(); i < range.end(); ++i) {
@@ -84,12 +101,19 @@ ResponseTable::ResponseTable(const Material& material, const LightLayout& layout
             }
         }
     });
+}
 
-    interpolate_between(data_, set * table_channels);
-
-    for (std::size_t i = 0; i < data_.size(); ++i) {
-        if (data_[i] != 0) makes_[i / row_size_ % 4] = true;
-    }
+void ResponseTable::rows_of_matrices(const Material& material, const LightLayout& layout) {
+    tbb::parallel_for(tbb::blocked_range<int>(0, kAngles), [&](const tbb::blocked_range<int>& range) {
+        std::vector<double> rows(4 * row_size_);
+        for (int angle = range.begin(); angle < range.end(); ++angle) {
+            for (int c = 0; c < channels_; ++c) {
+                rows_from_matrix(*material.matrix(c), angle * (pi / 2) / (kAngles - 1), layout, rows);
+                const auto at = static_cast<std::size_t>(angle * channels_ + c) * rows.size();
+                for (std::size_t j = 0; j < rows.size(); ++j) data_[at + j] = static_cast<float>(rows[j]);
+            }
+        }
+    });
 }
 
 }  // namespace nicol

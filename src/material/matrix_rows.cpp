@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// A block of an isotropic matrix acts on the lanes (s0_lm, s3_lm, w_lm, conj w_l-m); rows act on packed
+// coefficients z, which are the same numbers up to factors: sqrt2 conj(s0_lm), i sqrt2 s3_lm, w_lm. A mirror
+// symmetric material has one real number for each pair of them.
+#include "material/matrix_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "nicol/spin_harmonics.hpp"
+
+namespace nicol {
+namespace {
+
+using Complex = std::complex<double>;
+using Block = IsotropicMatrix::Block;
+constexpr double root2 = std::numbers::sqrt2;
+constexpr double pi = std::numbers::pi;
+
+// The four rows' entries for s0_lm, w_lm, w_l-m and s3_lm at one l and m.
+struct RowEntries {
+    std::array<std::array<double, 4>, 4> at{};  // [p][s0, w m, w -m, s3]
+};
+
+RowEntries entries_of(const Block& g, int m) {
+    RowEntries e;
+    auto& r = e.at;
+    if (m == 0) {
+        r[0] = {g[0].real(), g[2].real() + g[3].real(), 0, 0};
+        r[1] = {g[8].real(), g[10].real() + g[11].real(), 0, 0};
+        r[2] = {0, g[10].real() - g[11].real(), 0, g[9].imag()};
+        r[3] = {0, g[7].imag() - g[6].imag(), 0, g[5].real()};
+        return e;
+    }
+    r[0] = {root2 * g[0].real(), 2 * g[2].real(), 2 * g[3].real(), root2 * g[1].imag()};
+    r[1] = {(g[8].real() + g[12].real()) / root2, g[10].real() + g[14].real(), g[11].real() + g[15].real(),
+            (g[9].imag() + g[13].imag()) / root2};
+    r[2] = {(g[12].real() - g[8].real()) / root2, g[10].real() - g[14].real(), g[15].real() - g[11].real(),
+            (g[9].imag() - g[13].imag()) / root2};
+    r[3] = {root2 * g[4].imag(), -2 * g[6].imag(), 2 * g[7].imag(), root2 * g[5].real()};
+    return e;
+}
+
+Block block_of(const RowEntries& e, int m) {
+    const auto& r = e.at;
+    const Complex i(0, 1);
+    if (m == 0) {
+        const double same = (r[1][1] + r[2][1]) / 2;
+        const double other = (r[1][1] - r[2][1]) / 2;
+        return {r[0][0],
+                0.0,
+                r[0][1] / 2,
+                r[0][1] / 2,
+                0.0,
+                r[3][3],
+                -i * r[3][1] / 2.0,
+                i * r[3][1] / 2.0,
+                r[1][0],
+                i * r[2][3],
+                same,
+                other,
+                r[1][0],
+                -i * r[2][3],
+                other,
+                same};
+    }
+    return {r[0][0] / root2,
+            i * r[0][3] / root2,
+            r[0][1] / 2,
+            r[0][2] / 2,
+            i * r[3][0] / root2,
+            r[3][3] / root2,
+            -i * r[3][1] / 2.0,
+            i * r[3][2] / 2.0,
+            (r[1][0] - r[2][0]) / root2,
+            i * (r[1][3] + r[2][3]) / root2,
+            (r[1][1] + r[2][1]) / 2,
+            (r[1][2] - r[2][2]) / 2,
+            (r[1][0] + r[2][0]) / root2,
+            i * (r[1][3] - r[2][3]) / root2,
+            (r[1][1] - r[2][1]) / 2,
+            (r[1][2] + r[2][2]) / 2};
+}
+
+/// Where s0_lm, w_lm, w_l-m and s3_lm stand in a layout, by [psh_index(l, m)], m >= 0; size() where absent.
+std::vector<std::array<std::size_t, 4>> positions(const LightLayout& layout) {
+    const std::array<std::size_t, 4> none{layout.size(), layout.size(), layout.size(), layout.size()};
+    std::vector<std::array<std::size_t, 4>> at(psh_count(layout.order()), none);
+    for (std::size_t j = 0; j < layout.size(); ++j) {
+        const LightLayout::Entry& e = layout.entries()[j];
+        const std::size_t slot = e.part == LightKind::unpolarized ? 0 : e.part == LightKind::full ? 3 : 1;
+        at[psh_index(e.l, std::abs(e.m))][slot == 1 && e.m < 0 ? 2 : slot] = j;
+    }
+    return at;
+}
+
+/// Values of the lanes' harmonics at a latitude: Y_lm for two lanes, 2Y_lm and 2Y_l-m.
+struct OutgoingHarmonics {
+    OutgoingHarmonics(int order, double theta) : scalar(psh_count(order)), spin2(psh_count(order)) {
+        spin_harmonics(0, order, theta, scalar);
+        spin_harmonics(2, order, theta, spin2);
+    }
+    [[nodiscard]] std::array<double, 4> lanes(int l, int m) const {
+        const double y = scalar[psh_index(l, m)];
+        return {y, y, spin2[psh_index(l, m)], spin2[psh_index(l, -m)]};
+    }
+    std::vector<double> scalar, spin2;
+};
+
+}  // namespace
+
+void rows_from_matrix(const IsotropicMatrix& matrix, double theta_out, const LightLayout& layout,
+                      std::span<double> rows) {
+    std::ranges::fill(rows, 0.0);
+    const auto at = positions(layout);
+    const OutgoingHarmonics y(matrix.order_out(), theta_out);
+    const int order_in = std::min(layout.order(), matrix.order_in());
+    std::vector<Block> sums(static_cast<std::size_t>(order_in) + 1);
+    for (int m = 0; m <= std::min(order_in, matrix.order_out()); ++m) {
+        std::ranges::fill(sums, Block{});
+        for (int l = m; l <= matrix.order_out(); ++l) {
+            const std::array<double, 4> lane = y.lanes(l, m);
+            for (int k = m; k <= order_in; ++k) {
+                const Block& block = matrix.block(m, l, k);
+                for (std::size_t e = 0; e < 16; ++e)
+                    sums[static_cast<std::size_t>(k)][e] += lane[e / 4] * block[e];
+            }
+        }
+        for (int k = m; k <= order_in; ++k) {
+            const RowEntries entries = entries_of(sums[static_cast<std::size_t>(k)], m);
+            const auto& slots = at[psh_index(k, m)];
+            for (std::size_t p = 0; p < 4; ++p) {
+                for (std::size_t s = 0; s < 4; ++s)
+                    if (slots[s] < layout.size()) rows[p * layout.size() + slots[s]] = entries.at[p][s];
+            }
+        }
+    }
+}
+
+void add_circle(IsotropicMatrix& matrix, double theta_out, double weight, const LightLayout& layout,
+                std::span<const double> rows) {
+    const auto at = positions(layout);
+    const OutgoingHarmonics y(matrix.order_out(), theta_out);
+    for (int m = 0; m <= std::min(matrix.order_in(), matrix.order_out()); ++m) {
+        for (int k = m; k <= matrix.order_in(); ++k) {
+            RowEntries entries;
+            const auto& slots = at[psh_index(k, m)];
+            for (std::size_t p = 0; p < 4; ++p) {
+                for (std::size_t s = 0; s < 4; ++s)
+                    if (slots[s] < layout.size()) entries.at[p][s] = rows[p * layout.size() + slots[s]];
+            }
+            const Block g = block_of(entries, m);
+            for (int l = m; l <= matrix.order_out(); ++l) {
+                const std::array<double, 4> lane = y.lanes(l, m);
+                Block& block = matrix.block(m, l, k);
+                for (std::size_t e = 0; e < 16; ++e) block[e] += 2 * pi * weight * lane[e / 4] * g[e];
+            }
+        }
+    }
+}
+
+}  // namespace nicol

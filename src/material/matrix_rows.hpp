@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Between isotropic coefficient matrices and rows of responses.
+#pragma once
+
+#include <span>
+
+#include "nicol/light_layout.hpp"
+#include "nicol/operator.hpp"
+
+namespace nicol {
+
+/// Rows [p][j] (see ResponseTable) of a matrix at an outgoing zenith angle in [0, pi]: its outgoing side
+/// summed up in the angular domain. The parts of a matrix that break mirror symmetry have no row and are
+/// left out. Entries of the layout beyond the matrix's incoming order are zero.
+void rows_from_matrix(const IsotropicMatrix& matrix, double theta_out, const LightLayout& layout,
+                      std::span<double> rows);
+
+/// The inverse, one angle at a time: adds to `matrix` the part of its blocks that comes from outgoing light
+/// on a circle of latitude with these rows (of a layout with LightKind::full and the matrix's incoming
+/// order). weight: of the circle in the integral over cos(theta).
+void add_circle(IsotropicMatrix& matrix, double theta_out, double weight, const LightLayout& layout,
+                std::span<const double> rows);
+
+}  // namespace nicol

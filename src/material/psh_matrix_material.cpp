@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "material/content_hash.hpp"
+#include "material/key.hpp"
+#include "material/matrix_rows.hpp"
+#include "material/reflectance.hpp"
+#include "nicol/error.hpp"
+#include "nicol/psh_matrix_file.hpp"
+#include "nicol/spin_harmonics.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Rows at outgoing angles a sixth of the shortest half-wave apart; between them cubics.
+class PshMatrixMaterial final : public Material {
+public:
+    PshMatrixMaterial(std::vector<IsotropicMatrix> channels, const std::vector<double>& scale)
+        : matrices_(std::move(channels)),
+          layout_(matrices_.front().order_in(), LightKind::full),
+          cells_(6 * (matrices_.front().order_out() + 1)) {
+        for (std::size_t c = 0; c < matrices_.size(); ++c)
+            multiply(matrices_[c], of_channel(scale, static_cast<int>(c)));
+        const std::size_t set = 4 * layout_.size();
+        std::vector<double> rows(set);
+        for (const IsotropicMatrix& matrix : matrices_) {
+            for (int angle = 0; angle <= cells_; ++angle) {
+                rows_from_matrix(matrix, angle * pi / 2 / cells_, layout_, rows);
+                rows_.insert(rows_.end(), rows.begin(), rows.end());
+            }
+        }
+    }
+
+    [[nodiscard]] int channels() const noexcept override { return static_cast<int>(matrices_.size()); }
+    [[nodiscard]] int terms() const noexcept override { return channels(); }
+    [[nodiscard]] double weight(int term, int channel) const override { return term == channel ? 1 : 0; }
+    [[nodiscard]] double lobe_width(int) const noexcept override {
+        return std::min(1.0, pi / (layout_.order() + 1));
+    }
+    [[nodiscard]] const IsotropicMatrix* matrix(int channel) const override {
+        return &matrices_.at(matrices_.size() == 1 ? 0 : static_cast<std::size_t>(channel));
+    }
+    [[nodiscard]] std::string content_key() const override {
+        ContentHash hash;
+        for (const IsotropicMatrix& matrix : matrices_) {
+            hash.add(std::to_string(matrix.order_in()) + " ");
+            for (int m = 0; m <= matrix.order_in(); ++m) {
+                const auto blocks =
+                    static_cast<std::size_t>((matrix.order_in() - m + 1) * (matrix.order_in() - m + 1));
+                hash.add({reinterpret_cast<const unsigned char*>(&matrix.block(m, m, m)),
+                          blocks * sizeof(IsotropicMatrix::Block)});
+            }
+        }
+        return Key("psh").add("coefficients", std::string_view(hash.text())).text();
+    }
+
+    [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
+                                   const glm::dvec3& towards_viewer) const override {
+        // Closer to the horizon the division by the cosine would exceed every number.
+        if (towards_light.z <= 1e-9 || towards_viewer.z <= 0) return {};
+        Mueller m;
+        add_term(m, term, towards_light, towards_viewer);
+        m *= 1 / towards_light.z;
+        return m;
+    }
+
+private:
+    static void multiply(IsotropicMatrix& matrix, double scale) {
+        if (scale == 1) return;
+        for (int m = 0; m <= matrix.order_in(); ++m)
+            for (int l = m; l <= matrix.order_out(); ++l)
+                for (int k = m; k <= matrix.order_in(); ++k)
+                    for (auto& value : matrix.block(m, l, k)) value *= scale;
+    }
+
+    struct Taps {
+        std::size_t first;
+        std::array<double, 4> weight;
+    };
+    [[nodiscard]] Taps taps(const glm::dvec3& viewer) const {
+        const double theta = std::atan2(std::hypot(viewer.x, viewer.y), viewer.z);
+        const double x = std::min(theta / (pi / 2), 1.0) * cells_;
+        const int first = std::clamp(static_cast<int>(x) - 1, 0, cells_ - 3);
+        Taps out{static_cast<std::size_t>(first), {}};
+        for (int i = 0; i < 4; ++i) {
+            double lagrange = 1;
+            for (int k = 0; k < 4; ++k) lagrange *= k == i ? 1.0 : (x - first - k) / (i - k);
+            out.weight[static_cast<std::size_t>(i)] = lagrange;
+        }
+        return out;
+    }
+
+    // Rows times the coefficients of light from one direction, each Stokes component in turn.
+    void add_term(Mueller& out, int term, const glm::dvec3& light, const glm::dvec3& viewer) const {
+        const Taps tap = taps(viewer);
+        const std::size_t size = layout_.size();
+        const float* rows =
+            rows_.data() +
+            4 * size * (static_cast<std::size_t>(term) * static_cast<std::size_t>(cells_ + 1) + tap.first);
+        // Half-angle functions of the propagation, which is opposite.
+        const double sine = std::hypot(light.x, light.y);
+        const double half = std::atan2(sine, light.z) / 2;
+        thread_local std::vector<double> scalar, spin2;
+        scalar.resize(psh_count(layout_.order()));
+        spin2.resize(scalar.size());
+        spin_harmonics(0, layout_.order(), std::cos(half), std::sin(half), scalar);
+        spin_harmonics(2, layout_.order(), std::cos(half), std::sin(half), spin2);
+        const double azimuth = std::atan2(light.y, light.x) - std::atan2(viewer.y, viewer.x) + pi;
+
+        const auto& entries = layout_.entries();
+        for (std::size_t j = 0; j < size;) {
+            const LightLayout::Entry run = entries[j];
+            std::array<double, 4> sum{};
+            for (; j < size && entries[j].part == run.part && entries[j].m == run.m; ++j) {
+                const double y =
+                    (run.part == LightKind::linear ? spin2 : scalar)[psh_index(entries[j].l, run.m)];
+                for (std::size_t p = 0; p < 4; ++p) {
+                    double row = 0;
+                    for (std::size_t i = 0; i < 4; ++i)
+                        row += tap.weight[i] * static_cast<double>(rows[(4 * i + p) * size + j]);
+                    sum[p] += row * y;
+                }
+            }
+            const double c = std::cos(run.m * azimuth);
+            const double s = std::sin(run.m * azimuth);
+            const double norm = run.m > 0 ? std::numbers::sqrt2 : 1;
+            for (std::size_t p = 0; p < 4; ++p) {
+                const bool even = p < 2;
+                if (run.part == LightKind::unpolarized) {
+                    out(p, 0) += norm * (even ? c : s) * sum[p];
+                } else if (run.part == LightKind::full) {
+                    out(p, 3) += norm * (even ? s : c) * sum[p];
+                } else {
+                    out(p, 1) += (even ? c : -s) * sum[p];
+                    out(p, 2) += (even ? s : c) * sum[p];
+                }
+            }
+        }
+    }
+
+    std::vector<IsotropicMatrix> matrices_;
+    LightLayout layout_;
+    int cells_;
+    std::vector<float> rows_;  // [channel][angle][p][j]
+};
+
+}  // namespace
+
+MaterialPtr psh_matrix_material(std::vector<IsotropicMatrix> channels, const std::vector<double>& scale) {
+    if (channels.empty() || channels.size() > 16)
+        throw Error(ErrorCode::invalid_argument, "channels: there must be 1 to 16 matrices");
+    const int order = channels.front().order_in();
+    for (const IsotropicMatrix& matrix : channels)
+        if (order < 0 || matrix.order_in() != order || matrix.order_out() != order)
+            throw Error(ErrorCode::invalid_argument,
+                        "channels: all matrices must have one order, the same on both sides");
+    if (scale.size() != 1 && scale.size() != channels.size())
+        throw Error(ErrorCode::invalid_argument, "scale has " + std::to_string(scale.size()) +
+                                                     " values; it must have 1 or one a channel (" +
+                                                     std::to_string(channels.size()) + ")");
+    for (const double value : scale) check_range(value, 0, 1e12, "scale");
+    return std::make_shared<PshMatrixMaterial>(std::move(channels), scale);
+}
+
+}  // namespace nicol

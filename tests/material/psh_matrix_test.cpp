@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <initializer_list>
+#include <numbers>
+#include <random>
+
+#include "brute_force.hpp"
+#include "files/npz.hpp"
+#include "material/matrix_rows.hpp"
+#include "nicol/conductor.hpp"
+#include "nicol/error.hpp"
+#include "nicol/evaluate.hpp"
+#include "nicol/material_projection.hpp"
+#include "nicol/psh_matrix_file.hpp"
+#include "nicol/response_table.hpp"
+#include "scratch.hpp"
+
+using namespace nicol;
+using doctest::Approx;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+glm::dvec3 direction(double zenith, double azimuth) {
+    return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
+}
+
+// Isotropic, and obeying what real s0 and s3 ask of m = 0.
+IsotropicMatrix random_matrix(int order, unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    IsotropicMatrix out(order, order);
+    for (int m = 0; m <= order; ++m) {
+        for (int l = m; l <= order; ++l) {
+            for (int k = m; k <= order; ++k) {
+                auto& b = out.block(m, l, k);
+                for (auto& value : b) value = {normal(random), normal(random)};
+                if (m == 0) {
+                    for (const std::size_t i : {0, 1, 4, 5}) b[i] = b[i].real();
+                    for (const std::size_t i : {2, 6}) b[i + 1] = std::conj(b[i]);
+                    for (const std::size_t i : {0, 1}) b[12 + i] = std::conj(b[8 + i]);
+                    b[14] = std::conj(b[11]);
+                    b[15] = std::conj(b[10]);
+                }
+                for (std::size_t i = 0; i < 16; ++i)
+                    if ((i / 4 >= 2 && l < 2) || (i % 4 >= 2 && k < 2)) b[i] = 0;
+            }
+        }
+    }
+    return out;
+}
+
+double difference(const IsotropicMatrix& a, const IsotropicMatrix& b) {
+    double largest = 0;
+    for (int m = 0; m <= a.order_in(); ++m)
+        for (int l = m; l <= a.order_out(); ++l)
+            for (int k = m; k <= a.order_in(); ++k)
+                for (std::size_t i = 0; i < 16; ++i)
+                    largest = std::max(largest, std::abs(a.block(m, l, k)[i] - b.block(m, l, k)[i]));
+    return largest;
+}
+
+Stokes respond(const ResponseTable& table, const LightLayout& layout, const PshVector& light, int angle) {
+    const auto packed = layout.pack(light.channel(0));
+    const std::span<const float> rows = table.rows(angle, 0);
+    Stokes out(0.0);
+    for (std::size_t j = 0; j < packed.size(); ++j) {
+        for (std::size_t p = 0; p < 4; ++p)
+            out[static_cast<int>(p)] += static_cast<double>(rows[p * packed.size() + j]) *
+                                        (p < 2 ? packed[j].real() : packed[j].imag());
+    }
+    return out;
+}
+
+MaterialPtr rough_gold(double alpha) {
+    return rough_conductor({.eta = {metal_index("Au").front()}, .alpha = alpha});
+}
+
+std::filesystem::path gold_file() {
+    const char* folder = std::getenv("NICOL_TEST_DATA");
+    if (folder == nullptr) return {};
+    const auto path = std::filesystem::path(folder) / "polarsh/SHMat_6_gold_ds1_L20_ISOBI2.npz";
+    return std::filesystem::exists(path) ? path : std::filesystem::path();
+}
+
+}  // namespace
+
+TEST_CASE("the projection of a material is that of its Mueller field") {
+    const int order = 5;
+    for (const MaterialPtr& material : {rough_gold(0.5), pplastic({.alpha = 0.6})}) {
+        const auto field = [&](double theta_in, double theta_out, double phi) {
+            const glm::dvec3 light = -direction(theta_in, phi);
+            const glm::dvec3 viewer = direction(theta_out, 0);
+            return std::max(0.0, light.z) * evaluate(*material, 0, light, viewer);
+        };
+        const LatitudeRows rows = gauss_legendre_rows(160);
+        const IsotropicMatrix expected =
+            project_isotropic(field, order, rows, order, {.rows = rows, .columns = 128});
+        const IsotropicMatrix matrix = project_material(*material, 0, order);
+        CHECK(difference(matrix, expected) < 3e-4);
+        CHECK(std::abs(expected.block(1, 3, 3)[10]) > 1e-2);
+    }
+}
+
+TEST_CASE("rows of a matrix equal the matrix applied to light, seen from a direction") {
+    const int order = 6;
+    const IsotropicMatrix matrix = project_material(*rough_gold(0.4), 0, order);
+    const LightLayout layout(order, LightKind::full);
+    const PshVector light = test::random_light(order, 1, 4, 3);
+    PshVector out(order, 1);
+    matrix.apply(light.channel(0), out.channel(0));
+    std::vector<double> rows(4 * layout.size());
+    const auto packed = layout.pack(light.channel(0));
+    for (const double theta : {0.0, 0.3, 1.2, 1.57, 2.4}) {
+        rows_from_matrix(matrix, theta, layout, rows);
+        Stokes sum(0.0);
+        for (std::size_t j = 0; j < packed.size(); ++j)
+            for (std::size_t p = 0; p < 4; ++p)
+                sum[static_cast<int>(p)] +=
+                    rows[p * packed.size() + j] * (p < 2 ? packed[j].real() : packed[j].imag());
+        CHECK(glm::distance(sum, evaluate(out, 0, direction(theta, 0))) < 1e-12);
+    }
+}
+
+TEST_CASE("a material of a matrix: its table, its directions and its light agree with the matrix") {
+    const int order = 7;
+    const IsotropicMatrix matrix = project_material(*rough_gold(0.3), 0, order);
+    const MaterialPtr material = psh_matrix_material({matrix});
+    const LightLayout layout(order, LightKind::full);
+    const PshVector light = test::random_light(order, 1, 4, 5);
+    PshVector out(order, 1);
+    matrix.apply(light.channel(0), out.channel(0));
+    const ResponseTable table(*material, layout, 1);
+    for (const int angle : {0, 17, 600, 1020}) {
+        const double theta = angle * pi / 2 / (ResponseTable::kAngles - 1);
+        CHECK(glm::distance(respond(table, layout, light, angle), evaluate(out, 0, direction(theta, 0))) <
+              1e-5);
+    }
+    // Light from a single direction has the harmonics there as coefficients.
+    double largest = 0;
+    double error = 0;
+    for (const double in : {0.0, 0.4, 1.3}) {
+        for (const double out_zenith : {0.0, 0.05, 0.77, 1.5}) {
+            for (const double azimuth : {0.0, 1.0, 2.8, 4.4}) {
+                const glm::dvec3 towards_light = direction(in, azimuth);
+                const glm::dvec3 viewer = direction(out_zenith, 0.9);
+                std::vector<double> scalar(psh_count(order));
+                std::vector<std::complex<double>> spin2(psh_count(order));
+                harmonics_at(order, -towards_light, scalar, spin2);
+                const Mueller m = material->evaluate(0, towards_light, viewer);
+                for (std::size_t q = 0; q < 4; ++q) {
+                    PshVector beam(order, 1);
+                    for (std::size_t i = 0; i < scalar.size(); ++i) {
+                        const auto w = std::conj(spin2[i]) * (q == 2 ? std::complex<double>(0, 1) : 1.0);
+                        double* at = &beam.channel(0)[4 * i];
+                        if (q == 0 || q == 3) at[q] = scalar[i];
+                        if (q == 1 || q == 2) at[1] = w.real(), at[2] = w.imag();
+                    }
+                    PshVector reflected(order, 1);
+                    matrix.apply(beam.channel(0), reflected.channel(0));
+                    const Stokes expected = evaluate(reflected, 0, viewer);
+                    for (std::size_t p = 0; p < 4; ++p) {
+                        const double value = expected[static_cast<int>(p)];
+                        largest = std::max(largest, std::abs(value));
+                        error = std::max(error, std::abs(m(p, q) * towards_light.z - value));
+                    }
+                }
+            }
+        }
+    }
+    CHECK(error < 1e-3 * largest);
+    CHECK(largest > 0.1);
+}
+
+TEST_CASE("the kernel of a mirrored convolution is that convolution") {
+    ConvolutionKernel kernel(6);
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    for (std::size_t l = 0; l < kernel.size(); ++l) {
+        KernelBand& k = kernel[l];
+        k.k00 = normal(random);
+        k.k33 = normal(random);
+        if (l < 2) continue;
+        k.p0 = k.from_p0 = normal(random);
+        k.iso = normal(random);
+        k.conj = normal(random);
+    }
+    const IsotropicMatrix mirrored = compose(reflection_matrix(5), kernel_matrix(kernel));
+    const ConvolutionKernel found = material_kernel(mirrored);
+    CHECK(difference(kernel_matrix(found), kernel_matrix(kernel)) < 1e-12);
+    // A glossy lobe seen about the mirror direction keeps most of its energy in the kernel.
+    const IsotropicMatrix gloss = project_material(*rough_gold(0.1), 0, 5);
+    const ConvolutionKernel about_mirror = material_kernel(gloss);
+    const ConvolutionKernel about_normal = nearest_kernel(gloss.dense());
+    CHECK(about_mirror[4].k00 > 5 * std::abs(about_normal[4].k00));
+}
+
+TEST_CASE("matrices survive a file, whose entries are those of the dense matrix") {
+    const test::ScratchFolder folder;
+    const auto path = folder / "matrix.npz";
+    const std::vector<IsotropicMatrix> matrices{random_matrix(4, 1), random_matrix(4, 2)};
+    write_psh_matrix(path, matrices);
+    const auto back = read_psh_matrix(path);
+    REQUIRE(back.size() == 2);
+    CHECK(difference(back[0], matrices[0]) < 1e-14);
+    CHECK(difference(back[1], matrices[1]) < 1e-14);
+
+    const NpyArray coeff = read_npz_member(path, "coeff");
+    CHECK(coeff.shape == std::vector<std::size_t>{2, 5 * (4 * 25 - 15 + 2) / 3, 4, 4});
+    const CoefficientMatrix dense = matrices[0].dense();
+    for (const auto& [li, lo, mi, mo] :
+         {std::array{3, 2, 1, 1}, std::array{2, 3, -2, 2}, std::array{4, 4, 3, -3}, std::array{1, 0, 0, 0},
+          std::array{4, 3, -1, -1}}) {
+        const int a = std::max(li, lo);
+        const int b = std::min(li, lo);
+        const int index = a * (4 * a * a - 3 * a + 2) / 3 + 2 * b * (2 * b - 1) + 2 * (b + mi) +
+                          (mi > mo   ? -1
+                           : mi < mo ? 1
+                                     : 0) +
+                          (li > lo ? 4 * b + 1 : 0);
+        for (std::size_t e = 0; e < 16; ++e)
+            CHECK(coeff.values[16 * static_cast<std::size_t>(index) + e] ==
+                  Approx(dense(4 * psh_index(lo, mo) + e / 4, 4 * psh_index(li, mi) + e % 4)));
+    }
+}
+
+TEST_CASE("measured gold: check values, isotropy, and light from above leaves upwards") {
+    const auto path = gold_file();
+    if (path.empty()) {
+        MESSAGE("skipped: no test data");
+        return;
+    }
+    const auto gold = read_psh_matrix(path);
+    REQUIRE(gold.size() == 3);
+    CHECK(gold[0].order_in() == 19);
+    CHECK(gold[0].block(0, 0, 1)[0].real() == Approx(-0.18513477));
+    // Gold is yellow.
+    CHECK(gold[0].block(0, 0, 0)[0].real() > gold[1].block(0, 0, 0)[0].real());
+    CHECK(gold[1].block(0, 0, 0)[0].real() > 1.4 * gold[2].block(0, 0, 0)[0].real());
+    // What reading averages away is rounding only.
+    const NpyArray coeff = read_npz_member(path, "coeff");
+    const test::ScratchFolder folder;
+    write_psh_matrix(folder / "gold.npz", gold);
+    const NpyArray again = read_npz_member(folder / "gold.npz", "coeff");
+    double largest = 0;
+    for (std::size_t i = 0; i < coeff.values.size(); ++i)
+        largest = std::max(largest, std::abs(coeff.values[i] - again.values[i]));
+    CHECK(largest < 1e-9);
+
+    const MaterialPtr material = psh_matrix_material(gold, {1, 0.5, 1});
+    std::vector<double> scalar(psh_count(19));
+    std::vector<std::complex<double>> spin2(psh_count(19));
+    harmonics_at(19, {0, 0, -1}, scalar, spin2);  // propagating downwards
+    PshVector beam(19, 1);
+    for (std::size_t i = 0; i < scalar.size(); ++i) beam.channel(0)[4 * i] = scalar[i];
+    PshVector out(19, 1);
+    gold[0].apply(beam.channel(0), out.channel(0));
+    const double up = evaluate(out, 0, {0, 0, 1})[0];
+    CHECK(up > 1);
+    CHECK(std::abs(evaluate(out, 0, {0, 0, -1})[0]) < 0.05 * up);
+    CHECK(evaluate(*material, 0, {0, 0, 1}, {0, 0, 1})(0, 0) == Approx(up).epsilon(1e-3));
+
+    // The part that breaks mirror symmetry is what a table leaves out.
+    double kept = 0;
+    double dropped = 0;
+    for (int m = 0; m <= 19; ++m) {
+        for (int l = m; l <= 19; ++l) {
+            for (int k = m; k <= 19; ++k) {
+                for (std::size_t i = 0; i < 16; ++i) {
+                    const bool imaginary = (i / 4 == 1) != (i % 4 == 1);
+                    const auto value = gold[0].block(m, l, k)[i];
+                    const double real = value.real();
+                    const double imag = value.imag();
+                    kept += imaginary ? imag * imag : real * real;
+                    dropped += imaginary ? real * real : imag * imag;
+                }
+            }
+        }
+    }
+    CHECK(std::sqrt(dropped / kept) < 0.1);
+    MESSAGE("relative part of gold that is not mirror symmetric: ", std::sqrt(dropped / kept));
+}
+
+TEST_CASE("files that are no matrix are refused by name") {
+    const test::ScratchFolder folder;
+    const auto path = folder / "bad.npz";
+    const auto refused = [&](std::vector<NpzMember> members, const char* what) {
+        write_npz(path, members);
+        CAPTURE(what);
+        try {
+            static_cast<void>(read_psh_matrix(path));
+            FAIL("was accepted");
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::invalid_file);
+            CHECK(std::string(error.what()).find("bad.npz") != std::string::npos);
+            CHECK(std::string(error.what()).find(what) != std::string::npos);
+        }
+    };
+    const auto array = [](std::vector<std::size_t> shape, double value = 0) {
+        std::size_t count = 1;
+        for (const std::size_t n : shape) count *= n;
+        return NpyArray{std::move(shape), std::vector<double>(count, value)};
+    };
+    refused({{"other", array({1})}}, "coeff");
+    refused({{"coeff", array({1, 16})}}, "shape");
+    refused({{"coeff", array({1, 1, 4, 3})}}, "shape");
+    refused({{"coeff", array({0, 1, 4, 4})}}, "channels");
+    refused({{"coeff", array({17, 1, 4, 4})}}, "channels");
+    refused({{"coeff", array({1, 0, 4, 4})}}, "ISOBI2");
+    refused({{"coeff", array({1, 9, 4, 4})}}, "ISOBI2");
+    refused({{"coeff", array({1, 1, 4, 4}, std::nan(""))}}, "finite");
+    refused({{"coeff", array({1, 1, 4, 4})}, {"cod_type", std::string("POLAR3")}}, "POLAR4");
+    refused({{"coeff", array({1, 1, 4, 4})}, {"sh_type", std::string("COMP")}}, "REAL");
+    CHECK_THROWS_AS(static_cast<void>(read_psh_matrix(folder / "absent.npz")), Error);
+    CHECK_THROWS_AS(static_cast<void>(psh_matrix_material({})), Error);
+    CHECK_THROWS_AS(static_cast<void>(psh_matrix_material({IsotropicMatrix(2, 3)})), Error);
+    CHECK_THROWS_AS(static_cast<void>(psh_matrix_material({IsotropicMatrix(2, 2)}, {-1})), Error);
+    CHECK_THROWS_AS(static_cast<void>(project_material(*diffuse({0.5}), 1, 300000)), Error);
+    CHECK_THROWS_AS(static_cast<void>(project_material(*diffuse({0.5, 0.5}), 2, 2)), Error);
+}
