@@ -143,9 +143,7 @@ void bench_projection(Report& report, double seconds) {
                {seconds_a_call[0] / seconds_a_call[1], 1e6 * seconds_a_call[0], not_measured});
     report.note("Projection reads " + std::to_string(gigabytes / seconds_a_call[0]) +
                 " GB/s on all cores; the plain read, on one, " +
-                std::to_string(gigabytes / seconds_a_call[1]) + (sum == 0 ? " GB/s" : " GB/s.")); a plain read of the picture on one: " +
-                std::to_string(gigabytes / seconds_a_call[1]) + " GB/s (the ratio is to that)" +
-                (sum == 0 ? "." : ""));
+                std::to_string(gigabytes / seconds_a_call[1]) + (sum == 0 ? " GB/s" : " GB/s."));
 }
 
 }  // namespace
