@@ -43,8 +43,9 @@ struct CubePoint {
 /// cross.
 [[nodiscard]] CubeCross read_cube_cross(const std::filesystem::path& path);
 
-/// The same light as an equirectangular picture of the world, y up, of 4 edge columns: bilinear on the cube,
-/// across its edges too, each pixel turned by parallel transport into the frame where it is needed.
+/// The same light as an equirectangular picture of the world, y up, of 8 edge columns (4 edge above edge
+/// 256): bilinear on the cube, across its edges too, each pixel turned by parallel transport into the frame
+/// where it is needed.
 [[nodiscard]] EquirectImage equirect_from_cross(const CubeCross& cross);
 
 /// Writes `NAME_s0.exr` .. `NAME_s3.exr` with faces of `edge` pixels, each file float R G B (or as

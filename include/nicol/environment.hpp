@@ -90,15 +90,25 @@ void write_environment(const std::filesystem::path& path, const Environment& env
 /// Unpolarized, the same from everywhere: one radiance a channel, finite and >= 0, at least one.
 [[nodiscard]] EnvironmentPtr constant_environment(std::vector<double> radiance);
 
-/// A sky scattered once by small particles. With g the angle between the view and the sun:
-/// s0 = radiance 3/4 (1 + cos^2 g), DoLP = dop_max sin^2 g / (1 + cos^2 g), the electric field along
-/// sun x view, no s3. `radiance` is thus the mean over the sphere. The formula is kept below the horizon too:
-/// the light stays smooth, has no order above 2 and projects exactly; a scene that has a ground says so with
-/// geometry, which hides it. The sun's own disc is not part of it.
+/// A clear sky; the sun's own disc is not part of it. With g the angle between the view and the sun, its
+/// degree of linear polarization is dop_max sin^2 g / (1 + cos^2 g), the electric field along sun x view,
+/// without s3.
+///
+/// turbidity 0: scattered once by small particles, s0 = radiance 3/4 (1 + cos^2 g); `radiance` is thus the
+/// mean over the sphere. The formula is kept below the horizon too: the light stays smooth, has no order
+/// above 2 and projects exactly; a scene that has a ground says so with geometry, which hides it.
+///
+/// turbidity 1.7 (very clear) to 10 (hazy): luminance and colour by Perez's formula with the coefficients of
+/// Preetham et al. (1999), scaled so that the mean luminance over the upper half is 1, times `radiance`.
+/// Three channels get linear sRGB (clipped below 0), any other number the luminance in each. Up is +y. Below
+/// the horizon lies a ground that reflects ground_albedo of the irradiance of each channel, unpolarized and
+/// the same everywhere. It is a picture of 1024 x 513 pixels with all that image_environment() says.
 struct RayleighSky {
-    glm::dvec3 sun_direction{0, 1, 0};      ///< towards the sun, any length but 0
+    glm::dvec3 sun_direction{0, 1, 0};      ///< towards the sun, any length but 0; y >= 0 with turbidity
     double dop_max = 0.8;                   ///< 0..1, reached 90 degrees from the sun
     std::vector<double> radiance{1, 1, 1};  ///< a channel each, finite and >= 0
+    double turbidity = 0;                   ///< 0, or 1.7 to 10
+    double ground_albedo = 0.2;             ///< 0..1, with turbidity
 };
 /// Throws Error(invalid_argument) naming the member that is out of range.
 [[nodiscard]] EnvironmentPtr rayleigh_sky(const RayleighSky& sky);

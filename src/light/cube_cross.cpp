@@ -127,7 +127,10 @@ CubePoint cube_point(int edge, double x, double y) {
 EquirectImage equirect_from_cross(const CubeCross& cross) {
     cross.check("equirect_from_cross: cross");
     const CrossSampler sampler(cross);
-    EquirectImage image(cross.width, cross.width / 2 + 1, cross.channels);
+    // Resampling smooths as a bilinear filter does; twice the pixels take half of that away where they are
+    // few.
+    const int width = cross.width <= 1024 ? 2 * cross.width : cross.width;
+    EquirectImage image(width, width / 2 + 1, cross.channels);
     image.wavelengths = cross.wavelengths;
     tbb::parallel_for(0, image.height, [&](int y) {
         std::vector<Stokes> values(static_cast<std::size_t>(cross.channels));

@@ -8,6 +8,7 @@
 
 #include "light/environment_checks.hpp"
 #include "light/equirect.hpp"
+#include "light/turbid_sky.hpp"
 #include "nicol/error.hpp"
 #include "nicol/grid.hpp"
 #include "nicol/transform.hpp"
@@ -109,7 +110,15 @@ EnvironmentPtr rayleigh_sky(const RayleighSky& sky) {
     if (!(sky.dop_max >= 0 && sky.dop_max <= 1))
         throw Error(ErrorCode::invalid_argument, "rayleigh_sky: dop_max must be 0 to 1");
     check_radiance("rayleigh_sky", sky.radiance);
-    return std::make_shared<RayleighEnvironment>(sky, scaled / length);
+    if (sky.turbidity == 0) return std::make_shared<RayleighEnvironment>(sky, scaled / length);
+    if (!(sky.turbidity >= 1.7 && sky.turbidity <= 10))
+        throw Error(ErrorCode::invalid_argument, "rayleigh_sky: turbidity must be 0, or 1.7 to 10");
+    if (!(sky.ground_albedo >= 0 && sky.ground_albedo <= 1))
+        throw Error(ErrorCode::invalid_argument, "rayleigh_sky: ground_albedo must be 0 to 1");
+    if (scaled.y < 0)
+        throw Error(ErrorCode::invalid_argument,
+                    "rayleigh_sky: with turbidity, sun_direction must not point below the horizon (y < 0)");
+    return image_environment(turbid_sky_picture(sky, scaled / length));
 }
 
 }  // namespace nicol

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Energies from the coefficients, ranges from the picture.
+#include "nicol/light_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace nicol {
+namespace {
+
+std::vector<Stokes> energy_of(const PshVector& field, int channel) {
+    std::vector<Stokes> energy;
+    for (int l = 0; l <= field.order(); ++l) {
+        Stokes sum(0);
+        for (int m = -l; m <= l; ++m)
+            for (int p = 0; p < 4; ++p) sum[p] += std::pow(field.at(channel, l, m, p), 2);
+        energy.push_back(sum);
+    }
+    return energy;
+}
+
+void describe_pixels(const EquirectImage& image, int channel, LightChannelReport& report) {
+    constexpr double rounding = 1e-5;
+    double area = 0;
+    double polarized = 0;
+    double positive = 0;
+    double excess = 0;
+    report.smallest = std::numeric_limits<double>::infinity();
+    report.largest = -report.smallest;
+    for (int y = 0; y < image.height; ++y) {
+        // Rows are vertex-centred: the first and the last are the poles, half a step of which is there.
+        const double step = std::numbers::pi / (image.height - 1);
+        const bool pole = y == 0 || y == image.height - 1;
+        const double weight =
+            pole ? 2 * std::pow(std::sin(step / 4), 2) : 2 * std::sin(y * step) * std::sin(step / 2);
+        for (int x = 0; x < image.width; ++x) {
+            const Stokes s = image.stokes(channel, y, x);
+            const double linear = std::hypot(s[1], s[2]);
+            const double degree = std::hypot(linear, s[3]);
+            area += weight;
+            report.mean += weight * s[0];
+            report.smallest = std::min(report.smallest, s[0]);
+            report.largest = std::max(report.largest, s[0]);
+            excess = std::max(excess, degree - s[0]);
+            if (s[0] < 0) report.negative += weight;
+            if (s[0] < 0 || degree > (1 + rounding) * s[0]) report.unphysical += weight;
+            if (s[0] <= 0) continue;
+            positive += weight * s[0];
+            polarized += weight * linear;
+            report.largest_dolp = std::max(report.largest_dolp, linear / s[0]);
+            report.circular = std::max(report.circular, std::abs(s[3]) / s[0]);
+        }
+    }
+    report.mean /= area;
+    report.negative /= area;
+    report.unphysical /= area;
+    if (positive > 0) report.mean_dolp = polarized / positive;
+    if (excess > 0 && report.unphysical > 0 && report.mean > 0) report.largest_excess = excess / report.mean;
+}
+
+}  // namespace
+
+LightReport describe(const Environment& environment, int order) {
+    const PshVector field = environment.project(order);
+    const EquirectImage image = environment.picture();
+    LightReport report;
+    report.width = image.width;
+    report.height = image.height;
+    report.order = order;
+    report.polarized = environment.polarized();
+    report.circular = environment.circular();
+    report.wavelengths = environment.wavelengths();
+    for (int c = 0; c < environment.channels(); ++c) {
+        LightChannelReport& channel = report.channels.emplace_back();
+        channel.energy = energy_of(field, c);
+        describe_pixels(image, c, channel);
+    }
+    return report;
+}
+
+}  // namespace nicol

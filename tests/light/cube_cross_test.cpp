@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+// Cube maps: geometry and frames from their definition, a field of known coefficients, the authors' light.
+#include "nicol/cube_cross.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "image/temporary_folder.hpp"
+#include "light/directions.hpp"
+#include "light/random_field.hpp"
+#include "nicol/evaluate.hpp"
+#include "nicol/psh_file.hpp"
+
+using namespace nicol;
+
+namespace {
+
+/// The field at every pixel in the frame that the layout documents, by means of the definition alone.
+CubeCross cross_of(const PshVector& field, int edge) {
+    CubeCross cross(4 * edge, 3 * edge, field.channels());
+    struct Cell {
+        glm::dvec3 forward, up;
+        int column, row;
+    };
+    const Cell cells[] = {{{0, 0, 1}, {0, -1, 0}, 1, 0}, {{0, 0, -1}, {0, 1, 0}, 1, 2},
+                          {{-1, 0, 0}, {0, 0, 1}, 0, 1}, {{0, 1, 0}, {0, 0, 1}, 1, 1},
+                          {{1, 0, 0}, {0, 0, 1}, 2, 1},  {{0, -1, 0}, {0, 0, 1}, 3, 1}};
+    for (const Cell& cell : cells) {
+        const glm::dvec3 right = glm::cross(cell.forward, cell.up);
+        for (int y = 0; y < edge; ++y) {
+            for (int x = 0; x < edge; ++x) {
+                const double a = 2 * (x + 0.5) / edge - 1;
+                const double b = 1 - 2 * (y + 0.5) / edge;
+                const glm::dvec3 z = -glm::normalize(cell.forward + a * right + b * cell.up);
+                const glm::dvec3 up = glm::normalize(cell.up - glm::dot(cell.up, z) * z);
+                const Frame frame = {glm::cross(up, z), up, z};
+                for (int c = 0; c < field.channels(); ++c) {
+                    const Stokes s = turned(evaluate(field, c, z), angle_between(theta_phi_frame(z), frame));
+                    for (int p = 0; p < 4; ++p)
+                        cross.at(c, cell.row * edge + y,
+                                 cell.column * edge + x)[static_cast<std::size_t>(p)] =
+                            static_cast<float>(s[p]);
+                }
+            }
+        }
+    }
+    return cross;
+}
+
+/// Relative error of s0 (without the mean) and of s1 + i s2, up to an order.
+struct Errors {
+    double s0, spin;
+};
+Errors errors(const PshVector& a, const PshVector& truth, int order) {
+    double difference[4] = {};
+    double size[4] = {};
+    for (int c = 0; c < truth.channels(); ++c)
+        for (int l = 1; l <= order; ++l)
+            for (int m = -l; m <= l; ++m)
+                for (int p = 0; p < 4; ++p) {
+                    difference[p] += std::pow(a.at(c, l, m, p) - truth.at(c, l, m, p), 2);
+                    size[p] += std::pow(truth.at(c, l, m, p), 2);
+                }
+    return {std::sqrt(difference[0] / size[0]),
+            std::sqrt((difference[1] + difference[2]) / (size[1] + size[2]))};
+}
+
+std::filesystem::path authors_folder() {
+    const char* data = std::getenv("NICOL_TEST_DATA");
+    return std::filesystem::path(data != nullptr ? data : "") / "polarsh";
+}
+
+}  // namespace
+
+TEST_CASE("pixels look where the layout says, in right-handed frames of their propagation") {
+    // The middle of every face, and the pixel right of and above it.
+    const struct {
+        double x, y;
+        glm::dvec3 forward, right, up;
+    } faces[] = {{1.5, 0.5, {0, 0, 1}, {1, 0, 0}, {0, -1, 0}}, {1.5, 2.5, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}},
+                 {0.5, 1.5, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {1.5, 1.5, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+                 {2.5, 1.5, {1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, {3.5, 1.5, {0, -1, 0}, {-1, 0, 0}, {0, 0, 1}}};
+    constexpr int edge = 10;
+    for (const auto& face : faces) {
+        const CubePoint middle = cube_point(edge, face.x * edge, face.y * edge);
+        CHECK(glm::distance(middle.towards_light, face.forward) < 1e-15);
+        CHECK(glm::distance(middle.frame[0], face.right) < 1e-15);
+        CHECK(glm::distance(middle.frame[1], face.up) < 1e-15);
+        const CubePoint corner = cube_point(edge, (face.x + 0.49) * edge, (face.y - 0.49) * edge);
+        const glm::dvec3 expected = glm::normalize(face.forward + 0.98 * (face.right + face.up));
+        CHECK(glm::distance(corner.towards_light, expected) < 1e-14);
+        CHECK(glm::distance(corner.frame[2], -expected) < 1e-14);
+        CHECK(glm::distance(glm::cross(corner.frame[0], corner.frame[1]), corner.frame[2]) < 1e-14);
+        CHECK(std::abs(glm::dot(corner.frame[0], face.up)) < 1e-14);
+        CHECK(glm::dot(corner.frame[0], face.right) > 0.5);
+    }
+    // Neighbours in the picture are neighbours on the sphere: across Front's four edges.
+    for (const auto& [a, b] : {std::pair(glm::dvec2(1.4, 1.0001), glm::dvec2(1.4, 0.9999)),
+                               {{1.4, 1.9999}, {1.4, 2.0001}},
+                               {{1.0001, 1.3}, {0.9999, 1.3}},
+                               {{1.9999, 1.3}, {2.0001, 1.3}}})
+        CHECK(glm::distance(cube_point(edge, edge * a.x, edge * a.y).towards_light,
+                            cube_point(edge, edge * b.x, edge * b.y).towards_light) < 1e-3);
+    for (const auto& [x, y] :
+         {std::pair(5.0, 5.0), {25.0, 5.0}, {35.0, 25.0}, {40.0, 15.0}, {15.0, -0.1}, {15.0, 30.0}})
+        check_error(
+            ErrorCode::invalid_argument, [&] { (void)cube_point(edge, x, y); }, "no face");
+    check_error(
+        ErrorCode::invalid_argument, [&] { (void)cube_point(0, 0, 0); }, "edge");
+}
+
+TEST_CASE("a field of known coefficients comes back from its cube, the better the finer") {
+    const PshVector field = random_field(4, 2);
+    double before = 1;
+    for (const int edge : {16, 32, 64}) {
+        const PshVector back = image_environment(equirect_from_cross(cross_of(field, edge)))->project(4);
+        const auto [s0, spin] = errors(back, field, 4);
+        CHECK(back.at(1, 0, 0, 0) == doctest::Approx(5).epsilon(1e-4));
+        CHECK(s0 < 4.5 / (edge * edge));
+        CHECK(spin < 4.5 / (edge * edge));
+        CHECK(spin < 0.3 * before);
+        before = spin;
+    }
+}
+
+TEST_CASE("the frame is continuous across the edges of faces") {
+    // Between pixels of two faces the components of one face would differ by the turn between them.
+    const PshVector field = random_field(3, 1, 5);
+    const EquirectImage image = equirect_from_cross(cross_of(field, 32));
+    const auto light = image_environment(image);
+    for (const glm::dvec3& w : random_directions(500)) {
+        const Stokes expected = evaluate(field, 0, -w);
+        const Stokes s = light->radiance(0, w);
+        for (int p = 0; p < 4; ++p) CHECK(std::abs(s[p] - expected[p]) < 2e-3);
+    }
+}
+
+TEST_CASE("files: written, and read by the name of any of them") {
+    const TemporaryFolder folder;
+    const PshVector field = random_field(3, 3);
+    write_cube_cross(folder / "sky.v2", *psh_environment(field), 12);
+    CHECK(folder.files() == 4);
+    const CubeCross expected = cross_of(field, 12);
+    for (const char* name : {"sky.v2", "sky.v2_s0.exr", "sky.v2_s2.exr", "sky.v2_s3.exr"}) {
+        const CubeCross cross = read_cube_cross(folder / name);
+        REQUIRE(cross.data.size() == expected.data.size());
+        float largest = 0;
+        for (std::size_t i = 0; i < cross.data.size(); ++i)
+            largest = std::max(largest, std::abs(cross.data[i] - expected.data[i]));
+        CHECK(largest < 1e-6f);
+        const auto light = load_environment(folder / name, 2);
+        CHECK(light->circular());
+        CHECK(light->channels() == 3);
+        CHECK(light->project(0).at(2, 0, 0, 0) == doctest::Approx(12).epsilon(1e-3));
+    }
+    check_error(
+        ErrorCode::invalid_argument, [&] { write_cube_cross(folder / "a", *psh_environment(field), 1); },
+        "edge");
+}
+
+TEST_CASE("sets of files that do not fit together are refused by name") {
+    const TemporaryFolder folder;
+    const auto bad = ErrorCode::invalid_file;
+    const auto write = [&](int component, int width, int height, int channels, float value = 0) {
+        StokesImage image(width, height, channels);
+        for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = value;
+        write_exr(folder / ("a_s" + std::to_string(component) + ".exr"), image, {.components = 0});
+    };
+    const auto refuse = [&](ErrorCode code, const std::string& file, const std::string& part) {
+        check_error(
+            code, [&] { (void)load_environment(folder / "a_s1.exr"); }, file, part);
+    };
+    refuse(ErrorCode::file_not_found, "a_s0.exr", "missing");
+    for (const int p : {0, 1, 3}) write(p, 16, 12, 3, p == 0 ? 1.0f : 0.0f);
+    refuse(ErrorCode::file_not_found, "a_s2.exr", "missing");
+    write(2, 16, 12, 1);
+    refuse(bad, "a_s2.exr", "1 channels");
+    write(2, 32, 24, 3);
+    refuse(bad, "a_s2.exr", "32 x 24");
+    write(2, 16, 12, 3);
+    CHECK_FALSE(load_environment(folder / "a_s1.exr")->polarized());
+    write(2, 16, 12, 3, 1.1f);
+    refuse(bad, "a_s1.exr", "more than fully");
+    write(2, 16, 12, 3, std::nanf(""));
+    refuse(bad, "a_s2.exr", "not a number");
+    write(2, 16, 12, 3);
+    for (const auto& [width, height] : {std::pair(16, 8), {12, 12}, {15, 12}, {12, 16}, {4, 3}}) {
+        write(0, width, height, 3, 1);
+        refuse(bad, "a_s0.exr", "4 edge x 3 edge");
+    }
+    StokesImage whole(16, 12, 3);
+    for (std::size_t i = 0; i < whole.data.size(); ++i) whole.data[i] = i % 4 == 0 ? 1.0f : 0.1f;
+    write_exr(folder / "a_s0.exr", whole);
+    refuse(bad, "a_s0.exr", "of its own");
+    const std::vector<double> wavelengths = {500};
+    check_error(
+        ErrorCode::invalid_argument, [&] { (void)load_environment(folder / "a_s0.exr", 1, wavelengths); },
+        "spectral");
+    // A picture whose name only looks alike.
+    write_exr(folder / "s0.exr", StokesImage(4, 3, 1));
+    CHECK(load_environment(folder / "s0.exr")->channels() == 1);
+}
+
+TEST_CASE("the authors' cube map is the light of the authors' coefficients") {
+    const auto folder = authors_folder();
+    if (!std::filesystem::exists(folder / "sponza_64_s0.exr")) {
+        MESSAGE("skipped: no sponza_64_s0.exr in ", folder.string());
+        return;
+    }
+    const PshVector truth = read_psh_vector(folder / "SHVec_sponza_1024_L100.npz");
+    const CubeCross cross = read_cube_cross(folder / "sponza_64_s3.exr");
+    const auto project = [&](double sign1, double sign2) {
+        CubeCross changed = cross;
+        for (std::size_t i = 0; i < cross.data.size(); i += 4) {
+            changed.data[i + 1] *= static_cast<float>(sign1);
+            changed.data[i + 2] *= static_cast<float>(sign2);
+        }
+        return errors(image_environment(equirect_from_cross(changed))->project(9), truth, 9);
+    };
+    CHECK(project(1, 1).s0 < 0.003);
+    CHECK(project(1, 1).spin < 0.003);
+    // What a wrong frame would leave.
+    CHECK(project(1, -1).spin > 0.1);
+    CHECK(project(-1, 1).spin > 1);
+    CHECK(project(-1, -1).spin > 1);
+}
