@@ -18,7 +18,7 @@ struct ReferenceOptions {
     int samples = 256;
     /// The same seed gives the same picture whatever the number of threads; another one gives other noise.
     std::uint64_t seed = 0;
-    int threads = 0;  ///< 0: one a core
+    int threads = 0;  ///< 0: one a core, which is also the most
     /// Called about ten times a second on the calling thread with "trace" and the fraction done; false stops
     /// the render with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;

@@ -2,6 +2,7 @@
 #include "reference/render_reference.hpp"
 
 #include <tbb/blocked_range2d.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -126,7 +127,9 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
     tbb::task_group_context group;
     const CameraRays rays(projection, width, height);
     Tracer tracer(light, rays, options, progress, group, image);
-    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    // More than there are would only make TBB complain.
+    const int cores = tbb::info::default_concurrency();
+    tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
     arena.execute([&] {
         tbb::parallel_for(
             tbb::blocked_range2d<int>(0, height, tile_side, 0, width, tile_side),

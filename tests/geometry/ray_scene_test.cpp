@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <random>
+
+#include "geometry/ray_scene.hpp"
+#include "nicol/error.hpp"
+#include "nicol/mesh.hpp"
+
+using namespace nicol;
+
+namespace {
+
+glm::dvec3 random_direction(std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    const double x = normal(random);
+    const double y = normal(random);
+    return glm::normalize(glm::dvec3(x, y, normal(random)));
+}
+
+RaySurface surface(const Mesh& mesh) {
+    return {mesh.positions, mesh.triangles};
+}
+
+}  // namespace
+
+TEST_CASE("the nearest of all triangles is hit, where the brute-force search hits") {
+    const Mesh ball = make_sphere({0.2, 0, 0}, 0.7);
+    Mesh cube = make_cube(3);
+    for (glm::vec3& p : cube.positions) p = 0.4F * p + glm::vec3(0.5F, 0.3F, 0.1F);
+    const RaySurface surfaces[] = {surface(ball), {}, surface(cube)};
+    const RayScene scene(surfaces);
+    std::mt19937 random(1);
+    int hits[3] = {0, 0, 0};
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 origin = 3.0 * random_direction(random);
+        const glm::dvec3 target = 0.8 * random_direction(random);
+        const glm::dvec3 direction = glm::normalize(target - origin);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const RaySurface& s : surfaces) {
+            for (const glm::uvec3& t : s.triangles) {
+                const glm::dvec3 a(s.positions[t.x]), u = glm::dvec3(s.positions[t.y]) - a,
+                                                      v = glm::dvec3(s.positions[t.z]) - a;
+                const glm::dvec3 p = glm::cross(direction, v);
+                const double determinant = glm::dot(u, p);
+                const glm::dvec3 to = origin - a;
+                const double b1 = glm::dot(to, p) / determinant;
+                const glm::dvec3 q = glm::cross(to, u);
+                const double b2 = glm::dot(direction, q) / determinant;
+                const double distance = glm::dot(v, q) / determinant;
+                if (b1 >= 0 && b2 >= 0 && b1 + b2 <= 1 && distance > 0) nearest = std::min(nearest, distance);
+            }
+        }
+        const auto hit = scene.intersect({.origin = origin, .direction = direction});
+        REQUIRE(hit.has_value() == std::isfinite(nearest));
+        if (!hit) continue;
+        ++hits[hit->surface];
+        CHECK(hit->distance == doctest::Approx(nearest).epsilon(1e-5));
+        const RaySurface& s = surfaces[hit->surface];
+        const glm::uvec3& t = s.triangles[hit->triangle];
+        const glm::dvec3 point = (1 - hit->b1 - hit->b2) * glm::dvec3(s.positions[t.x]) +
+                                 hit->b1 * glm::dvec3(s.positions[t.y]) +
+                                 hit->b2 * glm::dvec3(s.positions[t.z]);
+        CHECK(glm::distance(point, origin + nearest * direction) < 1e-5);
+    }
+    CHECK(hits[0] > 50);
+    CHECK(hits[1] == 0);
+    CHECK(hits[2] > 20);
+}
+
+TEST_CASE("only distances in range count") {
+    const Mesh square = make_rectangle(1);
+    const RaySurface surfaces[] = {surface(square)};
+    const RayScene scene(surfaces);
+    const Ray ray{.origin = {0.1, 0.2, 5}, .direction = {0, 0, -1}};
+    REQUIRE(scene.intersect(ray).has_value());
+    CHECK(scene.intersect(ray)->distance == doctest::Approx(5));
+    Ray late = ray;
+    late.nearest = 5.01;
+    CHECK(!scene.intersect(late).has_value());
+    Ray early = ray;
+    early.farthest = 4.99;
+    CHECK(!scene.intersect(early).has_value());
+    Ray away = ray;
+    away.direction = {0, 0, 1};
+    CHECK(!scene.intersect(away).has_value());
+}
+
+TEST_CASE("no ray leaves a closed surface and no surface hides itself, large or small, near or far") {
+    std::mt19937 random(2);
+    for (const double radius : {1e-6, 1.0, 1e6}) {
+        for (const double away : {0.0, 100.0}) {
+            CAPTURE(radius);
+            CAPTURE(away);
+            const glm::dvec3 center(away * radius, 0, 0);
+            const Mesh ball = make_sphere(center, radius);
+            const RaySurface surfaces[] = {surface(ball)};
+            const RayScene scene(surfaces);
+            int wrong = 0;
+            for (int i = 0; i < 20000; ++i) {
+                const glm::uvec3& t = ball.triangles[static_cast<std::size_t>(i) % ball.triangles.size()];
+                const glm::dvec3 a(ball.positions[t.x]), b(ball.positions[t.y]), c(ball.positions[t.z]);
+                const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+                const glm::dvec3 point = 0.5 * a + 0.3 * b + 0.2 * c;
+                glm::dvec3 direction = random_direction(random);
+                if (std::abs(glm::dot(direction, normal)) < 0.02) continue;
+                const bool inwards = glm::dot(direction, normal) < 0;
+                // From outside the ball is convex; from inside there is no gap, either sign of the normal.
+                wrong += scene.occluded(point, i % 2 == 0 ? normal : -normal, direction) == inwards ? 0 : 1;
+            }
+            CHECK(wrong == 0);
+        }
+    }
+}
+
+TEST_CASE("what lies above a point hides what is behind it") {
+    const Mesh square = make_rectangle(1);
+    const RaySurface surfaces[] = {surface(square)};
+    const RayScene scene(surfaces);
+    CHECK(scene.occluded({0.5, 0.5, -1}, {0, 0, 1}, {0, 0, 1}));
+    CHECK(!scene.occluded({1.5, 0.5, -1}, {0, 0, 1}, {0, 0, 1}));
+    CHECK(!scene.occluded({0.5, 0.5, -1}, {0, 0, 1}, {0, 0, -1}));
+}
+
+TEST_CASE("nothing at all is hit by nothing") {
+    const RayScene scene({});
+    CHECK(!scene.intersect({.origin = {0, 0, 0}, .direction = {0, 0, 1}}).has_value());
+    CHECK(!scene.occluded({0, 0, 0}, {0, 0, 1}, {0, 0, 1}));
+}
+
+TEST_CASE("surfaces that are not sound are refused by name") {
+    const std::vector<glm::vec3> good{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<glm::uvec3> one{{0, 1, 2}};
+    const auto refusal = [](const RaySurface& bad) -> std::string {
+        const RaySurface surfaces[] = {{}, bad};
+        try {
+            const RayScene scene(surfaces);
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::invalid_argument);
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(refusal({good, one}).empty());
+    for (const float value :
+         {std::numeric_limits<float>::quiet_NaN(), 2e15F, -std::numeric_limits<float>::infinity()}) {
+        std::vector<glm::vec3> bad = good;
+        bad[2].y = value;
+        const std::string message = refusal({bad, one});
+        CHECK(message.find("surface 1") != std::string::npos);
+        CHECK(message.find("vertex 2") != std::string::npos);
+    }
+    const std::vector<glm::uvec3> beyond{{0, 1, 2}, {0, 3, 1}};
+    const std::string message = refusal({good, beyond});
+    CHECK(message.find("surface 1") != std::string::npos);
+    CHECK(message.find("triangle 1") != std::string::npos);
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Options, threads, progress and errors.
+#include <doctest/doctest.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "nicol/error.hpp"
+#include "scenes.hpp"
+
+using namespace nicol;
+using namespace nicol::test;
+
+namespace {
+
+constexpr int width = 21, height = 13;  // no multiple of a tile
+
+Scene ball_on_floor() {
+    Scene scene;
+    const Frame floor(glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0));
+    scene.add(square(diffuse({0.4}), floor, {0, -1, 0}, 4));
+    scene.add({.mesh = std::make_shared<const Mesh>(make_sphere()),
+               .material = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}}),
+               .to_world = glm::dmat4(1.0)});
+    scene.set_environment(rayleigh_sky({.sun_direction = {1, 1, 1}}), glm::dmat3(1.0), 1);
+    return scene;
+}
+
+Camera camera() {
+    Camera out;
+    out.to_world = look_at({2, 1.5, 4}, {0, 0, 0}, {0, 1, 0});
+    return out;
+}
+
+ErrorCode code_of(const Scene& scene, int w, int h, const ReferenceOptions& options, std::string& message) {
+    try {
+        ReferenceStatistics statistics;
+        (void)render_reference(scene, project(camera(), width, height), w, h, options, statistics);
+    } catch (const Error& error) {
+        message = error.what();
+        return error.code();
+    }
+    message.clear();
+    return ErrorCode{};
+}
+
+}  // namespace
+
+TEST_CASE("a seed gives the same picture with any number of threads; another seed another") {
+    const Scene scene = ball_on_floor();
+    const auto picture = [&](std::uint64_t seed, int threads) {
+        return render(scene, camera(), width, height,
+                      {.samples = 20, .seed = seed, .threads = threads, .progress = {}})
+            .data;
+    };
+    const std::vector<float> one = picture(5, 1);
+    CHECK(one == picture(5, 2));
+    CHECK(one == picture(5, 7));
+    CHECK(one == picture(5, 0));
+    const std::vector<float> other = picture(6, 1);
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < one.size(); i += 4) same += one[i] == other[i] ? 1 : 0;
+    CHECK(same < one.size() / 4 / 20);
+}
+
+TEST_CASE("pixels have noise of their own") {
+    Scene scene;
+    scene.add(square(diffuse({0.5})));
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    const StokesImage image =
+        render(scene, camera_on({0, 0, 0}, {0, 0, 1}), 16, 16, {.samples = 4, .progress = {}});
+    int same = 0;
+    for (int y = 0; y < 16; ++y)
+        for (int x = 1; x < 16; ++x) same += image.at(0, y, x)[0] == image.at(0, y, x - 1)[0] ? 1 : 0;
+    CHECK(same < 5);
+}
+
+TEST_CASE("every pixel and ray is counted") {
+    const Scene scene = ball_on_floor();
+    ReferenceStatistics statistics;
+    (void)render_reference(scene, project(camera(), width, height), width, height,
+                           {.samples = 3, .progress = {}}, statistics);
+    CHECK(statistics.camera_rays == 3 * width * height);
+    CHECK(statistics.shadow_rays > statistics.camera_rays / 4);
+    CHECK(statistics.shadow_rays <= 2 * statistics.camera_rays);
+    CHECK(statistics.triangles == make_sphere().triangles.size() + 2);
+}
+
+TEST_CASE("progress is told on the calling thread, rising, and can stop the render") {
+    const Scene scene = ball_on_floor();
+    const std::thread::id caller = std::this_thread::get_id();
+    int calls = 0;
+    double last = 0;
+    bool sound = true;
+    ReferenceOptions options{.samples = 512, .threads = 4, .progress = {}};
+    options.progress = [&](const char* verb, double fraction) {
+        ++calls;
+        sound = sound && std::string(verb) == "trace" && std::this_thread::get_id() == caller &&
+                fraction >= last && fraction <= 1;
+        last = fraction;
+        return true;
+    };
+    (void)render(scene, camera(), width, height, options);
+    CHECK(calls > 0);
+    CHECK(sound);
+
+    // Far too much to be rendered: this ends because it is stopped, in the middle of a pixel.
+    for (const int threads : {1, 3}) {
+        calls = 0;
+        options.samples = kMaxReferenceSamples;
+        options.threads = threads;
+        options.progress = [&](const char*, double) { return ++calls < 2; };
+        std::string message;
+        CHECK(code_of(scene, 1024, 1024, options, message) == ErrorCode::cancelled);
+        CHECK(calls == 2);
+    }
+}
+
+TEST_CASE("options and sizes out of range are refused by name") {
+    const Scene scene = ball_on_floor();
+    std::string message;
+    for (const int samples : {0, -1, kMaxReferenceSamples + 1}) {
+        CHECK(code_of(scene, width, height, {.samples = samples, .progress = {}}, message) ==
+              ErrorCode::invalid_argument);
+        CHECK(message.find("samples is " + std::to_string(samples)) != std::string::npos);
+    }
+    CHECK(code_of(scene, width, height, {.threads = -1, .progress = {}}, message) ==
+          ErrorCode::invalid_argument);
+    CHECK(message.find("threads") != std::string::npos);
+    for (const int side : {0, -5, kMaxImageSide + 1})
+        CHECK(code_of(scene, side, height, {.samples = 1, .progress = {}}, message) ==
+              ErrorCode::invalid_argument);
+}
+
+TEST_CASE("what throws inside reaches the caller") {
+    class Broken final : public Material {
+    public:
+        int channels() const noexcept override { return 1; }
+        int terms() const noexcept override { return 1; }
+        double weight(int, int) const override { return 1; }
+        double lobe_width(int) const noexcept override { return 1; }
+        Mueller evaluate(int, const glm::dvec3&, const glm::dvec3&) const override {
+            throw Error(ErrorCode::unsupported, "broken");
+        }
+    };
+    Scene scene;
+    scene.add(square(std::make_shared<const Broken>()));
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    CHECK_THROWS_WITH_AS((void)render(scene, camera_on({0, 0, 0}, {0, 0, 1}), 64, 64,
+                                      {.samples = 16, .threads = 4, .progress = {}}),
+                         "broken", Error);
+}
+
+TEST_CASE("what lies outside the clip planes is not seen") {
+    Scene scene;
+    scene.add(square(diffuse({0.5})));
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    for (const bool orthographic : {true, false}) {
+        Camera view;
+        view.orthographic = orthographic;
+        view.to_world = look_at({0, 0, 2}, {0, 0, 0}, {0, 1, 0});
+        view.fov = 50;
+        const auto middle = [&](double near, double far) {
+            view.near_clip = near;
+            view.far_clip = far;
+            // A corner, where the distance along the ray is not the depth.
+            const StokesImage image =
+                render(scene, view, 16, 16, {.samples = 64, .progress = {}}, Strategy::surface);
+            return static_cast<double>(image.at(0, 1, 1)[0]);
+        };
+        CHECK(middle(1.99, 2.01) == doctest::Approx(0.5).epsilon(1e-5));
+        CHECK(middle(0.1, 1.99) == doctest::Approx(1).epsilon(1e-5));
+        CHECK(middle(2.01, 10) == doctest::Approx(1).epsilon(1e-5));
+    }
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// Pictures against Mitsuba 3's, object pixels away from silhouettes. Fewer samples than the truth has; what
+// matters is that nothing but noise is left: it must average out over blocks of pixels as noise does.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "reference/camera_rays.hpp"
+#include "scenes.hpp"
+
+using namespace nicol;
+using namespace nicol::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path data_folder() {
+    const char* folder = std::getenv("NICOL_TEST_DATA");
+    return folder == nullptr ? fs::path() : fs::path(folder);
+}
+
+/// What the scene files beside the pictures say.
+struct MitsubaScene {
+    Scene scene;
+    Camera camera;
+    int width, height;
+};
+
+void add(MitsubaScene& s, Mesh mesh, const std::vector<double>& diffuse_reflectance, double alpha) {
+    s.scene.add({.mesh = std::make_shared<const Mesh>(std::move(mesh)),
+                 .material = pplastic({.diffuse_reflectance = diffuse_reflectance,
+                                       .int_ior = 1.5,
+                                       .ext_ior = 1,
+                                       .alpha = alpha,
+                                       .distribution = Distribution::ggx}),
+                 .to_world = glm::dmat4(1.0)});
+}
+
+MitsubaScene sphere_env(const fs::path& data) {
+    MitsubaScene s{.scene = {}, .camera = {.orthographic = true}, .width = 128, .height = 128};
+    s.camera.to_world = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0});
+    s.camera.to_world[0] *= 1.25;
+    s.camera.to_world[1] *= 1.25;
+    add(s, make_sphere(), {0.5, 0.3, 0.1}, 0.3);
+    s.scene.set_environment(load_environment(data / "mitsuba/env.exr"), glm::dmat3(1.0), 1);
+    return s;
+}
+
+MitsubaScene buddha(const fs::path& data) {
+    MitsubaScene s{.scene = {}, .camera = {.fov = 42}, .width = 256, .height = 256};
+    s.camera.to_world = look_at({2.8, 1.6, 6.6}, {0, 0.1, 0}, {0, 1, 0});
+    add(s, load_mesh(data / "polarsh/buddha.obj"), {0.6, 0.35, 0.1}, 0.3);
+    add(s, load_mesh(data / "polarsh/plane.obj"), {0.4, 0.4, 0.4}, 0.5);
+    s.scene.set_environment(load_environment(data / "mitsuba/venice.exr"), glm::dmat3(1.0), 1);
+    return s;
+}
+
+/// 1 where a pixel and its eight neighbours show the same object.
+std::vector<char> inner_pixels(const MitsubaScene& s) {
+    std::vector<Mesh> meshes;
+    std::vector<RaySurface> surfaces;
+    for (const Instance& i : s.scene.instances()) meshes.push_back(transformed(*i.mesh, i.to_world));
+    for (const Mesh& m : meshes) surfaces.push_back({m.positions, m.triangles});
+    const RayScene rays(surfaces);
+    const CameraRays camera(project(s.camera, s.width, s.height), s.width, s.height);
+    std::vector<int> object(static_cast<std::size_t>(s.width * s.height), -1);
+    for (int i = 0; i < s.width * s.height; ++i) {
+        const auto hit = rays.intersect(camera.through(i % s.width + 0.5, i / s.width + 0.5));
+        if (hit) object[static_cast<std::size_t>(i)] = static_cast<int>(hit->surface);
+    }
+    std::vector<char> inner(object.size(), 0);
+    for (int y = 1; y + 1 < s.height; ++y) {
+        for (int x = 1; x + 1 < s.width; ++x) {
+            const int own = object[static_cast<std::size_t>(y * s.width + x)];
+            bool same = own >= 0;
+            for (int n = 0; n < 9; ++n)
+                same = same &&
+                       object[static_cast<std::size_t>((y + n / 3 - 1) * s.width + x + n % 3 - 1)] == own;
+            inner[static_cast<std::size_t>(y * s.width + x)] = same ? 1 : 0;
+        }
+    }
+    return inner;
+}
+
+struct Comparison {
+    double mean_ratio = 0;              // of s0, ours over the truth's
+    double slope[4] = {0, 0, 0, 0};     // least squares of ours against the truth
+    double residual[4] = {0, 0, 0, 0};  // RMS of the difference over the mean of s0
+};
+
+/// Of the means of blocks of side x side pixels, wholly inside the object.
+Comparison compare(const StokesImage& ours, const StokesImage& truth, const std::vector<char>& inner,
+                   int side) {
+    double total = 0, total_truth = 0, count = 0;
+    double product[4] = {0, 0, 0, 0}, square[4] = {0, 0, 0, 0}, error[4] = {0, 0, 0, 0};
+    for (int y = 0; y + side <= ours.height; y += side) {
+        for (int x = 0; x + side <= ours.width; x += side) {
+            bool whole = true;
+            for (int i = 0; i < side * side; ++i)
+                whole =
+                    whole && inner[static_cast<std::size_t>((y + i / side) * ours.width + x + i % side)] != 0;
+            if (!whole) continue;
+            for (int c = 0; c < ours.channels; ++c) {
+                Stokes a(0.0), b(0.0);
+                for (int i = 0; i < side * side; ++i) {
+                    a += ours.stokes(c, y + i / side, x + i % side) / double(side * side);
+                    b += truth.stokes(c, y + i / side, x + i % side) / double(side * side);
+                }
+                ++count;
+                total += a[0];
+                total_truth += b[0];
+                for (int p = 0; p < 4; ++p) {
+                    product[p] += a[p] * b[p];
+                    square[p] += b[p] * b[p];
+                    error[p] += (a[p] - b[p]) * (a[p] - b[p]);
+                }
+            }
+        }
+    }
+    Comparison out;
+    out.mean_ratio = total / total_truth;
+    for (int p = 0; p < 4; ++p) {
+        out.slope[p] = product[p] / square[p];
+        out.residual[p] = std::sqrt(error[p] / count) / (total_truth / count);
+    }
+    return out;
+}
+
+void check(const MitsubaScene& s, const fs::path& truth_file, int samples) {
+    const StokesImage truth = read_exr(truth_file);
+    const StokesImage ours =
+        render(s.scene, s.camera, s.width, s.height, {.samples = samples, .progress = {}});
+    REQUIRE(ours.width == truth.width);
+    REQUIRE(ours.height == truth.height);
+    const std::vector<char> inner = inner_pixels(s);
+    const Comparison pixels = compare(ours, truth, inner, 1);
+    const Comparison blocks = compare(ours, truth, inner, 4);
+    MESSAGE(truth_file.filename().string()
+            << " at " << samples << " samples: mean s0 ratio " << pixels.mean_ratio << ", slopes s1 "
+            << blocks.slope[1] << " s2 " << blocks.slope[2] << ", residual of pixels s0 "
+            << pixels.residual[0] << " s1 " << pixels.residual[1] << " s2 " << pixels.residual[2]
+            << ", of 4 x 4 blocks s0 " << blocks.residual[0] << " s1 " << blocks.residual[1] << " s2 "
+            << blocks.residual[2]);
+    CHECK(std::abs(pixels.mean_ratio - 1) < 0.005);
+    CHECK(std::abs(blocks.slope[1] - 1) < 0.015);
+    CHECK(std::abs(blocks.slope[2] - 1) < 0.015);
+    CHECK(pixels.residual[3] < 1e-6);
+    // Noise of 16 pixels' mean is a quarter; anything systematic would stay.
+    for (int p = 0; p < 3; ++p) CHECK(blocks.residual[p] < 1.15 * pixels.residual[p] / 4);
+}
+
+}  // namespace
+
+TEST_CASE("a sphere under a picture of light is Mitsuba 3's, but for noise") {
+    const fs::path data = data_folder();
+    const fs::path truth = data / "mitsuba/sphere_env_a03.exr";
+    if (!fs::exists(truth)) {
+        MESSAGE("skipped: NICOL_TEST_DATA has no mitsuba/sphere_env_a03.exr");
+        return;
+    }
+    check(sphere_env(data), truth, 128);
+}
+
+TEST_CASE("a statue on a plane, with shadows, is Mitsuba 3's, but for noise") {
+    const fs::path data = data_folder();
+    const fs::path truth = data / "mitsuba/buddha_plane_venice.exr";
+    if (!fs::exists(truth) || !fs::exists(data / "polarsh/buddha.obj")) {
+        MESSAGE("skipped: NICOL_TEST_DATA has no mitsuba/buddha_plane_venice.exr or polarsh/buddha.obj");
+        return;
+    }
+    check(buddha(data), truth, 64);
+}

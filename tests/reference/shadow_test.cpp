@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Shadows whose depth is known: view factors of squares and walls.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scenes.hpp"
+
+using namespace nicol;
+using namespace nicol::test;
+using std::numbers::pi;
+
+namespace {
+
+/// View factor from a small plane element to a parallel a x b rectangle at height 1 with a corner above it.
+double corner_factor(double a, double b) {
+    const double x = std::sqrt(1 + a * a), y = std::sqrt(1 + b * b);
+    return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2 * pi);
+}
+
+const glm::dvec3 aside = glm::normalize(glm::dvec3(1, 0.2, 0.3));
+
+}  // namespace
+
+TEST_CASE("a square above a plane takes its view factor away") {
+    const MaterialPtr white = diffuse({0.8});
+    Scene scene;
+    scene.add(square(white, Frame(1.0), {0, 0, 0}, 50));
+    // Half a unit wide each way at height 1, seen by the plane from both sides alike.
+    scene.add(square(white, Frame(1.0), {0, 0, 1}, 0.5));
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    for (const Strategy strategy : {Strategy::both, Strategy::light, Strategy::surface}) {
+        const double below = point(scene, camera_on({0, 0, 0}, aside), 1 << 15, strategy)[0][0];
+        CHECK(below == doctest::Approx(0.8 * (1 - 4 * corner_factor(0.5, 0.5))).epsilon(2e-3));
+        const double corner = point(scene, camera_on({0.5, 0.5, 0}, aside), 1 << 15, strategy)[0][0];
+        CHECK(corner == doctest::Approx(0.8 * (1 - corner_factor(1, 1))).epsilon(2e-3));
+        const double far = point(scene, camera_on({40, 0, 0}, aside), 1 << 15, strategy)[0][0];
+        CHECK(far == doctest::Approx(0.8).epsilon(2e-3));
+    }
+}
+
+TEST_CASE("a wall takes half of the sky") {
+    const MaterialPtr white = diffuse({0.8});
+    Scene scene;
+    scene.add(square(white, Frame(1.0), {0, 0, 0}, 50));
+    // In the plane x = -0.001, endless as seen from the origin; its front looks along -x, so only the shadow
+    // is seen.
+    const Frame wall(glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), glm::dvec3(-1, 0, 0));
+    scene.add(square(white, wall, {-0.001, 0, 0}, 40));
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    const double value = point(scene, camera_on({0, 0, 0}, aside), 1 << 14)[0][0];
+    CHECK(value == doctest::Approx(0.4).epsilon(2e-3));
+}
+
+TEST_CASE("a square in contact with the plane leaves no light between") {
+    const MaterialPtr white = diffuse({0.8});
+    Scene scene;
+    scene.add(square(white, Frame(1.0), {0, 0, 0}, 50));
+    scene.add(square(white, Frame(1.0), {0, 0, 0.01}, 1));
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    // Seen from between the two.
+    Camera camera;
+    camera.to_world = look_at({0.02, 0, 0.005}, {0, 0, 0}, {0, 0, 1});
+    camera.fov = 0.01;
+    camera.near_clip = 1e-4;
+    const StokesImage image = render(scene, camera, 1, 1, {.samples = 4096, .progress = {}});
+    CHECK(image.stokes(0, 0, 0)[0] < 1e-3);
+}
+
+TEST_CASE("a convex body does not shade itself") {
+    Scene scene;
+    scene.add({.mesh = std::make_shared<const Mesh>(make_sphere()),
+               .material = diffuse({1}),
+               .to_world = glm::dmat4(1.0)});
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    Camera camera;
+    camera.orthographic = true;
+    camera.to_world = look_at({0, 0, 3}, {0, 0, 0}, {0, 1, 0});
+    const StokesImage image =
+        render(scene, camera, 32, 32, {.samples = 64, .progress = {}}, Strategy::surface);
+    double total = 0, count = 0;
+    for (int y = 0; y < 32; ++y) {
+        for (int x = 0; x < 32; ++x) {
+            if (std::hypot(x - 15.5, y - 15.5) > 15) continue;
+            total += image.stokes(0, y, x)[0];
+            ++count;
+        }
+    }
+    // The triangles are up to 1 degree from the sphere's own surface and hide what little lies between.
+    CHECK(total / count == doctest::Approx(1).epsilon(1e-3));
+}
