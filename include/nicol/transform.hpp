@@ -47,10 +47,12 @@ public:
     [[nodiscard]] const LatitudeRows& rows() const noexcept;
 
     /// Coefficients [psh_index(l, m)][p] of one channel: the inner products with the basis (Eq. 32), the
-    /// integral over theta by the rows' weights. `fourier` must have this order and row count.
+    /// integral over theta by the rows' weights. `fourier` must have this order and row count. Throws
+    /// Error(invalid_argument) where it does not, and where a value is not finite.
     void analyze(const FourierRows& fourier, std::span<double> coefficients);
 
-    /// The field of the coefficients on the rows, as Fourier coefficients. p = 1, 2 below l = 2 are not read.
+    /// The field of the coefficients on the rows, as Fourier coefficients. p = 1, 2 below l = 2 count for
+    /// nothing. Throws as analyze.
     void synthesize(std::span<const double> coefficients, FourierRows& fourier);
 
 private:

@@ -22,6 +22,12 @@ int order_of(const ConvolutionKernel& kernel) {
     require(!kernel.empty(), "the kernel has no bands");
     const int order = static_cast<int>(kernel.size()) - 1;
     require_order(order);
+    for (const KernelBand& k : kernel) {
+        // Finite as long as the sum of all is.
+        const Complex sum =
+            k.k00 + k.k03 + k.k30 + k.k33 + k.p0 + k.p3 + k.from_p0 + k.from_p3 + k.iso + k.conj;
+        require(std::isfinite(sum.real()) && std::isfinite(sum.imag()), "the kernel is not finite");
+    }
     return order;
 }
 

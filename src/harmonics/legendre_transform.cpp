@@ -65,6 +65,7 @@ void LegendreTransform::synthesize(std::span<const double> f, FourierRows& fouri
     require_size(f.size(), 4 * psh_count(p.order), "coefficients");
     require(fourier.order == p.order && fourier.rows == p.rows.count(),
             "fourier has another order or row count");
+    require_finite(f, "coefficients");
     const auto [has_scalar, has_spin] = contents(f);
     if (!has_scalar) {
         std::ranges::fill(fourier.s0, Complex());
@@ -210,6 +211,9 @@ void LegendreTransform::analyze(const FourierRows& fourier, std::span<double> f)
             }
         }
     }
+    // What is not finite in any sample has spread to the coefficients of its row's harmonics.
+    require(std::ranges::all_of(f, [](double value) { return std::isfinite(value); }),
+            "the coefficients are not finite: a sample is not a number, infinite or too large");
 }
 
 }  // namespace nicol

@@ -232,6 +232,9 @@ TEST_CASE("convolution refuses bad arguments") {
     CHECK_THROWS_AS((void)kernel_at(kernel, NAN), Error);
     CHECK_THROWS_AS((void)compose(kernel, random_kernel(random, 2)), Error);
     CHECK_THROWS_AS((void)nearest_kernel(CoefficientMatrix(2, 3)), Error);
+    ConvolutionKernel broken = kernel;
+    broken[2].iso = NAN;
+    CHECK_THROWS_AS(convolve(broken, std::span(f).first(64), std::span(g).first(64)), Error);
     const KernelFunction nan = [](double) {
         Mueller m;
         m(0, 0) = INFINITY;

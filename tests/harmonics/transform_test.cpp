@@ -223,6 +223,13 @@ TEST_CASE("transforms refuse bad arguments") {
     CHECK_THROWS_AS(good.analyze(samples, std::span(coefficients).first(35)), Error);
     CHECK_THROWS_AS(good.synthesize(std::span(coefficients).first(35), samples), Error);
     CHECK_THROWS_AS(good.synthesize(coefficients, std::span(samples).first(99)), Error);
+    samples[17] = NAN;
+    CHECK_THROWS_AS(good.analyze(samples, coefficients), Error);
+    samples[17] = INFINITY;
+    CHECK_THROWS_AS(good.analyze(samples, coefficients), Error);
+    coefficients.assign(36, 0.0);
+    coefficients[20] = NAN;
+    CHECK_THROWS_AS(good.synthesize(coefficients, samples), Error);
     FourierRows other(3, 5);
     LegendreTransform legendre(2, fejer_rows(5));
     CHECK_THROWS_AS(legendre.synthesize(coefficients, other), Error);

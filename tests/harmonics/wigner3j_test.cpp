@@ -93,9 +93,9 @@ TEST_CASE("triple products of any spins agree with quadrature") {
     double worst = 0;
     for (const auto& [s2, s3] : {std::pair(0, 0), std::pair(0, 2), std::pair(2, 0), std::pair(2, -2),
                                  std::pair(-1, 2), std::pair(1, 1), std::pair(2, 2)})
-        for (int l1 = 0; l1 <= 4; ++l1)
-            for (int l2 = 0; l2 <= 4; ++l2)
-                for (int l3 = 0; l3 <= 4; ++l3)
+        for (int l1 = 0; l1 <= 3; ++l1)
+            for (int l2 = 0; l2 <= 3; ++l2)
+                for (int l3 = 0; l3 <= 3; ++l3)
                     for (int m2 = -l2; m2 <= l2; ++m2)
                         for (int m3 = -l3; m3 <= l3; ++m3) {
                             const int m1 = m2 + m3;
