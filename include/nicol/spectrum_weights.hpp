@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// From values at measured wavelengths to colour channels.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace nicol {
+
+/// channel = sum_k weights[channel][k] value[k]; the weights of a channel sum to 1, so that a grey
+/// reflectance stays grey.
+using ChannelWeights = std::vector<std::vector<double>>;
+
+/// Linear red, green and blue with the primaries and the white point (D65) of BT.709 and sRGB, of a
+/// reflectance that is linear between the wavelengths and constant beyond them: the CIE 1931 observer under
+/// D65, tables of 10 nm from 380 to 780. Weights may be negative: saturated spectra lie outside the gamut.
+/// `wavelengths`: nm, increasing, at least one; else Error(invalid_argument).
+[[nodiscard]] ChannelWeights rgb_weights(std::span<const double> wavelengths);
+
+/// A channel for each wanted wavelength: linear between the measured ones, constant beyond them.
+[[nodiscard]] ChannelWeights linear_weights(std::span<const double> wavelengths,
+                                            std::span<const double> wanted);
+
+/// A channel for each wanted wavelength: the nearest measured one, the shorter of two as near.
+[[nodiscard]] ChannelWeights nearest_weights(std::span<const double> wavelengths,
+                                             std::span<const double> wanted);
+
+}  // namespace nicol

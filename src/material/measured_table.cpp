@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "material/measured_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "material/content_hash.hpp"
+#include "nicol/error.hpp"
+
+namespace nicol {
+namespace {
+
+using Type = TensorFile::Type;
+constexpr double pi = std::numbers::pi;
+constexpr double same_angle = 1e-4;
+constexpr std::uint64_t most_angles = 100000;
+constexpr std::size_t most_wavelengths = 1000;
+constexpr std::size_t chunk_bytes = 1 << 22;
+constexpr std::uint64_t most_table_bytes = std::uint64_t{1} << 30;
+constexpr double steps = 32767 / 2.0;  // in 1
+
+bool is_odd(std::size_t element) {
+    return (element / 4 < 2) != (element % 4 < 2);
+}
+
+std::vector<double> increasing(TensorFile& file, const char* name, double low, double high) {
+    const TensorFile::Field& field = file.field(name, {1, 2}, {Type::f32});
+    std::vector<double> values = file.values(field, most_angles);
+    if (values.empty() || field.shape.back() != field.count)
+        file.invalid("field " + std::string(name) + " is empty or not a single row of angles");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!(values[i] >= low - 1e-3 && values[i] <= high + 1e-3))
+            file.invalid("field " + std::string(name) + " has the angle " + std::to_string(values[i]) +
+                         "; it must lie in " + std::to_string(low) + " to " + std::to_string(high));
+        if (i > 0 && !(values[i] > values[i - 1]))
+            file.invalid("field " + std::string(name) + " does not increase at position " +
+                         std::to_string(i));
+    }
+    return values;
+}
+
+// Matrices of one record, by wavelength; false for those that are missing.
+struct Record {
+    std::vector<std::array<double, 16>> matrix;
+    std::vector<bool> known;
+    bool any = false;
+
+    void read(const unsigned char* bytes, std::size_t wavelengths) {
+        any = false;
+        for (std::size_t w = 0; w < wavelengths; ++w) {
+            std::array<float, 16> raw;
+            std::memcpy(raw.data(), bytes + w * sizeof raw, sizeof raw);
+            known[w] = std::isfinite(raw[0]);
+            any = any || known[w];
+            for (std::size_t e = 0; e < 16; ++e)
+                matrix[w][e] = raw[0] > 0 && std::isfinite(raw[e]) ? static_cast<double>(raw[e]) : 0;
+        }
+        if (!any) return;
+        for (std::size_t w = 0; w < wavelengths; ++w)
+            if (!known[w]) matrix[w] = matrix[nearest_known(w)];
+    }
+
+    [[nodiscard]] std::size_t nearest_known(std::size_t w) const {
+        for (std::size_t d = 1;; ++d) {
+            if (d <= w && known[w - d]) return w - d;
+            if (w + d < known.size() && known[w + d]) return w + d;
+        }
+    }
+};
+
+}  // namespace
+
+std::vector<double> MeasuredTable::wavelengths(TensorFile& file) {
+    std::vector<double> values =
+        file.values(file.field("wvls", {1, 2}, {Type::u16, Type::f32}), most_wavelengths);
+    bool good = !values.empty() && values.front() > 0 && std::isfinite(values.back());
+    for (std::size_t i = 1; i < values.size(); ++i) good = good && values[i] > values[i - 1];
+    if (!good) file.invalid("field wvls is empty or does not increase");
+    return values;
+}
+
+MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
+    : theta_d_(increasing(file, "theta_d", 0, pi / 2)),
+      theta_h_(increasing(file, "theta_h", 0, pi / 2)),
+      channels_(weights.size()) {
+    const std::vector<double> phi = increasing(file, "phi_d", -pi, 2 * pi);
+    const std::size_t spectrum = weights.front().size();
+    const TensorFile::Field& m = file.field("M", {6}, {Type::f32});
+    const std::array<std::uint64_t, 6> shape{phi.size(), theta_d_.size(), theta_h_.size(), spectrum, 4, 4};
+    if (!std::ranges::equal(m.shape, shape))
+        file.invalid("field M must have the shape [phi_d][theta_d][theta_h][wvls][4][4], here [" +
+                     std::to_string(shape[0]) + "][" + std::to_string(shape[1]) + "][" +
+                     std::to_string(shape[2]) + "][" + std::to_string(shape[3]) + "][4][4]");
+    fold_azimuths(phi);
+
+    const std::size_t plane = theta_d_.size() * theta_h_.size();
+    const std::uint64_t entries = std::uint64_t{phi_d_.size()} * plane;
+    if (entries > most_table_bytes / (34 * channels_))
+        throw Error(ErrorCode::unsupported,
+                    "the table of a measured material would need more than 1 GiB; "
+                    "use fewer channels or angles");
+    m00_.assign(entries * channels_, -1.0F);
+    rest_.resize(entries * channels_);
+
+    ContentHash hash;
+    for (const auto& grid : {phi, theta_d_, theta_h_, wavelengths(file)})
+        hash.add({reinterpret_cast<const unsigned char*>(grid.data()), grid.size() * sizeof(double)});
+    const std::size_t record_bytes = spectrum * 16 * sizeof(float);
+    std::vector<unsigned char> chunk(std::max<std::size_t>(chunk_bytes / record_bytes, 1) * record_bytes);
+    Record record{std::vector<std::array<double, 16>>(spectrum), std::vector<bool>(spectrum)};
+    std::uint64_t index = 0;
+    for (std::uint64_t done = 0; done < m.count * sizeof(float);) {
+        const auto size =
+            static_cast<std::size_t>(std::min<std::uint64_t>(chunk.size(), m.count * sizeof(float) - done));
+        const auto bytes = std::span(chunk).first(size);
+        file.read(m, done, bytes);
+        hash.add(bytes);
+        done += size;
+        for (std::size_t at = 0; at < size; at += record_bytes, ++index) {
+            record.read(&chunk[at], spectrum);
+            if (!record.any) continue;
+            const std::size_t azimuth = index / plane;
+            const std::size_t entry = (folded_[azimuth] * plane + index % plane) * channels_;
+            for (std::size_t c = 0; c < channels_; ++c) {
+                std::array<double, 16> sum{};
+                for (std::size_t w = 0; w < spectrum; ++w) {
+                    if (weights[c][w] == 0) continue;
+                    for (std::size_t e = 0; e < 16; ++e) sum[e] += weights[c][w] * record.matrix[w][e];
+                }
+                take(entry + c, phi[azimuth], sum);
+            }
+        }
+    }
+    for (float& value : m00_) value = std::max(value, 0.0F);
+    content_ = hash.text();
+}
+
+// The grid of |phi_d|, and where each azimuth of the file stands in it.
+void MeasuredTable::fold_azimuths(const std::vector<double>& phi) {
+    std::vector<double> folded;
+    for (const double value : phi)
+        folded.push_back(std::min(std::abs(value > pi ? value - 2 * pi : value), pi));
+    std::vector<double> sorted = folded;
+    std::ranges::sort(sorted);
+    for (const double value : sorted)
+        if (phi_d_.empty() || value - phi_d_.back() > same_angle) phi_d_.push_back(value);
+    for (const double value : folded) {
+        const auto after = std::ranges::upper_bound(phi_d_, value);
+        folded_.push_back(static_cast<std::size_t>(after - phi_d_.begin()) - 1);
+    }
+}
+
+// Adds a matrix to the average of mirror images that a table entry is.
+void MeasuredTable::take(std::size_t entry, double phi, std::array<double, 16>& matrix) {
+    const double wrapped = phi > pi ? phi - 2 * pi : phi;
+    // In the plane of symmetry the odd elements vanish.
+    const bool in_plane = std::abs(wrapped) < same_angle || std::abs(wrapped) > pi - same_angle;
+    const double odd = in_plane ? 0 : wrapped < 0 ? -1 : 1;
+    for (std::size_t e = 0; e < 16; ++e)
+        if (is_odd(e)) matrix[e] *= odd;
+    const auto before = static_cast<double>(m00_[entry]);
+    if (before >= 0) {
+        matrix[0] = (matrix[0] + before) / 2;
+        for (std::size_t e = 1; e < 16; ++e)
+            matrix[e] = (matrix[e] + before * rest_[entry][e - 1] / steps) / 2;
+    }
+    // Colours outside the gamut.
+    if (!(matrix[0] > 0)) matrix = {};
+    m00_[entry] = static_cast<float>(matrix[0]);
+    for (std::size_t e = 1; e < 16; ++e) {
+        const double relative = matrix[0] > 0 ? std::clamp(matrix[e] / matrix[0], -2.0, 2.0) : 0;
+        rest_[entry][e - 1] = static_cast<std::int16_t>(std::lround(relative * steps));
+    }
+}
+
+MeasuredTable::Cell MeasuredTable::find(const std::vector<double>& grid, double value) {
+    if (value <= grid.front()) return {0, 0};
+    if (value >= grid.back()) return {grid.size() - 1, 0};
+    const auto upper = static_cast<std::size_t>(std::ranges::upper_bound(grid, value) - grid.begin());
+    return {upper - 1, (value - grid[upper - 1]) / (grid[upper] - grid[upper - 1])};
+}
+
+void MeasuredTable::at(const Angles& angles, std::size_t first, std::span<Mueller> out) const {
+    const Cell phi = find(phi_d_, std::abs(angles.phi_d));
+    const Cell d = find(theta_d_, angles.theta_d);
+    const Cell h = find(theta_h_, angles.theta_h);
+    for (std::size_t c = 0; c < out.size(); ++c) {
+        std::array<double, 16> sum{};
+        for (std::size_t corner = 0; corner < 8; ++corner) {
+            const std::size_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
+            const double weight = (i != 0 ? phi.fraction : 1 - phi.fraction) *
+                                  (j != 0 ? d.fraction : 1 - d.fraction) *
+                                  (k != 0 ? h.fraction : 1 - h.fraction);
+            if (weight == 0) continue;
+            const std::size_t entry =
+                (((phi.index + i) * theta_d_.size() + d.index + j) * theta_h_.size() + h.index + k) *
+                    channels_ +
+                first + c;
+            const double m00 = weight * static_cast<double>(m00_[entry]);
+            sum[0] += m00;
+            for (std::size_t e = 1; e < 16; ++e) sum[e] += m00 / steps * rest_[entry][e - 1];
+        }
+        if (angles.phi_d < 0) {
+            for (std::size_t e = 0; e < 16; ++e)
+                if (is_odd(e)) sum[e] = -sum[e];
+        }
+        out[c] = Mueller(sum);
+    }
+}
+
+double MeasuredTable::lobe_width() const {
+    double smallest = 1;
+    for (std::size_t c = 0; c < channels_; ++c) {
+        double peak = 0;
+        for (std::size_t k = 0; k < theta_h_.size(); ++k) {
+            double sum = 0;
+            for (std::size_t i = 0; i < phi_d_.size(); ++i) {
+                for (std::size_t j = 0; j < theta_d_.size() && theta_d_[j] <= pi / 4; ++j)
+                    sum += static_cast<double>(
+                        m00_[((i * theta_d_.size() + j) * theta_h_.size() + k) * channels_ + c]);
+            }
+            if (k == 0) peak = sum;
+            if (k > 0 && sum < peak / 4) {
+                smallest = std::min(smallest, theta_h_[k]);
+                break;
+            }
+        }
+    }
+    return std::max(smallest, 0.001);
+}
+
+}  // namespace nicol

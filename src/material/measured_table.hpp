@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Mueller matrices over the angles between half vector, normal and light.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "material/tensor_file.hpp"
+#include "nicol/mueller.hpp"
+#include "nicol/spectrum_weights.hpp"
+
+namespace nicol {
+
+/// A grid of compressed matrices [phi_d >= 0][theta_d][theta_h][channel] in s-frames; see load_measured().
+class MeasuredTable {
+public:
+    struct Angles {
+        double phi_d;  ///< -pi..pi
+        double theta_d;
+        double theta_h;
+    };
+
+    /// Streams the field M. Weights: of the file's wavelengths in each channel.
+    MeasuredTable(TensorFile& file, const ChannelWeights& weights);
+
+    [[nodiscard]] std::size_t channels() const noexcept { return channels_; }
+    /// Writes the matrices of `count` channels from `first` on.
+    void at(const Angles& angles, std::size_t first, std::span<Mueller> out) const;
+    /// theta_h at which M00, averaged over phi_d and theta_d up to 45 degrees, falls to a quarter of that at
+    /// the first theta_h; the smallest of all channels.
+    [[nodiscard]] double lobe_width() const;
+    /// Of everything that was read.
+    [[nodiscard]] const std::string& content() const noexcept { return content_; }
+
+    /// The wavelengths of a file. Throws Error(invalid_file) unless there are 1 to 1000, increasing.
+    [[nodiscard]] static std::vector<double> wavelengths(TensorFile& file);
+
+private:
+    struct Cell {
+        std::size_t index;
+        double fraction;
+    };
+    static Cell find(const std::vector<double>& grid, double value);
+    void fold_azimuths(const std::vector<double>& phi);
+    void take(std::size_t entry, double phi, std::array<double, 16>& matrix);
+
+    std::vector<double> phi_d_, theta_d_, theta_h_;
+    std::vector<std::size_t> folded_;  // by index in the file
+    std::size_t channels_;
+    std::vector<float> m00_;                          // negative: nothing yet
+    std::vector<std::array<std::int16_t, 15>> rest_;  // elements 1 to 15 relative to M00
+    std::string content_;
+};
+
+}  // namespace nicol
