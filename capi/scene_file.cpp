@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // From a scene file's description to the things it describes.
+#include <complex>
 #include <map>
 
 #include "handles.hpp"
+#include "nicol/conductor.hpp"
 #include "nicol/scene_description.hpp"
 
 namespace nicol::capi {
@@ -27,7 +29,18 @@ SceneParameters parse(const char* const* definitions, std::uint32_t count) {
     return parameters;
 }
 
-MaterialPtr make(const MaterialDescription& d) {
+/// n - ik for each channel.
+std::vector<std::complex<double>> index_of(const MaterialDescription& d) {
+    if (!d.metal.empty()) return metal_index(d.metal);
+    std::vector<std::complex<double>> index;
+    const glm::dvec3 &eta = d.eta, &k = d.k;
+    for (glm::length_t c = 0; c < 3; ++c) index.emplace_back(eta[c], -k[c]);
+    return index;
+}
+
+MaterialPtr make_front(const MaterialDescription& d) {
+    const Distribution distribution =
+        d.distribution == MaterialDescription::Distribution::ggx ? Distribution::ggx : Distribution::beckmann;
     switch (d.kind) {
         case MaterialDescription::Kind::diffuse:
             return diffuse(rgb(d.reflectance));
@@ -37,14 +50,37 @@ MaterialPtr make(const MaterialDescription& d) {
                              .int_ior = d.int_ior,
                              .ext_ior = d.ext_ior,
                              .alpha = d.alpha,
-                             .distribution = d.distribution == MaterialDescription::Distribution::ggx
-                                                 ? Distribution::ggx
-                                                 : Distribution::beckmann});
+                             .distribution = distribution});
+        case MaterialDescription::Kind::conductor:
+            return conductor(index_of(d), rgb(d.specular_reflectance));
+        case MaterialDescription::Kind::roughconductor:
+            return rough_conductor({.eta = index_of(d),
+                                    .specular_reflectance = rgb(d.specular_reflectance),
+                                    .alpha = d.alpha,
+                                    .distribution = distribution});
         case MaterialDescription::Kind::psh:
+        case MaterialDescription::Kind::measured_polarized:
             break;
     }
-    throw Error(ErrorCode::unsupported,
-                "bsdf type \"psh\" is not supported by this version; use pplastic or diffuse");
+    throw Error(
+        ErrorCode::unsupported,
+        std::string("bsdf type \"") +
+            (d.kind == MaterialDescription::Kind::psh ? "psh" : "measured_polarized") +
+            "\" is not supported by this version; use pplastic, diffuse, conductor or roughconductor");
+}
+
+MaterialPtr make(const MaterialDescription& d) {
+    return d.twosided ? twosided(make_front(d)) : make_front(d);
+}
+
+/// Of the ground under a sky, the same in every channel.
+double albedo(const EmitterDescription& d) {
+    const glm::dvec3& value = d.ground_albedo;
+    if (value.x != value.y || value.y != value.z) {
+        throw Error(ErrorCode::unsupported,
+                    "emitter type \"sky\": ground_albedo must be grey in this version");
+    }
+    return value.x;
 }
 
 EnvironmentPtr make(const EmitterDescription& d) {
@@ -54,8 +90,11 @@ EnvironmentPtr make(const EmitterDescription& d) {
         case EmitterDescription::Kind::constant:
             return constant_environment(rgb(d.radiance));
         case EmitterDescription::Kind::sky:
-            return rayleigh_sky(
-                {.sun_direction = d.sun_direction, .dop_max = d.dop_max, .radiance = rgb(d.radiance)});
+            return rayleigh_sky({.sun_direction = d.sun_direction,
+                                 .dop_max = d.dop_max,
+                                 .radiance = rgb(d.radiance),
+                                 .turbidity = d.turbidity,
+                                 .ground_albedo = albedo(d)});
         case EmitterDescription::Kind::psh:
             break;
     }
@@ -104,6 +143,10 @@ std::shared_ptr<SceneState> load_scene(const SessionPtr& session, const char* pa
         for (const std::string& notice : description.notices) {
             session->log(session->log_user, NICOL_LOG_NOTICE, NICOL_OK, notice.c_str());
         }
+    }
+    if (description.sensor.luminance) {
+        throw Error(ErrorCode::unsupported,
+                    "film: pixel_format luminance is not supported by this version; use rgb");
     }
 
     auto state = std::make_shared<SceneState>(session);

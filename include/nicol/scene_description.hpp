@@ -13,6 +13,22 @@
 
 namespace nicol {
 
+/// A value for each colour: three of linear RGB, or a table over the wavelength.
+struct ColorDescription {
+    struct Sample {
+        double wavelength;  ///< nm, above 0
+        double value;
+    };
+
+    ColorDescription(double grey) : rgb(grey) {}
+    ColorDescription(const glm::dvec3& linear) : rgb(linear) {}
+    /// The RGB. Throws Error(unsupported) where there is a table.
+    operator const glm::dvec3&() const;
+
+    glm::dvec3 rgb{0.0};           ///< without meaning beside a table
+    std::vector<Sample> spectrum;  ///< empty, or two and more by increasing wavelength
+};
+
 /// A camera and the size of its picture. Camera space: +z forward, +x image LEFT, +y image up.
 struct SensorDescription {
     enum class Kind { perspective, orthographic };
@@ -26,31 +42,38 @@ struct SensorDescription {
     double far_clip = 1e4;
     int width = 768;
     int height = 576;
+    bool luminance = false;  ///< the film asks for one channel, the luminance
 };
 
 /// The horizontal field of view in degrees of a perspective sensor, whatever its fov_axis.
 [[nodiscard]] double horizontal_fov(const SensorDescription& sensor);
 
 struct MaterialDescription {
-    enum class Kind { pplastic, diffuse, psh };
+    enum class Kind { pplastic, diffuse, psh, conductor, roughconductor, measured_polarized };
     enum class Distribution { beckmann, ggx };
     Kind kind = Kind::diffuse;
-    std::string id;                                      ///< empty when the file gives none
-    glm::dvec3 reflectance{0.5};                         ///< diffuse
-    glm::dvec3 diffuse_reflectance{0.5};                 ///< pplastic
-    glm::dvec3 specular_reflectance{1.0};                ///< pplastic
-    double int_ior = 1.49;                               ///< pplastic, inside
-    double ext_ior = 1.000277;                           ///< pplastic, outside
-    double alpha = 0.1;                                  ///< pplastic, roughness
-    Distribution distribution = Distribution::beckmann;  ///< pplastic
-    std::filesystem::path filename;                      ///< psh: a PSH matrix (.npz)
-    glm::dvec3 scale{1.0};                               ///< psh
+    std::string id;                              ///< of the outermost bsdf; empty when the file gives none
+    bool twosided = false;                       ///< the back reflects as the front does
+    ColorDescription reflectance{0.5};           ///< diffuse
+    ColorDescription diffuse_reflectance{0.5};   ///< pplastic
+    ColorDescription specular_reflectance{1.0};  ///< pplastic, conductor, roughconductor
+    double int_ior = 1.49;                       ///< pplastic, inside
+    double ext_ior = 1.000277;                   ///< pplastic, outside
+    std::string metal;          ///< conductor, roughconductor: Au, Ag, Cu or Al; empty: eta and k hold
+    ColorDescription eta{0.0};  ///< conductor, roughconductor: real part of the index, 0 to 100
+    ColorDescription k{1.0};    ///< conductor, roughconductor: imaginary part, 0 to 100
+    double alpha = 0.1;         ///< pplastic, roughconductor: roughness, 0.001 to 1
+    Distribution distribution = Distribution::beckmann;  ///< pplastic, roughconductor
+    std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
+    ColorDescription scale{1.0};     ///< psh
+    std::optional<double>
+        wavelength;  ///< measured_polarized: the only one to use, nm; none: all of the table
 };
 
 struct ShapeDescription {
     enum class Kind { obj, ply, off, stl, sphere, rectangle, cube };
     Kind kind = Kind::obj;
-    std::string id;                  ///< empty when the file gives none
+    std::string id;                  ///< of an instance, its own; empty when the file gives none
     std::filesystem::path filename;  ///< obj, ply, off, stl
     glm::dvec3 center{0.0};          ///< sphere
     double radius = 1.0;             ///< sphere
@@ -65,10 +88,12 @@ struct EmitterDescription {
     Kind kind = Kind::constant;
     std::filesystem::path filename;  ///< envmap: EXR; psh: a PSH vector (.npz)
     double scale = 1.0;              ///< envmap, psh
-    glm::dvec3 radiance{1.0};        ///< constant, sky
+    ColorDescription radiance{1.0};  ///< constant, sky
     glm::dvec3 sun_direction{0.0};   ///< sky: unit, towards the sun, in the emitter's frame (y up)
     double dop_max = 0.8;            ///< sky: degree of polarization at 90 degrees from the sun, in [0, 1]
-    glm::dmat4 to_world{1.0};        ///< affine and invertible; only its rotation matters
+    double turbidity = 0.0;          ///< sky: 0, light scattered once; or 1.7 to 10, very clear to hazy
+    ColorDescription ground_albedo{0.2};  ///< sky with turbidity: 0 to 1
+    glm::dmat4 to_world{1.0};             ///< affine and invertible; only its rotation matters
 };
 
 struct SceneDescription {
@@ -83,14 +108,20 @@ struct SceneDescription {
 using SceneParameters = std::map<std::string, std::string>;
 
 /// Reads a scene of Mitsuba 3's XML format. Defaults are Mitsuba's, and so is the meaning of each parameter;
-/// beside its plug-ins (sensors perspective, orthographic; shapes obj, ply, sphere, rectangle, cube; bsdfs
-/// pplastic, diffuse; emitters envmap, constant) these are ours: shapes off and stl, bsdf psh, emitters psh
-/// and sky. Integrator, sampler and reconstruction filter are not followed. <rgb> takes one value, three, or
-/// #rrggbb, which is linear n / 255. Filenames are resolved against the folder of the scene, not opened.
-/// Throws Error: file_not_found; unsupported (a plug-in, element or value outside the above); invalid_file
-/// (XML that is not well-formed, unknown or missing parameters, values out of range, undefined $parameters,
-/// ids that are missing or doubled) as file:line, plug-in and parameter with what is accepted;
-/// invalid_argument (an entry of `parameters` that the file never uses).
+/// beside its plug-ins (sensors perspective, orthographic; shapes obj, ply, sphere, rectangle, cube,
+/// shapegroup, instance; bsdfs pplastic, diffuse, conductor, roughconductor, measured_polarized, twosided;
+/// emitters envmap, constant) these are ours: shapes off and stl, bsdf psh, emitters psh and sky. An instance
+/// becomes a shape for each member of its group. Integrator, sampler and reconstruction filter are not
+/// followed, which one notice says. <rgb> takes one value, three, or #rrggbb, which is linear n / 255.
+/// Filenames are not opened, but looked for: in the folders of <path>, the newest first, in the folder of the
+/// file that holds them, then in those of the files that include it; where none has the file, the name is
+/// relative to the folder of the file.
+/// Throws Error: file_not_found (also of an <include>); unsupported (a plug-in, element or value outside the
+/// above; files of more than 16 MiB together, or more than 1000); invalid_file (XML that is not well-formed,
+/// unknown or missing parameters, values out of range, undefined $parameters, ids that are missing or
+/// doubled, includes in a circle or more than 15 deep) as file:line, plug-in and parameter with what is
+/// accepted and, within an included file, who includes it; invalid_argument (an entry of `parameters` that
+/// the files never use).
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
                                                   const SceneParameters& parameters = {});
 

@@ -2,95 +2,117 @@
 // Puts a scene together from its XML.
 #include <map>
 
+#include "scene/plugin.hpp"
 #include "scene/readers.hpp"
-#include "scene/values.hpp"
 
 namespace nicol {
 namespace scene {
 namespace {
 
-/// One file. Materials are numbered in the order in which the file first shows or uses them.
+/// Memory for instances is not bounded by the size of the files.
+constexpr std::size_t max_shapes = 100000;
+
+/// One scene. Materials are numbered in the order in which its shapes use them.
 class Reader {
 public:
-    explicit Reader(const XmlDocument& document) : document_(document) {}
+    explicit Reader(const XmlDocument& document) : document_(document), notices_(document) {}
 
     SceneDescription run() {
-        check_attributes(document_, document_.root(), {"version", "type", "id"});
-        for (const pugi::xml_node node : document_.root().children())
-            if (node.type() == pugi::node_element) read(node);
+        for (const pugi::xml_node node : document_.elements(document_.root())) read(node);
         if (!sensor_)
             document_.fail(document_.root(), "no <sensor>; expected one of type perspective or orthographic");
         if (scene_.shapes.empty()) document_.fail(document_.root(), "no <shape>; expected at least one");
-        if (!scene_.emitter)
-            scene_.notices.push_back(document_.where(document_.root()) + ": no emitter lights the scene.");
+        if (!scene_.emitter) notices_.add(document_.root(), "no emitter lights the scene");
+        scene_.notices = notices_.take();
         return std::move(scene_);
     }
 
 private:
-    void read(pugi::xml_node node) {
+    void read(pugi::xml_node place) {
+        const NestedObject object = checked_object(
+            document_, place, "<scene>",
+            {"integrator", "sensor", "emitter", "bsdf", "shape", "film", "sampler", "rfilter"});
+        const pugi::xml_node node = object.node;
         const std::string_view name = node.name();
-        if (name == "default") {
-            check_attributes(document_, node, {"name", "value"});
-        } else if (name == "integrator") {
-            scene_.notices.push_back(document_.where(node) + ": integrator " +
-                                     in_quotes(node.attribute("type").value()) + " is not followed.");
+        if (name == "integrator") {
+            if (integrator_) document_.fail(place, "a second integrator; expected one");
+            read_integrator(document_, node, notices_);
+            integrator_ = true;
         } else if (name == "sensor") {
             if (sensor_)
-                scene_.notices.push_back(document_.where(node) +
-                                         ": only the first of several sensors is used.");
+                notices_.add(place, "only the first of several sensors is used");
             else
-                scene_.sensor = read_sensor(document_, node);
+                scene_.sensor = read_sensor(document_, node, notices_);
             sensor_ = true;
         } else if (name == "emitter") {
             if (scene_.emitter)
-                document_.fail(node, "a second emitter; expected one that surrounds the scene",
+                document_.fail(place, "a second emitter; expected one that surrounds the scene",
                                ErrorCode::unsupported);
-            scene_.emitter = read_emitter(document_, node);
+            scene_.emitter = read_emitter(document_, node, notices_);
         } else if (name == "bsdf") {
-            material(node);
+            // Checked here, listed where a shape uses it.
+            static_cast<void>(read_material(document_, node));
         } else if (name == "shape") {
-            pugi::xml_node bsdf;
-            ShapeDescription shape = read_shape(document_, node, bsdf);
-            shape.material = bsdf ? material(target(bsdf)) : default_material();
-            scene_.shapes.push_back(std::move(shape));
-        } else {
-            document_.fail(node,
-                           "<" + std::string(name) +
-                               "> in <scene>; accepted: default, integrator, sensor, emitter, bsdf, shape",
-                           ErrorCode::unsupported);
+            shape(place, node);
         }
+        // The others serve those that refer to them.
     }
 
-    /// The <bsdf> that a <bsdf> or a <ref> stands for.
-    pugi::xml_node target(pugi::xml_node node) const {
-        if (std::string_view(node.name()) == "bsdf") return node;
-        check_attributes(document_, node, {"name", "id"});
-        const std::string id = node.attribute("id").value();
-        const pugi::xml_node found = document_.with_id(id);
-        if (!found) document_.fail(node, "<ref> to " + in_quotes(id) + ", an id that no element has");
-        if (std::string_view(found.name()) != "bsdf")
-            document_.fail(
-                node, "<ref> to " + in_quotes(id) + ", which is a <" + found.name() + ">; expected a <bsdf>");
-        return found;
+    void shape(pugi::xml_node place, pugi::xml_node node) {
+        const std::string_view type = node.attribute("type").value();
+        if (type == "shapegroup")
+            static_cast<void>(group(node));
+        else if (type == "instance")
+            instance(place, node);
+        else
+            add(place, single(node));
     }
 
-    std::size_t material(pugi::xml_node node) {
-        const auto [entry, is_new] = materials_.try_emplace(node.offset_debug(), scene_.materials.size());
-        if (is_new) scene_.materials.push_back(read_material(document_, node));
+    ShapeDescription single(pugi::xml_node node) {
+        pugi::xml_node bsdf;
+        ShapeDescription description = read_shape(document_, node, bsdf);
+        description.material = material(bsdf);
+        return description;
+    }
+
+    const std::vector<ShapeDescription>& group(pugi::xml_node node) {
+        const auto [entry, is_new] = groups_.try_emplace(node);
+        if (is_new)
+            for (const pugi::xml_node member : read_group(document_, node))
+                entry->second.push_back(single(member));
         return entry->second;
     }
 
-    /// Mitsuba's for shapes that name none: grey and diffuse.
-    std::size_t default_material() {
-        const auto [entry, is_new] = materials_.try_emplace(-1, scene_.materials.size());
-        if (is_new) scene_.materials.emplace_back();
+    void instance(pugi::xml_node place, pugi::xml_node node) {
+        ShapeDescription instance;
+        for (ShapeDescription member : group(read_instance(document_, node, instance))) {
+            member.id = instance.id;
+            member.to_world = instance.to_world * member.to_world;
+            add(place, std::move(member));
+        }
+    }
+
+    void add(pugi::xml_node place, ShapeDescription description) {
+        if (scene_.shapes.size() == max_shapes)
+            document_.fail(place, "more than " + std::to_string(max_shapes) + " shapes, instances counted",
+                           ErrorCode::unsupported);
+        scene_.shapes.push_back(std::move(description));
+    }
+
+    /// Of no bsdf, Mitsuba's for shapes that name none: grey and diffuse.
+    std::size_t material(pugi::xml_node bsdf) {
+        const auto [entry, is_new] = materials_.try_emplace(bsdf, scene_.materials.size());
+        if (is_new) scene_.materials.push_back(bsdf ? read_material(document_, bsdf) : MaterialDescription());
         return entry->second;
     }
 
     const XmlDocument& document_;
+    Notices notices_;
     SceneDescription scene_;
     bool sensor_ = false;
-    std::map<std::ptrdiff_t, std::size_t> materials_;  // by position in the file; -1 is the default
+    bool integrator_ = false;
+    std::map<pugi::xml_node, std::size_t> materials_;
+    std::map<pugi::xml_node, std::vector<ShapeDescription>> groups_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "nicol/error.hpp"
-#include "scene/xml_document.hpp"
+#include "scene/xml_file.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -36,6 +36,11 @@ std::string Parameters::replaced(std::string_view text) {
         const std::size_t dollar = std::min(text.find('$', at), text.size());
         out.append(text.substr(at, dollar - at));
         if (dollar == text.size()) break;
+        if (dollar > at && text[dollar - 1] == '\\') {
+            out.back() = '$';
+            at = dollar + 1;
+            continue;
+        }
         const std::string_view rest = text.substr(dollar + 1);
         auto best = values_.end();
         for (auto entry = values_.begin(); entry != values_.end(); ++entry)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 
 #include "scene/values.hpp"
@@ -35,23 +34,67 @@ std::string joined(auto&& names) {
 
 }  // namespace
 
+NestedObject checked_object(const XmlDocument& document, pugi::xml_node place, const std::string& holder,
+                            std::initializer_list<std::string_view> accepted) {
+    pugi::xml_node node = place;
+    std::string found = tag(node) + " inside " + holder;
+    if (std::string_view(place.name()) == "ref") {
+        check_attributes(document, place, {"name", "id"});
+        const std::string id = place.attribute("id").value();
+        node = document.with_id(id);
+        if (!node) document.fail(place, "<ref> to " + in_quotes(id) + ", an id that no element has");
+        found = "<ref> to " + in_quotes(id) + ", which is a " + tag(node) + ", inside " + holder;
+    }
+    const std::string_view name = node.name();
+    if (std::ranges::find(accepted, name) != accepted.end()) return {place, node};
+    const ErrorCode code = place == node ? ErrorCode::unsupported : ErrorCode::invalid_file;
+    std::string reason = "accepted elements: " + joined(accepted);
+    if (name == "texture" || name == "spectrum")
+        reason = "textures are not supported; give one value as <rgb>, <spectrum> or <float>";
+    if (name == "emitter")
+        reason =
+            "only distant light is supported, an <emitter> of type envmap, constant, psh or sky in <scene>";
+    if (name == "medium") reason = "surfaces are opaque and nothing is between them";
+    document.fail(place, found + "; " + reason, code);
+}
+
 Plugin::Plugin(const XmlDocument& document, pugi::xml_node node)
     : document_(document), node_(node), type_(node.attribute("type").value()) {
-    check_attributes(document, node, {"type", "id", "name"});
-    if (type_.empty()) document.fail(node, "<" + std::string(node.name()) + "> has no type");
-    for (const pugi::xml_node child : node.children()) {
-        if (child.type() != pugi::node_element || !is_parameter(child)) continue;
-        const std::string name = child.attribute("name").value();
-        if (name.empty()) document.fail(child, label() + ": a <" + child.name() + "> without a name");
-        if (!values_.try_emplace(name, child).second)
-            document.fail(child, label() + ": parameter " + in_quotes(name) + " is given twice");
-        if (std::string_view(child.name()) != "transform") {
-            check_attributes(document, child, {"name", "value", "x", "y", "z"});
-            if (child.first_child().type() == pugi::node_element)
-                document.fail(child, label() + ": parameter " + in_quotes(name) +
-                                         " has elements inside; expected none");
-        }
+    if (node.parent().type() == pugi::node_document)
+        check_attributes(document, node, {"type", "id", "name", "version"});
+    else
+        check_attributes(document, node, {"type", "id", "name"});
+    if (type_.empty()) document.fail(node, tag(node) + " has no type");
+    for (const pugi::xml_node child : document.elements(node)) {
+        if (is_parameter(child))
+            add_parameter(child);
+        else
+            objects_.push_back(child);
     }
+}
+
+void Plugin::add_parameter(pugi::xml_node child) {
+    // Mitsuba takes the objects of an included <scene>, and loses its parameters.
+    if (child.parent() != node_)
+        document_.fail(child, label() + ": a parameter in an included file; expected objects there");
+    const std::string name = child.attribute("name").value();
+    const std::string_view kind = child.name();
+    if (name.empty()) document_.fail(child, label() + ": a " + tag(child) + " without a name");
+    if (!values_.try_emplace(name, child).second)
+        document_.fail(child, label() + ": parameter " + in_quotes(name) + " is given twice");
+    if (kind == "transform") return;
+    if (kind == "spectrum" && child.attribute("filename"))
+        fail(name,
+             "is the file " + in_quotes(child.attribute("filename").value()) +
+                 "; expected its values as value=\"wavelength:value, ...\"",
+             ErrorCode::unsupported);
+    if (kind == "point" || kind == "vector")
+        check_attributes(document_, child, {"name", "value", "x", "y", "z"});
+    else
+        check_attributes(document_, child, {"name", "value"});
+    if (child.first_child().type() == pugi::node_element)
+        document_.fail(child,
+                       label() + ": parameter " + in_quotes(name) + " has elements inside; expected none");
 }
 
 bool Plugin::has_tag(const std::string& name, std::string_view tag) const {
@@ -64,8 +107,7 @@ pugi::xml_node Plugin::find(const std::string& name, std::initializer_list<std::
     const auto entry = values_.find(name);
     if (entry == values_.end()) return {};
     if (std::ranges::find(tags, std::string_view(entry->second.name())) == tags.end())
-        fail(name, "is given as <" + std::string(entry->second.name()) + ">; expected <" +
-                       std::string(*tags.begin()) + ">");
+        fail(name, "is given as " + tag(entry->second) + "; expected <" + std::string(*tags.begin()) + ">");
     return entry->second;
 }
 
@@ -103,9 +145,7 @@ int Plugin::integer(const std::string& name, int otherwise, int least, int most)
 bool Plugin::boolean(const std::string& name, bool otherwise) {
     const pugi::xml_node node = find(name, {"boolean"});
     if (!node) return otherwise;
-    std::string text = node.attribute("value").value();
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string text = lower_case(node.attribute("value").value());
     if (text != "true" && text != "false") fail(name, "is " + in_quotes(text) + "; expected true or false");
     return text == "true";
 }
@@ -117,7 +157,7 @@ std::string Plugin::string(const std::string& name, const std::string& otherwise
 
 std::size_t Plugin::choice(const std::string& name, std::size_t otherwise,
                            const std::vector<std::string>& choices) {
-    const std::string text = string(name, choices[otherwise]);
+    const std::string text = lower_case(string(name, choices[otherwise]));
     const auto found = std::ranges::find(choices, text);
     if (found == choices.end()) fail(name, "is " + in_quotes(text) + "; expected one of " + joined(choices));
     return static_cast<std::size_t>(found - choices.begin());
@@ -126,7 +166,7 @@ std::size_t Plugin::choice(const std::string& name, std::size_t otherwise,
 std::filesystem::path Plugin::filename(const std::string& name) {
     const std::string text = string(name, "");
     if (text.empty()) fail(name, "is missing or empty; expected the name of a file");
-    return document_.resolved(text);
+    return document_.resolved(node_, text);
 }
 
 glm::dvec3 Plugin::vector(const std::string& name, std::optional<glm::dvec3> otherwise) {
@@ -136,21 +176,31 @@ glm::dvec3 Plugin::vector(const std::string& name, std::optional<glm::dvec3> oth
     return *otherwise;
 }
 
-glm::dvec3 Plugin::color(const std::string& name, double otherwise, double most) {
+ColorDescription Plugin::color(const std::string& name, const ColorDescription& otherwise, double most) {
     const pugi::xml_node node = find(name, {"rgb", "spectrum", "float"});
-    if (!node) return glm::dvec3(otherwise);
+    if (!node) return otherwise;
     const std::string_view text = node.attribute("value").value();
-    const bool is_rgb = std::string_view(node.name()) == "rgb";
-    const auto number = parsed_number(text);
-    const auto color = is_rgb ? parsed_rgb(text) : number ? std::optional(glm::dvec3(*number)) : std::nullopt;
-    if (!color)
-        fail(name, "is " + in_quotes(text) +
-                       (is_rgb ? "; expected one or three finite numbers, or #rrggbb"
-                               : "; expected one finite number (no tabulated spectra)"));
-    for (glm::length_t i = 0; i < 3; ++i)
-        if (!((*color)[i] >= 0.0 && (*color)[i] <= most))
+    std::optional<ColorDescription> color;
+    std::string expected;
+    if (has_tag(name, "rgb")) {
+        if (const auto rgb = parsed_rgb(text)) color = *rgb;
+        expected = "one or three finite numbers, or #rrggbb";
+    } else if (has_tag(name, "spectrum")) {
+        color = parsed_spectrum(text);
+        expected = "one finite number, or two and more wavelength:value pairs by increasing wavelength in nm";
+    } else {
+        if (const auto number = parsed_number(text)) color = *number;
+        expected = "a finite number";
+    }
+    if (!color) fail(name, "is " + in_quotes(text) + "; expected " + expected);
+    const auto check = [&](double value) {
+        if (!(value >= 0.0 && value <= most))
             fail(name, "is " + in_quotes(text) + "; expected values " +
-                           (most == 1.0 ? "from 0 to 1" : "of at least 0"));
+                           (most == std::numeric_limits<double>::max() ? "of at least 0"
+                                                                       : "from 0 to " + text_of(most)));
+    };
+    for (glm::length_t i = 0; i < 3; ++i) check(color->rgb[i]);
+    for (const ColorDescription::Sample& sample : color->spectrum) check(sample.value);
     return *color;
 }
 
@@ -163,19 +213,20 @@ void Plugin::pass_over(std::initializer_list<const char*> names) {
     asked_.insert(asked_.end(), names.begin(), names.end());
 }
 
-std::vector<pugi::xml_node> Plugin::objects(std::initializer_list<std::string_view> accepted) const {
-    std::vector<pugi::xml_node> found;
-    for (const pugi::xml_node child : node_.children()) {
-        if (child.type() != pugi::node_element || is_parameter(child)) continue;
-        const std::string_view name = child.name();
-        if (name == "default") continue;
-        if (std::ranges::find(accepted, name) == accepted.end())
-            document_.fail(
-                child,
-                label() + ": <" + std::string(name) + "> inside it; accepted elements: " + joined(accepted),
-                ErrorCode::unsupported);
-        found.push_back(child);
-    }
+std::vector<NestedObject> Plugin::objects(std::initializer_list<std::string_view> accepted) const {
+    std::vector<NestedObject> found;
+    for (const pugi::xml_node child : objects_)
+        found.push_back(checked_object(document_, child, label(), accepted));
+    return found;
+}
+
+std::vector<NestedObject> Plugin::single_objects(std::initializer_list<std::string_view> accepted) const {
+    std::vector<NestedObject> found = objects(accepted);
+    for (std::size_t i = 0; i < found.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (std::string_view(found[i].node.name()) == found[k].node.name())
+                document_.fail(found[i].place,
+                               label() + ": a second " + tag(found[i].node) + "; expected one");
     return found;
 }
 
@@ -186,7 +237,9 @@ void Plugin::finish() const {
 }
 
 std::string Plugin::label() const {
-    return std::string(node_.name()) + " " + in_quotes(type_);
+    // Without the brackets, which a message needs around elements only.
+    const std::string element = tag(node_);
+    return element.substr(1, element.size() - 2) + " " + in_quotes(type_);
 }
 
 void Plugin::fail(const std::string& parameter, const std::string& message, ErrorCode code) const {
@@ -197,8 +250,11 @@ void Plugin::fail(const std::string& parameter, const std::string& message, Erro
         code);
 }
 
-void Plugin::fail_type(const std::string& accepted) const {
-    document_.fail(node_, label() + " is not supported; accepted: " + accepted, ErrorCode::unsupported);
+void Plugin::fail_type(const std::string& accepted, const std::string& reason) const {
+    document_.fail(
+        node_,
+        label() + " is not supported" + (reason.empty() ? "" : ": " + reason) + "; accepted: " + accepted,
+        ErrorCode::unsupported);
 }
 
 }  // namespace nicol::scene

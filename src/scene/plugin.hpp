@@ -15,6 +15,18 @@
 
 namespace nicol::scene {
 
+/// An element inside a plug-in that is no parameter.
+struct NestedObject {
+    pugi::xml_node place;  ///< the element, or the <ref> to it
+    pugi::xml_node node;   ///< the element
+};
+
+/// What `node` stands for: itself or, of a <ref>, the element it names. Throws unless it is one of the
+/// `accepted` ones; `holder` is what it is inside of, for the message.
+[[nodiscard]] NestedObject checked_object(const XmlDocument& document, pugi::xml_node node,
+                                          const std::string& holder,
+                                          std::initializer_list<std::string_view> accepted);
+
 /// Every question is remembered, so that finish() can tell parameters that nobody asked for: misspelt ones.
 /// All throw Error(invalid_file) with the place, the plug-in, the parameter and what is accepted.
 class Plugin {
@@ -34,30 +46,34 @@ public:
     int integer(const std::string& name, int otherwise, int least, int most);
     bool boolean(const std::string& name, bool otherwise);
     std::string string(const std::string& name, const std::string& otherwise);
-    /// One of the spellings in `choices`; their index.
+    /// One of the spellings in `choices`, which are in lower case, in any case; their index.
     std::size_t choice(const std::string& name, std::size_t otherwise,
                        const std::vector<std::string>& choices);
     /// The file a required parameter names.
     std::filesystem::path filename(const std::string& name);
     glm::dvec3 vector(const std::string& name, std::optional<glm::dvec3> otherwise);
-    /// An <rgb>, a <spectrum> of one number or a <float>, in [0, most].
-    glm::dvec3 color(const std::string& name, double otherwise,
-                     double most = std::numeric_limits<double>::max());
+    /// An <rgb>, a <spectrum> or a <float>, in [0, most].
+    ColorDescription color(const std::string& name, const ColorDescription& otherwise,
+                           double most = std::numeric_limits<double>::max());
     glm::dmat4 transform(const std::string& name);
     /// Known parameters that make no difference here.
     void pass_over(std::initializer_list<const char*> names);
 
-    /// Nested objects (elements that are no parameter) in file order, each with one of the `accepted` names.
-    [[nodiscard]] std::vector<pugi::xml_node> objects(std::initializer_list<std::string_view> accepted) const;
+    /// Nested objects in file order, each of one of the `accepted` names.
+    [[nodiscard]] std::vector<NestedObject> objects(std::initializer_list<std::string_view> accepted) const;
+    /// The same, at most one of each name.
+    [[nodiscard]] std::vector<NestedObject> single_objects(
+        std::initializer_list<std::string_view> accepted) const;
     /// Throws if a parameter is left that nobody asked for.
     void finish() const;
     /// Throws about one parameter, or about the plug-in if it is empty.
     [[noreturn]] void fail(const std::string& parameter, const std::string& message,
                            ErrorCode code = ErrorCode::invalid_file) const;
-    /// Throws Error(unsupported) with the list of types that exist.
-    [[noreturn]] void fail_type(const std::string& accepted) const;
+    /// Throws Error(unsupported) with the list of types that exist and, where there is one, the reason.
+    [[noreturn]] void fail_type(const std::string& accepted, const std::string& reason = "") const;
 
 private:
+    void add_parameter(pugi::xml_node child);
     /// The element of a parameter, null if the file does not give it.
     pugi::xml_node find(const std::string& name, std::initializer_list<std::string_view> tags);
     [[nodiscard]] std::string label() const;
@@ -66,6 +82,7 @@ private:
     pugi::xml_node node_;
     std::string type_;
     std::map<std::string, pugi::xml_node> values_;
+    std::vector<pugi::xml_node> objects_;
     std::vector<std::string> asked_;
 };
 

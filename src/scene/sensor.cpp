@@ -16,18 +16,52 @@ namespace {
 constexpr double no_limit = std::numeric_limits<double>::max();
 constexpr int max_size = 32768;
 
-void read_film(const XmlDocument& document, pugi::xml_node node, SensorDescription& sensor) {
+/// The part to render must be the whole.
+void check_crop(Plugin& film, const SensorDescription& sensor) {
+    struct Crop {
+        const char* name;
+        int whole;
+    };
+    for (const auto& [name, whole] : {Crop{"crop_offset_x", 0}, Crop{"crop_offset_y", 0},
+                                      Crop{"crop_width", sensor.width}, Crop{"crop_height", sensor.height}})
+        if (film.integer(name, whole, 0, max_size) != whole)
+            film.fail(name, "is not " + std::to_string(whole) + "; a part of the picture is not supported",
+                      ErrorCode::unsupported);
+}
+
+/// Pictures are EXR files of 32-bit floats.
+void read_format(Plugin& film, pugi::xml_node node, SensorDescription& sensor, Notices& notices) {
+    enum { luminance, luminance_alpha, rgb, rgba, xyz, xyza };
+    const std::vector<std::string> formats = {"luminance", "luminance_alpha", "rgb", "rgba", "xyz", "xyza"};
+    const std::size_t format = film.choice("pixel_format", rgb, formats);
+    if (format == xyz || format == xyza)
+        film.fail("pixel_format", "is " + formats[format] + "; supported are rgb and luminance",
+                  ErrorCode::unsupported);
+    sensor.luminance = format == luminance || format == luminance_alpha;
+    if (format == luminance_alpha || format == rgba)
+        notices.add(node, "pixel_format " + formats[format] + ": pictures have no alpha channel");
+    const std::vector<std::string> components = {"float32", "float16", "uint32"};
+    const std::size_t component = film.choice("component_format", 0, components);
+    if (component != 0)
+        notices.add(node, "component_format " + components[component] + ": pictures are written as float32");
+    if (film.choice("file_format", 0, {"openexr", "exr", "rgbe", "pfm"}) > 1)
+        film.fail("file_format", "is not openexr, the only one that is written", ErrorCode::unsupported);
+}
+
+void read_film(const XmlDocument& document, pugi::xml_node node, SensorDescription& sensor,
+               Notices& notices) {
     Plugin film(document, node);
     if (film.type() != "hdrfilm") film.fail_type("hdrfilm");
     sensor.width = film.integer("width", sensor.width, 1, max_size);
     sensor.height = film.integer("height", sensor.height, 1, max_size);
-    for (const char* crop : {"crop_offset_x", "crop_offset_y", "crop_width", "crop_height"})
-        if (film.has(crop))
-            film.fail(crop, "is not supported; render the whole picture", ErrorCode::unsupported);
-    // How the picture is stored is for whoever writes it.
-    film.pass_over({"file_format", "pixel_format", "component_format", "sample_border", "compensate"});
+    check_crop(film, sensor);
+    read_format(film, node, sensor, notices);
+    if (film.boolean("sample_border", false)) notices.add_unfollowed(node, "sample_border");
+    // Of Mitsuba's summing, and of older versions.
+    film.pass_over({"compensate", "banner"});
     film.finish();
-    static_cast<void>(film.objects({"rfilter"}));
+    for (const NestedObject& filter : film.single_objects({"rfilter"}))
+        notices.add_unfollowed(filter.node, "rfilter " + in_quotes(filter.node.attribute("type").value()));
 }
 
 /// Without `fov`, the diagonal of 35 mm film behind a lens of this focal length.
@@ -60,7 +94,7 @@ bool is_rigid(const glm::dmat4& m) {
 
 }  // namespace
 
-SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node) {
+SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node, Notices& notices) {
     Plugin plugin(document, node);
     SensorDescription sensor;
     sensor.to_world = plugin.transform("to_world");
@@ -74,21 +108,23 @@ SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node) 
     } else if (plugin.type() == "orthographic") {
         sensor.kind = SensorDescription::Kind::orthographic;
     } else {
-        plugin.fail_type("perspective, orthographic");
+        plugin.fail_type("perspective, orthographic", plugin.type() == "thinlens" ? "all is in focus" : "");
     }
+    if (glm::determinant(glm::dmat3(sensor.to_world)) < 0.0)
+        plugin.fail("to_world", "mirrors; a sensor may not", ErrorCode::unsupported);
     sensor.near_clip = plugin.number("near_clip", sensor.near_clip, 0.0, no_limit, true);
     sensor.far_clip = plugin.number("far_clip", sensor.far_clip, 0.0, no_limit, true);
     if (sensor.near_clip >= sensor.far_clip) plugin.fail("near_clip", "must be smaller than far_clip");
     // Nothing is out of focus or moves.
     plugin.pass_over({"focus_distance", "shutter_open", "shutter_close"});
     plugin.finish();
-    pugi::xml_node film;
-    for (const pugi::xml_node object : plugin.objects({"film", "sampler"})) {
-        if (std::string_view(object.name()) != "film") continue;
-        if (film) document.fail(object, "a second <film> in one sensor; expected one");
-        film = object;
+    for (const NestedObject& object : plugin.single_objects({"film", "sampler"})) {
+        if (std::string_view(object.node.name()) == "film")
+            read_film(document, object.node, sensor, notices);
+        else
+            notices.add_unfollowed(object.node,
+                                   "sampler " + in_quotes(object.node.attribute("type").value()));
     }
-    if (film) read_film(document, film, sensor);
     if (sensor.kind == SensorDescription::Kind::perspective) {
         const double horizontal = horizontal_fov(sensor);
         if (!(horizontal > 0.0 && horizontal < 179.99))

@@ -2,10 +2,10 @@
 // <shape>.
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "scene/plugin.hpp"
 #include "scene/readers.hpp"
+#include "scene/values.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -17,10 +17,7 @@ constexpr std::array<std::string_view, 7> kind_names = {"obj",    "ply",       "
 
 void read_mesh(Plugin& plugin, ShapeDescription& shape) {
     shape.filename = plugin.filename("filename");
-    std::string suffix = shape.filename.extension().string();
-    std::ranges::transform(suffix, suffix.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (suffix != "." + plugin.type())
+    if (lower_case(shape.filename.extension().string()) != "." + plugin.type())
         plugin.fail("filename", "is " + in_quotes(shape.filename.filename().string()) +
                                     "; expected a name in ." + plugin.type() +
                                     " as the type of the shape says");
@@ -33,7 +30,8 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
 ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, pugi::xml_node& bsdf) {
     Plugin plugin(document, node);
     const auto kind = std::ranges::find(kind_names, std::string_view(plugin.type()));
-    if (kind == kind_names.end()) plugin.fail_type("obj, ply, off, stl, sphere, rectangle, cube");
+    if (kind == kind_names.end())
+        plugin.fail_type("obj, ply, off, stl, sphere, rectangle, cube, shapegroup, instance");
     ShapeDescription shape;
     shape.kind = static_cast<Kind>(kind - kind_names.begin());
     shape.id = plugin.id();
@@ -45,12 +43,42 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, pu
     }
     shape.flip_normals = plugin.boolean("flip_normals", false);
     shape.to_world = plugin.transform("to_world");
+    // Of Mitsuba's sampling for derivatives.
+    plugin.pass_over({"silhouette_sampling_weight"});
     plugin.finish();
-    for (const pugi::xml_node object : plugin.objects({"bsdf", "ref"})) {
-        if (bsdf) document.fail(object, "a second bsdf in one shape; expected one");
-        bsdf = object;
-    }
+    for (const NestedObject& object : plugin.single_objects({"bsdf"})) bsdf = object.node;
     return shape;
+}
+
+std::vector<pugi::xml_node> read_group(const XmlDocument& document, pugi::xml_node node) {
+    const Plugin plugin(document, node);
+    plugin.finish();
+    std::vector<pugi::xml_node> members;
+    for (const NestedObject& object : plugin.objects({"shape"})) {
+        const std::string_view type = object.node.attribute("type").value();
+        // This ends circles too.
+        if (type == "shapegroup" || type == "instance")
+            document.fail(object.place, "a shape " + in_quotes(type) + " inside a shapegroup",
+                          ErrorCode::unsupported);
+        members.push_back(object.node);
+    }
+    return members;
+}
+
+pugi::xml_node read_instance(const XmlDocument& document, pugi::xml_node node, ShapeDescription& instance) {
+    Plugin plugin(document, node);
+    instance.id = plugin.id();
+    instance.to_world = plugin.transform("to_world");
+    plugin.finish();
+    const std::vector<NestedObject> objects = plugin.objects({"shape"});
+    if (objects.size() != 1)
+        plugin.fail(
+            "", "refers to " + std::to_string(objects.size()) + " shapes; expected one, of type shapegroup");
+    const std::string_view type = objects.front().node.attribute("type").value();
+    if (type != "shapegroup")
+        document.fail(objects.front().place,
+                      "an instance of a shape " + in_quotes(type) + "; expected a shapegroup");
+    return objects.front().node;
 }
 
 }  // namespace nicol::scene

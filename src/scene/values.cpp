@@ -3,6 +3,7 @@
 #include "scene/values.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -10,6 +11,12 @@
 #include <string>
 
 namespace nicol::scene {
+
+std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
 
 std::optional<double> parsed_number(std::string_view text) {
     const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
@@ -23,18 +30,48 @@ std::optional<double> parsed_number(std::string_view text) {
     return value;
 }
 
-std::vector<double> parsed_numbers(std::string_view text) {
+namespace {
+
+/// What stands between commas and blanks.
+std::vector<std::string_view> tokens(std::string_view text) {
     constexpr std::string_view separators = ", \t\r\n";
-    std::vector<double> numbers;
+    std::vector<std::string_view> found;
     for (;;) {
         text.remove_prefix(std::min(text.find_first_not_of(separators), text.size()));
-        if (text.empty()) return numbers;
+        if (text.empty()) return found;
         const std::size_t length = std::min(text.find_first_of(separators), text.size());
-        const auto number = parsed_number(text.substr(0, length));
-        if (!number) return {};
-        numbers.push_back(*number);
+        found.push_back(text.substr(0, length));
         text.remove_prefix(length);
     }
+}
+
+}  // namespace
+
+std::vector<double> parsed_numbers(std::string_view text) {
+    std::vector<double> numbers;
+    for (const std::string_view token : tokens(text)) {
+        const auto number = parsed_number(token);
+        if (!number) return {};
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+std::optional<ColorDescription> parsed_spectrum(std::string_view text) {
+    if (const auto number = parsed_number(text)) return ColorDescription(*number);
+    ColorDescription color(0.0);
+    double last = 0.0;
+    for (const std::string_view token : tokens(text)) {
+        const std::size_t colon = token.find(':');
+        if (colon == std::string_view::npos) return std::nullopt;
+        const auto wavelength = parsed_number(token.substr(0, colon));
+        const auto value = parsed_number(token.substr(colon + 1));
+        if (!wavelength || !value || !(*wavelength > last)) return std::nullopt;
+        last = *wavelength;
+        color.spectrum.push_back({*wavelength, *value});
+    }
+    if (color.spectrum.size() < 2) return std::nullopt;
+    return color;
 }
 
 void check_attributes(const XmlDocument& document, pugi::xml_node node,
@@ -43,8 +80,8 @@ void check_attributes(const XmlDocument& document, pugi::xml_node node,
         if (std::ranges::find(allowed, std::string_view(attribute.name())) != allowed.end()) continue;
         std::string list;
         for (const std::string_view name : allowed) list.append(list.empty() ? "" : ", ").append(name);
-        document.fail(node, "<" + std::string(node.name()) + "> has an attribute " +
-                                in_quotes(attribute.name()) + "; accepted: " + list);
+        document.fail(node,
+                      tag(node) + " has an attribute " + in_quotes(attribute.name()) + "; accepted: " + list);
     }
 }
 
@@ -56,16 +93,16 @@ double number_attribute(const XmlDocument& document, pugi::xml_node node, const 
     if (!attribute && missing) return *missing;
     const auto number = parsed_number(attribute.value());
     if (!number)
-        document.fail(node, "<" + std::string(node.name()) + ">: " + name + " is " +
-                                in_quotes(attribute.value()) + "; expected a finite number");
+        document.fail(node, tag(node) + ": " + name + " is " + in_quotes(attribute.value()) +
+                                "; expected a finite number");
     return *number;
 }
 
 glm::dvec3 triple_attribute(const XmlDocument& document, pugi::xml_node node, const char* name) {
     const std::vector<double> numbers = parsed_numbers(node.attribute(name).value());
     if (numbers.size() != 3)
-        document.fail(node, "<" + std::string(node.name()) + ">: " + name + " is " +
-                                in_quotes(node.attribute(name).value()) + "; expected three finite numbers");
+        document.fail(node, tag(node) + ": " + name + " is " + in_quotes(node.attribute(name).value()) +
+                                "; expected three finite numbers");
     return {numbers[0], numbers[1], numbers[2]};
 }
 
@@ -79,12 +116,22 @@ glm::dmat4 rotation(const XmlDocument& document, pugi::xml_node node) {
     return glm::rotate(glm::dmat4(1.0), glm::radians(angle), axis / length);
 }
 
+/// Some unit vector across a unit vector: the one Mitsuba takes (Duff et al., Building an Orthonormal Basis,
+/// Revisited, 2017).
+glm::dvec3 perpendicular(const glm::dvec3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1.0 / (sign + n.z);
+    return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+}
+
 /// +z towards the target, +x to the left seen from behind, +y as near to `up` as can be.
 glm::dmat4 look_at(const XmlDocument& document, pugi::xml_node node) {
     check_attributes(document, node, {"origin", "target", "up"});
     const glm::dvec3 origin = triple_attribute(document, node, "origin");
     const glm::dvec3 forward = triple_attribute(document, node, "target") - origin;
-    const glm::dvec3 up = triple_attribute(document, node, "up");
+    glm::dvec3 up(0.0);
+    if (*node.attribute("up").value() != '\0') up = triple_attribute(document, node, "up");
+    if (up == glm::dvec3(0.0)) up = perpendicular(glm::normalize(forward));
     const glm::dvec3 left = glm::cross(up, forward);
     if (!(glm::length(left) > 1e-12 * glm::length(up) * glm::length(forward)) ||
         !std::isfinite(glm::length(left)))
@@ -120,10 +167,8 @@ glm::dmat4 operation(const XmlDocument& document, pugi::xml_node node) {
     if (name == "rotate") return rotation(document, node);
     if (name == "lookat") return look_at(document, node);
     if (name == "matrix") return matrix(document, node);
-    document.fail(
-        node,
-        "<" + std::string(name) + "> in <transform>; accepted: translate, rotate, scale, matrix, lookat",
-        ErrorCode::unsupported);
+    document.fail(node, tag(node) + " in <transform>; accepted: translate, rotate, scale, matrix, lookat",
+                  ErrorCode::unsupported);
 }
 
 }  // namespace
@@ -132,13 +177,12 @@ glm::dvec3 parsed_vector(const XmlDocument& document, pugi::xml_node node, doubl
     const pugi::xml_attribute value = node.attribute("value");
     const bool has_parts = node.attribute("x") || node.attribute("y") || node.attribute("z");
     if (value && has_parts)
-        document.fail(
-            node, "<" + std::string(node.name()) + "> has both a value and x, y or z; expected one of them");
+        document.fail(node, tag(node) + " has both a value and x, y or z; expected one of them");
     if (value) {
         const std::vector<double> numbers = parsed_numbers(value.value());
         if (numbers.size() == 1) return glm::dvec3(numbers[0]);
         if (numbers.size() != 3)
-            document.fail(node, "<" + std::string(node.name()) + ">: value is " + in_quotes(value.value()) +
+            document.fail(node, tag(node) + ": value is " + in_quotes(value.value()) +
                                     "; expected one or three finite numbers");
         return {numbers[0], numbers[1], numbers[2]};
     }

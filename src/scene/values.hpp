@@ -6,12 +6,17 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <pugixml.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "nicol/scene_description.hpp"
 #include "scene/xml_document.hpp"
 
 namespace nicol::scene {
+
+/// ASCII letters made small.
+[[nodiscard]] std::string lower_case(std::string text);
 
 /// A finite number and nothing beside it.
 [[nodiscard]] std::optional<double> parsed_number(std::string_view text);
@@ -28,6 +33,9 @@ void check_attributes(const XmlDocument& document, pugi::xml_node node,
 
 /// The `value` of <rgb>: one number, three, or #rrggbb, which stands for linear values of n / 255.
 [[nodiscard]] std::optional<glm::dvec3> parsed_rgb(std::string_view text);
+
+/// The `value` of <spectrum>, one number or wavelength:value pairs by increasing wavelength.
+[[nodiscard]] std::optional<ColorDescription> parsed_spectrum(std::string_view text);
 
 /// The product of a <transform>'s operations, the first nearest to the point. Affine and invertible.
 [[nodiscard]] glm::dmat4 parsed_transform(const XmlDocument& document, pugi::xml_node transform);

@@ -1,133 +1,209 @@
 // SPDX-License-Identifier: MIT
-// Loads the XML and makes it safe to walk.
+// Loads the files of a scene and makes them safe to walk.
 #include "scene/xml_document.hpp"
 
-#include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
-#include "scene/parameters.hpp"
+#include "scene/values.hpp"
 
 namespace nicol::scene {
 namespace {
 
-constexpr std::uintmax_t max_file_size = std::uintmax_t{16} << 20;
-/// A scene with everything nested has 5 levels.
+constexpr std::size_t max_bytes = std::size_t{16} << 20;
+/// A scene with everything nested has 6 levels.
 constexpr int max_depth = 32;
+/// Mitsuba's limit.
+constexpr std::size_t max_include_depth = 15;
+constexpr std::size_t max_files = 1000;
+constexpr std::size_t max_folders = 100;
 
-std::string read_text(const std::filesystem::path& file) {
-    std::error_code status;
-    // A device or a pipe may never end.
-    if (!std::filesystem::is_regular_file(file, status))
-        throw Error(ErrorCode::file_not_found, file.string() + ": no such file");
-    const auto size = std::filesystem::file_size(file, status);
-    if (!status && size > max_file_size)
-        throw Error(ErrorCode::unsupported,
-                    file.string() + ": a scene file of more than 16 MiB; keep meshes in files of their own");
-    std::ifstream in(file, std::ios::binary);
-    if (!in || status) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read");
-    std::string bytes(size, '\0');
-    in.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (!in) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read to its end");
-    return bytes;
+bool is(pugi::xml_node node, std::string_view name) {
+    return node.name() == name;
+}
+
+bool is_declaration(pugi::xml_node node) {
+    return is(node, "default") || is(node, "path") || is(node, "alias") || is(node, "include");
 }
 
 }  // namespace
 
-std::string in_quotes(std::string_view text) {
-    std::string out = "\"";
-    for (const char c : text.substr(0, 80)) {
-        const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-        out += control ? '?' : c;
-    }
-    return out + (text.size() > 80 ? "...\"" : "\"");
-}
+struct XmlDocument::Source {
+    Source(const std::filesystem::path& file, std::size_t& budget, pugi::xml_node included_by)
+        : xml(file, budget), include(included_by), folders{file.parent_path()} {}
+
+    XmlFile xml;
+    pugi::xml_node include;  ///< null for the outermost file
+    std::size_t depth = 0;
+    std::vector<std::filesystem::path> folders;  ///< the first wins
+};
 
 /// One pass over all elements in the order of the file, which is the order in which parameters are defined
 /// and used.
 class XmlDocument::Walker : public pugi::xml_tree_walker {
 public:
-    Walker(XmlDocument& document, const SceneParameters& overrides)
-        : parameters(overrides), document_(document) {}
+    explicit Walker(XmlDocument& document) : document_(document) {}
 
     bool for_each(pugi::xml_node& node) override {
         if (depth() > max_depth)
             document_.fail(node, "elements nested more than " + std::to_string(max_depth) + " deep");
         if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata)
-            document_.fail(node, "text " + in_quotes(node.value()) + " inside <" + node.parent().name() +
-                                     ">; values go into attributes");
+            document_.fail(node, "text " + in_quotes(node.value()) + " inside " + tag(node.parent()) +
+                                     "; values go into attributes");
         if (node.type() != pugi::node_element) return true;
         for (pugi::xml_attribute attribute : node.attributes()) replace(node, attribute);
-        if (std::string_view(node.name()) == "default") define(node);
-        const std::string id = node.attribute("id").value();
-        if (!id.empty() && std::string_view(node.name()) != "ref") {
-            const auto [entry, is_new] = document_.ids_.try_emplace(id, node);
-            if (!is_new)
-                document_.fail(node, "id " + in_quotes(id) + " is taken by the element at " +
-                                         document_.where(entry->second));
+        if (is_declaration(node)) {
+            declare(node);
+        } else if (!is(node, "ref") && (depth() > 0 || !is(node, "scene"))) {
+            const std::string id = node.attribute("id").value();
+            if (!id.empty()) document_.add_id(id, node, node);
         }
         return true;
     }
-
-    Parameters parameters;
 
 private:
     void replace(pugi::xml_node node, pugi::xml_attribute attribute) {
         if (std::string_view(attribute.value()).find('$') == std::string_view::npos) return;
         try {
-            attribute.set_value(parameters.replaced(attribute.value()).c_str());
+            attribute.set_value(document_.parameters_.replaced(attribute.value()).c_str());
         } catch (const std::invalid_argument& e) {
             document_.fail(node, e.what());
         }
     }
 
-    void define(pugi::xml_node node) {
+    void declare(pugi::xml_node node) {
+        if (node.first_child().type() == pugi::node_element)
+            document_.fail(node, tag(node) + " has elements inside; expected none");
+        if (is(node, "include")) return document_.include(node);
+        if (is(node, "path")) return document_.add_folder(node);
+        if (is(node, "alias")) return document_.add_alias(node);
+        check_attributes(document_, node, {"name", "value"});
         const std::string name = node.attribute("name").value();
         if (name.empty() || !node.attribute("value"))
             document_.fail(node, "<default> needs a name and a value");
-        parameters.add_default(name, node.attribute("value").value());
+        document_.parameters_.add_default(name, node.attribute("value").value());
     }
 
     XmlDocument& document_;
 };
 
-XmlDocument::XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters) : file_(file) {
-    const std::string bytes = read_text(file);
-    index_lines(bytes);
-    const pugi::xml_parse_result result =
-        document_.load_buffer(bytes.data(), bytes.size(), pugi::parse_default | pugi::parse_trim_pcdata);
-    if (!result)
-        throw Error(ErrorCode::invalid_file, place(result.offset, true) + ": " + result.description());
-    check_scene();
-    Walker walker(*this, parameters);
-    document_.traverse(walker);
-    walker.parameters.require_all_used(file.string());
+XmlDocument::XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters)
+    : parameters_(parameters), budget_(max_bytes) {
+    load(file, {});
+    parameters_.require_all_used(file.string());
 }
 
-void XmlDocument::check_scene() const {
-    if (std::string_view(root().name()) != "scene")
-        fail(root(), "the outermost element is <" + std::string(root().name()) +
-                         ">; expected <scene version=\"3.0.0\">");
-    const std::string_view version = root().attribute("version").value();
-    if (version.empty()) fail(root(), "<scene> has no version; expected version=\"3.0.0\"");
+XmlDocument::~XmlDocument() = default;
+
+void XmlDocument::load(const std::filesystem::path& file, pugi::xml_node include) {
+    try {
+        sources_.push_back(std::make_unique<Source>(file, budget_, include));
+    } catch (const Error& e) {
+        throw Error(e.code(), e.what() + chain(include));
+    }
+    Source& source = *sources_.back();
+    const pugi::xml_node outermost = source.xml.root();
+    source_of_root_[outermost.root()] = &source;
+    if (include) {
+        const Source& parent = source_of(include);
+        source.depth = parent.depth + 1;
+        source.folders.insert(source.folders.end(), parent.folders.begin(), parent.folders.end());
+        source_of_include_[include] = &source;
+    } else if (!is(outermost, "scene")) {
+        fail(outermost,
+             "the outermost element is " + tag(outermost) + "; expected <scene version=\"3.0.0\">");
+    }
+    check_version(outermost);
+    if (is(outermost, "scene")) check_attributes(*this, outermost, {"version", "type", "id", "name"});
+    Walker walker(*this);
+    outermost.parent().traverse(walker);
+}
+
+void XmlDocument::check_version(pugi::xml_node outermost) const {
+    const std::string_view version = outermost.attribute("version").value();
+    if (version.empty()) fail(outermost, tag(outermost) + " has no version; expected version=\"3.0.0\"");
     const std::string_view major = version.substr(0, version.find('.'));
     if (major != "2" && major != "3")
-        fail(root(), "scene version " + in_quotes(version) + "; expected 2.x.x or 3.x.x of Mitsuba's format",
+        fail(outermost,
+             "scene version " + in_quotes(version) + "; expected 2.x.x or 3.x.x of Mitsuba's format",
              ErrorCode::unsupported);
 }
 
-void XmlDocument::index_lines(std::string_view bytes) {
-    line_starts_.push_back(0);
-    for (std::size_t at = bytes.find('\n'); at != std::string_view::npos; at = bytes.find('\n', at + 1))
-        line_starts_.push_back(static_cast<std::ptrdiff_t>(at + 1));
+void XmlDocument::include(pugi::xml_node node) {
+    check_attributes(*this, node, {"filename", "name"});
+    const std::string name = node.attribute("filename").value();
+    if (name.empty()) fail(node, "<include> needs a filename");
+    const std::filesystem::path file = resolved(node, name);
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored))
+        fail(node, "<include> of " + in_quotes(file.string()) + ": no such file", ErrorCode::file_not_found);
+    const Source* including = &source_of(node);
+    if (including->depth == max_include_depth)
+        fail(node, "includes more than " + std::to_string(max_include_depth) + " deep");
+    if (sources_.size() == max_files)
+        fail(node, "more than " + std::to_string(max_files) + " included files", ErrorCode::unsupported);
+    for (const Source* open = including; open; open = open->include ? &source_of(open->include) : nullptr)
+        if (std::filesystem::equivalent(open->xml.path(), file, ignored))
+            fail(node, "<include> of " + in_quotes(name) + " goes in a circle");
+    load(file, node);
 }
 
-std::string XmlDocument::place(std::ptrdiff_t offset, bool with_column) const {
-    const auto next = std::ranges::upper_bound(line_starts_, std::max<std::ptrdiff_t>(offset, 0));
-    const std::ptrdiff_t line = next - line_starts_.begin();
-    std::string text = file_.string() + ":" + std::to_string(line);
-    if (with_column) text += ":" + std::to_string(std::max<std::ptrdiff_t>(offset, 0) - *(next - 1) + 1);
-    return text;
+void XmlDocument::add_folder(pugi::xml_node node) {
+    check_attributes(*this, node, {"value"});
+    if (!is(node.parent(), "scene"))
+        fail(node, "<path> in " + tag(node.parent()) + "; it belongs in <scene>");
+    const std::string name = node.attribute("value").value();
+    const std::filesystem::path folder = resolved(node, name);
+    std::error_code ignored;
+    if (name.empty() || !std::filesystem::is_directory(folder, ignored))
+        fail(node, "<path>: " + in_quotes(name) + " is no folder", ErrorCode::file_not_found);
+    std::vector<std::filesystem::path>& folders = source_of(node).folders;
+    if (folders.size() > max_folders)
+        fail(node, "more than " + std::to_string(max_folders) + " folders to look into",
+             ErrorCode::unsupported);
+    folders.insert(folders.begin(), folder);
+}
+
+void XmlDocument::add_alias(pugi::xml_node node) {
+    check_attributes(*this, node, {"id", "as"});
+    const std::string id = node.attribute("id").value(), as = node.attribute("as").value();
+    if (as.empty()) fail(node, "<alias> needs an id and the name it goes by, as");
+    const pugi::xml_node target = with_id(id);
+    if (!target) fail(node, "<alias> of " + in_quotes(id) + ", an id that no element above has");
+    add_id(as, node, target);
+}
+
+void XmlDocument::add_id(const std::string& id, pugi::xml_node node, pugi::xml_node target) {
+    const auto [entry, is_new] = ids_.try_emplace(id, target);
+    if (!is_new) fail(node, "id " + in_quotes(id) + " is taken by the element at " + where(entry->second));
+}
+
+XmlDocument::Source& XmlDocument::source_of(pugi::xml_node node) const {
+    return *source_of_root_.at(node.root());
+}
+
+pugi::xml_node XmlDocument::root() const {
+    return sources_.front()->xml.root();
+}
+
+std::vector<pugi::xml_node> XmlDocument::elements(pugi::xml_node node) const {
+    std::vector<pugi::xml_node> found;
+    append_elements(node, found);
+    return found;
+}
+
+void XmlDocument::append_elements(pugi::xml_node node, std::vector<pugi::xml_node>& found) const {
+    for (const pugi::xml_node child : node.children()) {
+        if (child.type() != pugi::node_element) continue;
+        if (!is_declaration(child)) {
+            found.push_back(child);
+        } else if (is(child, "include")) {
+            const pugi::xml_node included = source_of_include_.at(child)->xml.root();
+            if (is(included, "scene"))
+                append_elements(included, found);
+            else
+                found.push_back(included);
+        }
+    }
 }
 
 pugi::xml_node XmlDocument::with_id(const std::string& id) const {
@@ -135,16 +211,34 @@ pugi::xml_node XmlDocument::with_id(const std::string& id) const {
     return entry == ids_.end() ? pugi::xml_node() : entry->second;
 }
 
-std::filesystem::path XmlDocument::resolved(const std::string& filename) const {
-    return (file_.parent_path() / filename).lexically_normal();
+std::filesystem::path XmlDocument::resolved(pugi::xml_node node, const std::string& filename) const {
+    const Source& source = source_of(node);
+    for (const std::filesystem::path& folder : source.folders) {
+        std::error_code ignored;
+        if (std::filesystem::exists(folder / filename, ignored))
+            return (folder / filename).lexically_normal();
+    }
+    return (source.xml.path().parent_path() / filename).lexically_normal();
 }
 
 std::string XmlDocument::where(pugi::xml_node node) const {
-    return place(node.offset_debug(), false);
+    const XmlFile& xml = source_of(node).xml;
+    return xml.path().string() + ":" + std::to_string(xml.line(node));
+}
+
+std::string XmlDocument::chain(pugi::xml_node include) const {
+    std::string text;
+    while (include) {
+        const Source& source = source_of(include);
+        text += (text.empty() ? " (included by " : ", by ") + source.xml.path().filename().string() + ":" +
+                std::to_string(source.xml.line(include));
+        include = source.include;
+    }
+    return text.empty() ? text : text + ")";
 }
 
 void XmlDocument::fail(pugi::xml_node node, const std::string& message, ErrorCode code) const {
-    throw Error(code, where(node) + ": " + message);
+    throw Error(code, where(node) + ": " + message + chain(source_of(node).include));
 }
 
 }  // namespace nicol::scene

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A scene's XML: well-formed, of bounded size and depth, its $parameters replaced, its ids known.
+// A scene's XML with its includes: $parameters replaced, ids and folders known.
 #pragma once
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <pugixml.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "nicol/error.hpp"
 #include "nicol/scene_description.hpp"
+#include "scene/parameters.hpp"
+#include "scene/xml_file.hpp"
 
 namespace nicol::scene {
 
@@ -18,33 +20,43 @@ class XmlDocument {
 public:
     /// Throws as read_mitsuba_scene does.
     XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters);
+    ~XmlDocument();
 
     /// The <scene> element.
-    [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
-    /// The element with this id, null if there is none.
+    [[nodiscard]] pugi::xml_node root() const;
+    /// The elements inside a node in the order of the file, without <default>, <path> and <alias>. An
+    /// <include> gives way to what it includes: the elements inside a <scene>, or else the outermost element.
+    [[nodiscard]] std::vector<pugi::xml_node> elements(pugi::xml_node node) const;
+    /// The element with this id or alias, null if there is none.
     [[nodiscard]] pugi::xml_node with_id(const std::string& id) const;
-    /// A filename in the scene, relative to the folder of the scene.
-    [[nodiscard]] std::filesystem::path resolved(const std::string& filename) const;
+    /// What a name inside `node` stands for, as read_mitsuba_scene says.
+    [[nodiscard]] std::filesystem::path resolved(pugi::xml_node node, const std::string& filename) const;
     /// "file:line" of a node.
     [[nodiscard]] std::string where(pugi::xml_node node) const;
-    /// Throws Error(code) "file:line: message".
+    /// Throws Error(code) "file:line: message", and who includes the file.
     [[noreturn]] void fail(pugi::xml_node node, const std::string& message,
                            ErrorCode code = ErrorCode::invalid_file) const;
 
 private:
+    struct Source;
     class Walker;
-    void index_lines(std::string_view bytes);
-    void check_scene() const;
-    /// File, line and column of a byte.
-    [[nodiscard]] std::string place(std::ptrdiff_t offset, bool with_column) const;
+    void load(const std::filesystem::path& file, pugi::xml_node include);
+    void check_version(pugi::xml_node outermost) const;
+    void include(pugi::xml_node node);
+    void add_folder(pugi::xml_node node);
+    void add_alias(pugi::xml_node node);
+    void add_id(const std::string& id, pugi::xml_node node, pugi::xml_node target);
+    [[nodiscard]] Source& source_of(pugi::xml_node node) const;
+    void append_elements(pugi::xml_node node, std::vector<pugi::xml_node>& found) const;
+    /// " (included by a.xml:3, by b.xml:2)", empty for the outermost file.
+    [[nodiscard]] std::string chain(pugi::xml_node include) const;
 
-    std::filesystem::path file_;
-    pugi::xml_document document_;
-    std::vector<std::ptrdiff_t> line_starts_;
+    Parameters parameters_;
+    std::size_t budget_;
+    std::vector<std::unique_ptr<Source>> sources_;
+    std::map<pugi::xml_node, Source*> source_of_root_;
+    std::map<pugi::xml_node, Source*> source_of_include_;
     std::map<std::string, pugi::xml_node> ids_;
 };
-
-/// Text in quotes for a message, long or unprintable text made harmless.
-[[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace nicol::scene

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// One XML file: well-formed, of bounded size, without entities.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nicol::scene {
+
+/// Text in quotes for a message, long or unprintable text made harmless.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// "<name>" of an element for a message, as harmless.
+[[nodiscard]] std::string tag(pugi::xml_node node);
+
+class XmlFile {
+public:
+    /// Takes the size of the file off `budget`, in bytes. Throws as read_mitsuba_scene does.
+    XmlFile(const std::filesystem::path& file, std::size_t& budget);
+
+    /// The outermost element.
+    [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
+    [[nodiscard]] const std::filesystem::path& path() const { return file_; }
+    /// Number of the line that holds a node of this file, from 1.
+    [[nodiscard]] std::ptrdiff_t line(pugi::xml_node node) const { return line(node.offset_debug()); }
+
+private:
+    [[nodiscard]] std::ptrdiff_t line(std::ptrdiff_t offset) const;
+    void check_entities() const;
+
+    std::filesystem::path file_;
+    pugi::xml_document document_;
+    std::vector<std::ptrdiff_t> line_starts_;
+};
+
+}  // namespace nicol::scene
