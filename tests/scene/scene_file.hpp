@@ -22,6 +22,12 @@ public:
         std::error_code ignored;
         std::filesystem::remove_all(folder_, ignored);
     }
+    /// Another file in the folder, in folders of its own if the name says so.
+    void add(const std::string& name, std::string_view text) const {
+        std::filesystem::create_directories((folder_ / name).parent_path());
+        std::ofstream(folder_ / name, std::ios::binary)
+            .write(text.data(), static_cast<std::streamsize>(text.size()));
+    }
     SceneFile(const SceneFile&) = delete;
     SceneFile& operator=(const SceneFile&) = delete;
 

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Scenes of several files.
+#include <doctest/doctest.h>
+
+#include <memory>
+
+#include "nicol/error.hpp"
+#include "nicol/scene_description.hpp"
+#include "scene/scene_file.hpp"
+
+using namespace nicol;
+
+namespace {
+
+const std::string scene_end = a_sensor + an_emitter + a_shape;
+
+/// The scene must fail with `code` and a message that begins with the place and ends with `ending`.
+void check_refused(const SceneFile& file, ErrorCode code, const std::string& place,
+                   const std::vector<std::string>& parts, const std::string& ending = "") {
+    try {
+        static_cast<void>(read_mitsuba_scene(file.path()));
+        FAIL_CHECK("read, expected a refusal");
+    } catch (const Error& e) {
+        const std::string message = e.what();
+        CAPTURE(message);
+        CHECK(e.code() == code);
+        CHECK(message.starts_with(place));
+        CHECK(message.ends_with(ending));
+        CHECK(message.size() < 1000);
+        for (const std::string& part : parts) {
+            CAPTURE(part);
+            CHECK(message.find(part) != std::string::npos);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("an included scene stands where it is included") {
+    const SceneFile file(scene("<shape type='cube'/><include filename='parts/two.xml'/>" + a_sensor +
+                               an_emitter + "<shape type='rectangle'><ref id='shared'/></shape>"));
+    file.add("parts/two.xml", scene("<shape type='sphere'><bsdf type='pplastic' id='shared'/></shape>"
+                                    "<include filename='three.xml'/><shape type='sphere'/>"));
+    file.add("parts/three.xml",
+             scene("<shape type='obj'><string name='filename' value='mesh.obj'/></shape>"));
+    const SceneDescription s = read_mitsuba_scene(file.path());
+    REQUIRE(s.shapes.size() == 5);
+    using Kind = ShapeDescription::Kind;
+    const Kind kinds[] = {Kind::cube, Kind::sphere, Kind::obj, Kind::sphere, Kind::rectangle};
+    for (std::size_t i = 0; i < 5; ++i) CHECK(s.shapes[i].kind == kinds[i]);
+    CHECK(s.shapes[4].material == s.shapes[1].material);
+    CHECK(s.materials.at(s.shapes[4].material).kind == MaterialDescription::Kind::pplastic);
+    // Relative to the file that says so.
+    CHECK(s.shapes[2].filename == file.folder() / "parts" / "mesh.obj");
+}
+
+TEST_CASE("an included object stands where it is included") {
+    const SceneFile file(scene(a_sensor + an_emitter +
+                               "<shape type='sphere'><include name='surface' filename='plastic.xml'/></shape>"
+                               "<shape type='cube'><include filename='many.xml'/></shape>"));
+    file.add("plastic.xml",
+             "<bsdf version='3.0.0' type='pplastic'><float name='alpha' value='0.25'/></bsdf>");
+    file.add("many.xml", scene("<bsdf type='conductor'/>"));
+    const SceneDescription s = read_mitsuba_scene(file.path());
+    REQUIRE(s.shapes.size() == 2);
+    CHECK(s.materials.at(s.shapes[0].material).alpha == 0.25);
+    CHECK(s.materials.at(s.shapes[1].material).kind == MaterialDescription::Kind::conductor);
+}
+
+TEST_CASE("parameters and defaults cross includes, and the caller's win") {
+    const SceneFile file(scene("<default name='r' value='1'/><include filename='$part.xml'/>" + a_sensor +
+                               an_emitter +
+                               "<shape type='sphere'><float name='radius' value='$late'/></shape>"));
+    file.add("b.xml", scene("<default name='r' value='2'/><default name='late' value='3'/>"
+                            "<default name='over' value='4'/>"
+                            "<shape type='sphere'><point name='center' value='$r,$late,$over'/></shape>"));
+    const SceneDescription s = read_mitsuba_scene(file.path(), {{"part", "b"}, {"over", "5"}});
+    CHECK(s.shapes.at(0).center == glm::dvec3(1, 3, 5));
+    CHECK(s.shapes.at(1).radius == 3.0);
+    CHECK_THROWS_WITH_AS(
+        static_cast<void>(read_mitsuba_scene(file.path(), {{"part", "b"}, {"late", "7"}, {"no", "1"}})),
+        doctest::Contains("no parameter \"$no\""), Error);
+}
+
+TEST_CASE("files are looked for in <path>s, the folder of the file, and those of the including files") {
+    const SceneFile file(scene("<path value='first'/><path value='second'/><include filename='sub/a.xml'/>" +
+                               a_sensor + an_emitter));
+    const auto obj = [](const std::string& name) {
+        return "<shape type='obj'><string name='filename' value='" + name + ".obj'/></shape>";
+    };
+    file.add("first/both.obj", "");
+    file.add("second/both.obj", "");
+    file.add("first/one.obj", "");
+    file.add("sub/both.obj", "");
+    file.add("root.obj", "");
+    file.add("inner/deep.obj", "");
+    file.add("sub/inner/deep.obj", "");
+    file.add("sub/a.xml",
+             scene(obj("both") + obj("one") + obj("root") + obj("none") + "<path value='inner'/>" +
+                   obj("deep") + "<path value='" + (file.folder() / "first").string() + "'/>"));
+    const SceneDescription s = read_mitsuba_scene(file.path());
+    REQUIRE(s.shapes.size() == 5);
+    // The <path>s of the file itself precede its folder, wherever in the file they stand.
+    CHECK(s.shapes[0].filename == file.folder() / "first" / "both.obj");
+    CHECK(s.shapes[1].filename == file.folder() / "first" / "one.obj");
+    CHECK(s.shapes[2].filename == file.folder() / "root.obj");
+    CHECK(s.shapes[3].filename == file.folder() / "sub" / "none.obj");
+    CHECK(s.shapes[4].filename == file.folder() / "sub" / "inner" / "deep.obj");
+
+    const SceneFile newest(scene("<path value='first'/><path value='second'/>" + obj("both") + scene_end));
+    newest.add("first/both.obj", "");
+    newest.add("second/both.obj", "");
+    CHECK(read_mitsuba_scene(newest.path()).shapes.at(0).filename == newest.folder() / "second" / "both.obj");
+}
+
+TEST_CASE("an <alias> is another name for what has an id") {
+    const SceneFile file(
+        scene(a_sensor + an_emitter +
+              "<bsdf type='pplastic' id='a'/><alias id='a' as='b'/><alias id='b' as='c'/>"
+              "<shape type='sphere'><ref id='a'/></shape><shape type='sphere'><ref id='c'/></shape>"));
+    const SceneDescription s = read_mitsuba_scene(file.path());
+    CHECK(s.materials.size() == 1);
+    CHECK(s.shapes.at(0).material == s.shapes.at(1).material);
+    const std::string start = scene_end + "<bsdf type='diffuse' id='a'/>\n";
+    const auto refused = [&](const std::string& alias, const std::string& part) {
+        const SceneFile bad(scene(start + alias + "<bsdf type='diffuse' id='late'/>"));
+        check_refused(bad, ErrorCode::invalid_file, bad.path().string() + ":6: ", {part});
+    };
+    refused("<alias id='a' as='a'/>", "id \"a\" is taken by the element at");
+    refused("<alias id='late' as='b'/>", "\"late\", an id that no element above has");
+    refused("<alias id='a'/>", "<alias> needs");
+    refused("<alias id='a' as='b' to='c'/>", "attribute \"to\"");
+    refused("<alias id='a' as='b'/><bsdf type='diffuse' id='b'/>", "id \"b\" is taken");
+    refused("<alias id='a' as='b'><bsdf type='diffuse'/></alias>", "elements inside");
+}
+
+TEST_CASE("errors in an included file name its line and who includes it") {
+    const SceneFile file(scene("\n<include filename='a.xml'/>" + scene_end));
+    const std::string a = (file.folder() / "a.xml").string(), b = (file.folder() / "b.xml").string();
+    file.add("a.xml", scene("<include filename='b.xml'/>"));
+    const std::string ending = " (included by a.xml:2, by scene.xml:3)";
+    file.add("b.xml", scene("\n<shape type='hair'/>"));
+    check_refused(file, ErrorCode::unsupported, b + ":3: shape \"hair\"", {}, ending);
+    file.add("b.xml", "<scene version='3.0.0'>\n<shape");
+    check_refused(file, ErrorCode::invalid_file, b + ":2:", {}, ending);
+    file.add("b.xml", "<scene/>");
+    check_refused(file, ErrorCode::invalid_file, b + ":1: <scene> has no version", {}, ending);
+    file.add("b.xml", "<scene version='0.6'/>");
+    check_refused(file, ErrorCode::unsupported, b + ":1: scene version", {}, ending);
+    file.add("b.xml", "<!DOCTYPE x [<!ENTITY lol 'lol'>]><scene version='3.0.0'/>");
+    check_refused(file, ErrorCode::unsupported, b + ":1: <!DOCTYPE>", {"\"lol\""}, ending);
+    file.add("b.xml", scene("<float name='x' value='$y'/>"));
+    check_refused(file, ErrorCode::invalid_file, b + ":2: undefined parameter", {}, ending);
+    file.add("b.xml", scene("<bsdf type='diffuse' id='x'/>"));
+    file.add("a.xml", scene("<bsdf type='diffuse' id='x'/><include filename='b.xml'/>"));
+    check_refused(file, ErrorCode::invalid_file, b + ":2: id \"x\" is taken by the element at " + a + ":2",
+                  {}, ending);
+}
+
+TEST_CASE("includes that cannot be") {
+    const auto refused = [](const std::string& content, ErrorCode code, const std::string& part) {
+        const SceneFile file(scene("\n" + content + scene_end));
+        file.add("diffuse.xml", "<bsdf version='3.0.0' type='diffuse'/>");
+        file.add("radius.xml", scene("<float name='radius' value='2'/>"));
+        check_refused(file, code, "", {part});
+    };
+    refused("<include filename='none.xml'/>", ErrorCode::file_not_found, "scene.xml:3: <include> of");
+    refused("<include filename='.'/>", ErrorCode::file_not_found, "no such file");
+    refused("<include/>", ErrorCode::invalid_file, "<include> needs a filename");
+    refused("<include filename='a.xml' version='3'/>", ErrorCode::invalid_file, "attribute \"version\"");
+    refused("<include filename='diffuse.xml'><bsdf type='diffuse'/></include>", ErrorCode::invalid_file,
+            "elements inside");
+    refused(
+        "<shape type='sphere'><transform name='to_world'><include "
+        "filename='diffuse.xml'/></transform></shape>",
+        ErrorCode::unsupported, "<include> in <transform>");
+    refused("<shape type='sphere'><include filename='radius.xml'/></shape>", ErrorCode::invalid_file,
+            "parameter in an included file");
+    refused("<path value='none'/>", ErrorCode::file_not_found, "scene.xml:3: <path>: \"none\" is no folder");
+    refused("<path/>", ErrorCode::file_not_found, "no folder");
+    refused("<shape type='sphere'><path value='.'/></shape>", ErrorCode::invalid_file, "<path> in <shape>");
+    std::string folders;
+    for (int i = 0; i < 101; ++i) folders += "<path value='.'/>";
+    refused(folders, ErrorCode::unsupported, "more than 100 folders");
+}
+
+TEST_CASE("circles of includes end") {
+    const SceneFile file(scene("<include filename='a.xml'/>" + scene_end));
+    file.add("a.xml",
+             scene("\n<include filename='../" + file.folder().filename().string() + "/scene.xml'/>"));
+    check_refused(file, ErrorCode::invalid_file, (file.folder() / "a.xml").string() + ":3: <include> of",
+                  {"goes in a circle"}, " (included by scene.xml:2)");
+    file.add("a.xml", scene("<include filename='a.xml'/>"));
+    check_refused(file, ErrorCode::invalid_file,
+                  (file.folder() / "a.xml").string() + ":2: ", {"goes in a circle"},
+                  " (included by scene.xml:2)");
+}
+
+TEST_CASE("includes are bounded in depth, number and size") {
+    const auto number = [](int i) { return std::to_string(i) + ".xml"; };
+    const auto chain_of = [&](int depth) {
+        auto file = std::make_unique<SceneFile>(scene("<include filename='1.xml'/>" + scene_end));
+        for (int i = 1; i < depth; ++i)
+            file->add(number(i), scene("<include filename='" + number(i + 1) + "'/>"));
+        file->add(number(depth), scene(a_shape));
+        return file;
+    };
+    CHECK(read_mitsuba_scene(chain_of(15)->path()).shapes.size() == 2);
+    const auto deep = chain_of(16);
+    check_refused(*deep, ErrorCode::invalid_file, (deep->folder() / "15.xml").string() + ":2: ",
+                  {"more than 15 deep", "(included by 14.xml:2, by 13.xml:2"}, ", by scene.xml:2)");
+
+    // Four files a level: 4^8 of them if nobody counts.
+    const SceneFile wide(scene("<include filename='1.xml'/>" + scene_end));
+    for (int i = 1; i < 9; ++i) {
+        std::string content;
+        for (int k = 0; k < 4; ++k) content += "<include filename='" + number(i + 1) + "'/>";
+        wide.add(number(i), scene(content));
+    }
+    wide.add("9.xml", scene(""));
+    check_refused(wide, ErrorCode::unsupported, "", {"more than 1000 included files"});
+
+    const SceneFile large(scene("<include filename='a.xml'/><include filename='a.xml'/>" + scene_end));
+    large.add("a.xml", scene(std::string(std::size_t{9} << 20, ' ')));
+    check_refused(large, ErrorCode::unsupported, (large.folder() / "a.xml").string(), {"16 MiB"},
+                  " (included by scene.xml:2)");
+}
