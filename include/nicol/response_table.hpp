@@ -29,6 +29,12 @@ public:
     /// channels is 1 or the scene's; a material of one channel serves any. Throws Error(invalid_argument)
     /// where the channels do not fit.
     ResponseTable(const Material& material, const LightLayout& layout, int channels);
+    /// From the data() of another table with this layout and number of channels. Throws
+    /// Error(invalid_argument) where the length does not fit.
+    ResponseTable(const LightLayout& layout, int channels, std::vector<float> data);
+
+    /// The channels() that the table of a material has. Throws as the constructor.
+    [[nodiscard]] static int channels_for(const Material& material, int channels);
 
     /// 1 where every channel has the same rows, else the channels asked for.
     [[nodiscard]] int channels() const noexcept { return channels_; }
@@ -43,9 +49,12 @@ public:
         return {data_.data() + 4 * row_size_ * index, 4 * row_size_};
     }
 
+    /// All rows: [angle][channel][p][j].
+    [[nodiscard]] std::span<const float> data() const noexcept { return data_; }
     [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(float); }
 
 private:
+    void find_makes();
     void integrate(const Material& material, const LightLayout& layout);
     void rows_of_matrices(const Material& material, const LightLayout& layout);
 

@@ -56,26 +56,39 @@ bool is_grey(const Material& material, int channels) {
 
 }  // namespace
 
-ResponseTable::ResponseTable(const Material& material, const LightLayout& layout, int channels)
-    : row_size_(layout.size()), channels_(channels) {
+int ResponseTable::channels_for(const Material& material, int channels) {
     if (channels < 1 || (material.channels() != 1 && material.channels() != channels)) {
         throw Error(ErrorCode::invalid_argument, "a material of " + std::to_string(material.channels()) +
                                                      " channels cannot serve a scene of " +
                                                      std::to_string(channels) +
                                                      "; it must have 1 or as many");
     }
-    if (material.channels() == 1 || is_grey(material, channels)) channels_ = 1;
-    const auto table_channels = static_cast<std::size_t>(channels_);
-    const std::size_t set = 4 * row_size_;
-    data_.assign(kAngles * table_channels * set, 0.0F);
+    return material.channels() == 1 || is_grey(material, channels) ? 1 : channels;
+}
 
+ResponseTable::ResponseTable(const Material& material, const LightLayout& layout, int channels)
+    : row_size_(layout.size()), channels_(channels_for(material, channels)) {
+    const std::size_t width = 4 * row_size_ * static_cast<std::size_t>(channels_);
+    data_.assign(kAngles * width, 0.0F);
     if (material.matrix(0) != nullptr) {
         rows_of_matrices(material, layout);
     } else {
         integrate(material, layout);
-        interpolate_between(data_, set * table_channels);
+        interpolate_between(data_, width);
     }
+    find_makes();
+}
 
+ResponseTable::ResponseTable(const LightLayout& layout, int channels, std::vector<float> data)
+    : row_size_(layout.size()), channels_(channels), data_(std::move(data)) {
+    if (channels < 1 || data_.size() != kAngles * 4 * row_size_ * static_cast<std::size_t>(channels))
+        throw Error(ErrorCode::invalid_argument,
+                    "the data of a response table has " + std::to_string(data_.size()) +
+                        " numbers, which is not what its layout and channels need");
+    find_makes();
+}
+
+void ResponseTable::find_makes() {
     for (std::size_t i = 0; i < data_.size(); ++i) {
         if (data_[i] != 0) makes_[i / row_size_ % 4] = true;
     }

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "nicol/response_cache.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "nicol/conductor.hpp"
+#include "nicol/psh_matrix_file.hpp"
+#include "scratch.hpp"
+
+using namespace nicol;
+
+namespace {
+
+// Counts how often it is asked, so that a test sees whether a table was built.
+class Counting final : public Material {
+public:
+    explicit Counting(std::string key = "counting") : key_(std::move(key)) {}
+    [[nodiscard]] int channels() const noexcept override { return 1; }
+    [[nodiscard]] int terms() const noexcept override { return 1; }
+    [[nodiscard]] double weight(int, int) const override { return 1; }
+    [[nodiscard]] double lobe_width(int) const noexcept override { return 1; }
+    [[nodiscard]] std::string content_key() const override { return key_; }
+    [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& i, const glm::dvec3& o) const override {
+        ++calls;
+        return base_->evaluate(term, i, o);
+    }
+    mutable std::atomic<int> calls = 0;
+
+private:
+    std::string key_;
+    MaterialPtr base_ = diffuse({0.5});
+};
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> out;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) out.push_back(entry.path());
+    return out;
+}
+
+std::string content(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void replace(const std::filesystem::path& file, const std::string& bytes) {
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+const LightLayout layout(2, LightKind::linear);
+
+}  // namespace
+
+TEST_CASE("a table comes back from the cache as it was") {
+    const test::ScratchFolder scratch;
+    const auto folder = scratch / "made/on/demand";
+    const Counting material;
+    std::vector<std::string> notices;
+    const auto notice = [&](const std::string& text) { notices.push_back(text); };
+    const ResponseTable built = load_or_build(material, layout, 3, folder, notice);
+    const int calls = material.calls;
+    CHECK(calls > 0);
+    const ResponseTable loaded = load_or_build(material, layout, 3, folder, notice);
+    CHECK(material.calls == calls);
+    CHECK(notices.empty());
+    CHECK(files_in(folder).size() == 1);
+    CHECK(std::ranges::equal(built.data(), loaded.data()));
+    CHECK(loaded.channels() == 1);
+    CHECK(loaded.makes(0));
+    CHECK_FALSE(loaded.makes(1));
+}
+
+TEST_CASE("without a folder or a key nothing is written") {
+    const test::ScratchFolder scratch;
+    const Counting keyless("");
+    static_cast<void>(load_or_build(keyless, layout, 1, scratch.path()));
+    static_cast<void>(load_or_build(Counting(), layout, 1));
+    CHECK(files_in(scratch.path()).empty());
+}
+
+TEST_CASE("what is stale, damaged, truncated or foreign is rebuilt with a notice") {
+    const test::ScratchFolder scratch;
+    const Counting material;
+    const ResponseTable built = load_or_build(material, layout, 1, scratch.path());
+    const auto file = files_in(scratch.path()).front();
+    const std::string good = content(file);
+    const auto rebuilt = [&](const std::string& bytes) {
+        replace(file, bytes);
+        material.calls = 0;
+        int notices = 0;
+        const ResponseTable table =
+            load_or_build(material, layout, 1, scratch.path(), [&](const std::string& text) {
+                ++notices;
+                CHECK(text.find(file.filename().string()) != std::string::npos);
+            });
+        CHECK(notices == 1);
+        CHECK(material.calls > 0);
+        CHECK(std::ranges::equal(built.data(), table.data()));
+        CHECK(content(file) == good);
+    };
+    rebuilt("");
+    rebuilt(good.substr(0, good.size() - 1));
+    rebuilt(good.substr(0, 20));
+    rebuilt(good + "x");
+    rebuilt(std::string(good.size(), '\0'));
+    for (const std::size_t at : {std::size_t{0}, std::size_t{8}, std::size_t{12}, std::size_t{18},
+                                 good.size() / 2, good.size() - 33, good.size() - 1}) {
+        std::string bytes = good;
+        bytes[at] = static_cast<char>(bytes[at] ^ 1);
+        rebuilt(bytes);
+    }
+    // A table of another material under this one's name.
+    const Counting other("another");
+    static_cast<void>(load_or_build(other, layout, 1, scratch.path()));
+    for (const auto& path : files_in(scratch.path()))
+        if (path != file) rebuilt(content(path));
+}
+
+TEST_CASE("a folder that cannot be written, or a folder in the way, is a notice") {
+    const test::ScratchFolder scratch;
+    replace(scratch / "file", "in the way");
+    std::vector<std::string> notices;
+    const auto notice = [&](const std::string& text) { notices.push_back(text); };
+    const ResponseTable table = load_or_build(Counting(), layout, 1, scratch / "file", notice);
+    CHECK(table.makes(0));
+    CHECK(notices.size() == 1);
+    notices.clear();
+    const auto folder = scratch / "cache";
+    static_cast<void>(load_or_build(Counting(), layout, 1, folder));
+    const auto file = files_in(folder).front();
+    std::filesystem::remove(file);
+    std::filesystem::create_directory(file);
+    static_cast<void>(load_or_build(Counting(), layout, 1, folder, notice));
+    CHECK(notices.size() == 2);  // neither read nor written
+}
+
+TEST_CASE("every parameter is in the key") {
+    const auto gold = metal_index("Au");
+    const std::vector<MaterialPtr> materials{
+        diffuse({0.5}),
+        diffuse({0.5, 0.5, 0.5}),
+        diffuse({0.5000000001}),
+        pplastic({}),
+        pplastic({.diffuse_reflectance = {0.4}}),
+        pplastic({.specular_reflectance = {0.4}}),
+        pplastic({.int_ior = 1.5}),
+        pplastic({.ext_ior = 1.1}),
+        pplastic({.alpha = 0.2}),
+        pplastic({.distribution = Distribution::ggx}),
+        conductor(gold),
+        conductor(gold, {0.5}),
+        conductor({gold[0]}),
+        conductor({std::conj(std::complex(1.0, 2.0))}),
+        rough_conductor({.eta = gold}),
+        rough_conductor({.eta = gold, .distribution = Distribution::ggx}),
+        psh_matrix_material({IsotropicMatrix(1, 1)}),
+        psh_matrix_material({IsotropicMatrix(2, 2)}),
+        psh_matrix_material({IsotropicMatrix(2, 2), IsotropicMatrix(2, 2)}),
+    };
+    std::set<std::string> keys;
+    for (const MaterialPtr& material : materials) {
+        CHECK_FALSE(material->content_key().empty());
+        keys.insert(material->content_key());
+    }
+    CHECK(keys.size() == materials.size());
+    CHECK(twosided(materials[0])->content_key() == materials[0]->content_key());
+    const test::ScratchFolder scratch;
+    const Counting material;
+    for (const int order : {0, 1}) {
+        for (const LightKind kind : {LightKind::unpolarized, LightKind::full})
+            static_cast<void>(load_or_build(material, LightLayout(order, kind), 1, scratch.path()));
+    }
+    CHECK(files_in(scratch.path()).size() == 4);
+}
