@@ -12,8 +12,8 @@ namespace nicol {
 inline constexpr double kScaleUp = 0x1p256;
 inline constexpr double kScaleDown = 0x1p-256;
 
-/// v * 2^(256 e), e <= 0, |v| >= 2^-256 unless v is zero: harmonics near a pole start far below the smallest
-/// double and still grow to order one, so their recursions run on this.
+/// v * 2^(256 e), e <= 0, 2^-256 <= |v| unless v is zero, |v| < 1 where e < 0: harmonics near a pole start
+/// far below the smallest double and still grow to order one, so their recursions run on this.
 struct Scaled {
     double v = 0;
     int e = 0;
@@ -48,6 +48,10 @@ private:
         while (v != 0 && std::abs(v) < kScaleDown) {
             v *= kScaleUp;
             --e;
+        }
+        while (e < 0 && std::abs(v) >= 1) {
+            v *= kScaleDown;
+            ++e;
         }
     }
 };

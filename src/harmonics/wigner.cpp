@@ -55,11 +55,15 @@ std::vector<std::complex<double>> wigner_D(int l, double alpha, double beta, dou
     std::vector<double> d(width * width);
     sweep.block(d.data());
     if (angle.alternate) alternate_signs(l, d.data());
+    std::vector<std::complex<double>> left;
+    std::vector<std::complex<double>> right;
+    for (int m = -l; m <= l; ++m) {
+        left.push_back(std::polar(1.0, -m * alpha));
+        right.push_back(std::polar(1.0, -m * gamma));
+    }
     std::vector<std::complex<double>> out(width * width);
-    std::size_t i = 0;
-    for (int m = -l; m <= l; ++m)
-        for (int n = -l; n <= l; ++n, ++i)
-            out[i] = d[i] * std::polar(1.0, -m * alpha) * std::polar(1.0, -n * gamma);
+    for (std::size_t i = 0; i < width; ++i)
+        for (std::size_t j = 0; j < width; ++j) out[i * width + j] = d[i * width + j] * (left[i] * right[j]);
     return out;
 }
 

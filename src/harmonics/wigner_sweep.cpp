@@ -49,7 +49,10 @@ void WignerSweep::rescale_row(int m) {
         if (exponent_[i] < 0 && std::abs(current_[i]) > 0x1p100) {
             current_[i] *= kScaleDown;
             previous_[i] *= kScaleDown;
-            if (++exponent_[i] == 0) --unsettled_[static_cast<std::size_t>(m)];
+            if (++exponent_[i] != 0) continue;
+            --unsettled_[static_cast<std::size_t>(m)];
+            if (n == (north() ? m : -m))
+                change_[static_cast<std::size_t>(m)] = current_[i] - (north() ? 1 : -1) * previous_[i];
         }
     }
 }

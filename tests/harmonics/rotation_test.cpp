@@ -76,6 +76,19 @@ TEST_CASE("there and back") {
     }
 }
 
+TEST_CASE("high orders about y by a quarter turn, where whole degrees start below the range of double") {
+    std::mt19937_64 random(9);
+    const int order = 450;
+    const PshVector f = reference::random_field(random, order);
+    const glm::dmat3 r = about_y(pi / 2);
+    const PshVector g = rotated(f, r);
+    CHECK(reference::max_difference(rotated(g, glm::transpose(r)).data(), f.data()) <= 2e-12);
+    CHECK(deviation(f, g, r, random) < 1e-9);
+    const glm::dmat3 beyond = about_y(2.9);
+    CHECK(reference::max_difference(rotated(rotated(f, beyond), glm::transpose(beyond)).data(), f.data()) <=
+          2e-12);
+}
+
 TEST_CASE("energy of each order is kept, orders do not mix, the identity changes nothing") {
     std::mt19937_64 random(4);
     const PshVector f = reference::random_field(random, 20, 3);

@@ -103,6 +103,20 @@ TEST_CASE("entries that start below the range of double grow back") {
     CHECK(largest > .01);  // from a first value of 2^-1390
 }
 
+TEST_CASE("rows that pass from far below the range of double to one keep their length") {
+    const int l = 1150;
+    const auto D = wigner_D(l, 0, pi / 2, 0);
+    const auto at = [&](int m, int n) {
+        return D[static_cast<std::size_t>((m + l) * (2 * l + 1) + n + l)].real();
+    };
+    for (const int m : {-1150, -1130, 0, 560, 810, 1130, 1150}) {
+        double square = 0;
+        for (int n = -l; n <= l; ++n) square += at(m, n) * at(m, n);
+        CHECK(square == doctest::Approx(1).epsilon(1e-11));
+    }
+    CHECK(std::abs(at(1140, 30) - reference::wigner_d(l, 1140, 30, pi / 2)) < 1e-12);
+}
+
 TEST_CASE("Wigner's sum in double precision is no substitute") {
     const auto sum = [](int l, int m, int n, double beta) {
         double total = 0;
