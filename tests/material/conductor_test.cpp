@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "nicol/conductor.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include "material/frames.hpp"
+#include "material/microfacet.hpp"
+#include "nicol/error.hpp"
+#include "nicol/fresnel.hpp"
+
+using namespace nicol;
+using doctest::Approx;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using Complex = std::complex<double>;
+
+glm::dvec3 direction(double zenith, double azimuth) {
+    return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
+}
+
+void check_equal(const Mueller& a, const Mueller& b, double tolerance) {
+    for (std::size_t i = 0; i < 16; ++i) CHECK(std::abs(a(i / 4, i % 4) - b(i / 4, i % 4)) <= tolerance);
+}
+
+}  // namespace
+
+TEST_CASE("off the plane of symmetry: Fresnel's matrix of the facet in frames of the half vector") {
+    const Complex eta(0.2, -3.2);
+    const MaterialPtr material =
+        rough_conductor({.eta = {eta}, .alpha = 0.4, .distribution = Distribution::ggx});
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform;
+    for (int i = 0; i < 200; ++i) {
+        const glm::dvec3 light = direction(1.5 * uniform(random), 2 * pi * uniform(random));
+        const glm::dvec3 viewer = direction(1.5 * uniform(random), 2 * pi * uniform(random));
+        const glm::dvec3 half = glm::normalize(light + viewer);
+        const Frame in = frame_with_x(-light, glm::cross(half, -light));
+        const Frame out = frame_with_x(viewer, glm::cross(half, viewer));
+        const double scale = facet_density(Distribution::ggx, 0.4, half.z) *
+                             facet_visibility(Distribution::ggx, 0.4, light.z) *
+                             facet_visibility(Distribution::ggx, 0.4, viewer.z) / (4 * light.z * viewer.z);
+        const Mueller expected = in_turned_frames(scale * fresnel_reflection(glm::dot(half, viewer), eta),
+                                                  angle_between(in, theta_phi_frame(-light)),
+                                                  angle_between(out, theta_phi_frame(viewer)));
+        check_equal(material->evaluate(0, light, viewer), expected, 1e-10 * expected(0, 0));
+    }
+}
+
+TEST_CASE("the quick reflection block is Fresnel's for every index, total reflection included") {
+    for (const Complex eta :
+         {Complex(1.5), Complex(0.7), Complex(1.0), Complex(0.2, -3.2), Complex(2.0, -1e-9)}) {
+        for (const double cosine : {0.01, 0.3, 0.7, 1.0}) {
+            const ReflectionBlock b = reflection_block(cosine, eta);
+            const Mueller m = fresnel_reflection(cosine, eta);
+            CHECK(b.a == Approx(m(0, 0)));
+            CHECK(b.b == Approx(m(0, 1)));
+            CHECK(b.c == Approx(m(2, 2)));
+            CHECK(b.d == Approx(m(3, 2)).epsilon(1e-9));
+        }
+    }
+}
+
+TEST_CASE("a metal at 45 degrees turns diagonal light elliptic, as its closed form says") {
+    // A mirror reflection is a diattenuator and a retarder: tan psi = |rp / rs|, Delta = arg rp - arg rs.
+    const Complex eta(0.2, -3.2);
+    const double zenith = pi / 4;
+    const MaterialPtr material = rough_conductor({.eta = {eta}, .alpha = 0.2});
+    const glm::dvec3 light = direction(zenith, pi);
+    const glm::dvec3 viewer = direction(zenith, 0);
+    const Mueller m = material->evaluate(0, light, viewer);
+    const Complex q = std::sqrt(eta * eta - 0.5);
+    const Complex q_decaying = q.imag() > 0 ? -q : q;
+    const Complex rs = (std::cos(zenith) - q_decaying) / (std::cos(zenith) + q_decaying);
+    const Complex rp =
+        (eta * eta * std::cos(zenith) - q_decaying) / (eta * eta * std::cos(zenith) + q_decaying);
+    const double two_psi = 2 * std::atan2(std::abs(rp), std::abs(rs));
+    const double delta = std::arg(rp) - std::arg(rs);
+    // x = theta-hat lies along p on both sides.
+    const Mueller expected({1, -std::cos(two_psi), 0, 0, -std::cos(two_psi), 1, 0, 0, 0, 0,
+                            std::sin(two_psi) * std::cos(delta), -std::sin(two_psi) * std::sin(delta), 0, 0,
+                            std::sin(two_psi) * std::sin(delta), std::sin(two_psi) * std::cos(delta)});
+    const Mueller swapped({expected(0, 0), -expected(0, 1), 0, 0, -expected(1, 0), expected(1, 1), 0, 0, 0, 0,
+                           expected(2, 2), expected(2, 3), 0, 0, expected(3, 2), expected(3, 3)});
+    // In s-frames diattenuation favours s; turned by a quarter s1 changes sign.
+    check_equal((1 / m(0, 0)) * m, in_turned_frames(swapped, pi / 2, pi / 2), 1e-12);
+    CHECK(m(0, 1) < 0);
+    CHECK(std::abs(m(3, 2)) > 0.1 * m(0, 0));
+}
+
+TEST_CASE("named metals have their colours and the published constants") {
+    const auto reflectance = [](Complex eta) { return std::norm((eta - 1.0) / (eta + 1.0)); };
+    const auto gold = metal_index("gold");
+    REQUIRE(gold.size() == 3);
+    CHECK(reflectance(gold[0]) == Approx(0.93).epsilon(0.03));
+    CHECK(reflectance(gold[1]) == Approx(0.79).epsilon(0.03));
+    CHECK(reflectance(gold[2]) == Approx(0.40).epsilon(0.06));
+    const auto copper = metal_index("Cu");
+    CHECK(reflectance(copper[0]) > 0.85);
+    CHECK(reflectance(copper[2]) < 0.6);
+    for (const char* name : {"Ag", "Al", "silver", "aluminium", "aluminum"}) {
+        for (const Complex eta : metal_index(name)) {
+            CHECK(reflectance(eta) > 0.88);
+            CHECK(eta.imag() < 0);
+        }
+    }
+    // A value of the table itself, 1.88 eV, and one half-way between two.
+    const auto at = metal_index("Au", {1239.84198 / 1.88, 1239.84198 / 2.32});
+    CHECK(at[0].real() == Approx(0.14));
+    CHECK(at[0].imag() == Approx(-3.697));
+    CHECK(at[1].real() == Approx((0.43 + 0.62) / 2));
+    // Aluminium at 632.8 nm, by the model.
+    CHECK(metal_index("Al", {632.8})[0].real() == Approx(1.34).epsilon(0.01));
+    CHECK(metal_index("Al", {632.8})[0].imag() == Approx(-7.30).epsilon(0.01));
+    CHECK_THROWS_AS(static_cast<void>(metal_index("Unobtainium")), Error);
+    CHECK_THROWS_AS(static_cast<void>(metal_index("Au", {399})), Error);
+    CHECK_THROWS_AS(static_cast<void>(metal_index("Al", {std::nan("")})), Error);
+}
+
+TEST_CASE("channels of a conductor: an index each, or a reflectance each") {
+    const MaterialPtr gold = rough_conductor({.eta = metal_index("Au")});
+    CHECK(gold->channels() == 3);
+    const glm::dvec3 up(0, 0, 1);
+    CHECK(evaluate(*gold, 0, up, up)(0, 0) > 1.8 * evaluate(*gold, 2, up, up)(0, 0));
+    const MaterialPtr tinted = rough_conductor({.eta = {{0.2, -3}}, .specular_reflectance = {1, 0.5}});
+    CHECK(tinted->channels() == 2);
+    CHECK(tinted->terms() == 1);
+    CHECK(evaluate(*tinted, 1, up, up)(0, 0) == Approx(0.5 * evaluate(*tinted, 0, up, up)(0, 0)));
+    const MaterialPtr both = rough_conductor({.eta = metal_index("Au"), .specular_reflectance = {1, 0.5, 1}});
+    CHECK(evaluate(*both, 1, up, up)(0, 0) == Approx(0.5 * evaluate(*gold, 1, up, up)(0, 0)));
+    std::array<Mueller, 3> terms;
+    const glm::dvec3 light = direction(0.8, 2);
+    gold->evaluate_terms(light, up, terms);
+    for (int t = 0; t < 3; ++t)
+        check_equal(terms[static_cast<std::size_t>(t)], gold->evaluate(t, light, up), 0);
+    gold->evaluate_terms(-light, up, terms);
+    CHECK(terms[1](0, 0) == 0);
+    const MaterialPtr smooth = conductor(metal_index("Ag"));
+    CHECK(smooth->lobe_width(0) == kSmoothAlpha);
+}
+
+TEST_CASE("conductors out of range are named") {
+    const auto message = [](const RoughConductorParameters& p) {
+        try {
+            static_cast<void>(rough_conductor(p));
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::invalid_argument);
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(message({.eta = {}}).find("eta") == 0);
+    CHECK(message({.eta = {{-1, -1}}}).find("eta") == 0);
+    CHECK(message({.eta = {{nan, -1}}}).find("eta") == 0);
+    CHECK(message({.eta = {{1, 1}}}).find("k is") == 0);  // n + ik
+    CHECK(message({.eta = {{0, 0}}}).find("zero") != std::string::npos);
+    CHECK(message({.alpha = 0}).find("alpha") == 0);
+    CHECK(message({.specular_reflectance = {2}}).find("specular_reflectance") == 0);
+    CHECK(message({.eta = metal_index("Au"), .specular_reflectance = {1, 1}}).find("channels") !=
+          std::string::npos);
+}

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+// What every material must obey.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "material/frames.hpp"
+#include "nicol/conductor.hpp"
+#include "nicol/error.hpp"
+#include "nicol/fresnel.hpp"
+#include "nicol/material.hpp"
+#include "nicol/measured.hpp"
+#include "nicol/response_table.hpp"
+#include "pbsdf_file.hpp"
+#include "scratch.hpp"
+
+using namespace nicol;
+using doctest::Approx;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+glm::dvec3 direction(double zenith, double azimuth) {
+    return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
+}
+
+// A perfect retarder by `retardance` that scatters evenly, its axes along and across the plane of light and
+// viewer: physical, polarizing and reciprocal.
+Mueller retarder(double retardance) {
+    const double c = std::cos(retardance) / pi;
+    const double s = std::sin(retardance) / pi;
+    return Mueller({1 / pi, 0, 0, 0, 0, 1 / pi, 0, 0, 0, 0, c, -s, 0, 0, s, c});
+}
+
+struct Named {
+    std::string name;
+    MaterialPtr material;
+};
+
+std::vector<Named> materials(const test::ScratchFolder& folder) {
+    const MaterialPtr gold = rough_conductor({.eta = metal_index("Au"), .alpha = 0.3});
+    const auto path = folder / "gold.pbsdf";
+    const auto angles = test::even_angles(31, 0, pi / 2);
+    test::write_bytes(path,
+                      test::make_pbsdf(test::even_angles(25, -pi, pi), angles, angles, {450, 550, 650},
+                                       [](std::size_t w, const glm::dvec3& i, const glm::dvec3& o) {
+                                           // Without the glare of grazing directions, as measurements.
+                                           Mueller m = fresnel_reflection(
+                                               std::sqrt((1 + glm::dot(i, o)) / 2),
+                                               metal_index("Au", {450 + 100.0 * static_cast<double>(w)})[0]);
+                                           m *= 1 / pi;
+                                           return m;
+                                       })
+                          .bytes());
+    return {
+        {"diffuse", diffuse({0.9})},
+        {"pplastic", pplastic({.diffuse_reflectance = {0.9}, .alpha = 0.2})},
+        {"pplastic ggx",
+         pplastic({.diffuse_reflectance = {1}, .alpha = 0.5, .distribution = Distribution::ggx})},
+        {"dense to thin", pplastic({.int_ior = 1, .ext_ior = 1.5, .alpha = 0.3})},
+        {"gold", gold},
+        {"silver",
+         rough_conductor({.eta = metal_index("Ag"), .alpha = 0.8, .distribution = Distribution::ggx})},
+        {"smooth aluminium", conductor(metal_index("Al"))},
+        {"twosided", twosided(gold)},
+        {"measured", load_measured(path)},
+        {"retarder", callback_material({.reflect = [](int, const glm::dvec3&,
+                                                      const glm::dvec3&) { return retarder(1.1); }})},
+    };
+}
+
+}  // namespace
+
+TEST_CASE("physical light stays physical: s0 >= |(s1, s2, s3)| whatever arrives") {
+    const test::ScratchFolder folder;
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform;
+    for (const auto& [name, material] : materials(folder)) {
+        CAPTURE(name);
+        for (int i = 0; i < 3000; ++i) {
+            const glm::dvec3 light = direction(std::acos(uniform(random)), 2 * pi * uniform(random));
+            const glm::dvec3 viewer = direction(std::acos(uniform(random)), 2 * pi * uniform(random));
+            const glm::dvec3 p = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+            const Stokes in(1, p.x, p.y, p.z);
+            for (int c = 0; c < material->channels(); ++c) {
+                const Mueller m = evaluate(*material, c, light, viewer);
+                const Stokes out = m * in;
+                const double polarized = std::sqrt(out[1] * out[1] + out[2] * out[2] + out[3] * out[3]);
+                // The measured table is in steps, and its colours are mixtures with negative weights.
+                const double slack = name == "measured" ? 0.02 : 1e-9;
+                CHECK(polarized <= out[0] + slack * m(0, 0) + 1e-100);
+                CHECK(m(0, 0) >= 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("no more energy leaves than arrives, for unpolarized and for polarized light") {
+    const test::ScratchFolder folder;
+    for (const auto& [name, material] : materials(folder)) {
+        CAPTURE(name);
+        // A table's first row over constant light is the albedo seen from that angle; by reciprocity it is
+        // that of light from there. Linear light adds at most |row| of its own.
+        const LightLayout layout(0, LightKind::unpolarized);
+        const ResponseTable table(*material, layout, material->channels());
+        for (int angle = 0; angle < 1000; angle += 37) {
+            for (int c = 0; c < table.channels(); ++c) {
+                const double albedo = static_cast<double>(table.rows(angle, c)[0]) * std::sqrt(4 * pi);
+                CHECK(albedo > 0);
+                CHECK(albedo < 1.01);
+            }
+        }
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> uniform;
+        const int n = 150;
+        if (name == "smooth aluminium") continue;  // its lobe falls between these directions
+        for (const double zenith : {0.3, 1.1}) {
+            const glm::dvec3 light = direction(zenith, 0);
+            for (const double azimuth : {0.0, 0.9, 2.2}) {
+                const Stokes in(1, std::cos(azimuth), std::sin(azimuth), 0);
+                double out = 0;
+                for (int i = 0; i < n; ++i) {
+                    for (int k = 0; k < 2 * n; ++k) {
+                        const double u = (i + uniform(random)) / n;
+                        const glm::dvec3 viewer = direction(std::asin(std::sqrt(u)), pi * (k + 0.5) / n);
+                        out += (evaluate(*material, 0, light, viewer) * in)[0];
+                    }
+                }
+                CHECK(out * pi / (2 * n * n) < 1.01);
+            }
+        }
+    }
+}
+
+TEST_CASE("mirror symmetry and isotropy hold for every material") {
+    const test::ScratchFolder folder;
+    for (const auto& [name, material] : materials(folder)) {
+        CAPTURE(name);
+        for (const double azimuth : {0.3, 1.7, 2.9}) {
+            const Mueller left = evaluate(*material, 0, direction(0.7, azimuth), direction(1.1, 0));
+            const Mueller right = evaluate(*material, 0, direction(0.7, -azimuth), direction(1.1, 0));
+            const Mueller turned = evaluate(*material, 0, direction(0.7, azimuth + 1.3), direction(1.1, 1.3));
+            for (std::size_t e = 0; e < 16; ++e) {
+                const double sign = (e / 4 < 2) == (e % 4 < 2) ? 1 : -1;
+                CHECK(std::abs(left(e / 4, e % 4) - sign * right(e / 4, e % 4)) <= 1e-9 * left(0, 0));
+                CHECK(std::abs(left(e / 4, e % 4) - turned(e / 4, e % 4)) <= 1e-9 * left(0, 0));
+            }
+        }
+    }
+}
+
+TEST_CASE("extreme directions stay finite") {
+    const test::ScratchFolder folder;
+    for (const auto& [name, material] : materials(folder)) {
+        CAPTURE(name);
+        for (const double in : {0.0, 1e-300, 1e-160, 1e-9, 1.0, pi / 2 - 1e-6}) {
+            for (const double out : {0.0, 1e-300, 1e-9, 1.0, pi / 2 - 1e-6}) {
+                for (const double azimuth : {0.0, 1e-12, 1.0, pi}) {
+                    const Mueller m = evaluate(*material, 0, direction(in, azimuth), direction(out, 0));
+                    for (std::size_t e = 0; e < 16; ++e) CHECK(std::isfinite(m(e / 4, e % 4)));
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("towards the light itself a facet reflects as at normal incidence, in frames that agree") {
+    const MaterialPtr metal = rough_conductor({.eta = {{0.2, -3.2}}, .alpha = 0.5});
+    for (const glm::dvec3& d : {direction(0, 0), direction(0.6, 1), direction(1.2, 4)}) {
+        const Mueller exact = metal->evaluate(0, d, d);
+        const glm::dvec3 beside = glm::normalize(d + glm::dvec3(1e-7, 2e-7, 0));
+        const Mueller near = metal->evaluate(0, glm::normalize(d + glm::dvec3(1e-9, 3e-9, 0)), beside);
+        if (d.z < 0.999) {
+            for (std::size_t e = 0; e < 16; ++e)
+                CHECK(std::abs(exact(e / 4, e % 4) - near(e / 4, e % 4)) < 1e-5 * exact(0, 0));
+        }
+        // Both x along theta-hat: s2 and s3 change sign, s1 does not.
+        CHECK(exact(1, 1) == Approx(exact(0, 0)));
+        CHECK(exact(2, 2) == Approx(-exact(0, 0)));
+        CHECK(exact(3, 3) == Approx(-exact(0, 0)));
+        CHECK(std::abs(exact(1, 2)) < 1e-9 * exact(0, 0));
+    }
+}
+
+TEST_CASE("twosided answers from both sides, alike, and never through the surface") {
+    const MaterialPtr front = pplastic({.alpha = 0.3});
+    const MaterialPtr both = twosided(front);
+    CHECK(both->twosided());
+    CHECK_FALSE(front->twosided());
+    const glm::dvec3 light = direction(0.6, 2);
+    const glm::dvec3 viewer = direction(0.9, 0.3);
+    const auto behind = [](const glm::dvec3& d) { return glm::dvec3(d.x, d.y, -d.z); };
+    const Mueller expected = evaluate(*front, 0, light, viewer);
+    const Mueller ahead = evaluate(*both, 0, light, viewer);
+    const Mueller back = evaluate(*both, 0, behind(light), behind(viewer));
+    // The image in the surface: reversed azimuths, hence odd elements change sign.
+    for (std::size_t e = 0; e < 16; ++e) {
+        const double sign = (e / 4 < 2) == (e % 4 < 2) ? 1 : -1;
+        CHECK(ahead(e / 4, e % 4) == expected(e / 4, e % 4));
+        CHECK(back(e / 4, e % 4) == Approx(sign * expected(e / 4, e % 4)));
+    }
+    CHECK(evaluate(*both, 0, behind(light), viewer)(0, 0) == 0);
+    CHECK(evaluate(*both, 0, light, behind(viewer))(0, 0) == 0);
+    CHECK(evaluate(*front, 0, behind(light), behind(viewer))(0, 0) == 0);
+    std::array<Mueller, 2> terms;
+    both->evaluate_terms(behind(light), behind(viewer), terms);
+    CHECK(terms[1](0, 0) == both->evaluate(1, behind(light), behind(viewer))(0, 0));
+    CHECK_THROWS_AS(static_cast<void>(twosided(nullptr)), Error);
+}
+
+TEST_CASE("a callback in s-frames is the material it computes") {
+    const MaterialPtr metal = rough_conductor({.eta = {{0.2, -3.2}}, .alpha = 0.4});
+    const auto reflect = [&](int channel, const glm::dvec3& light, const glm::dvec3& viewer) {
+        const glm::dvec3 s = glm::cross(light, viewer);
+        const double in = angle_between(theta_phi_frame(-light), frame_with_x(-light, s));
+        const double out = angle_between(theta_phi_frame(viewer), frame_with_x(viewer, s));
+        return (channel + 1.0) * in_turned_frames(metal->evaluate(0, light, viewer), in, out);
+    };
+    const MaterialPtr made = callback_material({.reflect = reflect, .channels = 2, .lobe_width = 0.4});
+    CHECK(made->channels() == 2);
+    CHECK(made->content_key().empty());
+    for (const double azimuth : {0.4, 2.0, 3.0, 5.5}) {
+        const glm::dvec3 light = direction(0.5, azimuth);
+        const glm::dvec3 viewer = direction(1.0, 0.2);
+        const Mueller expected = metal->evaluate(0, light, viewer);
+        const Mueller found = evaluate(*made, 1, light, viewer);
+        for (std::size_t e = 0; e < 16; ++e)
+            CHECK(found(e / 4, e % 4) == Approx(2 * expected(e / 4, e % 4)).epsilon(1e-9));
+    }
+    CHECK(evaluate(*made, 0, direction(2, 0), direction(1, 0))(0, 0) == 0);
+    const LightLayout layout(3, LightKind::full);
+    const ResponseTable expected(*metal, layout, 2);
+    const ResponseTable found(*made, layout, 2);
+    for (std::size_t j = 0; j < 4 * layout.size(); ++j)
+        CHECK(std::abs(found.rows(500, 1)[j] - 2 * expected.rows(500, 0)[j]) < 1e-6F);
+}
+
+TEST_CASE("callbacks that are no isotropic, mirror symmetric, finite material are refused") {
+    const auto message = [](CallbackParameters p) {
+        try {
+            static_cast<void>(callback_material(std::move(p)));
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::invalid_argument);
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    const auto even = [](int, const glm::dvec3&, const glm::dvec3&) { return retarder(0.3); };
+    CHECK(message({}).find("null") != std::string::npos);
+    CHECK(message({.reflect = even, .channels = 0}).find("channels") == 0);
+    CHECK(message({.reflect = even, .channels = 17}).find("channels") == 0);
+    CHECK(message({.reflect = even, .lobe_width = 0}).find("lobe_width") == 0);
+    CHECK(message({.reflect = [](int, const glm::dvec3& i, const glm::dvec3&) {
+              return (1 + i.x) * retarder(0);
+          }}).find("isotropic") != std::string::npos);
+    CHECK(message({.reflect = [](int, const glm::dvec3&, const glm::dvec3&) {
+              return frame_turn(0.3);
+          }}).find("mirror") != std::string::npos);
+    CHECK(message({.reflect = [](int, const glm::dvec3&, const glm::dvec3&) {
+              return std::nan("") * retarder(0);
+          }}).find("finite") != std::string::npos);
+    // Not where it was probed: found when it happens.
+    const MaterialPtr late = callback_material({.reflect = [](int, const glm::dvec3& i, const glm::dvec3&) {
+        return (i.z > 0.99 ? HUGE_VAL : 1.0) * retarder(0);
+    }});
+    CHECK_THROWS_AS(ResponseTable(*late, LightLayout(1, LightKind::full), 1), Error);
+    const MaterialPtr throwing =
+        callback_material({.reflect = [](int, const glm::dvec3& i, const glm::dvec3&) {
+            if (i.z > 0.99) throw std::runtime_error("the host's own");
+            return retarder(0);
+        }});
+    CHECK_THROWS_WITH_AS(ResponseTable(*throwing, LightLayout(1, LightKind::full), 1), "the host's own",
+                         std::runtime_error);
+}
