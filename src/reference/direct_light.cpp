@@ -11,7 +11,7 @@ struct DirectLight::Hit {
     const Surface& surface;
     glm::dvec3 position;
     glm::dvec3 geometric_normal;
-    Frame frame;                ///< z = the shading normal
+    Frame frame;                ///< z = the shading normal, of a two-sided material on the viewer's side
     glm::dvec3 towards_viewer;  ///< in that frame
 };
 
@@ -73,7 +73,14 @@ DirectLight::Hit DirectLight::hit_at(const RayHit& hit, const glm::dvec3& toward
     const glm::dvec3 normal =
         glm::normalize(glm::cross(positions[1] - positions[0], positions[2] - positions[0]));
     const double length = glm::length(shading_normal);
-    const Frame frame = theta_phi_frame(length > 0 ? shading_normal / length : normal);
+    if (length > 0) {
+        shading_normal /= length;
+    } else {
+        shading_normal = normal;
+    }
+    const bool behind = glm::dot(shading_normal, towards_viewer) < 0;
+    const Frame frame =
+        theta_phi_frame(behind && surface.material->twosided() ? -shading_normal : shading_normal);
     return {.surface = surface,
             .position = positions * weights,
             .geometric_normal = normal,
@@ -99,10 +106,7 @@ void DirectLight::add_reflected(const Hit& hit, const glm::dvec3& towards_light,
     const Material& material = *hit.surface.material;
     const int terms = material.terms();
     workspace.terms.resize(static_cast<std::size_t>(terms));
-    for (int t = 0; t < terms; ++t) {
-        workspace.terms[static_cast<std::size_t>(t)] =
-            material.evaluate(t, towards_light, hit.towards_viewer);
-    }
+    material.evaluate_terms(towards_light, hit.towards_viewer, workspace.terms);
     const glm::dvec3 in_light = glm::normalize(in_world * light_to_world_);
     const double turn_in = environment_->polarized()
                                ? angle_between(light_to_world_ * theta_phi_frame(-in_light),

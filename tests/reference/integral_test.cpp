@@ -112,6 +112,22 @@ TEST_CASE("a material seen from behind is black, and the light turned away gives
     CHECK(point(dark, camera_on({0, 0, 0}, above), 16)[0] == Stokes(0.0));
 }
 
+TEST_CASE("a two-sided material looks from behind as from the front of a surface turned over") {
+    const MaterialPtr material = pplastic({.alpha = 0.2});
+    const Frame over(glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1));
+    Scene both_sides, front;
+    both_sides.add(square(twosided(material)));
+    front.add(square(material, over));
+    for (Scene* scene : {&both_sides, &front}) scene->set_environment(noise_with_lamp(), glm::dmat3(1.0), 1);
+    const Camera camera = camera_on({0, 0, 0}, {0.8, 0.1, -0.7});
+    const auto ours = point(both_sides, camera, 1 << 14);
+    const auto wanted = point(front, camera, 1 << 14);
+    for (std::size_t c = 0; c < 3; ++c) {
+        CHECK(wanted[c][0] > 0.1);
+        for (int p = 0; p < 4; ++p) CHECK(std::abs(ours[c][p] - wanted[c][p]) < 1e-6);
+    }
+}
+
 TEST_CASE("normals are interpolated over a triangle") {
     // A flat square whose normals at the corners lean outwards: light from one direction alone, as a cosine.
     Mesh mesh = make_rectangle(1);
