@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What is not followed.
-#include <algorithm>
-
 #include "scene/plugin.hpp"
 #include "scene/readers.hpp"
 
@@ -9,7 +7,7 @@ namespace nicol::scene {
 
 void Notices::add_unfollowed(pugi::xml_node node, const std::string& what) {
     if (unfollowed_.empty()) first_place_ = document_.where(node);
-    if (std::ranges::find(unfollowed_, what) == unfollowed_.end()) unfollowed_.push_back(what);
+    unfollowed_.push_back(what);
 }
 
 void Notices::add(pugi::xml_node node, const std::string& sentence) {

@@ -15,7 +15,7 @@ namespace nicol::scene {
 class Notices {
 public:
     explicit Notices(const XmlDocument& document) : document_(document) {}
-    /// "sampler "independent"" and the like; said once.
+    /// "sampler "independent"" and the like.
     void add_unfollowed(pugi::xml_node node, const std::string& what);
     void add(pugi::xml_node node, const std::string& sentence);
     [[nodiscard]] std::vector<std::string> take();

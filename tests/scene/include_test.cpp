@@ -54,6 +54,12 @@ TEST_CASE("an included scene stands where it is included") {
     CHECK(s.shapes[2].filename == file.folder() / "parts" / "mesh.obj");
 }
 
+TEST_CASE("the id of a <scene> names nothing") {
+    const SceneFile file(scene("<include filename='a.xml'/><include filename='a.xml'/>" + scene_end));
+    file.add("a.xml", "<scene version='3.0.0' id='scene'>" + a_shape + "</scene>");
+    CHECK(read_mitsuba_scene(file.path()).shapes.size() == 3);
+}
+
 TEST_CASE("an included object stands where it is included") {
     const SceneFile file(scene(a_sensor + an_emitter +
                                "<shape type='sphere'><include name='surface' filename='plastic.xml'/></shape>"
@@ -147,6 +153,8 @@ TEST_CASE("errors in an included file name its line and who includes it") {
     check_refused(file, ErrorCode::invalid_file, b + ":1: <scene> has no version", {}, ending);
     file.add("b.xml", "<scene version='0.6'/>");
     check_refused(file, ErrorCode::unsupported, b + ":1: scene version", {}, ending);
+    file.add("b.xml", "<scene version='3.0.0' kind='x'/>");
+    check_refused(file, ErrorCode::invalid_file, b + ":1: <scene> has an attribute \"kind\"", {}, ending);
     file.add("b.xml", "<!DOCTYPE x [<!ENTITY lol 'lol'>]><scene version='3.0.0'/>");
     check_refused(file, ErrorCode::unsupported, b + ":1: <!DOCTYPE>", {"\"lol\""}, ending);
     file.add("b.xml", scene("<float name='x' value='$y'/>"));

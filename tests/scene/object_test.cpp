@@ -326,6 +326,12 @@ TEST_CASE("one notice for all that only steers Mitsuba's sampling") {
     CHECK(
         s.notices[0].ends_with("scene.xml:2: not followed: integrator \"path\" (light is reflected once), "
                                "sample_border, sampler \"independent\", mis_compensation."));
+    const SceneDescription twice = read(
+        "<integrator type='stokes'><integrator type='direct' id='d'/></integrator>" + a_sensor + a_shape +
+        "<emitter type='envmap'><string name='filename' value='a.exr'/>"
+        "<float name='sampling_weight' value='2'/></emitter>");
+    REQUIRE(twice.notices.size() == 1);
+    CHECK(twice.notices[0].ends_with("integrator \"stokes\", integrator \"direct\", sampling_weight."));
     refused("<integrator type='path'/>\n<integrator type='path'/>", ErrorCode::invalid_file, 3,
             {"second integrator"});
     refused("<integrator type='stokes' id='a'>\n<ref id='a'/></integrator>", ErrorCode::invalid_file, 3,
