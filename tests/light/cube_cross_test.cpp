@@ -137,6 +137,22 @@ TEST_CASE("the frame is continuous across the edges of faces") {
     }
 }
 
+TEST_CASE("the light is bilinear across the edges of faces too") {
+    constexpr int edge = 16;
+    CubeCross cross(4 * edge, 3 * edge, 1);
+    for (int y = edge; y < 2 * edge; ++y)
+        for (int x = 2 * edge; x < 3 * edge; ++x) cross.at(0, y, x)[0] = 1;
+    const EquirectImage image = equirect_from_cross(cross);
+    const int middle = image.height / 2;
+    int between = 0;
+    for (int x = 1; x < image.width; ++x) {
+        const float value = image.at(0, middle, x)[0];
+        CHECK(std::abs(value - image.at(0, middle, x - 1)[0]) < 0.9f);
+        if (value > 0.05f && value < 0.95f) ++between;
+    }
+    CHECK(between >= 2);
+}
+
 TEST_CASE("files: written, and read by the name of any of them") {
     const TemporaryFolder folder;
     const PshVector field = random_field(3, 3);
