@@ -93,7 +93,7 @@ TEST_CASE("progress is told on the calling thread, rising, and can stop the rend
     int calls = 0;
     double last = 0;
     bool sound = true;
-    ReferenceOptions options{.samples = 512, .threads = 4, .progress = {}};
+    ReferenceOptions options{.samples = 4096, .threads = 4, .progress = {}};
     options.progress = [&](const char* verb, double fraction) {
         ++calls;
         sound = sound && std::string(verb) == "trace" && std::this_thread::get_id() == caller &&
@@ -110,10 +110,14 @@ TEST_CASE("progress is told on the calling thread, rising, and can stop the rend
         calls = 0;
         options.samples = kMaxReferenceSamples;
         options.threads = threads;
-        options.progress = [&](const char*, double) { return ++calls < 2; };
+        options.progress = [&](const char*, double) {
+            sound = sound && std::this_thread::get_id() == caller;
+            return ++calls < 2;
+        };
         std::string message;
         CHECK(code_of(scene, 1024, 1024, options, message) == ErrorCode::cancelled);
         CHECK(calls == 2);
+        CHECK(sound);
     }
 }
 

@@ -103,6 +103,10 @@ TEST_CASE("a material seen from behind is black, and the light turned away gives
     scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
     CHECK(point(scene, camera_on({0, 0, 0}, {0.2, 0.1, -1}), 64)[0] == Stokes(0.0));
     CHECK(point(scene, camera_on({0, 0, 0}, {0.2, 0.1, 1}), 64)[0][0] > 0.1);
+    ReferenceStatistics statistics;
+    (void)render_reference(scene, project(camera_on({0, 0, 0}, {0.2, 0.1, -1}), 1, 1), 1, 1,
+                           {.samples = 16, .progress = {}}, statistics);
+    CHECK(statistics.shadow_rays == 0);
 
     Scene dark;
     dark.add(square(diffuse({1})));
