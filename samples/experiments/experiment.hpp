@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What an experiment gets, and how it says what it found.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+struct Experiment {
+    std::filesystem::path out;  ///< folder for pictures
+    std::string light;          ///< OpenEXR file; empty: the picture of light.hpp
+    bool quick = false;         ///< a smaller case where the full one takes more than a second
+    bool failed = false;        ///< some claim did not hold
+
+    /// Prints the claim and whether it holds.
+    void claim(bool holds, const std::string& text);
+    /// A picture's path under `out`; prints it.
+    [[nodiscard]] std::string picture(const std::string& name) const;
+};
+
+// One file each, named after what it shows; the numbers are the article's.
+void figure_7(Experiment& experiment);
+void figure_10(Experiment& experiment);
+void figure_11(Experiment& experiment);
+void figure_13(Experiment& experiment);
+void figure_16(Experiment& experiment);
+void figure_17(Experiment& experiment);
