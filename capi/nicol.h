@@ -297,8 +297,8 @@ NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
 NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance,
                                                 uint32_t* id);
 NICOL_API nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
-/* environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper one),
- * scale multiplies (0: 1). */
+/* environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
+ * one), scale multiplies (0: 1). */
 NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
                                                    const double to_world[16], double scale);
 /* What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED. */
@@ -319,9 +319,9 @@ typedef struct nicol_render_options {
     nicol_method method;
     int32_t order_low;  /* light is taken up to this order with its full angular detail; 0: 4; -1: order 0; up
                            to 32 */
-    int32_t order_high; /* orders order_low + 1 .. order_high by the high-order method; 0: 9, or order_low where that
-                           is larger; -1: order 0; order_low to 64. This version has no high-order method yet: the
-                           statistics tell the order rendered. */
+    int32_t order_high; /* orders order_low + 1 .. order_high by the high-order method; 0: 9, or order_low
+                           where that is larger; -1: order 0; order_low to 64. This version has no high-order
+                           method yet: the statistics tell the order rendered. */
     nicol_progress_callback progress; /* NULL: none */
     void* progress_user;
 } nicol_render_options;
@@ -444,7 +444,7 @@ NICOL_API nicol_result nicol_psh_project_image(const nicol_image* image, uint32_
                                                uint64_t count);
 NICOL_API nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order,
                                                      double* coefficients, uint64_t count);
-/* An OpenEXR file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
+/* A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
  * asks for the number of channels alone. */
 NICOL_API nicol_result nicol_psh_project_file(const char* path, uint32_t order, uint32_t* channels,
                                               double* coefficients, uint64_t count);
