@@ -143,6 +143,7 @@ void figure_17(Experiment& experiment) {
             }
         }
     }
+    experiment.claim(unaveraged > 0.01, "the pBRDF itself is no convolution");
     experiment.claim(
         worst_exact < 1e-13,
         "averaged over enough normals it is one, to rounding: Eq. 69 has all that rotation leaves");
