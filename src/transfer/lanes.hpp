@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Sixteen vertices side by side, as processors like them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace nicol {
+
+inline constexpr std::size_t kLanes = 16;
+
+/// One number of each of sixteen vertices.
+struct alignas(64) Lanes {
+    std::array<float, kLanes> value;
+
+    [[nodiscard]] float& operator[](std::size_t i) { return value[i]; }
+    [[nodiscard]] float operator[](std::size_t i) const { return value[i]; }
+};
+
+}  // namespace nicol
