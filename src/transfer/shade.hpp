@@ -2,13 +2,10 @@
 // shade: light in the vertices' frames times the material's response, at the view direction.
 #pragma once
 
-#include <array>
-#include <complex>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
-#include <vector>
 
 #include "nicol/light_layout.hpp"
 #include "nicol/response_table.hpp"
@@ -23,18 +20,15 @@ public:
     explicit Shade(const LightLayout& layout);
 
     /// For every vertex `first` <= v < `last` with visible[v] != 0, writes channel c's Stokes vector to
-    /// out[c][v]; others are left alone. A normal that faces away is treated as seen at 90 degrees: the
-    /// triangle may face the camera all the same. A light of one channel serves all. Calls for different
-    /// vertices may run side by side.
+    /// out[c][v]; others are left alone. A light of one channel serves all. Calls for different vertices may
+    /// run side by side.
     void run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
              std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
              std::span<const std::span<glm::vec4>> out) const;
 
 private:
-    std::size_t order_;
-    std::size_t row_size_;
-    std::vector<int> frequency_;  // [j]
+    LightLayout layout_;
 };
 
 }  // namespace nicol

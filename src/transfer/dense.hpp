@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The transfer matrices of the article: one a vertex, from the world's light to outgoing coefficients.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "nicol/light_layout.hpp"
+#include "nicol/operator.hpp"
+#include "nicol/product.hpp"
+#include "nicol/psh.hpp"
+
+namespace nicol {
+
+/// Reflected light of vertices: coefficients packed as an outgoing LightLayout in each vertex's own frame
+/// (theta_phi_frame of the normal), [vertex][channel][real parts, imaginary parts], 32-bit floats.
+class OutgoingLight {
+public:
+    OutgoingLight() = default;
+    OutgoingLight(const LightLayout& layout, int channels, std::size_t vertices);
+
+    [[nodiscard]] std::span<float> at(std::size_t vertex, int channel) {
+        return {data_.data() + offset(vertex, channel), stride_};
+    }
+    [[nodiscard]] std::span<const float> at(std::size_t vertex, int channel) const {
+        return {data_.data() + offset(vertex, channel), stride_};
+    }
+    /// Floats a vertex and channel: 2 * layout.size(), rounded up to what vector units like.
+    [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
+    [[nodiscard]] int channels() const noexcept { return channels_; }
+    [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(float); }
+
+private:
+    [[nodiscard]] std::size_t offset(std::size_t vertex, int channel) const {
+        return (vertex * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel)) * stride_;
+    }
+
+    std::size_t stride_ = 0;
+    int channels_ = 0;
+    std::vector<float> data_;
+};
+
+/// What the matrices of one material share: which coefficients go in, which come out, and the material's own
+/// matrix. Rows and columns that are zero for every vertex are not stored.
+class DenseMaterial {
+public:
+    /// One matrix a channel in the surface's frame (project_material()), all of the same orders; `kind`: of
+    /// the light. Throws Error(invalid_argument) for none or for orders above
+    /// CoefficientMatrix::kMaxDenseOrder.
+    DenseMaterial(std::span<const IsotropicMatrix> channels, LightKind kind);
+
+    [[nodiscard]] int order() const noexcept { return outgoing_.order(); }
+    [[nodiscard]] int channels() const noexcept { return static_cast<int>(entries_.size()); }
+    /// Stokes components that come out.
+    [[nodiscard]] const LightLayout& outgoing() const noexcept { return outgoing_; }
+    /// Positions 4 * psh_index(l, m) + p of the light's coefficients that go in.
+    [[nodiscard]] const std::vector<std::size_t>& columns() const noexcept { return columns_; }
+
+private:
+    friend class DenseBuilder;
+    struct Entry {
+        std::size_t row;     // of the outgoing layout's real, then imaginary parts
+        std::size_t column;  // 4 * psh_index(l, m) + p in the surface's frame
+        float value;
+    };
+
+    LightLayout outgoing_;
+    std::vector<std::size_t> columns_;
+    std::vector<std::vector<Entry>> entries_;  // by channel
+};
+
+/// The matrices of a run of vertices of one material, [vertex][channel][column][row].
+class DenseTransfer {
+public:
+    DenseTransfer(std::shared_ptr<const DenseMaterial> material, std::size_t vertices);
+
+    [[nodiscard]] const DenseMaterial& material() const noexcept { return *material_; }
+    [[nodiscard]] std::size_t vertices() const noexcept { return vertices_; }
+    [[nodiscard]] std::size_t row_stride() const noexcept { return row_stride_; }
+    [[nodiscard]] std::span<float> at(std::size_t vertex) {
+        return {data_.get() + vertex * vertex_stride_, vertex_stride_};
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept { return vertices_ * vertex_stride_ * sizeof(float); }
+
+    /// relight: the outgoing coefficients of vertices first <= v < last, written to out's vertices
+    /// out_first + v. `light` is in the world's axes; a light or material of one channel serves all channels
+    /// of out. Runs on the calling thread; calls for different vertices may run side by side.
+    void apply(const PshVector& light, std::size_t first, std::size_t last, std::size_t out_first,
+               OutgoingLight& out) const;
+
+private:
+    std::shared_ptr<const DenseMaterial> material_;
+    std::size_t vertices_;
+    std::size_t row_stride_;
+    std::size_t vertex_stride_;
+    std::unique_ptr<float[]> data_;
+};
+
+/// Makes the matrices: reflected = material x shadow (Eq. 54, by triple products) x turn into the vertex's
+/// frame. Holds work space: one object a thread.
+class DenseBuilder {
+public:
+    /// `shadows` may be shared; its orders are those of the material, its scalar order that of the
+    /// visibility.
+    DenseBuilder(std::shared_ptr<const DenseMaterial> material, std::shared_ptr<const ShadowMatrix> shadows);
+
+    /// visibility: coefficients over real harmonics in the vertex's frame, of the directions the light
+    /// travels in; empty where nothing is in the way.
+    void build(const glm::vec3& normal, std::span<const double> visibility, std::span<float> out);
+
+private:
+    std::shared_ptr<const DenseMaterial> material_;
+    std::shared_ptr<const ShadowMatrix> shadows_;
+    CoefficientMatrix identity_;
+    CoefficientMatrix turned_;
+    std::vector<float> rows_;      // of turned_, the columns that go in
+    std::vector<float> products_;  // [row][column]
+};
+
+}  // namespace nicol

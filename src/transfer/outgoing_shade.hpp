@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// shade of the dense method: outgoing coefficients at the view direction.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "nicol/light_layout.hpp"
+#include "transfer/dense.hpp"
+#include "transfer/viewpoint.hpp"
+
+namespace nicol {
+
+/// The value of an OutgoingLight towards a viewpoint, in the camera's frame field. The harmonics come from a
+/// table over the zenith angle that misses less than 1e-6 of their largest value up to order 16.
+class OutgoingShade {
+public:
+    explicit OutgoingShade(const LightLayout& layout);
+
+    /// For every vertex first <= v < last with visible[v] != 0, writes channel c's Stokes vector to
+    /// out[c][v]; others are left alone. `light` of one channel serves all; its vertices are those of
+    /// `positions`. Calls for different vertices may run side by side.
+    void run(const OutgoingLight& light, const Viewpoint& view, std::span<const glm::vec3> positions,
+             std::span<const glm::vec3> normals, std::span<const std::uint8_t> visible, std::size_t first,
+             std::size_t last, std::span<const std::span<glm::vec4>> out) const;
+
+private:
+    static constexpr int kAngles = 4097;
+
+    LightLayout layout_;
+    std::array<std::size_t, 4> part_{};  // where s0, (s1, s2) and s3 begin in the layout, and its end
+    std::vector<float> table_;           // [angle][j]
+};
+
+}  // namespace nicol
