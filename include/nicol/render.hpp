@@ -10,7 +10,14 @@ namespace nicol {
 /// Highest order a render accepts.
 inline constexpr int kMaxRenderOrder = 32;
 
+/// How light becomes reflected light.
+enum class Method {
+    factored,  ///< light in each vertex's frame times response tables
+    dense,     ///< a transfer matrix a vertex, as the article has it: the baseline of comparisons
+};
+
 struct RenderOptions {
+    Method method = Method::factored;
     int order_low = 4;   ///< 0..kMaxRenderOrder
     int order_high = 9;  ///< order_low..64; orders above order_low are not rendered by this version
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
@@ -38,6 +45,9 @@ struct Statistics {
     std::uint64_t transfer_bytes = 0;
     std::uint64_t buffer_bytes = 0;
     std::uint64_t texture_bytes = 0;
+    std::uint64_t camera_rays = 0;  ///< of the reference method
+    std::uint64_t shadow_rays = 0;  ///< likewise
+    double trace_ms = 0;            ///< likewise
 };
 
 }  // namespace nicol

@@ -51,6 +51,24 @@ const StokesImage& Framebuffer::image() {
     return *image_;
 }
 
+void Framebuffer::show(StokesImage image, const Statistics& statistics) {
+    image.check("Framebuffer::show: the picture");
+    if (image.width != width_ || image.height != height_ || image.channels != channels_) {
+        throw Error(ErrorCode::invalid_argument,
+                    "Framebuffer::show: the picture must have the framebuffer's size and channels");
+    }
+    const std::size_t plane = image.data.size() / static_cast<std::size_t>(channels_);
+    context_->run([&] {
+        for (int c = 0; c < channels_; ++c) {
+            groups_[static_cast<std::size_t>(c / kGroup)].write(
+                c % kGroup,
+                std::span<const float>(image.data).subspan(static_cast<std::size_t>(c) * plane, plane));
+        }
+    });
+    rendered(statistics);
+    image_ = std::move(image);
+}
+
 void Framebuffer::rendered(const Statistics& statistics) {
     statistics_ = statistics;
     image_.reset();

@@ -32,6 +32,10 @@ public:
     /// The picture in memory, read back on first use after a render.
     [[nodiscard]] const StokesImage& image();
 
+    /// Takes a picture that was made without drawing. Throws Error(invalid_argument) unless it has this size
+    /// and these channels.
+    void show(StokesImage image, const Statistics& statistics);
+
     /// To be called once a render has drawn.
     void rendered(const Statistics& statistics);
     [[nodiscard]] Statistics& statistics() noexcept { return statistics_; }

@@ -40,7 +40,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
-    transfer_.update(scene, projection, options.order_low, progress, statistics);
+    transfer_.update(scene, projection, options, progress, statistics);
     progress.report("draw", 0);
 
     const Stopwatch watch;

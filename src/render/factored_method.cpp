@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "render/factored_method.hpp"
+
+#include <utility>
+
+namespace nicol {
+
+void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice) {
+    folder_ = std::move(folder);
+    notice_ = std::move(notice);
+}
+
+void FactoredMethod::update(const TransferInput& input, Workers& workers, Progress& progress,
+                            Statistics& statistics) {
+    project(input, workers, progress, statistics);
+    const RelightKey key(input);
+    if (lit_for_ == key) return;
+    lit_for_ = {};
+    relight(input, workers, progress, statistics);
+    lit_for_ = key;
+}
+
+void FactoredMethod::project(const TransferInput& input, Workers& workers, Progress& progress,
+                             Statistics& statistics) {
+    const Stopwatch watch;
+    if (table_channels_ != input.channels || tables_order_ != input.layout.order() ||
+        tables_kind_ != input.layout.kind()) {
+        tables_.clear();
+    }
+    table_channels_ = input.channels;
+    tables_order_ = input.layout.order();
+    tables_kind_ = input.layout.kind();
+    std::map<MaterialPtr, ResponseTable> tables;
+    for (const VertexRange& range : input.geometry.ranges) {
+        if (tables.contains(range.material)) continue;
+        if (auto known = tables_.extract(range.material)) {
+            tables.insert(std::move(known));
+            continue;
+        }
+        progress.report("project", static_cast<double>(tables.size()) /
+                                       static_cast<double>(input.geometry.ranges.size()));
+        workers.run([&] {
+            tables.emplace(range.material,
+                           load_or_build(*range.material, input.layout, input.channels, folder_, notice_));
+        });
+    }
+    tables_ = std::move(tables);
+    statistics.project_ms += watch.milliseconds();
+}
+
+void FactoredMethod::relight(const TransferInput& input, Workers& workers, Progress& progress,
+                             Statistics& statistics) {
+    const Stopwatch watch;
+    const std::size_t vertices = input.geometry.positions.size();
+    const std::span normals(input.geometry.normals);
+    const Relight turn(input.layout, input.light);
+    vertex_light_ = VertexLight(input.layout, input.light.channels(), vertices);
+    workers.for_vertices(0, vertices, vertices, "relight", progress, [&](std::size_t begin, std::size_t end) {
+        turn.run(normals.subspan(begin, end - begin), begin, vertex_light_);
+    });
+    statistics.relight_ms += watch.milliseconds();
+}
+
+void FactoredMethod::shade(const TransferInput& input, const Viewpoint& view,
+                           std::span<const std::uint8_t> visible, Workers& workers, Progress& progress,
+                           VertexStokes& out) const {
+    const WorldGeometry& geometry = input.geometry;
+    const Shade shade(input.layout);
+    const std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
+    for (const VertexRange& run : geometry.ranges) {
+        const ResponseTable& table = tables_.at(run.material);
+        workers.for_vertices(run.first, run.last, geometry.positions.size(), "shade", progress,
+                             [&](std::size_t begin, std::size_t end) {
+                                 shade.run(table, vertex_light_, view, geometry.positions, geometry.normals,
+                                           visible, begin, end, channels);
+                             });
+    }
+}
+
+void FactoredMethod::count(const TransferInput& input, Statistics& statistics) const {
+    for (const auto& [material, table] : tables_) {
+        statistics.response_bytes += table.bytes();
+        for (std::size_t p = 0; p < 4; ++p) {
+            // s1 and s2 are made together or not at all.
+            const bool made = p == 1 || p == 2 ? table.makes(1) || table.makes(2) : p == 0 || table.makes(p);
+            if (!made) statistics.response_rows_skipped += static_cast<std::uint64_t>(input.channels);
+        }
+    }
+    statistics.transfer_bytes += vertex_light_.bytes();
+}
+
+}  // namespace nicol

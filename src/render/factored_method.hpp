@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The factored method: light in the vertices' frames, dotted with the rows of response tables.
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include "nicol/render.hpp"
+#include "nicol/response_cache.hpp"
+#include "render/transfer_input.hpp"
+#include "transfer/shade.hpp"
+#include "transfer/vertex_light.hpp"
+
+namespace nicol {
+
+class FactoredMethod {
+public:
+    /// Keeps response tables in a folder, see load_or_build().
+    void set_cache(std::filesystem::path folder, CacheNotice notice);
+
+    /// project and relight, as far as changes make it necessary. Adds to `statistics`.
+    void update(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);
+    /// shade: the vertices with visible[v] != 0. Only after update() with the same input.
+    void shade(const TransferInput& input, const Viewpoint& view, std::span<const std::uint8_t> visible,
+               Workers& workers, Progress& progress, VertexStokes& out) const;
+    void count(const TransferInput& input, Statistics& statistics) const;
+
+private:
+    void project(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);
+    void relight(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);
+
+    std::filesystem::path folder_;
+    CacheNotice notice_;
+    std::map<MaterialPtr, ResponseTable> tables_;
+    int table_channels_ = 0;  // what the tables are for
+    int tables_order_ = -1;
+    LightKind tables_kind_ = LightKind::unpolarized;
+    VertexLight vertex_light_;
+    RelightKey lit_for_;
+};
+
+}  // namespace nicol

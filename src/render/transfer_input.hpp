@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What every method of transfer starts from.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "nicol/light_layout.hpp"
+#include "nicol/psh.hpp"
+#include "render/geometry.hpp"
+#include "render/workers.hpp"
+
+namespace nicol {
+
+/// A scene as numbers. Revisions count changes; what depends on the same ones need not be computed again.
+struct TransferInput {
+    const WorldGeometry& geometry;
+    std::uint64_t geometry_revision;
+    const LightLayout& layout;
+    const PshVector& light;  ///< in the world's axes, scaled; one channel where all are equal
+    std::uint64_t light_revision;
+    int channels;  ///< of the picture
+};
+
+/// The state that a method's per-vertex light was made for.
+struct RelightKey {
+    std::uint64_t geometry = 0;
+    std::uint64_t light = 0;
+    int order = -1;
+    LightKind kind = LightKind::unpolarized;
+
+    RelightKey() = default;
+    explicit RelightKey(const TransferInput& input)
+        : geometry(input.geometry_revision),
+          light(input.light_revision),
+          order(input.layout.order()),
+          kind(input.layout.kind()) {}
+    bool operator==(const RelightKey&) const = default;
+};
+
+/// One Stokes vector a vertex for each channel of the picture.
+using VertexStokes = std::vector<std::vector<glm::vec4>>;
+
+}  // namespace nicol
