@@ -39,6 +39,10 @@ std::vector<LatitudeRing> pair_rows(const LatitudeRows& rows) {
 LegendreTransform::Plan::Plan(int order_, LatitudeRows rows_)
     : order(order_), rows(std::move(rows_)), rings(pair_rows(rows)), tables(order_) {
     std::ranges::sort(rings, {}, [](const LatitudeRing& r) { return r.half.sin; });
+    for (LatitudeRing& ring : rings) {
+        if (ring.north >= 0) ring.north_weight = 2 * pi * rows.weight[static_cast<std::size_t>(ring.north)];
+        if (ring.south >= 0) ring.south_weight = 2 * pi * rows.weight[static_cast<std::size_t>(ring.south)];
+    }
     const std::size_t lanes = kRingLanes;
     padded = (rings.size() + lanes - 1) / lanes * lanes;
     t.resize(padded);
@@ -56,12 +60,12 @@ LegendreTransform::Plan::Plan(int order_, LatitudeRows rows_)
             for (const LatitudeRing& ring : rings) beginnings.push_back(first_value(m, n, ring.half));
     steps.resize(static_cast<std::size_t>(order) + 1);
     sums.resize(8 * padded);
-    work.resize(steps.size() * 4 * kRingLanes);
 }
 
-void LegendreTransform::Plan::start_degree(int m) {
+void LegendreTransform::Plan::start_degree(int m, bool scalar, bool spin) {
     if (m == 0) skipped = 0;
     for (std::size_t c = 0; c < 3; ++c) {
+        if (c == 0 ? !scalar : !spin) continue;
         const int n = kSecond[c];
         const int inner = std::abs(n);
         const double ratio = m > inner ? -next_first_ratio(m - 1, n) : 0;
@@ -122,8 +126,7 @@ void LegendreTransform::Plan::synthesize(std::size_t c, int first, bool split) {
 
 void LegendreTransform::Plan::analyze(std::size_t c, int first, bool split) {
     const LegendreRings r = start(c, first);
-    kernel.analyze(steps.data(), order - first + 1, r, split, sums.data() + from, static_cast<long>(padded),
-                   work.data());
+    kernel.analyze(steps.data(), order - first + 1, r, split, sums.data() + from, static_cast<long>(padded));
 }
 
 }  // namespace nicol

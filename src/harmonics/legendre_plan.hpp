@@ -40,6 +40,8 @@ struct LatitudeRing {
     HalfAngle half;
     int north = -1;
     int south = -1;
+    double north_weight = 0;  ///< 2 pi times the row's weight; 0 where there is no row
+    double south_weight = 0;
 };
 
 struct LegendreTransform::Plan {
@@ -48,8 +50,9 @@ struct LegendreTransform::Plan {
 
     Plan(int order_, LatitudeRows rows_);
 
-    /// First values at degree m of all chains; called for m = 0, 1, 2 ... in turn.
-    void start_degree(int m);
+    /// First values at degree m of the chains of s0 and s3 (`scalar`) and of s1 + i s2 (`spin`); called for
+    /// m = 0, 1, 2 ... in turn.
+    void start_degree(int m, bool scalar, bool spin);
     /// Fills steps with the recursion of chain c at degree m from l = `first` on, for harmonics with their
     /// norm.
     void fill_steps(std::size_t c, int m, int first);
@@ -78,7 +81,6 @@ private:
     std::vector<Scaled> chains[3];
     std::vector<Scaled> beginnings;  // [m = 0..2][chain][ring]
     std::vector<double> sums;        // [8][padded]
-    std::vector<double> work;
 };
 
 }  // namespace nicol

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The Legendre step: coefficients to the steps of the recursions and sums on rings to rows, and back.
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -28,8 +29,17 @@ Contents contents(std::span<const double> f) {
     return out;
 }
 
+// Both without a way out of the loop, which vectorises.
 bool any(const std::vector<Complex>& values) {
-    return std::ranges::any_of(values, [](Complex v) { return v != Complex(); });
+    bool found = false;
+    for (const Complex& v : values) found |= (v.real() != 0) | (v.imag() != 0);
+    return found;
+}
+
+bool all_finite(std::span<const double> values) {
+    bool finite = true;
+    for (const double v : values) finite &= std::abs(v) <= std::numeric_limits<double>::max();
+    return finite;
 }
 
 }  // namespace
@@ -73,7 +83,7 @@ void LegendreTransform::synthesize(std::span<const double> f, FourierRows& fouri
     }
     if (!has_spin) std::ranges::fill(fourier.spin, Complex());
     for (int m = 0; m <= p.order; ++m) {
-        p.start_degree(m);
+        p.start_degree(m, has_scalar, has_spin);
         if (has_scalar) {
             p.fill_steps(0, m, m);
             for (int l = m; l <= p.order; ++l) {
@@ -140,23 +150,18 @@ void LegendreTransform::analyze(const FourierRows& fourier, std::span<double> f)
     std::ranges::fill(f, 0.0);
     const bool has_scalar = any(fourier.s0) || any(fourier.s3);
     const bool has_spin = p.order >= 2 && any(fourier.spin);
-    const auto weighted = [&](int row, Complex value) {
-        return row < 0 ? Complex() : 2 * pi * p.rows.weight[static_cast<std::size_t>(row)] * value;
-    };
     for (int m = 0; m <= p.order; ++m) {
-        p.start_degree(m);
+        p.start_degree(m, has_scalar, has_spin);
         if (has_scalar) {
             p.fill_steps(0, m, m);
             for (std::size_t r = 0; r < p.rings.size(); ++r) {
                 const LatitudeRing& ring = p.rings[r];
                 for (std::size_t k = 0; k < 4; k += 2) {
                     const std::vector<Complex>& g = k == 0 ? fourier.s0 : fourier.s3;
-                    const Complex north = ring.north < 0
-                                              ? Complex()
-                                              : weighted(ring.north, g[fourier.scalar_index(ring.north, m)]);
-                    const Complex south = ring.south < 0
-                                              ? Complex()
-                                              : weighted(ring.south, g[fourier.scalar_index(ring.south, m)]);
+                    const Complex north =
+                        ring.north_weight * g[fourier.scalar_index(std::max(ring.north, 0), m)];
+                    const Complex south =
+                        ring.south_weight * g[fourier.scalar_index(std::max(ring.south, 0), m)];
                     p.sum(k, r) = north.real() + south.real();
                     p.sum(k + 1, r) = north.imag() + south.imag();
                     p.sum(k + 4, r) = north.real() - south.real();
@@ -186,13 +191,9 @@ void LegendreTransform::analyze(const FourierRows& fourier, std::span<double> f)
             for (std::size_t r = 0; r < p.rings.size(); ++r) {
                 const LatitudeRing& ring = p.rings[r];
                 const Complex a =
-                    ring.north < 0
-                        ? Complex()
-                        : weighted(ring.north, fourier.spin[fourier.spin_index(ring.north, north)]);
+                    ring.north_weight * fourier.spin[fourier.spin_index(std::max(ring.north, 0), north)];
                 const Complex b =
-                    ring.south < 0
-                        ? Complex()
-                        : weighted(ring.south, fourier.spin[fourier.spin_index(ring.south, -north)]);
+                    ring.south_weight * fourier.spin[fourier.spin_index(std::max(ring.south, 0), -north)];
                 p.sum(0, r) = a.real();
                 p.sum(1, r) = a.imag();
                 p.sum(2, r) = b.real();
@@ -212,7 +213,7 @@ void LegendreTransform::analyze(const FourierRows& fourier, std::span<double> f)
         }
     }
     // What is not finite in any sample has spread to the coefficients of its row's harmonics.
-    require(std::ranges::all_of(f, [](double value) { return std::isfinite(value); }),
+    require(all_finite(f),
             "the coefficients are not finite: a sample is not a number, infinite or too large");
 }
 

@@ -27,10 +27,9 @@ struct VectorKernel {
     /// out[set * 4 + k][ring] = sum over steps of f[k] y(ring); `stride` between the rows of out.
     void (*synthesize)(const LegendreStep* steps, int count, const LegendreRings& rings, bool split,
                        double* out, long stride);
-    /// steps[i].f[k] = sum over rings of in[set * 4 + k][ring] y_i(ring). `work` holds count * 4 * kRingLanes
-    /// values.
+    /// steps[i].f[k] = sum over rings of in[set * 4 + k][ring] y_i(ring).
     void (*analyze)(LegendreStep* steps, int count, const LegendreRings& rings, bool split, const double* in,
-                    long stride, double* work);
+                    long stride);
     /// One stage of a Fourier transform of eight sequences (layout of BatchFft): radix `factor`, `left`
     /// groups, `stride` elements in each. Twiddles [group][1..factor-1] and roots of unity as pairs (re, im).
     void (*fft_stage)(const double* in, double* out, int factor, int left, int stride, const double* twiddles,

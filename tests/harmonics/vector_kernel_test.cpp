@@ -54,8 +54,7 @@ Result run(const VectorKernel& kernel, std::vector<LegendreStep> steps, int ring
     Result out;
     out.synthesis.resize(8 * n);
     kernel.synthesize(steps.data(), static_cast<int>(steps.size()), all, split, out.synthesis.data(), rings);
-    std::vector<double> work(steps.size() * 4 * kRingLanes);
-    kernel.analyze(steps.data(), static_cast<int>(steps.size()), all, split, in.data(), rings, work.data());
+    kernel.analyze(steps.data(), static_cast<int>(steps.size()), all, split, in.data(), rings);
     for (const LegendreStep& s : steps) out.analysis.insert(out.analysis.end(), s.f, s.f + 4);
     return out;
 }
