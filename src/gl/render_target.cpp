@@ -109,6 +109,11 @@ void RenderTarget::read(int attachment, std::span<float> pixels) const {
     colour(attachment).read(pixels);
 }
 
+void RenderTarget::write(int attachment, std::span<const float> pixels) {
+    static_cast<void>(colour(attachment));  // refuses an attachment that is not there
+    colours_[static_cast<std::size_t>(attachment)].update(pixels);
+}
+
 const Texture2D& RenderTarget::colour(int attachment) const {
     if (attachment < 0 || attachment >= colours())
         throw Error(ErrorCode::invalid_argument, "RenderTarget: attachment " + std::to_string(attachment) +

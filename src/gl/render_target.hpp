@@ -34,6 +34,8 @@ public:
 
     /// Copies one attachment, top row first; width * height * 4 floats.
     void read(int attachment, std::span<float> pixels) const;
+    /// The reverse.
+    void write(int attachment, std::span<const float> pixels);
 
     /// To sample in a later pass; never in a pass that draws into it.
     [[nodiscard]] const Texture2D& colour(int attachment) const;
