@@ -60,7 +60,7 @@ const char* nicol_build_info(uint32_t index) {
         "build_type=" NICOL_BUILD_TYPE,
         "compiler=" __VERSION__,
         "backends=egl,osmesa",
-        "methods=factored",
+        "methods=factored,reference",
         "max_order=32",
         "max_channels=16",
     };

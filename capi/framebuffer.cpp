@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rendering and what is read from it.
+// Framebuffers, and what is read from them.
 #include <numbers>
 
 #include "handles.hpp"
@@ -10,47 +10,6 @@ using namespace nicol;
 using namespace nicol::capi;
 
 namespace {
-
-double or_default(double value, double fallback) {
-    return value == 0 ? fallback : value;
-}
-
-Camera camera_from(const nicol_camera& given) {
-    if (given.projection > NICOL_PROJECTION_ORTHOGRAPHIC) {
-        refuse("camera->projection is " + std::to_string(given.projection) +
-               "; it must be one of NICOL_PROJECTION_...");
-    }
-    Camera camera;
-    camera.orthographic = given.projection == NICOL_PROJECTION_ORTHOGRAPHIC;
-    camera.to_world = matrix(given.to_world);
-    camera.fov = or_default(given.fov, camera.fov);
-    camera.near_clip = or_default(given.near_clip, camera.near_clip);
-    camera.far_clip = or_default(given.far_clip, camera.far_clip);
-    return camera;
-}
-
-int order_from(std::int32_t given, int fallback, const char* name) {
-    if (given < -1) refuse(std::string(name) + " is " + std::to_string(given) + "; it must be -1 or more");
-    if (given == -1) return 0;
-    return given == 0 ? fallback : given;
-}
-
-RenderOptions options_from(const nicol_render_options& given) {
-    if (given.method != NICOL_METHOD_FACTORED) {
-        throw Error(ErrorCode::unsupported, "method is " + std::to_string(given.method) +
-                                                "; this version has NICOL_METHOD_FACTORED alone");
-    }
-    RenderOptions options;
-    options.order_low = order_from(given.order_low, 4, "order_low");
-    options.order_high = order_from(given.order_high, std::max(9, options.order_low), "order_high");
-    if (given.progress != nullptr) {
-        options.progress = [callback = given.progress, user = given.progress_user](const char* verb,
-                                                                                   double fraction) {
-            return callback(user, verb, fraction) != 0;
-        };
-    }
-    return options;
-}
 
 Picture picture_of(const StokesImage& image, const nicol_picture& wanted) {
     switch (wanted.kind) {
@@ -145,48 +104,6 @@ nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer) {
 }
 nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer) {
     return release(framebuffer);
-}
-
-nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options,
-                          nicol_framebuffer framebuffer) {
-    return guarded([&] {
-        const nicol_scene_impl& self = resolve(scene);
-        const nicol_framebuffer_impl& target = resolve(framebuffer);
-        require_same_context(self, target);
-        const Camera from = camera_from(read_struct(camera, "camera"));
-        const RenderOptions chosen =
-            options_from(options != nullptr ? read_struct(options, "options")
-                                            : nicol_render_options NICOL_RENDER_OPTIONS_INIT);
-        const Turn turn(self.session);
-        self.content->renderer.render(self.content->scene, from, chosen, *target.content);
-    });
-}
-
-nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics) {
-    return guarded([&] {
-        const nicol_framebuffer_impl& self = resolve(framebuffer);
-        const Turn turn(self.session);
-        const Statistics& s = self.content->statistics();
-        nicol_statistics out = NICOL_STATISTICS_INIT;
-        out.order = static_cast<uint32_t>(s.order);
-        out.vertices = s.vertices;
-        out.triangles = s.triangles;
-        out.project_ms = s.project_ms;
-        out.bake_ms = s.bake_ms;
-        out.relight_ms = s.relight_ms;
-        out.shade_ms = s.shade_ms;
-        out.draw_ms = s.draw_ms;
-        out.observe_ms = s.observe_ms;
-        out.vertices_skipped = s.vertices_skipped;
-        out.light_columns_skipped = s.light_columns_skipped;
-        out.response_rows_skipped = s.response_rows_skipped;
-        out.channels_shared = s.channels_shared;
-        out.response_bytes = s.response_bytes;
-        out.transfer_bytes = s.transfer_bytes;
-        out.buffer_bytes = s.buffer_bytes;
-        out.texture_bytes = s.texture_bytes;
-        write_struct(statistics, out, "statistics");
-    });
 }
 
 nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel,

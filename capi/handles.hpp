@@ -33,11 +33,22 @@ struct Session {
 
 using SessionPtr = std::shared_ptr<Session>;
 
+/// The session for which this thread is inside a caller's callback that other threads of the library may run.
+inline thread_local const Session* calling_back = nullptr;
+
+class CallbackScope {
+public:
+    explicit CallbackScope(const Session* session) { calling_back = session; }
+    ~CallbackScope() { calling_back = nullptr; }
+    CallbackScope(const CallbackScope&) = delete;
+    CallbackScope& operator=(const CallbackScope&) = delete;
+};
+
 /// One call at a time on the objects of a session. Refuses calls from within a callback of the same session.
 class Turn {
 public:
     explicit Turn(SessionPtr session) : session_(std::move(session)) {
-        if (session_->busy == std::this_thread::get_id()) {
+        if (session_->busy == std::this_thread::get_id() || calling_back == session_.get()) {
             refuse("a callback called Nicol with an object of the context that is calling it");
         }
         session_->mutex.lock();
@@ -55,13 +66,15 @@ private:
 };
 
 struct SceneState {
-    SceneState(const SessionPtr& session) : renderer(session->gl, session->threads) {}
+    explicit SceneState(const SessionPtr& session) : renderer(session->gl, session->threads) {}
 
     Scene scene;
     Renderer renderer;
-    std::optional<Camera> camera;  // of the file it was loaded from
+    std::optional<Camera> camera;  // of the file it was loaded from, as the rest
+    bool luminance = false;        // its film asks for one channel
     std::uint32_t width = 0;
     std::uint32_t height = 0;
+    std::unique_ptr<Framebuffer> colours;  // drawn into where a picture of the luminance is wanted
 };
 
 /// Every handle: a session, what it stands for, and a count.
@@ -72,7 +85,15 @@ struct Handle {
     std::uint32_t references = 1;
 };
 
-enum class HandleKind : std::uint8_t { context, environment, material, mesh, scene, framebuffer, psh_transform };
+enum class HandleKind : std::uint8_t {
+    context,
+    environment,
+    material,
+    mesh,
+    scene,
+    framebuffer,
+    psh_transform
+};
 
 /// All live handles of the process, so that a wrong or released one is an error and not a crash.
 namespace registry {

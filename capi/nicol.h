@@ -1,21 +1,24 @@
 /* SPDX-License-Identifier: MIT
- * Nicol: polarized light in real time, offscreen. The whole contract between the library and its callers.
- *
- * Conventions, everywhere:
- *   Objects    are opaque, counted handles. Creation gives one reference; _retain adds one, _release drops
- * one; releasing NULL does nothing. Objects keep what they need alive: any release order is legal. Results
- * Every function that can fail returns a nicol_result and, on failure, leaves its outputs untouched.
+ * Nicol: polarized light in real time, offscreen. The whole contract between the library and its callers. */
+
+/* clang-format off */
+/* Conventions, everywhere:
+ *   Objects    are opaque, counted handles. Creation gives one reference; _retain adds one, _release drops one;
+ *              releasing NULL does nothing. Objects keep what they need alive: any release order is legal.
+ *   Results    Every function that can fail returns a nicol_result and, on failure, leaves its outputs untouched.
  *              nicol_last_error() then tells the story, per thread.
- *   Structs    begin with struct_size = sizeof(the struct). Zero in a field asks for its default; where zero
- * is a value of its own, the field's comment names what stands for it. NICOL_<TYPE>_INIT makes one. Threads
- * Any function may be called from any thread. Calls on objects of one context take turns; calls on different
- * contexts run side by side. Callbacks come on the calling thread unless said otherwise. Strings    are UTF-8
- * and copied. Strings returned are owned by the library; each says for how long. Matrices   are row-major: a
- * point's image is M * (x, y, z, 1)^T. All zeros means identity. World      right-handed, y up, units are the
- * scene's own. Angles of the interface are degrees. Light      is radiance, linear, per colour channel. A
- * Stokes vector (s0, s1, s2, s3) is seen by the receiver looking at the source: s1 > 0 along the frame's x,
- * s2 > 0 at +45 degrees from x to y, s3 > 0 right circular. In a picture x points to the image's right and y
- * up, as Mitsuba 3's stokes integrator. */
+ *   Structs    begin with struct_size = sizeof(the struct). Zero in a field asks for its default; where zero is a
+ *              value of its own, the field's comment names what stands for it. NICOL_<TYPE>_INIT makes one.
+ *   Threads    Any function may be called from any thread. Calls on objects of one context take turns; calls on
+ *              different contexts run side by side. Callbacks come on the calling thread unless said otherwise.
+ *   Strings    are UTF-8 and copied. Strings returned are owned by the library; each says for how long.
+ *   Matrices   are row-major: a point's image is M * (x, y, z, 1)^T. All zeros means identity.
+ *   World      right-handed, y up, units are the scene's own. Angles of the interface are degrees.
+ *   Light      is radiance, linear, per colour channel. A Stokes vector (s0, s1, s2, s3) is seen by the receiver
+ *              looking at the source: s1 > 0 along the frame's x, s2 > 0 at +45 degrees from x to y, s3 > 0 right
+ *              circular. In a picture x points to the image's right and y up, as Mitsuba 3's stokes integrator.
+ */
+/* clang-format on */
 #ifndef NICOL_H
 #define NICOL_H
 
@@ -112,9 +115,9 @@ typedef struct nicol_spectrum {
 /* ---------------------------------------------------------------- context */
 
 typedef uint32_t nicol_backend;
-#define NICOL_BACKEND_AUTOMATIC                                                           \
-    0 /* the environment variable NICOL_BACKEND (egl, osmesa), else the first that works: \
-         EGL hardware, EGL software, OSMesa */
+/* The environment variable NICOL_BACKEND (egl, osmesa), else the first that works: EGL hardware, EGL
+ * software, OSMesa. */
+#define NICOL_BACKEND_AUTOMATIC 0
 #define NICOL_BACKEND_EGL 1
 #define NICOL_BACKEND_OSMESA 2
 
@@ -125,9 +128,13 @@ typedef struct nicol_context_options {
     uint32_t threads;       /* 0: one a core */
     nicol_log_callback log; /* NULL: silent. May be called on any thread that calls into the context. */
     void* log_user;
+    /* Where tables of materials are kept between runs; made where missing. Processes may share it, and it may
+     * be emptied at any time. NULL or "": the environment variable NICOL_CACHE, and where that is not set or
+     * is empty, no cache. A folder that cannot be used is a notice to the log, never an error. */
+    const char* cache_folder;
 } nicol_context_options;
 #define NICOL_CONTEXT_OPTIONS_INIT \
-    { sizeof(nicol_context_options), 0, 0, 0, 0, 0 }
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0 }
 
 typedef struct nicol_context_info {
     uint32_t struct_size;
@@ -161,27 +168,56 @@ typedef struct nicol_image {
     const float* pixels; /* [row][column][channel][component] */
     uint64_t row_stride; /* bytes from row to row; 0: tightly packed */
     uint64_t byte_size;  /* of all that pixels points to; checked */
-    void (*release)(
-        void* user); /* NULL, or called once the library no longer reads pixels (on failure too) */
+    /* NULL, or called once the library no longer reads pixels, on failure too. */
+    void (*release)(void* user);
     void* release_user;
 } nicol_image;
 #define NICOL_IMAGE_INIT \
     { sizeof(nicol_image), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
-/* Single scattering in clear air: DoP = dop_max sin^2 g / (1 + cos^2 g) at the angle g from the sun, E-vector
- * along sun x view; radiance = radiance * 3/4 (1 + cos^2 g) over the whole sphere (the sun's disc is not part
- * of it). */
+/* A clear sky; the sun's own disc is not part of it. At the angle g from the sun its degree of polarization
+ * is dop_max sin^2 g / (1 + cos^2 g), the E-vector along sun x view, without s3.
+ *
+ * With turbidity 0 light is scattered once: radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
+ * horizon too.
+ *
+ * With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
+ * formula, mean luminance over the upper half 1, times radiance. Below the horizon lies an unpolarized
+ * ground, alike all over, that reflects ground_albedo of the irradiance of each channel. The sun must not
+ * stand below the horizon. */
 typedef struct nicol_sky {
     uint32_t struct_size;
     float dop_max;           /* 0: 0.8; negative: an unpolarized sky; at most 1 */
     float sun_direction[3];  /* towards the sun; zeros: straight up */
     nicol_spectrum radiance; /* default 1 in three channels */
+    float turbidity;         /* 0, or 1.7 to 10 */
+    float ground_albedo;     /* 0: 0.2; negative: black; at most 1; without effect where turbidity is 0 */
 } nicol_sky;
 #define NICOL_SKY_INIT \
-    { sizeof(nicol_sky), 0, {0}, NICOL_SPECTRUM_INIT }
+    { sizeof(nicol_sky), 0, {0}, NICOL_SPECTRUM_INIT, 0, 0 }
 
-/* OpenEXR: R, G, B or Y are unpolarized light; S0.R ... S3.B are polarized, in nicol_image's frames. */
+typedef struct nicol_environment_load_options {
+    uint32_t struct_size;
+    uint32_t reserved;          /* 0 */
+    double scale;               /* multiplies the radiance, 0: 1; finite and not negative */
+    nicol_spectrum wavelengths; /* of spectral OpenEXR files alone: the channels nearest to these, nm, in this
+                                   order; within the file's range. count 0: all channels of the file */
+} nicol_environment_load_options;
+#define NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT \
+    { sizeof(nicol_environment_load_options), 0, 0, NICOL_SPECTRUM_INIT }
+
+/* clang-format off */
+/* By the path:
+ *   NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
+ *                 S3.<colour> are polarized, in nicol_image's frames; spectral files (S0.550,000000nm and so on)
+ *                 have a channel a wavelength.
+ *   NAME_s0.exr   to NAME_s3.exr, any of them, or NAME alone: a cube map as a cross of 4 x 3 faces, a file for
+ *                 each Stokes component, as the Python package polarsh has them.
+ *   NAME.npz      PSH coefficients as polarsh writes them (SHVec).
+ * options may be NULL: all defaults. */
+/* clang-format on */
 NICOL_API nicol_result nicol_environment_load(nicol_context context, const char* path,
+                                              const nicol_environment_load_options* options,
                                               nicol_environment* environment);
 NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                                       nicol_environment* environment);
@@ -190,6 +226,30 @@ NICOL_API nicol_result nicol_environment_create_constant(nicol_context context,
                                                          nicol_environment* environment);
 NICOL_API nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky,
                                                     nicol_environment* environment);
+/* Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
+ * as "mathematics" below says; order up to NICOL_PSH_MAX_ORDER, channels 1 to NICOL_MAX_CHANNELS, count =
+ * channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
+ * below 0 and more polarization than light. */
+NICOL_API nicol_result nicol_environment_create_psh(nicol_context context, uint32_t order, uint32_t channels,
+                                                    const double* coefficients, uint64_t count,
+                                                    nicol_environment* environment);
+
+typedef struct nicol_environment_info {
+    uint32_t struct_size;
+    uint32_t channels;
+    uint32_t polarized;                     /* 1 where some s1, s2 or s3 is not 0 */
+    uint32_t circular;                      /* 1 where some s3 is not 0 */
+    uint32_t wavelength_count;              /* of spectral light: channels; else 0 */
+    uint32_t reserved;                      /* 0 */
+    double wavelengths[NICOL_MAX_CHANNELS]; /* nm */
+} nicol_environment_info;
+/* clang-format off */
+#define NICOL_ENVIRONMENT_INFO_INIT \
+    { sizeof(nicol_environment_info), 0, 0, 0, 0, 0, {0} }
+/* clang-format on */
+
+NICOL_API nicol_result nicol_environment_get_info(nicol_environment environment,
+                                                  nicol_environment_info* info);
 NICOL_API nicol_result nicol_environment_retain(nicol_environment environment);
 NICOL_API nicol_result nicol_environment_release(nicol_environment environment);
 
@@ -217,6 +277,93 @@ NICOL_API nicol_result nicol_material_create_pplastic(nicol_context context, con
 /* Lambertian and depolarizing; reflectance NULL or of count 0: 0.5. Front side only. */
 NICOL_API nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance,
                                                      nicol_material* material);
+
+/* Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
+ * index is eta - i k, relative to air. Front side only. */
+typedef struct nicol_conductor {
+    uint32_t struct_size;
+    nicol_distribution distribution; /* of rough surfaces */
+    /* Roughness, 0.001 to 1. 0: smooth, for which Beckmann's facets of 0.01 stand, a blur of one degree. */
+    float alpha;
+    uint32_t reserved; /* 0 */
+    /* "Au", "Ag", "Cu" or "Al" (also in words), with measured values; eta and k must be empty then. NULL or
+     * "": eta and k hold. */
+    const char* metal;
+    nicol_spectrum eta; /* default 0; 0 to 100 */
+    nicol_spectrum k;   /* default 1, with eta 0 a perfect mirror; 0 to 100; eta and k must not both be 0 */
+    /* Of a named metal, a channel each, nm, 400 to 800. count 0: those of red, green and blue. */
+    nicol_spectrum wavelengths;
+    nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
+} nicol_conductor;
+/* clang-format off */
+#define NICOL_CONDUCTOR_INIT                                                                        \
+    { sizeof(nicol_conductor), 0, 0, 0, 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT,                \
+      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT }
+/* clang-format on */
+
+NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
+                                                       const nicol_conductor* parameters,
+                                                       nicol_material* material);
+
+typedef uint32_t nicol_wavelength_sampling;
+#define NICOL_WAVELENGTH_LINEAR 0  /* linear between the measured wavelengths, constant beyond them */
+#define NICOL_WAVELENGTH_NEAREST 1 /* the nearest measured wavelength */
+
+typedef struct nicol_measured {
+    uint32_t struct_size;
+    nicol_wavelength_sampling sampling; /* between measured wavelengths; of the chosen ones alone */
+    /* A channel each, nm, 100 to 5000. count 0: red, green and blue by the CIE 1931 observer under D65, or
+     * one channel where the file has one wavelength. */
+    nicol_spectrum wavelengths;
+} nicol_measured;
+#define NICOL_MEASURED_INIT \
+    { sizeof(nicol_measured), 0, NICOL_SPECTRUM_INIT }
+
+/* Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 52 MB
+ * stay in memory for each channel at the data set's resolution. options may be NULL: all defaults. Front side
+ * only. */
+NICOL_API nicol_result nicol_material_load_measured(nicol_context context, const char* path,
+                                                    const nicol_measured* options, nicol_material* material);
+/* A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
+ * package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Front
+ * side only. */
+NICOL_API nicol_result nicol_material_load_psh(nicol_context context, const char* path,
+                                               const nicol_spectrum* scale, nicol_material* material);
+/* The back of a surface reflects as its front. `front` may be released afterwards. */
+NICOL_API nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,
+                                                      nicol_material* material);
+
+/* Writes the Mueller matrix of one colour channel, 16 row-major doubles, 1/sr and without the cosine, for
+ * light from the direction `towards_light` into the direction `towards_viewer`: unit vectors in the surface's
+ * frame, whose normal is z; both have z > 0. Both Stokes frames have x along the s-axis towards_light x
+ * towards_viewer and z along the propagation, y = z cross x, as Fresnel's matrices do (where the directions
+ * agree, x is any direction across them, the same for both). Answer 1 to go on, 0 to stop the call that needs
+ * it with NICOL_ERROR_CANCELLED. It is called by nicol_material_create_callback and nicol_render, on several
+ * threads at once, and must not call Nicol with objects of the material's context. */
+typedef int32_t (*nicol_mueller_callback)(void* user, uint32_t channel, const double towards_light[3],
+                                          const double towards_viewer[3], double mueller[16]);
+
+typedef struct nicol_callback_material {
+    uint32_t struct_size;
+    uint32_t channels; /* 0: 1; at most NICOL_MAX_CHANNELS */
+    nicol_mueller_callback mueller;
+    void* user;
+    /* NULL, or called once, when nothing needs `user` any more: on failure before the call returns, else when
+     * the material and all that use it are gone, on the thread that drops the last of them. */
+    void (*release)(void* user);
+    /* Angular radius in radians of the narrowest feature about the mirror direction, 0.001 to 1; 0: 1. Too
+     * large a value loses highlights, too small a one costs time. */
+    float lobe_width;
+    uint32_t reserved; /* 0 */
+} nicol_callback_material;
+#define NICOL_CALLBACK_MATERIAL_INIT \
+    { sizeof(nicol_callback_material), 0, 0, 0, 0, 0, 0 }
+
+/* The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
+ * probed at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT where it is not. Front only. */
+NICOL_API nicol_result nicol_material_create_callback(nicol_context context,
+                                                      const nicol_callback_material* parameters,
+                                                      nicol_material* material);
 NICOL_API nicol_result nicol_material_retain(nicol_material material);
 NICOL_API nicol_result nicol_material_release(nicol_material material);
 
@@ -304,7 +451,8 @@ NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_envi
 /* What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
-/* Colour channels of everything in it: 1 (all grey) or more. */
+/* Colour channels of its pictures: those of everything in it, 1 (all grey) or more, and 1 where the film of a
+ * loaded file asks for luminance. */
 NICOL_API nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
 NICOL_API nicol_result nicol_scene_retain(nicol_scene scene);
 NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
@@ -313,6 +461,10 @@ NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
 
 typedef uint32_t nicol_method;
 #define NICOL_METHOD_FACTORED 0 /* per-vertex light times response table */
+/* No harmonics: for each pixel rays and the integral of the light over directions, with shadows, by random
+ * sampling. Slow and noisy, right in the mean: what the other methods are measured against. The orders have
+ * no effect. */
+#define NICOL_METHOD_REFERENCE 2
 
 typedef struct nicol_render_options {
     uint32_t struct_size;
@@ -324,11 +476,15 @@ typedef struct nicol_render_options {
                            method yet: the statistics tell the order rendered. */
     nicol_progress_callback progress; /* NULL: none */
     void* progress_user;
+    int32_t samples;   /* reference: camera rays a pixel, 0: 256; up to 2^20. Powers of two are spread best */
+    uint32_t reserved; /* 0 */
+    uint64_t seed; /* reference: the same gives the same picture whatever the threads, another other noise */
 } nicol_render_options;
 #define NICOL_RENDER_OPTIONS_INIT \
-    { sizeof(nicol_render_options), 0, 0, 0, 0, 0 }
+    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0 }
 
-/* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's. */
+/* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
+ * luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */
 NICOL_API nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height,
                                                 uint32_t channels, nicol_framebuffer* framebuffer);
 NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width,
@@ -340,31 +496,34 @@ NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
 
+/* clang-format off */
 /* What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run. */
 typedef struct nicol_statistics {
     uint32_t struct_size;
-    uint32_t order; /* highest order rendered */
+    uint32_t order;                 /* highest order rendered; 0 by the reference method */
     uint64_t vertices;
     uint64_t triangles;
-    double project_ms;         /* light and materials to coefficients and tables */
-    double bake_ms;            /* visibility */
-    double relight_ms;         /* light into the vertices' frames */
-    double shade_ms;           /* light times response, at the view */
-    double draw_ms;            /* rasterisation */
-    double observe_ms;         /* reading and writing pictures since that render */
-    uint64_t vertices_skipped; /* not shaded: facing away or behind the camera */
-    uint64_t
-        light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
+    double project_ms;              /* light and materials to coefficients and tables */
+    double bake_ms;                 /* visibility; of the reference method its hierarchy of triangles and table of light */
+    double relight_ms;              /* light into the vertices' frames */
+    double shade_ms;                /* light times response, at the view */
+    double draw_ms;                 /* rasterisation, or copying the picture into the framebuffer */
+    double observe_ms;              /* reading and writing pictures since that render */
+    uint64_t vertices_skipped;      /* not shaded: facing away or behind the camera */
+    uint64_t light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
     uint64_t response_rows_skipped; /* Stokes components that no material can make, times channels */
-    uint64_t
-        channels_shared;     /* colour channels of light that need not be computed again because it is grey */
-    uint64_t response_bytes; /* material tables */
-    uint64_t transfer_bytes; /* per-vertex light and geometry kept for relight and shade */
-    uint64_t buffer_bytes;   /* OpenGL vertex and index buffers */
-    uint64_t texture_bytes;  /* OpenGL textures, framebuffer included */
+    uint64_t channels_shared;       /* colour channels of light that equal another and are not computed again */
+    uint64_t response_bytes;        /* material tables */
+    uint64_t transfer_bytes;        /* per-vertex light and geometry kept for relight and shade */
+    uint64_t buffer_bytes;          /* OpenGL vertex and index buffers */
+    uint64_t texture_bytes;         /* OpenGL textures, framebuffer included */
+    uint64_t camera_rays;           /* reference: rays from the camera */
+    uint64_t shadow_rays;           /* reference: rays towards the light */
+    double trace_ms;                /* reference: tracing rays */
 } nicol_statistics;
+/* clang-format on */
 #define NICOL_STATISTICS_INIT \
-    { sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer,
                                                         nicol_statistics* statistics);
@@ -378,15 +537,20 @@ typedef uint32_t nicol_plane;
 #define NICOL_PLANE_S3 3
 #define NICOL_PLANE_STOKES 4 /* four floats a pixel */
 #define NICOL_PLANE_DOLP 5   /* degree of linear polarization; 0 where s0 <= 0 */
-#define NICOL_PLANE_AOLP \
-    6 /* angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right */
+/* Angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right. */
+#define NICOL_PLANE_AOLP 6
 
 /* Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
  * byte_size is what pixels has room for. */
 NICOL_API nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane,
                                               uint32_t channel, float* pixels, uint64_t row_stride,
                                               uint64_t byte_size);
-/* R, G, B (or Y) and S0.R ... S3.B, 32-bit floats: the layout of Mitsuba 3's stokes integrator. */
+/* clang-format off */
+/* Channels of 32-bit floats, named by the number of colour channels:
+ *   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
+ *   1             Y (which is s0) and S0.Y to S3.Y
+ *   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ... */
+/* clang-format on */
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 
 typedef uint32_t nicol_picture_kind;
@@ -409,33 +573,38 @@ typedef struct nicol_picture {
 #define NICOL_PICTURE_INIT \
     { sizeof(nicol_picture), 0, 0, 0, 0 }
 
-/* 8-bit RGB. */
+/* 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
+ * channels. */
 NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer,
                                                    const nicol_picture* picture, const char* path);
 
 /* ---------------------------------------------------------------- mathematics */
 
-/* Polarized spherical harmonics (PSH) as plain numbers, in double precision. No context is needed. Equation
- * numbers are those of the article "Spin-Weighted Spherical Harmonics for Polarized Light Transport"
- * (SIGGRAPH 2024) and its supplement.
+/* clang-format off */
+/* Polarized spherical harmonics (PSH) as plain numbers, in double precision. No context is needed. Equation numbers
+ * are those of the article "Spin-Weighted Spherical Harmonics for Polarized Light Transport" (SIGGRAPH 2024) and its
+ * supplement.
  *
- * Fields     are functions of the PROPAGATION direction of the light: what comes from straight above sits at
- * theta = pi. Components are measured in the theta-phi frame of that direction (Eq. 79): x = growing theta,
- * y = growing phi, z = the direction; on the z axis phi is taken as 0. Angles here are radians.
- * Coefficients are [vector][l*l + l + m][p], orders l = 0..order, degrees m = -l..l, components p = 0..3:
- * 4 (order+1)^2 doubles a vector. p = 0 and 3 stand over real harmonics; p = 1, 2 are the real and imaginary
- * part of the complex spin-2 coefficient (Eqs. 30 to 34) and do not exist below l = 2: they are written as 0
- * and must be 0 or are not read. A colour channel is a vector; a batch of vectors shares all set-up.
- * Matrices   of operators are [4 * (l*l + l + m) + p of the output][the same of the input], row-major, real
- * (Eq. 40). Mueller matrices are 16 doubles, row-major; rotations 9 doubles, row-major.
- * Lengths    follow every pointer, in doubles; any other than the documented one is refused. A length of 0
- * (no vectors, no directions) does nothing, and its pointer may be NULL. Inputs must be finite. Unless said
- * otherwise, outputs must not overlap inputs; where they may, they must be the same memory.
- * Threads    All functions may run at the same time on any threads; a nicol_psh_transform does one call after
- * another. */
+ *   Fields        are functions of the PROPAGATION direction of the light: what comes from straight above sits at
+ *                 theta = pi. Components are measured in the theta-phi frame of that direction (Eq. 79): x = growing
+ *                 theta, y = growing phi, z = the direction; on the z axis phi is taken as 0. Angles here are radians.
+ *   Coefficients  are [vector][l*l + l + m][p], orders l = 0..order, degrees m = -l..l, components p = 0..3:
+ *                 4 (order+1)^2 doubles a vector. p = 0 and 3 stand over real harmonics; p = 1, 2 are the real and
+ *                 imaginary part of the complex spin-2 coefficient (Eqs. 30 to 34) and do not exist below l = 2: they
+ *                 are written as 0 and must be 0 or are not read. A colour channel is a vector; a batch of vectors
+ *                 shares all set-up.
+ *   Matrices      of operators are [4 * (l*l + l + m) + p of the output][the same of the input], row-major, real
+ *                 (Eq. 40). Mueller matrices are 16 doubles, row-major; rotations 9 doubles, row-major.
+ *   Lengths       follow every pointer, in doubles; any other than the documented one is refused. A length of 0 (no
+ *                 vectors, no directions) does nothing, and its pointer may be NULL. Inputs must be finite. Unless
+ *                 said otherwise, outputs must not overlap inputs; where they may, they must be the same memory.
+ *   Threads       All functions may run at the same time on any threads; a nicol_psh_transform does one call after
+ *                 another.
+ */
+/* clang-format on */
 #define NICOL_PSH_MAX_ORDER 4096
-#define NICOL_PSH_MAX_MATRIX_ORDER \
-    64 /* of dense matrices; the scalar factor of a shadow matrix: twice that */
+/* Of dense matrices; the scalar factor of a shadow matrix has up to twice that. */
+#define NICOL_PSH_MAX_MATRIX_ORDER 64
 
 /* Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
  * is channels * 4 (order+1)^2. A picture counts as the bilinear function between its pixels. As an

@@ -130,7 +130,8 @@ nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels) {
         const nicol_scene_impl& self = resolve(scene);
         require(channels, "channels");
         const Turn turn(self.session);
-        *channels = static_cast<uint32_t>(self.content->scene.channels());
+        const int parts = self.content->scene.channels();
+        *channels = self.content->luminance && parts == 3 ? 1 : static_cast<uint32_t>(parts);
     });
 }
 

@@ -363,10 +363,11 @@ TEST_CASE("files that are not there or not what they say") {
         nicol_environment environment = marker<nicol_environment>();
         nicol_mesh mesh = marker<nicol_mesh>();
         nicol_scene scene = marker<nicol_scene>();
-        FAILS(nicol_environment_load(context, nullptr, &environment), NICOL_ERROR_INVALID_ARGUMENT, "path");
+        FAILS(nicol_environment_load(context, nullptr, nullptr, &environment), NICOL_ERROR_INVALID_ARGUMENT,
+              "path");
         FAILS(nicol_mesh_load(context, nullptr, &mesh), NICOL_ERROR_INVALID_ARGUMENT, "path");
         FAILS(nicol_scene_load(context, nullptr, nullptr, 0, &scene), NICOL_ERROR_INVALID_ARGUMENT, "path");
-        FAILS(nicol_environment_load(context, folder.file("absent.exr").c_str(), &environment),
+        FAILS(nicol_environment_load(context, folder.file("absent.exr").c_str(), nullptr, &environment),
               NICOL_ERROR_FILE_NOT_FOUND, "absent.exr");
         FAILS(nicol_mesh_load(context, folder.file("absent.ply").c_str(), &mesh), NICOL_ERROR_FILE_NOT_FOUND,
               "absent.ply");
@@ -375,7 +376,7 @@ TEST_CASE("files that are not there or not what they say") {
         const std::string exr = folder.write("text.exr", "no picture");
         const std::string ply = folder.write("text.ply", "ply\nno mesh");
         const std::string xml = folder.write("text.xml", "<scene version='3.0.0'><shape");
-        FAILS(nicol_environment_load(context, exr.c_str(), &environment), NICOL_ERROR_INVALID_FILE,
+        FAILS(nicol_environment_load(context, exr.c_str(), nullptr, &environment), NICOL_ERROR_INVALID_FILE,
               "text.exr");
         FAILS(nicol_mesh_load(context, ply.c_str(), &mesh), NICOL_ERROR_INVALID_FILE, "text.ply");
         FAILS(nicol_scene_load(context, xml.c_str(), nullptr, 0, &scene), NICOL_ERROR_INVALID_FILE,
@@ -386,7 +387,7 @@ TEST_CASE("files that are not there or not what they say") {
         const std::string obj = folder.write("good.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         OK(nicol_mesh_load(context, obj.c_str(), &mesh));
         OK(nicol_mesh_release(mesh));
-        FAILS(nicol_environment_load(context, obj.c_str(), nullptr), NICOL_ERROR_INVALID_ARGUMENT,
+        FAILS(nicol_environment_load(context, obj.c_str(), nullptr, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
               "environment");
         FAILS(nicol_mesh_load(context, obj.c_str(), nullptr), NICOL_ERROR_INVALID_ARGUMENT, "mesh");
     });

@@ -147,7 +147,7 @@ TEST_CASE("pictures are written in every kind and read back") {
         CHECK(folder.names().size() == 8);
         // The file's s0 serves as light again.
         nicol_environment environment = nullptr;
-        OK(nicol_environment_load(context, path.c_str(), &environment));
+        OK(nicol_environment_load(context, path.c_str(), nullptr, &environment));
         OK(nicol_environment_release(environment));
     });
 }

@@ -53,7 +53,7 @@ std::vector<NamedCall> calls(nicol_context handle) {
             {"environment_load",
              [=] {
                  nicol_environment out = nullptr;
-                 return nicol_environment_load(handle, "x.exr", &out);
+                 return nicol_environment_load(handle, "x.exr", nullptr, &out);
              }},
             {"environment_create_image",
              [=] {

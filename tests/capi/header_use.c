@@ -15,6 +15,15 @@ static int32_t go_on(void* user, const char* verb, double fraction) {
     return fraction <= 1.0;
 }
 
+static int32_t reflect(void* user, uint32_t channel, const double towards_light[3],
+                       const double towards_viewer[3], double mueller[16]) {
+    (void)user;
+    (void)towards_light;
+    (void)towards_viewer;
+    mueller[0] = (double)channel;
+    return 1;
+}
+
 static void forget(void* user) {
     (void)user;
 }
@@ -33,7 +42,12 @@ int use_header(void) {
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
     nicol_image image = NICOL_IMAGE_INIT;
     nicol_sky sky = NICOL_SKY_INIT;
+    nicol_environment_load_options load_options = NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT;
+    nicol_environment_info environment_info = NICOL_ENVIRONMENT_INFO_INIT;
     nicol_pplastic pplastic = NICOL_PPLASTIC_INIT;
+    nicol_conductor conductor = NICOL_CONDUCTOR_INIT;
+    nicol_measured measured = NICOL_MEASURED_INIT;
+    nicol_callback_material function = NICOL_CALLBACK_MATERIAL_INIT;
     nicol_mesh_data mesh_data = NICOL_MESH_DATA_INIT;
     nicol_camera camera = NICOL_CAMERA_INIT;
     nicol_instance instance = NICOL_INSTANCE_INIT;
@@ -46,6 +60,9 @@ int use_header(void) {
     context_options.log = log_nothing;
     render_options.progress = go_on;
     image.release = forget;
+    function.mueller = reflect;
+    function.release = forget;
+    load_options.wavelengths = spectrum;
     sky.radiance = spectrum;
     pplastic.diffuse_reflectance = spectrum;
     instance.mesh = mesh;
@@ -56,6 +73,9 @@ int use_header(void) {
     if (mesh_data.struct_size != sizeof mesh_data || instance.struct_size != sizeof instance) return 4;
     if (statistics.struct_size != sizeof statistics || picture.struct_size != sizeof picture) return 5;
     if (sampling.struct_size != sizeof sampling || field.struct_size != sizeof field) return 9;
+    if (conductor.struct_size != sizeof conductor || measured.struct_size != sizeof measured) return 10;
+    if (function.struct_size != sizeof function || load_options.struct_size != sizeof load_options) return 11;
+    if (environment_info.struct_size != sizeof environment_info) return 12;
     if (nicol_context_get_info(context, &info) != NICOL_ERROR_INVALID_HANDLE) return 6;
     if (nicol_render(scene, &camera, &render_options, framebuffer) != NICOL_ERROR_INVALID_HANDLE) return 7;
     return nicol_environment_release(environment) == NICOL_OK ? 0 : 8;

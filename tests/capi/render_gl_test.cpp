@@ -274,7 +274,7 @@ TEST_CASE("orders out of range are refused by name, and -1 asks for order 0") {
         for (const std::int32_t bad : {-2, INT32_MIN, -1, 3, 65, INT32_MAX})
             FAILS(render(4, bad), NICOL_ERROR_INVALID_ARGUMENT, "order_high");
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.method = 1;
+        options.method = 77;
         FAILS(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer), NICOL_ERROR_UNSUPPORTED,
               "method");
         CHECK(read_all(stage.framebuffer) == before);
@@ -291,10 +291,10 @@ TEST_CASE("orders out of range are refused by name, and -1 asks for order 0") {
     });
 }
 
-TEST_CASE("a framebuffer must have the scene's channels") {
+TEST_CASE("a framebuffer must have the scene's channels, or one of three") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
-        for (const std::uint32_t channels : {1U, 2U, 4U, 16U}) {
+        for (const std::uint32_t channels : {2U, 4U, 16U}) {
             nicol_framebuffer other = nullptr;
             OK(nicol_framebuffer_create(context, 4, 4, channels, &other));
             FAILS(nicol_render(stage.scene, &stage.camera, nullptr, other), NICOL_ERROR_INVALID_ARGUMENT,

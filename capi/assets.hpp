@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What environments, materials and meshes have in common.
+#pragma once
+
+#include <cstddef>
+
+#include "handles.hpp"
+
+namespace nicol::capi {
+
+/// Makes an immutable asset on the caller's thread; nothing of the context is touched, so no turn is taken.
+template <class Impl, class Make>
+nicol_result create(nicol_context context, Impl** out, const char* name, Make&& make) {
+    return guarded([&] {
+        require(out, name);
+        const SessionPtr session = resolve(context).session;
+        *out = make_handle<Impl>(session, make());
+    });
+}
+
+/// Calls a descriptor's release callback with its user pointer when the last copy of what this returns goes:
+/// once, and on failure too. Even a descriptor that is refused has one, if its struct_size reaches `end`, the
+/// number of bytes up to and with both fields.
+template <class T>
+std::shared_ptr<void> owned_user(const T* given, void (*T::*release)(void*), void* T::*user,
+                                 std::size_t end) {
+    if (given == nullptr || given->struct_size < end || given->struct_size > max_struct_size) return nullptr;
+    if (given->*release == nullptr) return nullptr;
+    return {given->*user, given->*release};
+}
+
+inline double or_default(float value, double fallback) {
+    return value == 0 ? fallback : static_cast<double>(value);
+}
+
+/// "name is 7; it must be one of NICOL_..." unless value <= last.
+inline void require_constant(std::uint32_t value, std::uint32_t last, const char* name,
+                             const char* constants) {
+    if (value > last) {
+        refuse(std::string(name) + " is " + std::to_string(value) + "; it must be one of " + constants);
+    }
+}
+
+}  // namespace nicol::capi

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Environments.
+#include "assets.hpp"
+#include "psh_arguments.hpp"
+
+using namespace nicol;
+using namespace nicol::capi;
+
+namespace {
+
+std::shared_ptr<void> owned_pixels(const nicol_image* image) {
+    return owned_user(image, &nicol_image::release, &nicol_image::release_user,
+                      offsetof(nicol_image, release_user) + sizeof image->release_user);
+}
+
+EnvironmentPtr environment_from(const nicol_image& image) {
+    require(image.pixels, "image->pixels");
+    if (image.width < 1 || image.width > NICOL_MAX_SIZE || image.height < 2 ||
+        image.height > NICOL_MAX_SIZE) {
+        refuse("image is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+               " pixels; width must lie in 1 to " + std::to_string(NICOL_MAX_SIZE) + ", height in 2 to " +
+               std::to_string(NICOL_MAX_SIZE));
+    }
+    if (image.channels < 1 || image.channels > NICOL_MAX_CHANNELS) {
+        refuse("image->channels is " + std::to_string(image.channels) + "; it must lie in 1 to " +
+               std::to_string(NICOL_MAX_CHANNELS));
+    }
+    if (image.components != 1 && image.components != 4) {
+        refuse("image->components is " + std::to_string(image.components) +
+               "; it must be 1 (s0) or 4 (s0..s3)");
+    }
+    const std::uint64_t row = std::uint64_t{image.width} * image.channels * image.components * sizeof(float);
+    const std::uint64_t stride = image.row_stride == 0 ? row : image.row_stride;
+    if (stride < row || stride % sizeof(float) != 0 || stride > (std::uint64_t{1} << 40)) {
+        refuse("image->row_stride is " + std::to_string(stride) + "; a row takes " + std::to_string(row) +
+               " bytes, and strides are multiples of 4");
+    }
+    const std::uint64_t needed = stride * (image.height - 1) + row;
+    if (image.byte_size < needed) {
+        refuse("image->byte_size is " + std::to_string(image.byte_size) + "; the picture takes " +
+               std::to_string(needed) + " bytes");
+    }
+    EquirectImage copy(static_cast<int>(image.width), static_cast<int>(image.height),
+                       static_cast<int>(image.channels));
+    for (std::uint32_t y = 0; y < image.height; ++y) {
+        const float* from = image.pixels + y * (stride / sizeof(float));
+        for (std::uint32_t x = 0; x < image.width; ++x) {
+            for (std::uint32_t c = 0; c < image.channels; ++c, from += image.components) {
+                const auto to = copy.at(static_cast<int>(c), static_cast<int>(y), static_cast<int>(x));
+                std::copy_n(from, image.components, to.begin());
+            }
+        }
+    }
+    return image_environment(std::move(copy));
+}
+
+EnvironmentPtr load(const char* path, const nicol_environment_load_options* options) {
+    require(path, "path");
+    const nicol_environment_load_options given =
+        options != nullptr ? read_struct(options, "options")
+                           : nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT;
+    if (given.reserved != 0) refuse("options->reserved must be 0");
+    const double scale = given.scale == 0 ? 1 : given.scale;
+    return load_environment(path, scale, spectrum(given.wavelengths, 0, 0, "options->wavelengths"));
+}
+
+EnvironmentPtr from_coefficients(std::uint32_t order, std::uint32_t channels, const double* coefficients,
+                                 std::uint64_t count) {
+    const int highest = read_order(order, "order");
+    if (channels < 1 || channels > NICOL_MAX_CHANNELS) {
+        refuse("channels is " + std::to_string(channels) + "; it must lie in 1 to " +
+               std::to_string(NICOL_MAX_CHANNELS));
+    }
+    const auto from = read_array(coefficients, count, channels, vector_size(highest), "coefficients");
+    PshVector light(highest, static_cast<int>(channels));
+    std::ranges::copy(from, light.data().begin());
+    return psh_environment(std::move(light));
+}
+
+}  // namespace
+
+EnvironmentPtr nicol::capi::read_image(const nicol_image* image) {
+    const std::shared_ptr<void> user = owned_pixels(image);
+    return environment_from(read_struct(image, "image"));
+}
+
+nicol_result nicol_environment_load(nicol_context context, const char* path,
+                                    const nicol_environment_load_options* options,
+                                    nicol_environment* environment) {
+    return create(context, environment, "environment", [&] { return load(path, options); });
+}
+
+nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
+                                            nicol_environment* environment) {
+    return guarded([&] {
+        const std::shared_ptr<void> user = owned_pixels(image);
+        const nicol_image description = read_struct(image, "image");
+        require(environment, "environment");
+        const SessionPtr session = resolve(context).session;
+        *environment = make_handle<nicol_environment_impl>(session, environment_from(description));
+    });
+}
+
+nicol_result nicol_environment_create_constant(nicol_context context, const nicol_spectrum* radiance,
+                                               nicol_environment* environment) {
+    return create(context, environment, "environment", [&] {
+        require(radiance, "radiance");
+        return constant_environment(spectrum(*radiance, 1, 1, "radiance"));
+    });
+}
+
+nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky,
+                                          nicol_environment* environment) {
+    return create(context, environment, "environment", [&] {
+        const nicol_sky given = read_struct(sky, "sky");
+        RayleighSky description;
+        const glm::dvec3 sun(given.sun_direction[0], given.sun_direction[1], given.sun_direction[2]);
+        if (sun != glm::dvec3(0)) description.sun_direction = sun;
+        description.dop_max = given.dop_max < 0 ? 0 : or_default(given.dop_max, 0.8);
+        description.radiance = spectrum(given.radiance, 1, 3, "sky->radiance");
+        description.turbidity = static_cast<double>(given.turbidity);
+        description.ground_albedo = given.ground_albedo < 0 ? 0 : or_default(given.ground_albedo, 0.2);
+        return rayleigh_sky(description);
+    });
+}
+
+nicol_result nicol_environment_create_psh(nicol_context context, uint32_t order, uint32_t channels,
+                                          const double* coefficients, uint64_t count,
+                                          nicol_environment* environment) {
+    return create(context, environment, "environment",
+                  [&] { return from_coefficients(order, channels, coefficients, count); });
+}
+
+nicol_result nicol_environment_get_info(nicol_environment environment, nicol_environment_info* info) {
+    return guarded([&] {
+        const auto self = resolve(environment);
+        const Environment& light = *self.content;
+        nicol_environment_info out = NICOL_ENVIRONMENT_INFO_INIT;
+        out.channels = static_cast<uint32_t>(light.channels());
+        out.polarized = light.polarized() ? 1 : 0;
+        out.circular = light.circular() ? 1 : 0;
+        const std::vector<double>& wavelengths = light.wavelengths();
+        out.wavelength_count =
+            static_cast<uint32_t>(std::min<std::size_t>(wavelengths.size(), NICOL_MAX_CHANNELS));
+        std::copy_n(wavelengths.begin(), out.wavelength_count, out.wavelengths);
+        write_struct(info, out, "info");
+    });
+}
+
+nicol_result nicol_environment_retain(nicol_environment environment) {
+    return retain(environment);
+}
+nicol_result nicol_environment_release(nicol_environment environment) {
+    return release(environment);
+}

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Materials.
+#include <algorithm>
+#include <array>
+#include <complex>
+
+#include "assets.hpp"
+#include "nicol/conductor.hpp"
+#include "nicol/measured.hpp"
+#include "nicol/psh_matrix_file.hpp"
+
+using namespace nicol;
+using namespace nicol::capi;
+
+namespace {
+
+Distribution distribution_of(nicol_distribution given) {
+    require_constant(given, NICOL_DISTRIBUTION_GGX, "distribution", "NICOL_DISTRIBUTION_...");
+    return given == NICOL_DISTRIBUTION_GGX ? Distribution::ggx : Distribution::beckmann;
+}
+
+// The optional spectrum of an argument.
+std::vector<double> spectrum_at(const nicol_spectrum* values, double fallback, const char* name) {
+    const nicol_spectrum given = values != nullptr ? *values : nicol_spectrum NICOL_SPECTRUM_INIT;
+    return spectrum(given, fallback, 1, name);
+}
+
+std::vector<std::complex<double>> index_of(const nicol_conductor& given) {
+    const std::string metal = given.metal != nullptr ? given.metal : "";
+    if (!metal.empty()) {
+        if (given.eta.count != 0 || given.k.count != 0)
+            refuse("parameters has a metal beside eta or k; give either");
+        if (given.wavelengths.count == 0) return metal_index(metal);
+        return metal_index(metal, spectrum(given.wavelengths, 0, 0, "wavelengths"));
+    }
+    if (given.wavelengths.count != 0)
+        refuse("parameters has wavelengths, which belong to a named metal, but no metal");
+    const std::vector<double> eta = spectrum(given.eta, 0, 1, "eta");
+    const std::vector<double> k = spectrum(given.k, 1, 1, "k");
+    const std::size_t channels = std::max(eta.size(), k.size());
+    for (const auto* part : {&eta, &k}) {
+        if (part->size() != 1 && part->size() != channels) {
+            refuse("eta has " + std::to_string(eta.size()) + " values and k " + std::to_string(k.size()) +
+                   "; they must agree or one have a single value");
+        }
+    }
+    std::vector<std::complex<double>> index;
+    for (std::size_t c = 0; c < channels; ++c)
+        index.emplace_back(eta[eta.size() == 1 ? 0 : c], -k[k.size() == 1 ? 0 : c]);
+    return index;
+}
+
+MaterialPtr make(const nicol_conductor& given) {
+    if (given.reserved != 0) refuse("parameters->reserved must be 0");
+    const Distribution distribution = distribution_of(given.distribution);
+    std::vector<double> reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance");
+    if (given.alpha == 0) return conductor(index_of(given), std::move(reflectance));
+    return rough_conductor({.eta = index_of(given),
+                            .specular_reflectance = std::move(reflectance),
+                            .alpha = static_cast<double>(given.alpha),
+                            .distribution = distribution});
+}
+
+MaterialPtr load(const char* path, const nicol_measured* options) {
+    require(path, "path");
+    const nicol_measured given =
+        options != nullptr ? read_struct(options, "options") : nicol_measured NICOL_MEASURED_INIT;
+    require_constant(given.sampling, NICOL_WAVELENGTH_NEAREST, "options->sampling", "NICOL_WAVELENGTH_...");
+    return load_measured(
+        path, {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
+               .sampling = given.sampling == NICOL_WAVELENGTH_NEAREST ? WavelengthSampling::nearest
+                                                                      : WavelengthSampling::linear});
+}
+
+// A caller's function as a material's.
+class MuellerFunction {
+public:
+    MuellerFunction(const nicol_callback_material& given, std::shared_ptr<void> owned, const Session* session)
+        : function_(given.mueller), user_(given.user), owned_(std::move(owned)), session_(session) {}
+
+    Mueller operator()(int channel, const glm::dvec3& towards_light, const glm::dvec3& towards_viewer) const {
+        const double light[3] = {towards_light.x, towards_light.y, towards_light.z};
+        const double viewer[3] = {towards_viewer.x, towards_viewer.y, towards_viewer.z};
+        std::array<double, 16> m{};
+        const CallbackScope scope(session_);
+        if (function_(user_, static_cast<std::uint32_t>(channel), light, viewer, m.data()) == 0)
+            throw Error(ErrorCode::cancelled, "the callback of a material answered 0");
+        return Mueller(m);
+    }
+
+private:
+    nicol_mueller_callback function_;
+    void* user_;
+    std::shared_ptr<void> owned_;
+    const Session* session_;  // compared, never followed
+};
+
+}  // namespace
+
+nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
+                                            nicol_material* material) {
+    return create(context, material, "material", [&] {
+        const nicol_pplastic given = read_struct(parameters, "parameters");
+        PplasticParameters p;
+        p.distribution = distribution_of(given.distribution);
+        p.diffuse_reflectance = spectrum(given.diffuse_reflectance, 0.5, 1, "diffuse_reflectance");
+        p.specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance");
+        p.int_ior = or_default(given.int_ior, p.int_ior);
+        p.ext_ior = or_default(given.ext_ior, p.ext_ior);
+        p.alpha = or_default(given.alpha, p.alpha);
+        return pplastic(p);
+    });
+}
+
+nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance,
+                                           nicol_material* material) {
+    return create(context, material, "material",
+                  [&] { return diffuse(spectrum_at(reflectance, 0.5, "reflectance")); });
+}
+
+nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters,
+                                             nicol_material* material) {
+    return create(context, material, "material", [&] { return make(read_struct(parameters, "parameters")); });
+}
+
+nicol_result nicol_material_load_measured(nicol_context context, const char* path,
+                                          const nicol_measured* options, nicol_material* material) {
+    return create(context, material, "material", [&] { return load(path, options); });
+}
+
+nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_spectrum* scale,
+                                     nicol_material* material) {
+    return create(context, material, "material", [&] {
+        require(path, "path");
+        const std::vector<double> factors = spectrum_at(scale, 1, "scale");
+        return psh_matrix_material(read_psh_matrix(path), factors);
+    });
+}
+
+nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,
+                                            nicol_material* material) {
+    return guarded([&] {
+        require(material, "material");
+        const nicol_context_impl session = resolve(context);
+        const nicol_material_impl source = resolve(front);
+        require_same_context(session, source);
+        *material = make_handle<nicol_material_impl>(session.session, twosided(source.content));
+    });
+}
+
+nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material* parameters,
+                                            nicol_material* material) {
+    return guarded([&] {
+        std::shared_ptr<void> user =
+            owned_user(parameters, &nicol_callback_material::release, &nicol_callback_material::user,
+                       offsetof(nicol_callback_material, release) + sizeof parameters->release);
+        const nicol_callback_material given = read_struct(parameters, "parameters");
+        require(material, "material");
+        require(given.mueller, "parameters->mueller");
+        if (given.reserved != 0) refuse("parameters->reserved must be 0");
+        if (given.channels > NICOL_MAX_CHANNELS) {
+            refuse("channels is " + std::to_string(given.channels) + "; it must lie in 0 (1) to " +
+                   std::to_string(NICOL_MAX_CHANNELS));
+        }
+        const SessionPtr session = resolve(context).session;
+        *material = make_handle<nicol_material_impl>(
+            session,
+            callback_material({.reflect = MuellerFunction(given, std::move(user), session.get()),
+                               .channels = given.channels == 0 ? 1 : static_cast<int>(given.channels),
+                               .lobe_width = or_default(given.lobe_width, 1)}));
+    });
+}
+
+nicol_result nicol_material_retain(nicol_material material) {
+    return retain(material);
+}
+nicol_result nicol_material_release(nicol_material material) {
+    return release(material);
+}

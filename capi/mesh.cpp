@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Meshes.
+#include "assets.hpp"
+
+using namespace nicol;
+using namespace nicol::capi;
+
+nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh) {
+    return create(context, mesh, "mesh", [&] {
+        require(path, "path");
+        return std::make_shared<const Mesh>(load_mesh(path));
+    });
+}
+
+nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data, nicol_mesh* mesh) {
+    return create(context, mesh, "mesh", [&] {
+        const nicol_mesh_data given = read_struct(data, "data");
+        require(given.positions, "data->positions");
+        require(given.indices, "data->indices");
+        if (given.reserved != 0) refuse("data->reserved must be 0");
+        Mesh out;
+        for (std::uint32_t v = 0; v < given.vertex_count; ++v) {
+            const float* p = given.positions + 3 * std::size_t{v};
+            out.positions.emplace_back(p[0], p[1], p[2]);
+            if (given.normals == nullptr) continue;
+            const float* n = given.normals + 3 * std::size_t{v};
+            out.normals.emplace_back(n[0], n[1], n[2]);
+        }
+        for (std::uint32_t t = 0; t < given.triangle_count; ++t) {
+            const std::uint32_t* i = given.indices + 3 * std::size_t{t};
+            out.triangles.emplace_back(i[0], i[1], i[2]);
+        }
+        try {
+            validate(out, "data");
+        } catch (const Error& error) {  // of a file it would be the file's fault
+            throw Error(ErrorCode::invalid_argument, error.what());
+        }
+        return std::make_shared<const Mesh>(std::move(out));
+    });
+}
+
+nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh) {
+    return create(context, mesh, "mesh", [] { return std::make_shared<const Mesh>(make_sphere()); });
+}
+
+nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh) {
+    return create(context, mesh, "mesh", [] { return std::make_shared<const Mesh>(make_rectangle()); });
+}
+
+nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh) {
+    return create(context, mesh, "mesh", [] { return std::make_shared<const Mesh>(make_cube()); });
+}
+
+nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles) {
+    return guarded([&] {
+        const nicol_mesh_impl& self = resolve(mesh);
+        require(vertices, "vertices");
+        require(triangles, "triangles");
+        *vertices = static_cast<uint32_t>(self.content->positions.size());
+        *triangles = static_cast<uint32_t>(self.content->triangles.size());
+    });
+}
+
+nicol_result nicol_mesh_retain(nicol_mesh mesh) {
+    return retain(mesh);
+}
+nicol_result nicol_mesh_release(nicol_mesh mesh) {
+    return release(mesh);
+}

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// Rendering.
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "handles.hpp"
+#include "reference/render_reference.hpp"
+#include "render/stopwatch.hpp"
+
+using namespace nicol;
+using namespace nicol::capi;
+
+namespace {
+
+double or_default(double value, double fallback) {
+    return value == 0 ? fallback : value;
+}
+
+std::uint64_t texture_bytes(gl::Context& context) {
+    const gl::MemoryUse memory = context.memory();
+    return memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
+}
+
+Camera camera_from(const nicol_camera& given) {
+    if (given.projection > NICOL_PROJECTION_ORTHOGRAPHIC) {
+        refuse("camera->projection is " + std::to_string(given.projection) +
+               "; it must be one of NICOL_PROJECTION_...");
+    }
+    Camera camera;
+    camera.orthographic = given.projection == NICOL_PROJECTION_ORTHOGRAPHIC;
+    camera.to_world = matrix(given.to_world);
+    camera.fov = or_default(given.fov, camera.fov);
+    camera.near_clip = or_default(given.near_clip, camera.near_clip);
+    camera.far_clip = or_default(given.far_clip, camera.far_clip);
+    return camera;
+}
+
+int order_from(std::int32_t given, int fallback, const char* name) {
+    if (given < -1) refuse(std::string(name) + " is " + std::to_string(given) + "; it must be -1 or more");
+    if (given == -1) return 0;
+    return given == 0 ? fallback : given;
+}
+
+std::function<bool(const char*, double)> progress_from(const nicol_render_options& given) {
+    if (given.progress == nullptr) return {};
+    return [callback = given.progress, user = given.progress_user](const char* verb, double fraction) {
+        return callback(user, verb, fraction) != 0;
+    };
+}
+
+RenderOptions options_from(const nicol_render_options& given) {
+    RenderOptions options;
+    options.order_low = order_from(given.order_low, 4, "order_low");
+    options.order_high = order_from(given.order_high, std::max(9, options.order_low), "order_high");
+    options.progress = progress_from(given);
+    return options;
+}
+
+void render_by_reference(const Session& session, const Scene& scene, const Camera& camera,
+                         const nicol_render_options& given, Framebuffer& target) {
+    const ReferenceOptions options{.samples = given.samples == 0 ? 256 : given.samples,
+                                   .seed = given.seed,
+                                   .threads = session.threads,
+                                   .progress = progress_from(given)};
+    ReferenceStatistics traced;
+    StokesImage image = render_reference(scene, project(camera, target.width(), target.height()),
+                                         target.width(), target.height(), options, traced);
+    Statistics statistics;
+    for (const Instance& instance : scene.instances()) statistics.vertices += instance.mesh->positions.size();
+    statistics.triangles = traced.triangles;
+    statistics.bake_ms = traced.build_ms;
+    statistics.trace_ms = traced.trace_ms;
+    statistics.camera_rays = traced.camera_rays;
+    statistics.shadow_rays = traced.shadow_rays;
+    statistics.texture_bytes = texture_bytes(*target.context());
+    const Stopwatch watch;
+    target.show(std::move(image), statistics);
+    target.statistics().draw_ms = watch.milliseconds();
+}
+
+void render_by(nicol_method method, const Session& session, SceneState& state, const Camera& camera,
+               const nicol_render_options& given, Framebuffer& target) {
+    switch (method) {
+        case NICOL_METHOD_FACTORED:
+            return state.renderer.render(state.scene, camera, options_from(given), target);
+        case NICOL_METHOD_REFERENCE:
+            return render_by_reference(session, state.scene, camera, given, target);
+        default:
+            throw Error(ErrorCode::unsupported, "method is " + std::to_string(method) +
+                                                    "; this version has NICOL_METHOD_FACTORED and "
+                                                    "NICOL_METHOD_REFERENCE");
+    }
+}
+
+// Of linear BT.709. The Stokes components of incoherent light add, so this is the light a grey sensor with
+// the eye's sensitivity measures.
+StokesImage luminance(const StokesImage& rgb) {
+    StokesImage grey(rgb.width, rgb.height, 1);
+    const std::size_t plane = grey.data.size();
+    for (std::size_t i = 0; i < plane; ++i) {
+        grey.data[i] =
+            0.2126F * rgb.data[i] + 0.7152F * rgb.data[plane + i] + 0.0722F * rgb.data[2 * plane + i];
+    }
+    return grey;
+}
+
+// Lights and materials of three channels multiply before the luminance is taken, so the picture is drawn in
+// three channels first.
+void render_luminance(const Session& session, SceneState& state, const Camera& camera,
+                      const nicol_render_options& given, Framebuffer& target) {
+    std::unique_ptr<Framebuffer>& colours = state.colours;
+    if (!colours || colours->width() != target.width() || colours->height() != target.height()) {
+        colours.reset();
+        colours = std::make_unique<Framebuffer>(session.gl, target.width(), target.height(), 3);
+    }
+    render_by(given.method, session, state, camera, given, *colours);
+    const StokesImage& image = colours->image();
+    const Stopwatch watch;
+    Statistics statistics = colours->statistics();
+    target.show(luminance(image), statistics);
+    target.statistics().observe_ms = 0;
+    target.statistics().draw_ms += statistics.observe_ms + watch.milliseconds();
+}
+
+void render(const Session& session, SceneState& state, const Camera& camera,
+            const nicol_render_options& given, Framebuffer& target) {
+    const int wanted = state.scene.channels();
+    if (target.channels() == wanted) return render_by(given.method, session, state, camera, given, target);
+    if (target.channels() == 1 && wanted == 3) return render_luminance(session, state, camera, given, target);
+    refuse("the framebuffer has " + std::to_string(target.channels()) + " colour channels and the scene " +
+           std::to_string(wanted) + "; they must agree, or be 1 and 3 for the luminance");
+}
+
+}  // namespace
+
+nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options,
+                          nicol_framebuffer framebuffer) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const nicol_framebuffer_impl& target = resolve(framebuffer);
+        require_same_context(self, target);
+        const Camera from = camera_from(read_struct(camera, "camera"));
+        const nicol_render_options chosen = options != nullptr
+                                                ? read_struct(options, "options")
+                                                : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
+        if (chosen.reserved != 0) refuse("options->reserved must be 0");
+        const Turn turn(self.session);
+        render(*self.session, *self.content, from, chosen, *target.content);
+    });
+}
+
+nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        const Turn turn(self.session);
+        const Statistics& s = self.content->statistics();
+        nicol_statistics out = NICOL_STATISTICS_INIT;
+        out.order = static_cast<uint32_t>(s.order);
+        out.vertices = s.vertices;
+        out.triangles = s.triangles;
+        out.project_ms = s.project_ms;
+        out.bake_ms = s.bake_ms;
+        out.relight_ms = s.relight_ms;
+        out.shade_ms = s.shade_ms;
+        out.draw_ms = s.draw_ms;
+        out.observe_ms = s.observe_ms;
+        out.vertices_skipped = s.vertices_skipped;
+        out.light_columns_skipped = s.light_columns_skipped;
+        out.response_rows_skipped = s.response_rows_skipped;
+        out.channels_shared = s.channels_shared;
+        out.response_bytes = s.response_bytes;
+        out.transfer_bytes = s.transfer_bytes;
+        out.buffer_bytes = s.buffer_bytes;
+        out.texture_bytes = s.texture_bytes;
+        out.camera_rays = s.camera_rays;
+        out.shadow_rays = s.shadow_rays;
+        out.trace_ms = s.trace_ms;
+        write_struct(statistics, out, "statistics");
+    });
+}
