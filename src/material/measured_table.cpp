@@ -6,7 +6,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "material/content_hash.hpp"
+#include "files/content_hash.hpp"
 #include "nicol/error.hpp"
 
 namespace nicol {

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <string>
 
-#include "material/content_hash.hpp"
+#include "files/content_hash.hpp"
 #include "material/key.hpp"
 #include "material/matrix_rows.hpp"
 #include "material/reflectance.hpp"

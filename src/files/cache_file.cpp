@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "files/cache_file.hpp"
+
+#include <fstream>
+#include <system_error>
+
+#include "files/atomic_file.hpp"
+#include "files/content_hash.hpp"
+#include "nicol/error.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr std::size_t hash_size = 32;
+
+}  // namespace
+
+CacheFile::CacheFile(const std::filesystem::path& folder, std::string_view magic, std::uint32_t version,
+                     std::string_view key, std::string_view suffix)
+    : header_(magic) {
+    const auto length = static_cast<std::uint32_t>(key.size());
+    for (const std::uint32_t value : {version, length}) {
+        header_.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    header_ += key;
+    path_ = folder / (ContentHash().add(header_).text() + std::string(suffix));
+}
+
+CacheFile::Outcome CacheFile::read(std::span<const std::span<unsigned char>> parts) const {
+    std::error_code error;
+    if (!std::filesystem::exists(path_, error)) return {State::missing, {}};
+    if (!std::filesystem::is_regular_file(path_, error)) return {State::unfit, "cannot be read"};
+    // The length says whether anything need be read.
+    std::uint64_t length = header_.size() + hash_size;
+    for (const auto& part : parts) length += part.size();
+    if (std::filesystem::file_size(path_, error) != length || error) {
+        return {State::unfit, "has another length than it must"};
+    }
+    std::ifstream in(path_, std::ios::binary);
+    if (!in) return {State::unfit, "cannot be read"};
+    std::string found(header_.size(), '\0');
+    in.read(found.data(), static_cast<std::streamsize>(found.size()));
+    if (!in || found != header_) return {State::unfit, "is of another version or made from something else"};
+    ContentHash hash;
+    hash.add(header_);
+    for (const auto& part : parts) {
+        in.read(reinterpret_cast<char*>(part.data()), static_cast<std::streamsize>(part.size()));
+        hash.add(part);
+    }
+    std::string stored(hash_size, '\0');
+    in.read(stored.data(), hash_size);
+    if (!in || stored != hash.text()) return {State::unfit, "is damaged"};
+    return {State::complete, {}};
+}
+
+std::string CacheFile::write(std::span<const std::span<const unsigned char>> parts) const {
+    try {
+        std::filesystem::create_directories(path_.parent_path());
+        AtomicFile out(path_);
+        ContentHash hash;
+        hash.add(header_);
+        // A failed write stays on the FILE, where commit() finds it.
+        std::fwrite(header_.data(), 1, header_.size(), out.handle());
+        for (const auto& part : parts) {
+            hash.add(part);
+            std::fwrite(part.data(), 1, part.size(), out.handle());
+        }
+        const std::string stored = hash.text();
+        std::fwrite(stored.data(), 1, stored.size(), out.handle());
+        out.commit();
+        return {};
+    } catch (const Error& error) {
+        return error.what();
+    } catch (const std::filesystem::filesystem_error& error) {
+        return path_.string() + ": cannot be written (" + error.code().message() + ")";
+    }
+}
+
+}  // namespace nicol
