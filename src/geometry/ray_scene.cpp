@@ -151,4 +151,29 @@ bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal,
     return ray.tfar < 0;
 }
 
+std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundle,
+                                 std::uint16_t asked) const {
+    constexpr std::size_t count = RayBundle::kRays;
+    alignas(64) std::array<int, count> valid{};
+    for (std::size_t i = 0; i < count; ++i) valid[i] = (asked >> i & 1) != 0 ? -1 : 0;
+    RTCRay16 rays{};
+    for (std::size_t i = 0; i < count; ++i) {
+        rays.org_x[i] = origin.x;
+        rays.org_y[i] = origin.y;
+        rays.org_z[i] = origin.z;
+        rays.dir_x[i] = bundle.x[i];
+        rays.dir_y[i] = bundle.y[i];
+        rays.dir_z[i] = bundle.z[i];
+        rays.tfar[i] = std::numeric_limits<float>::infinity();
+        rays.mask[i] = ~0U;
+    }
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(valid.data(), embree_->scene.get(), &context, &rays);
+    unsigned blocked = 0;
+    for (std::size_t i = 0; i < count; ++i) blocked |= (rays.tfar[i] < 0 ? 1U : 0U) << i;
+    return static_cast<std::uint16_t>(blocked & asked);
+}
+
 }  // namespace nicol

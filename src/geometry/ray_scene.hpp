@@ -2,6 +2,8 @@
 // Rays against triangles.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -31,6 +33,12 @@ struct RayHit {
     double b1, b2;  ///< barycentric weights of the triangle's corners 1 and 2; corner 0 has the rest
 };
 
+/// Unit directions of sixteen rays that start at one point; the nearer to each other, the faster.
+struct alignas(64) RayBundle {
+    static constexpr std::size_t kRays = 16;
+    std::array<float, kRays> x, y, z;
+};
+
 /// A bounding volume hierarchy (Embree's, in its robust mode: a ray does not slip between two triangles that
 /// share an edge). Triangles are seen from both sides. Immutable; queries may be made from any thread.
 class RayScene {
@@ -50,6 +58,11 @@ public:
     /// leaves to.
     [[nodiscard]] bool occluded(const glm::dvec3& point, const glm::dvec3& normal,
                                 const glm::dvec3& direction) const;
+
+    /// Whether anything lies in the directions of a bundle from `origin`: bit i answers for ray i. Only rays
+    /// whose bit in `asked` is set are traced; the other bits of the answer are 0.
+    [[nodiscard]] std::uint16_t occluded(const glm::vec3& origin, const RayBundle& bundle,
+                                         std::uint16_t asked) const;
 
     /// 2^-19 of the largest coordinate in the scene: some 30 units in the last place of the 32-bit floats
     /// that hold it, against which a triangle's own plane is known to about 1.
