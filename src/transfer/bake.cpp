@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "transfer/bake.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "geometry/ray_scene.hpp"
+#include "nicol/error.hpp"
+#include "transfer/simd.hpp"
+
+namespace nicol {
+namespace {
+
+// Rays between two looks at the progress callback.
+constexpr std::size_t rays_at_a_time = std::size_t{1} << 21;
+
+// Below this sine of elevation a ray could meet the plane that it starts from: far away the plane is known to
+// a few units in the last place of its distance. Hardly any direction lies there, and it counts as free.
+constexpr float grazing = 0x1p-17F;
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+float largest_coordinate(const glm::vec3& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+[[noreturn]] void refuse(const std::string& message) {
+    throw Error(ErrorCode::invalid_argument, message);
+}
+
+std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
+    std::vector<glm::vec3> out;
+    out.reserve(normals.size());
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+        // In double, where squares of floats neither vanish nor overflow.
+        const glm::dvec3 normal(normals[v]);
+        const double length = glm::length(normal);
+        if (!(length > 0) || !std::isfinite(length)) {
+            refuse("the normal of vertex " + std::to_string(v) +
+                   (length == 0 ? " is zero" : " is not finite") +
+                   "; a vertex needs one to know which side it sees");
+        }
+        out.emplace_back(normal / length);
+    }
+    return out;
+}
+
+// How far from each vertex its rays start: some 30 units in the last place of the largest coordinate of any
+// triangle that touches the vertex, or a vertex at the same place.
+std::vector<float> offsets(const BakeGeometry& geometry) {
+    const std::span<const glm::vec3> positions = geometry.positions;
+    std::vector<float> reach(positions.size());
+    for (std::size_t v = 0; v < reach.size(); ++v) reach[v] = largest_coordinate(positions[v]);
+    for (const glm::uvec3& t : geometry.triangles) {
+        const float largest =
+            std::max({largest_coordinate(positions[t.x]), largest_coordinate(positions[t.y]),
+                      largest_coordinate(positions[t.z])});
+        for (const std::uint32_t v : {t.x, t.y, t.z}) reach[v] = std::max(reach[v], largest);
+    }
+    std::vector<std::uint32_t> sorted(positions.size());
+    std::iota(sorted.begin(), sorted.end(), 0U);
+    const auto place = [&](std::uint32_t v) {
+        return std::array{positions[v].x, positions[v].y, positions[v].z};
+    };
+    std::ranges::sort(sorted, {}, place);
+    for (std::size_t first = 0; first < sorted.size();) {
+        std::size_t last = first;
+        float largest = 0;
+        for (; last < sorted.size() && place(sorted[last]) == place(sorted[first]); ++last) {
+            largest = std::max(largest, reach[sorted[last]]);
+        }
+        for (; first < last; ++first) reach[sorted[first]] = largest;
+    }
+    for (float& distance : reach) distance = std::ldexp(distance, -19);
+    return reach;
+}
+
+// Bit i is set where direction i of the bundle stands higher than `least` over the plane of the normal.
+NICOL_MULTIVERSION
+std::uint16_t above(const RayBundle& bundle, const glm::vec3& normal, float least) {
+    std::array<std::uint16_t, RayBundle::kRays> bit{};
+    for (std::size_t i = 0; i < RayBundle::kRays; ++i) {
+        const float sine = normal.x * bundle.x[i] + normal.y * bundle.y[i] + normal.z * bundle.z[i];
+        bit[i] = sine > least ? static_cast<std::uint16_t>(1U << i) : std::uint16_t{0};
+    }
+    std::uint16_t all = 0;
+    for (std::size_t i = 0; i < RayBundle::kRays; ++i) all = static_cast<std::uint16_t>(all | bit[i]);
+    return all;
+}
+
+// Fills the bits of one vertex; returns the number of rays.
+std::uint64_t look_around(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
+                          const glm::vec3& normal, std::size_t vertex, Visibility& visibility) {
+    const std::span<std::uint64_t> words = visibility.at(vertex);
+    const std::size_t last = directions.bundles().size() - 1;
+    const std::size_t rest = directions.size() - last * RayBundle::kRays;
+    std::uint64_t rays = 0;
+    bool open = true;
+    for (std::size_t b = 0; b <= last; ++b) {
+        const RayBundle& bundle = directions.bundles()[b];
+        const unsigned real = b < last || rest == RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
+        const auto up = static_cast<std::uint16_t>(above(bundle, normal, 0) & real);
+        if (up == 0) continue;
+        const auto asked = static_cast<std::uint16_t>(above(bundle, normal, grazing) & real);
+        const std::uint16_t blocked = asked != 0 ? scene.occluded(origin, bundle, asked) : std::uint16_t{0};
+        rays += static_cast<std::uint64_t>(std::popcount(asked));
+        open = open && blocked == 0;
+        words[b / 4] |= static_cast<std::uint64_t>(up & ~blocked) << (16 * (b % 4));
+    }
+    visibility.set_unoccluded(vertex, open);
+    return rays;
+}
+
+}  // namespace
+
+Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, const BakeProgress& progress,
+                BakeStatistics* statistics) {
+    const std::size_t vertices = geometry.positions.size();
+    if (geometry.normals.size() != vertices) {
+        refuse(std::to_string(geometry.normals.size()) + " normals for " + std::to_string(vertices) +
+               " vertices; there must be one for each");
+    }
+    const std::vector<glm::vec3> normals = unit_normals(geometry.normals);
+    const auto tell = [&](std::size_t done) {
+        if (progress)
+            progress(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(vertices, 1)));
+    };
+
+    tell(0);
+    const auto building = std::chrono::steady_clock::now();
+    const RaySurface surface{.positions = geometry.positions, .triangles = geometry.triangles};
+    const RayScene scene({&surface, 1});
+    const std::vector<float> offset = offsets(geometry);
+    const double build_milliseconds = milliseconds_since(building);
+
+    const auto tracing = std::chrono::steady_clock::now();
+    Visibility visibility(directions.size(), vertices);
+    std::atomic<std::uint64_t> rays = 0;
+    const std::size_t chunk = 2 * rays_at_a_time / directions.size();
+    for (std::size_t first = 0; first < vertices; first += chunk) {
+        const std::size_t last = std::min(first + chunk, vertices);
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 4), [&](const auto& range) {
+            std::uint64_t traced = 0;
+            for (std::size_t v = range.begin(); v < range.end(); ++v) {
+                const glm::vec3 origin = geometry.positions[v] + offset[v] * normals[v];
+                traced += look_around(scene, directions, origin, normals[v], v, visibility);
+            }
+            rays += traced;
+        });
+        tell(last);
+    }
+    if (statistics != nullptr) {
+        *statistics = {.rays = rays,
+                       .milliseconds = milliseconds_since(tracing),
+                       .build_milliseconds = build_milliseconds,
+                       .unoccluded = visibility.unoccluded_count(),
+                       .from_cache = false};
+    }
+    return visibility;
+}
+
+}  // namespace nicol

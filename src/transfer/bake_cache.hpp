@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Baked visibility kept on disk between runs.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "transfer/bake.hpp"
+
+namespace nicol {
+
+/// Told in one line, for people, when a cache file had to be passed over or could not be written.
+using BakeNotice = std::function<void(const std::string&)>;
+
+/// bake(), or its result from `folder` if it is there; else it is kept there (as a file named after the
+/// geometry). The folder is made if it is missing; an empty path means no cache.
+///
+/// A file serves only if format version, every byte of the geometry, directions and checksum are those asked
+/// for and its length is exact; anything else is baked and overwritten, with a notice. Files appear complete
+/// or not at all, so processes may share a folder. A folder that cannot be written is a notice, never an
+/// error. Throws what bake() throws.
+[[nodiscard]] Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& directions,
+                                      const std::filesystem::path& folder, const BakeNotice& notice = {},
+                                      const BakeProgress& progress = {},
+                                      BakeStatistics* statistics = nullptr);
+
+}  // namespace nicol
