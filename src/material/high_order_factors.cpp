@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "material/high_order_factors.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "material/split_fit.hpp"
+#include "nicol/error.hpp"
+#include "nicol/psh.hpp"
+#include "nicol/response_table.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr auto angles = static_cast<std::size_t>(HighOrderFactors::kAngles);
+
+double zenith(std::size_t angle) {
+    // At 90 degrees the factors have a limit but the formulas of most materials are 0/0.
+    return std::min(std::acos(static_cast<double>(angle) / (angles - 1)), pi / 2 - 1e-3);
+}
+
+// The elements in their stored order, from the factors of each probe.
+std::array<double, HighOrderFactors::kElements> elements_of(const SplitFactors& factors) {
+    const auto f = [&](std::size_t probe, std::size_t row, std::size_t column) {
+        return factors.of[row][4 * probe + column];
+    };
+    const auto even = [&](std::size_t probe, std::size_t row, std::size_t column) {
+        return probe < 3 ? f(probe, row, column) : (f(3, row, column) + f(4, row, column)) / 2;
+    };
+    const auto odd = [&](std::size_t row, std::size_t column) {
+        return (f(3, row, column) - f(4, row, column)) / 2;
+    };
+    std::array<double, HighOrderFactors::kElements> out{};
+    std::size_t i = 0;
+    for (std::size_t probe = 0; probe < 4; ++probe) {
+        out[i++] = even(probe, 0, 0);
+        out[i++] = even(probe, 1, 0);
+    }
+    out[i++] = odd(2, 0);
+    out[i++] = odd(3, 0);
+    out[i++] = f(5, 0, 0);
+    out[i++] = f(5, 1, 0);
+    constexpr std::size_t rest[6][2] = {{0, 1}, {1, 1}, {2, 2}, {3, 2}, {2, 3}, {3, 3}};
+    for (std::size_t probe = 0; probe < 4; ++probe)
+        for (const auto& [row, column] : rest) out[i++] = even(probe, row, column);
+    constexpr std::size_t odd_rest[6][2] = {{0, 2}, {1, 2}, {2, 1}, {3, 1}, {0, 3}, {1, 3}};
+    for (const auto& [row, column] : odd_rest) out[i++] = odd(row, column);
+    return out;
+}
+
+// The lobes and their spread that catch most of a material's response to unpolarized light, each Stokes
+// component counted by the part of it that the best of them catches.
+SplitProbes best_probes(const SplitFit& fit) {
+    std::vector<SplitProbes> candidates;
+    for (int around = 1; around < static_cast<int>(kLobeWidths.size()); ++around)
+        for (int centre = 0; centre <= around; ++centre)
+            candidates.push_back({centre, around, kLobeWidths[static_cast<std::size_t>(around)]});
+    // Angles by the projected area they have on a sphere.
+    constexpr std::size_t samples = 6;
+    std::vector<std::array<double, 3>> energy(candidates.size());
+    tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
+        for (std::size_t k = 0; k < samples; ++k) {
+            const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / samples);
+            for (const SplitFactors& channel : fit.at(std::acos(cosine), candidates[i]))
+                for (std::size_t p = 0; p < 3; ++p) energy[i][p] += channel.energy[p];
+        }
+    });
+    std::array<double, 3> most{};
+    for (const auto& e : energy)
+        for (std::size_t p = 0; p < 3; ++p) most[p] = std::max(most[p], e[p]);
+    const auto score = [&](const std::array<double, 3>& e) {
+        double sum = 0;
+        for (std::size_t p = 0; p < 3; ++p) sum += most[p] > 0 ? e[p] / most[p] : 0;
+        return sum;
+    };
+    const auto best = std::ranges::max_element(energy, {}, score);
+    return candidates[static_cast<std::size_t>(best - energy.begin())];
+}
+
+}  // namespace
+
+HighOrderFactors HighOrderFactors::mirror() {
+    HighOrderFactors out;
+    out.data_.resize(kElements * angles);
+    const auto set = [&](std::size_t element, float value) {
+        std::fill_n(out.data_.begin() + static_cast<std::ptrdiff_t>(element * angles), angles, value);
+    };
+    set(0, 1);
+    set(kUnpolarized + 1, 1);
+    set(kUnpolarized + 2, -1);
+    set(kUnpolarized + 5, -1);
+    return out;
+}
+
+HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_high, int channels)
+    : channels_(ResponseTable::channels_for(material, channels)) {
+    if (l_low < 0 || l_high <= l_low || l_high > kMaxOrder) {
+        throw Error(ErrorCode::invalid_argument,
+                    "high orders from " + std::to_string(l_low) + " to " + std::to_string(l_high) +
+                        "; they must ascend within 0 to " + std::to_string(kMaxOrder));
+    }
+    const SplitFit fit(material, l_low, l_high, channels_);
+    const SplitProbes probes = best_probes(fit);
+    centre_ = probes.centre;
+    around_ = probes.around;
+    spread_ = probes.spread;
+    normal_ = true;
+    const auto count = static_cast<std::size_t>(channels_);
+    data_.resize(kElements * angles * count);
+    tbb::parallel_for(std::size_t{0}, angles, [&](std::size_t angle) {
+        const std::vector<SplitFactors> factors = fit.at(zenith(angle), probes);
+        for (std::size_t c = 0; c < count; ++c) {
+            const auto elements = elements_of(factors[c]);
+            for (std::size_t i = 0; i < elements.size(); ++i)
+                data_[(i * angles + angle) * count + c] = static_cast<float>(elements[i]);
+        }
+    });
+}
+
+void HighOrderFactors::at(float cos_zenith, int channel, std::span<float, kElements> out) const {
+    const float x = std::clamp(cos_zenith, 0.0F, 1.0F) * static_cast<float>(angles - 1);
+    const std::size_t angle = std::min(static_cast<std::size_t>(x), angles - 2);
+    const float fraction = x - static_cast<float>(angle);
+    const auto count = static_cast<std::size_t>(channels_);
+    const float* from = &data_[angle * count + static_cast<std::size_t>(channel)];
+    for (std::size_t i = 0; i < out.size(); ++i, from += angles * count)
+        out[i] = from[0] + fraction * (from[count] - from[0]);
+}
+
+}  // namespace nicol

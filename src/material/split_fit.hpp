@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Least squares behind HighOrderFactors.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "nicol/material.hpp"
+#include "nicol/stokes.hpp"
+
+namespace nicol {
+
+/// A function of the angle between two directions given by its coefficients: the kernels of the convolutions
+/// with gain[l] of s0 and s3, and of s1 + i s2 (frames with x along the great circle).
+class ZonalKernel {
+public:
+    /// gain[l] for l = 0..order.
+    explicit ZonalKernel(const std::vector<double>& gain);
+
+    struct Value {
+        double spin0;
+        double spin2;
+    };
+    /// At directions with the squared distance 2 - 2 cos(angle), within 0..4.
+    [[nodiscard]] Value at(double distance2) const;
+
+private:
+    std::vector<Value> table_;  // by distance
+};
+
+/// A direction at which light filtered by a lobe is measured, in a frame whose z it is.
+struct Probe {
+    Frame frame;
+    int lobe;  ///< position in kLobeWidths; that many: cosine_gains(), of which only s0 counts
+};
+
+/// The probes of HighOrderFactors in the surface's frame for outgoing light at azimuth 0: centre, up, down,
+/// right, left, normal.
+struct SplitProbes {
+    int centre;
+    int around;
+    double spread;
+
+    static constexpr std::size_t kCount = 6;
+    [[nodiscard]] std::array<Probe, kCount> at(double theta_out) const;
+};
+
+/// Unknowns: (probe, component) of the first five probes, then s0 of the last.
+inline constexpr std::size_t kSplitUnknowns = 21;
+using SplitVector = std::array<double, kSplitUnknowns>;
+
+/// Factors for the four components of outgoing light, in the s-frame (x = n x v), and how much of the
+/// response's energy they catch.
+struct SplitFactors {
+    std::array<SplitVector, 4> of{};
+    std::array<double, 4> energy{};
+};
+
+/// The fit for materials at outgoing angles. The response is weighted by 1 / (l (l + 1)), as the power of
+/// natural light is.
+class SplitFit {
+public:
+    /// `material` must outlive the object.
+    SplitFit(const Material& material, int l_low, int l_high, int channels);
+
+    /// Factors [channel] at theta_out in [0, pi/2). Calls may run side by side.
+    [[nodiscard]] std::vector<SplitFactors> at(double theta_out, const SplitProbes& probes) const;
+
+private:
+    using Moments = std::array<SplitVector, 4>;
+
+    [[nodiscard]] std::vector<Moments> moments(double theta_out,
+                                               const std::array<Probe, SplitProbes::kCount>& probes) const;
+    [[nodiscard]] std::vector<Moments> integrated(double theta_out,
+                                                  const std::array<Probe, SplitProbes::kCount>& probes) const;
+    [[nodiscard]] std::vector<Moments> of_matrices(
+        double theta_out, const std::array<Probe, SplitProbes::kCount>& probes) const;
+
+    const Material& material_;
+    int l_low_;
+    int l_high_;
+    int channels_;
+    std::vector<std::vector<double>> gains_;  // [lobe][l], of light's prior too
+    std::vector<ZonalKernel> kernels_;        // of gains_
+    std::vector<ZonalKernel> products_;       // [lobe][lobe], of two lobes and the prior
+};
+
+}  // namespace nicol

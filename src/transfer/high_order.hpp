@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// High orders of light, looked up in filtered maps at the mirrored view direction.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "light/lobe_map.hpp"
+#include "material/high_order_factors.hpp"
+#include "transfer/viewpoint.hpp"
+
+namespace nicol {
+
+/// The maps a material's factors are multiplied with; null where the factors do not ask for one. All have the
+/// same channels and kind.
+struct HighOrderMaps {
+    const LobeMap* centre = nullptr;
+    const LobeMap* around = nullptr;  ///< where factors.spread() > 0
+    const LobeMap* normal = nullptr;  ///< where factors.normal()
+};
+
+/// The part of reflected light that comes from orders above l_low.
+class HighOrder {
+public:
+    /// Keeps references. light_to_world turns the maps' axes into the world's. Throws Error(invalid_argument)
+    /// where a map is missing, or maps or channels do not fit each other.
+    HighOrder(const HighOrderFactors& factors, const HighOrderMaps& maps, const glm::dmat3& light_to_world);
+
+    /// Adds to out[c][v], in the camera's frame field, for every vertex first <= v < last with visible[v] !=
+    /// 0. visible_fraction[v], of the lobe about the mirror direction and of the hemisphere, 0..1, dims it;
+    /// empty means 1. Calls for different vertices may run side by side.
+    void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+             std::span<const std::uint8_t> visible, std::span<const glm::vec2> visible_fraction,
+             std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
+
+    /// One vertex, out[c] = its Stokes vectors in the camera's frame field.
+    void look_up(const Viewpoint& view, const glm::vec3& position, const glm::vec3& normal,
+                 const glm::vec2& visible_fraction, std::span<glm::vec4> out) const;
+
+private:
+    const HighOrderFactors& factors_;
+    HighOrderMaps maps_;
+    glm::dmat3 world_to_light_;
+};
+
+}  // namespace nicol
