@@ -56,6 +56,9 @@ int use_header(void) {
     nicol_picture picture = NICOL_PICTURE_INIT;
     nicol_psh_sampling sampling = NICOL_PSH_SAMPLING_INIT;
     nicol_psh_mueller_field field = NICOL_PSH_MUELLER_FIELD_INIT;
+    nicol_file_options file_options = NICOL_FILE_OPTIONS_INIT;
+    nicol_light_report light_report = NICOL_LIGHT_REPORT_INIT;
+    nicol_material_report material_report = NICOL_MATERIAL_REPORT_INIT;
 
     context_options.log = log_nothing;
     render_options.progress = go_on;
@@ -76,6 +79,9 @@ int use_header(void) {
     if (conductor.struct_size != sizeof conductor || measured.struct_size != sizeof measured) return 10;
     if (function.struct_size != sizeof function || load_options.struct_size != sizeof load_options) return 11;
     if (environment_info.struct_size != sizeof environment_info) return 12;
+    if (file_options.struct_size != sizeof file_options) return 13;
+    if (light_report.struct_size != sizeof light_report) return 14;
+    if (material_report.struct_size != sizeof material_report) return 15;
     if (nicol_context_get_info(context, &info) != NICOL_ERROR_INVALID_HANDLE) return 6;
     if (nicol_render(scene, &camera, &render_options, framebuffer) != NICOL_ERROR_INVALID_HANDLE) return 7;
     return nicol_environment_release(environment) == NICOL_OK ? 0 : 8;

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "inspect_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <string>
+
+#include "boundary.hpp"
+#include "light/equirect.hpp"
+#include "light/equirect_projection.hpp"
+#include "nicol/grid.hpp"
+#include "nicol/rotation.hpp"
+#include "nicol/transform.hpp"
+
+namespace nicol::capi {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+// Picture frames are the theta-phi frames about the picture's axes, turned by a quarter.
+constexpr std::array<double, 4> quarter_turn{1, -1, -1, 1};
+
+// About the picture's axes its rows, from the last to the first, are circles of latitude, and its columns run
+// against phi: from the last to the first they are at phi = -pi + pi / width and on.
+class PictureGrid {
+public:
+    PictureGrid(int order, int width, int height)
+        : transform_(order, clenshaw_curtis_rows(height), width, -pi + pi / width),
+          samples_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+    PshVector analyze(const EquirectImage& image) {
+        PshVector field(transform_.order(), image.channels);
+        for (int c = 0; c < image.channels; ++c) {
+            for (int y = 0; y < image.height; ++y) {
+                for (int x = 0; x < image.width; ++x) {
+                    const auto from = image.at(c, y, x);
+                    double* to = sample(image, y, x);
+                    for (std::size_t p = 0; p < 4; ++p)
+                        to[p] = quarter_turn[p] * static_cast<double>(from[p]);
+                }
+            }
+            transform_.analyze(samples_, field.channel(c));
+        }
+        return field;
+    }
+
+    void synthesize(const PshVector& field, EquirectImage& image) {
+        for (int c = 0; c < image.channels; ++c) {
+            transform_.synthesize(field.channel(c), samples_);
+            for (int y = 0; y < image.height; ++y) {
+                for (int x = 0; x < image.width; ++x) {
+                    const double* from = sample(image, y, x);
+                    const auto to = image.at(c, y, x);
+                    for (std::size_t p = 0; p < 4; ++p) to[p] = static_cast<float>(quarter_turn[p] * from[p]);
+                }
+            }
+        }
+    }
+
+private:
+    double* sample(const EquirectImage& image, int y, int x) {
+        const int position = (image.height - 1 - y) * image.width + image.width - 1 - x;
+        return samples_.data() + 4 * static_cast<std::size_t>(position);
+    }
+
+    PshTransform transform_;
+    std::vector<double> samples_;
+};
+
+}  // namespace
+
+PictureLight::PictureLight(EquirectImage image) : image_(std::move(image)) {
+    for (std::size_t i = 0; i < image_.data.size(); i += 4) {
+        circular_ = circular_ || image_.data[i + 3] != 0;
+        polarized_ = polarized_ || circular_ || image_.data[i + 1] != 0 || image_.data[i + 2] != 0;
+    }
+}
+
+Stokes PictureLight::radiance(int channel, const glm::dvec3& towards_light) const {
+    const glm::dvec2 uv = equirect_coordinates(towards_light);
+    const double column = uv.x * image_.width - 0.5;
+    const double row = uv.y * (image_.height - 1);
+    const int left = static_cast<int>(std::floor(column));
+    const int top = std::min(static_cast<int>(row), image_.height - 2);
+    const double a = column - left;
+    const double b = row - top;
+    const int x0 = left < 0 ? image_.width - 1 : left;
+    const int x1 = left + 1 < image_.width ? left + 1 : 0;
+    const auto between = [&](int y) {
+        return (1 - a) * image_.stokes(channel, y, x0) + a * image_.stokes(channel, y, x1);
+    };
+    const Stokes s = (1 - b) * between(top) + b * between(top + 1);
+    return turned(s, angle_between(equirect_frame(uv.x, uv.y), theta_phi_frame(-towards_light)));
+}
+
+PshVector PictureLight::project(int order) const {
+    if (polarized_)
+        return project_equirect({image_.width, image_.height, image_.channels, 4, image_.data}, order);
+    std::vector<float> radiance(image_.data.size() / 4);
+    for (std::size_t i = 0; i < radiance.size(); ++i) radiance[i] = image_.data[4 * i];
+    return project_equirect({image_.width, image_.height, image_.channels, 1, radiance}, order);
+}
+
+PshVector project_samples_of(const EquirectImage& image, int order) {
+    const int needed = 2 * order + 1;
+    if (image.width < needed || image.height < needed)
+        refuse("a picture of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+               " pixels cannot hold order " + std::to_string(order) + " as samples; that needs " +
+               std::to_string(needed) + " columns and rows");
+    return rotated(PictureGrid(order, image.width, image.height).analyze(image), equirect_axes());
+}
+
+EquirectImage synthesize_picture(const PshVector& field, int width, int height) {
+    const int order = std::min(field.order(), (std::min(width, height) - 1) / 2);
+    PshVector part(order, field.channels());
+    for (int c = 0; c < field.channels(); ++c)
+        std::copy_n(field.channel(c).begin(), 4 * psh_count(order), part.channel(c).begin());
+    EquirectImage image(width, height, field.channels());
+    PictureGrid(order, width, height).synthesize(rotated(part, glm::transpose(equirect_axes())), image);
+    return image;
+}
+
+EquirectImage resample_picture(const Environment& light, const glm::dmat3& rotation, int source_width,
+                               int width, int height) {
+    EquirectImage image(width, height, light.channels());
+    image.wavelengths = light.wavelengths();
+    const int steps = std::clamp((source_width + width - 1) / width, 1, 64);
+    std::vector<Stokes> sums(static_cast<std::size_t>(light.channels()));
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            std::ranges::fill(sums, Stokes(0));
+            double area = 0;
+            for (int j = 0; j < steps; ++j) {
+                const double v = (y + (j + 0.5) / steps - 0.5) / (height - 1);
+                if (v < 0 || v > 1) continue;  // the rows of the poles are half as high
+                const double weight = steps == 1 ? 1 : std::sin(pi * v);
+                for (int i = 0; i < steps; ++i) {
+                    const double u = (x + (i + 0.5) / steps) / width;
+                    const glm::dvec3 from = glm::transpose(rotation) * equirect_direction(u, v);
+                    const double angle =
+                        angle_between(rotation * theta_phi_frame(-from), equirect_frame(u, v));
+                    for (std::size_t c = 0; c < sums.size(); ++c)
+                        sums[c] += weight * turned(light.radiance(static_cast<int>(c), from), angle);
+                    area += weight;
+                }
+            }
+            for (std::size_t c = 0; c < sums.size(); ++c)
+                for (std::size_t p = 0; p < 4; ++p)
+                    image.at(static_cast<int>(c), y, x)[p] =
+                        static_cast<float>(sums[c][static_cast<glm::length_t>(p)] / area);
+        }
+    }
+    return image;
+}
+
+void make_physical(StokesImage& image) {
+    for (std::size_t i = 0; i < image.data.size(); i += 4) {
+        float* s = image.data.data() + i;
+        const float polarized = std::hypot(s[1], s[2], s[3]);
+        if (s[0] <= 0)
+            std::fill_n(s, 4, 0.0F);
+        else if (polarized > s[0])
+            // A little less, so that rounding does not put it back above.
+            std::for_each(s + 1, s + 4, [scale = 0.999999F * s[0] / polarized](float& v) { v *= scale; });
+    }
+}
+
+}  // namespace nicol::capi
