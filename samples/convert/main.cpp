@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// nicol-convert: light and materials between file formats, and what files hold, through the C ABI alone.
+#include <nicol.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+
+#include "options.hpp"
+#include "report.hpp"
+
+namespace {
+
+void check(nicol_result result) {
+    if (result != NICOL_OK) throw Failure(nicol_last_error());
+}
+
+// Scripts count on one line; a path may hold a line feed.
+std::string one_line(const char* message) {
+    std::string line;
+    for (const char* p = message; *p; ++p) {
+        const char c = *p == '\n' ? ' ' : *p;
+        if (c != ' ' || line.empty() || line.back() != ' ') line += c;
+    }
+    return line;
+}
+
+// The library renames a finished file over its target, which would replace a device or a pipe.
+void require_replaceable(const std::string& path) {
+    std::error_code error;
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error) &&
+        !std::filesystem::is_directory(path, error))
+        throw Failure(path + ": cannot write: exists and is not a regular file");
+}
+
+// Truncated light rings, and pictures of it may be refused later, by Nicol as by others.
+void notice_unphysical(const std::string& path) {
+    nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
+    options.order = -1;
+    nicol_light_report report = NICOL_LIGHT_REPORT_INIT;
+    check(nicol_file_describe_light(path.c_str(), &options, &report, nullptr, 0));
+    const double excess = *std::max_element(report.largest_excess, report.largest_excess + report.channels);
+    if (excess < 1e-3) return;
+    std::fprintf(stderr,
+                 "nicol-convert: notice: %s: %.2g %% of the sphere violates s0 >= |(s1, s2, s3)|, by up to "
+                 "%.2g of the mean s0; where the light is refused for it, convert with --physical\n",
+                 one_line(path.c_str()).c_str(),
+                 100 * *std::max_element(report.unphysical, report.unphysical + report.channels), excess);
+}
+
+void convert(const Options& options) {
+    require_replaceable(options.output);
+    check(nicol_file_convert(options.input.c_str(), &options.file, options.output.c_str()));
+    const bool picture = std::filesystem::path(options.output).extension() == ".exr";
+    if (picture && (options.file.flags & NICOL_FILE_PHYSICAL) == 0) notice_unphysical(options.output);
+}
+
+template <class Report>
+void print(const Report& report, bool json) {
+    std::fputs((json ? as_json(report) : as_text(report)).c_str(), stdout);
+    if (std::fflush(stdout) != 0) throw Failure("the report could not be written");
+}
+
+void inform(const Options& options) {
+    nicol_file_kind kind = 0;
+    check(nicol_file_identify(options.input.c_str(), &kind));
+    const std::size_t most_orders = NICOL_PSH_MAX_ORDER + 1;
+    if (kind <= NICOL_FILE_LIGHT_PSH) {
+        LightReport report{options.input, NICOL_LIGHT_REPORT_INIT, {}};
+        report.energy.resize(4 * NICOL_MAX_CHANNELS * most_orders);
+        check(nicol_file_describe_light(options.input.c_str(), &options.file, &report.numbers,
+                                        report.energy.data(), report.energy.size()));
+        print(report, options.json);
+    } else {
+        MaterialReport report{options.input, NICOL_MATERIAL_REPORT_INIT, {}};
+        report.energy.resize(NICOL_MAX_CHANNELS * most_orders);
+        check(nicol_file_describe_material(options.input.c_str(), &options.file, &report.numbers,
+                                           report.energy.data(), report.energy.size()));
+        print(report, options.json);
+    }
+}
+
+void print_version() {
+    std::printf("nicol-convert %s\n", nicol_version_string());
+    for (std::uint32_t i = 0; const char* fact = nicol_build_info(i); ++i) std::printf("%s\n", fact);
+}
+
+void run(const Options& options) {
+    switch (options.action) {
+        case Options::Action::help:
+            std::fputs(usage, stdout);
+            return;
+        case Options::Action::version:
+            return print_version();
+        case Options::Action::info:
+            return inform(options);
+        case Options::Action::convert:
+            return convert(options);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        run(parse_options(argc, argv));
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "nicol-convert: %s\n", one_line(error.what()).c_str());
+    } catch (...) {
+        std::fputs("nicol-convert: an unknown error\n", stderr);
+    }
+    return 2;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The command line of nicol-convert.
+#pragma once
+
+#include <nicol.h>
+
+#include <stdexcept>
+#include <string>
+
+/// Ends the program with exit code 2; the message is one line.
+struct Failure : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Options {
+    enum class Action { convert, info, help, version };
+    Action action = Action::convert;
+    std::string input;
+    std::string output;  ///< empty for info
+    bool json = false;
+    nicol_file_options file = NICOL_FILE_OPTIONS_INIT;
+};
+
+/// The text of --help.
+extern const char* const usage;
+
+/// Throws Failure naming the argument and what would be right.
+Options parse_options(int argc, const char* const* argv);

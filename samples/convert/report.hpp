@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What a file holds, for people and as JSON.
+#pragma once
+
+#include <nicol.h>
+
+#include <string>
+#include <vector>
+
+struct LightReport {
+    std::string file;
+    nicol_light_report numbers = NICOL_LIGHT_REPORT_INIT;
+    std::vector<double> energy;  ///< [channel][l][4]
+};
+
+struct MaterialReport {
+    std::string file;
+    nicol_material_report numbers = NICOL_MATERIAL_REPORT_INIT;
+    std::vector<double> energy;  ///< [channel][l]
+};
+
+/// "light as coefficients (SHVec .npz)" and the like.
+std::string kind_name(nicol_file_kind kind);
+/// R, G, B; Y; 550 nm; or numbers.
+std::vector<std::string> channel_names(std::uint32_t channels, const double* wavelengths);
+
+std::string as_text(const LightReport& report);
+std::string as_text(const MaterialReport& report);
+/// One JSON object under the names of samples/convert/README.md.
+std::string as_json(const LightReport& report);
+std::string as_json(const MaterialReport& report);
