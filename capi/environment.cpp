@@ -13,7 +13,7 @@ std::shared_ptr<void> owned_pixels(const nicol_image* image) {
                       offsetof(nicol_image, release_user) + sizeof image->release_user);
 }
 
-EnvironmentPtr environment_from(const nicol_image& image) {
+EquirectView view_of(const nicol_image& image) {
     require(image.pixels, "image->pixels");
     if (image.width < 1 || image.width > NICOL_MAX_SIZE || image.height < 2 ||
         image.height > NICOL_MAX_SIZE) {
@@ -40,18 +40,14 @@ EnvironmentPtr environment_from(const nicol_image& image) {
         refuse("image->byte_size is " + std::to_string(image.byte_size) + "; the picture takes " +
                std::to_string(needed) + " bytes");
     }
-    EquirectImage copy(static_cast<int>(image.width), static_cast<int>(image.height),
-                       static_cast<int>(image.channels));
-    for (std::uint32_t y = 0; y < image.height; ++y) {
-        const float* from = image.pixels + y * (stride / sizeof(float));
-        for (std::uint32_t x = 0; x < image.width; ++x) {
-            for (std::uint32_t c = 0; c < image.channels; ++c, from += image.components) {
-                const auto to = copy.at(static_cast<int>(c), static_cast<int>(y), static_cast<int>(x));
-                std::copy_n(from, image.components, to.begin());
-            }
-        }
-    }
-    return image_environment(std::move(copy));
+    return {.width = static_cast<int>(image.width),
+            .height = static_cast<int>(image.height),
+            .channels = static_cast<int>(image.channels),
+            .components = static_cast<int>(image.components),
+            .values = image.pixels,
+            .channel_stride = image.components,
+            .row_stride = stride / sizeof(float),
+            .pixel_stride = std::size_t{image.channels} * image.components};
 }
 
 EnvironmentPtr load(const char* path, const nicol_environment_load_options* options) {
@@ -79,9 +75,9 @@ EnvironmentPtr from_coefficients(std::uint32_t order, std::uint32_t channels, co
 
 }  // namespace
 
-EnvironmentPtr nicol::capi::read_image(const nicol_image* image) {
-    const std::shared_ptr<void> user = owned_pixels(image);
-    return environment_from(read_struct(image, "image"));
+ImagePixels nicol::capi::read_image(const nicol_image* image) {
+    std::shared_ptr<void> user = owned_pixels(image);
+    return {view_of(read_struct(image, "image")), std::move(user)};
 }
 
 nicol_result nicol_environment_load(nicol_context context, const char* path,
@@ -97,7 +93,7 @@ nicol_result nicol_environment_create_image(nicol_context context, const nicol_i
         const nicol_image description = read_struct(image, "image");
         require(environment, "environment");
         const SessionPtr session = resolve(context).session;
-        *environment = make_handle<nicol_environment_impl>(session, environment_from(description));
+        *environment = make_handle<nicol_environment_impl>(session, image_environment(view_of(description)));
     });
 }
 
@@ -119,7 +115,7 @@ nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky
         description.dop_max = given.dop_max < 0 ? 0 : or_default(given.dop_max, 0.8);
         description.radiance = spectrum(given.radiance, 1, 3, "sky->radiance");
         description.turbidity = static_cast<double>(given.turbidity);
-        description.ground_albedo = given.ground_albedo < 0 ? 0 : or_default(given.ground_albedo, 0.2);
+        description.ground_albedo = {given.ground_albedo < 0 ? 0 : or_default(given.ground_albedo, 0.2)};
         return rayleigh_sky(description);
     });
 }

@@ -178,9 +178,13 @@ nicol_result release(Impl* handle) noexcept {
 /// A spectrum of the interface as values; `fallback` where it is empty. Throws Error(invalid_argument).
 std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std::size_t fallback_channels,
                              const char* name);
-/// The light of a caller's picture, whose release callback is called in any case. Throws
-/// Error(invalid_argument).
-EnvironmentPtr read_image(const nicol_image* image);
+/// A caller's picture where it lies, given back when this goes.
+struct ImagePixels {
+    EquirectView view;
+    std::shared_ptr<void> user;
+};
+/// Throws Error(invalid_argument); the release callback is called in any case.
+ImagePixels read_image(const nicol_image* image);
 /// A row-major matrix; all zeros are the identity.
 glm::dmat4 matrix(const double (&rows)[16]);
 /// The rotation of an affine matrix whose axes are at right angles. Throws Error(invalid_argument) naming

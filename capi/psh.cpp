@@ -46,8 +46,12 @@ std::vector<glm::dvec3> read_directions(std::span<const double> values) {
 nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients,
                                      uint64_t count) {
     return guarded([&] {
-        const EnvironmentPtr light = read_image(image);
-        project(*light, order, coefficients, count);
+        const ImagePixels pixels = read_image(image);
+        const int highest = read_order(order, "order");
+        const auto channels = static_cast<std::uint64_t>(pixels.view.channels);
+        const auto out = write_array(coefficients, count, channels, vector_size(highest), "coefficients");
+        const PshVector projected = project_image(pixels.view, highest);
+        std::ranges::copy(projected.data(), out.begin());
     });
 }
 

@@ -73,16 +73,6 @@ MaterialPtr make(const MaterialDescription& d) {
     return d.twosided ? twosided(make_front(d)) : make_front(d);
 }
 
-/// Of the ground under a sky, the same in every channel.
-double albedo(const EmitterDescription& d) {
-    const glm::dvec3& value = d.ground_albedo;
-    if (value.x != value.y || value.y != value.z) {
-        throw Error(ErrorCode::unsupported,
-                    "emitter type \"sky\": ground_albedo must be grey in this version");
-    }
-    return value.x;
-}
-
 EnvironmentPtr make(const EmitterDescription& d) {
     switch (d.kind) {
         case EmitterDescription::Kind::envmap:
@@ -94,7 +84,7 @@ EnvironmentPtr make(const EmitterDescription& d) {
                                  .dop_max = d.dop_max,
                                  .radiance = rgb(d.radiance),
                                  .turbidity = d.turbidity,
-                                 .ground_albedo = albedo(d)});
+                                 .ground_albedo = rgb(d.ground_albedo)});
         case EmitterDescription::Kind::psh:
             break;
     }

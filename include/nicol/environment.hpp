@@ -2,6 +2,7 @@
 // Environment light: what comes from infinity, as radiance, as a picture and as PSH coefficients.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -23,6 +24,19 @@ namespace nicol {
 /// propagation direction about the y axis turned by +90 degrees, so s1 and s2 change sign between the two.
 struct EquirectImage : StokesImage {
     using StokesImage::StokesImage;
+};
+
+/// The same in memory of the caller's, in any order of pixels and channels: component p of channel c at (x,
+/// y) is values[c * channel_stride + y * row_stride + x * pixel_stride + p].
+struct EquirectView {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    int components = 4;  ///< 1 (s0 alone) or 4
+    const float* values = nullptr;
+    std::size_t channel_stride = 0;
+    std::size_t row_stride = 0;
+    std::size_t pixel_stride = 0;
 };
 
 /// Distant light, in world axes (turning it is up to the caller: coefficients by rotated(), look-ups by the
@@ -74,12 +88,23 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 /// S1..S3. Throws as write_exr().
 void write_environment(const std::filesystem::path& path, const Environment& environment);
 
-/// Light from an equirectangular picture. Throws Error(invalid_argument) unless the picture is at least 2 x
-/// 2, all values are finite, s0 is not negative, and the polarized part is physical up to rounding and
-/// compression: sqrt(s1^2 + s2^2 + s3^2) <= 1.01 s0 + 1e-3 times the largest s0 of the channel. Colours
-/// outside a file's gamut and lossy compression make pixels slightly negative: an unpolarized pixel with 0 >
-/// s0 >= -0.1 times the largest s0 of the channel becomes 0.
-[[nodiscard]] EnvironmentPtr image_environment(EquirectImage image, double scale = 1);
+/// Light from an equirectangular picture, its values multiplied by `scale`. Throws Error(invalid_argument)
+/// unless the picture is at least 2 x 2, all values are finite, s0 is not negative, and the polarized part is
+/// physical up to rounding and compression: sqrt(s1^2 + s2^2 + s3^2) <= 1.01 s0 + 1e-3 times the largest s0
+/// of the channel.
+///
+/// Colours outside a file's gamut and the overshoot of lossy compression make pixels negative, in pictures of
+/// the sun as far below zero as a seventh of the largest value. Unpolarized pixels with s0 < 0 therefore
+/// become 0, which makes the light brighter by what they missed; a channel whose negative pixels, weighted by
+/// solid angle, sum up to more than a quarter of its positive ones is refused.
+[[nodiscard]] EnvironmentPtr image_environment(const EquirectImage& image, double scale = 1);
+/// Nothing of the view is kept. Throws as above, and for sizes that StokesImage refuses, components other
+/// than 1 and 4, and values == nullptr.
+[[nodiscard]] EnvironmentPtr image_environment(const EquirectView& view, double scale = 1);
+
+/// Coefficients of image_environment(view), which is not made: a picture without negative pixels is read
+/// where it lies. Throws as image_environment(view) and Environment::project().
+[[nodiscard]] PshVector project_image(const EquirectView& view, int order);
 
 /// Light given by its coefficients in the world's axes: radiance() evaluates them, project() truncates or
 /// fills up with zeros, picture() synthesizes (orders above 1023 are left out of it). Truncated light rings:
@@ -108,7 +133,8 @@ struct RayleighSky {
     double dop_max = 0.8;                   ///< 0..1, reached 90 degrees from the sun
     std::vector<double> radiance{1, 1, 1};  ///< a channel each, finite and >= 0
     double turbidity = 0;                   ///< 0, or 1.7 to 10
-    double ground_albedo = 0.2;             ///< 0..1, with turbidity
+    /// With turbidity: 0..1, one for all channels or one a channel.
+    std::vector<double> ground_albedo{0.2};
 };
 /// Throws Error(invalid_argument) naming the member that is out of range.
 [[nodiscard]] EnvironmentPtr rayleigh_sky(const RayleighSky& sky);

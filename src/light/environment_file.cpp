@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light from and to files.
+#include <algorithm>
 #include <string>
 
 #include "light/cube_names.hpp"
@@ -33,12 +34,15 @@ EnvironmentPtr load_environment(const path& file, double scale, std::span<const 
     }
     if (cube) {
         CubeCross cross = read_cube_cross(file);
-        check_physical(cross, name, ErrorCode::invalid_file);
-        return checked_environment(equirect_from_cross(cross), scale, name, ErrorCode::invalid_file);
+        const std::vector<double> weights(static_cast<std::size_t>(cross.height), 1.0);
+        if (examine_picture(view_of(cross), 1, weights, name, ErrorCode::invalid_file).negative)
+            for (std::size_t i = 0; i < cross.data.size(); i += 4)
+                cross.data[i] = std::max(cross.data[i], 0.0F);
+        const EquirectImage image = equirect_from_cross(cross);
+        return checked_environment(view_of(image), image.wavelengths, scale, name, ErrorCode::invalid_file);
     }
-    EquirectImage image;
-    static_cast<StokesImage&>(image) = read_exr(file, wavelengths);
-    return checked_environment(std::move(image), scale, name, ErrorCode::invalid_file);
+    const StokesImage image = read_exr(file, wavelengths);
+    return checked_environment(view_of(image), image.wavelengths, scale, name, ErrorCode::invalid_file);
 }
 
 void write_environment(const path& file, const Environment& environment) {

@@ -22,6 +22,9 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
+/// Most Fourier coefficients, in doubles, of channels that are read together.
+constexpr double kRowDoubles = 1 << 24;
+
 /// Gauss points of one interval between rows: where (0..1) and how much (sum 1).
 struct IntervalRule {
     std::vector<double> position;
@@ -132,18 +135,25 @@ private:
 
 }  // namespace
 
-PshVector project_equirect(const EquirectPixels& pixels, int order) {
-    const IntervalRule rule = interval_rule(order, pixels.height - 1);
+PshVector project_equirect(const EquirectView& view, int order) {
+    const IntervalRule rule = interval_rule(order, view.height - 1);
     // Enough latitudes at once to make the Legendre step's set-up cheap, few enough to bound the memory.
     const int grain = std::max(1, 256 / static_cast<int>(rule.position.size()));
-    PshVector result(order, pixels.channels);
-    for (int c = 0; c < pixels.channels; ++c) {
-        const FourierRows rows = analyze_rows(pixels, c, order);
-        MeridianSum sum(rows, rule);
-        // Deterministic: the same picture gives the same bits whatever the number of threads.
-        tbb::parallel_deterministic_reduce(
-            tbb::blocked_range<int>(0, pixels.height / 2, static_cast<std::size_t>(grain)), sum);
-        std::ranges::copy(sum.result(), result.channel(c).begin());
+    // Channels that lie side by side are read together, as far as the rows of all of them fit.
+    const double doubles = 8.0 * (order + 1) * view.height;
+    const int together =
+        std::max(1, static_cast<int>(std::min<double>(view.channels, kRowDoubles / doubles)));
+    PshVector result(order, view.channels);
+    for (int first = 0; first < view.channels; first += together) {
+        const int count = std::min(together, view.channels - first);
+        const std::vector<FourierRows> rows = analyze_rows(view, first, count, order);
+        for (int c = 0; c < count; ++c) {
+            MeridianSum sum(rows[static_cast<std::size_t>(c)], rule);
+            // Deterministic: the same picture gives the same bits whatever the number of threads.
+            tbb::parallel_deterministic_reduce(
+                tbb::blocked_range<int>(0, view.height / 2, static_cast<std::size_t>(grain)), sum);
+            std::ranges::copy(sum.result(), result.channel(first + c).begin());
+        }
     }
     return rotated(result, equirect_axes());
 }

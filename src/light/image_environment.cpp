@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Light from an equirectangular picture.
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -15,15 +18,19 @@ namespace {
 
 class ImageEnvironment final : public Environment {
 public:
-    /// values [channel][row][column][components], components 1 or 4.
-    ImageEnvironment(const EquirectImage& size, std::vector<float> values, int components, bool circular)
-        : width_(size.width),
-          height_(size.height),
-          channels_(size.channels),
-          components_(components),
-          circular_(circular),
-          wavelengths_(size.wavelengths),
-          values_(std::move(values)) {}
+    ImageEnvironment(const EquirectView& from, double scale, const PictureContents& contents,
+                     std::vector<double> wavelengths)
+        : width_(from.width),
+          height_(from.height),
+          channels_(from.channels),
+          components_(contents.linear || contents.circular ? 4 : 1),
+          circular_(contents.circular),
+          wavelengths_(std::move(wavelengths)),
+          values_(std::make_unique_for_overwrite<float[]>(size())) {
+        tbb::parallel_for(0, height_, [&](int y) {
+            for (int c = 0; c < channels_; ++c) copy_row(from, scale, c, y);
+        });
+    }
 
     int channels() const noexcept override { return channels_; }
     bool polarized() const noexcept override { return components_ == 4; }
@@ -49,60 +56,118 @@ public:
 
     PshVector project(int order) const override {
         check_projection_order(order);
-        return project_equirect({width_, height_, channels_, components_, values_}, order);
+        return project_equirect(view(), order);
     }
 
     EquirectImage picture() const override {
         EquirectImage image(width_, height_, channels_);
         image.wavelengths = wavelengths_;
         const auto step = static_cast<std::size_t>(components_);
-        for (std::size_t i = 0; i * step < values_.size(); ++i)
+        for (std::size_t i = 0; i * step < size(); ++i)
             for (std::size_t p = 0; p < step; ++p) image.data[4 * i + p] = values_[i * step + p];
         return image;
     }
 
 private:
-    [[nodiscard]] Stokes pixel(int channel, int y, int x) const {
+    [[nodiscard]] std::size_t size() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
+               static_cast<std::size_t>(channels_) * static_cast<std::size_t>(components_);
+    }
+    [[nodiscard]] EquirectView view() const {
+        const auto pixel = static_cast<std::size_t>(components_);
+        const std::size_t row = pixel * static_cast<std::size_t>(width_);
+        return {.width = width_,
+                .height = height_,
+                .channels = channels_,
+                .components = components_,
+                .values = values_.get(),
+                .channel_stride = row * static_cast<std::size_t>(height_),
+                .row_stride = row,
+                .pixel_stride = pixel};
+    }
+    [[nodiscard]] std::size_t offset(int channel, int y, int x) const {
         const auto row = static_cast<std::size_t>(channel) * static_cast<std::size_t>(height_) +
                          static_cast<std::size_t>(y);
-        const float* v =
-            values_.data() + (row * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) *
-                                 static_cast<std::size_t>(components_);
+        return (row * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)) *
+               static_cast<std::size_t>(components_);
+    }
+
+    void copy_row(const EquirectView& view, double scale, int channel, int y) {
+        const float* from = view.values + static_cast<std::size_t>(channel) * view.channel_stride +
+                            static_cast<std::size_t>(y) * view.row_stride;
+        float* to = values_.get() + offset(channel, y, 0);
+        for (int x = 0; x < width_; ++x, from += view.pixel_stride, to += components_) {
+            for (int p = 0; p < components_; ++p) to[p] = static_cast<float>(scale * from[p]);
+            to[0] = std::max(to[0], 0.0F);
+        }
+    }
+
+    [[nodiscard]] Stokes pixel(int channel, int y, int x) const {
+        const float* v = values_.get() + offset(channel, y, x);
         return components_ == 1 ? Stokes(v[0], 0, 0, 0) : Stokes(v[0], v[1], v[2], v[3]);
     }
 
     int width_, height_, channels_, components_;
     bool circular_;
     std::vector<double> wavelengths_;
-    std::vector<float> values_;
+    std::unique_ptr<float[]> values_;
 };
+
+void check_view(const EquirectView& view) {
+    const auto invalid = [](const std::string& what) {
+        throw Error(ErrorCode::invalid_argument, "view: " + what);
+    };
+    if (view.components != 1 && view.components != 4)
+        invalid("components is " + std::to_string(view.components) + "; it must be 1 or 4");
+    if (view.values == nullptr) invalid("values is null");
+    const bool in_range = view.width >= 1 && view.height >= 1 && view.width <= kMaxImageSide &&
+                          view.height <= kMaxImageSide && view.channels >= 1;
+    if (!in_range ||
+        static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) > kMaxImagePixels)
+        invalid(std::to_string(view.width) + " x " + std::to_string(view.height) + " pixels in " +
+                std::to_string(view.channels) + " channels; a picture has at most " +
+                std::to_string(kMaxImageSide) + " a side, " + std::to_string(kMaxImagePixels) +
+                " in all, and at least one channel");
+}
 
 }  // namespace
 
-EnvironmentPtr checked_environment(EquirectImage image, double scale, const std::string& name,
-                                   ErrorCode code) {
-    check_scale(name, scale);
-    for (float& v : image.data) v = static_cast<float>(scale * v);
-    check_physical(image, name, code);
-
-    bool linear = false;
-    bool circular = false;
-    for (std::size_t i = 0; i < image.data.size(); i += 4) {
-        linear = linear || image.data[i + 1] != 0 || image.data[i + 2] != 0;
-        circular = circular || image.data[i + 3] != 0;
-    }
-    if (linear || circular) {
-        std::vector<float> values = std::move(image.data);
-        return std::make_shared<ImageEnvironment>(image, std::move(values), 4, circular);
-    }
-    std::vector<float> values(image.data.size() / 4);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = image.data[4 * i];
-    return std::make_shared<ImageEnvironment>(image, std::move(values), 1, false);
+EquirectView view_of(const StokesImage& image) {
+    const std::size_t row = 4 * static_cast<std::size_t>(image.width);
+    return {.width = image.width,
+            .height = image.height,
+            .channels = image.channels,
+            .components = 4,
+            .values = image.data.data(),
+            .channel_stride = row * static_cast<std::size_t>(image.height),
+            .row_stride = row,
+            .pixel_stride = 4};
 }
 
-EnvironmentPtr image_environment(EquirectImage image, double scale) {
+EnvironmentPtr checked_environment(const EquirectView& view, std::vector<double> wavelengths, double scale,
+                                   const std::string& name, ErrorCode code) {
+    check_scale(name, scale);
+    const PictureContents contents = examine_equirect(view, scale, name, code);
+    return std::make_shared<ImageEnvironment>(view, scale, contents, std::move(wavelengths));
+}
+
+EnvironmentPtr image_environment(const EquirectImage& image, double scale) {
     image.check("image_environment: image");
-    return checked_environment(std::move(image), scale, "image_environment", ErrorCode::invalid_argument);
+    return checked_environment(view_of(image), image.wavelengths, scale, "image_environment",
+                               ErrorCode::invalid_argument);
+}
+
+EnvironmentPtr image_environment(const EquirectView& view, double scale) {
+    check_view(view);
+    return checked_environment(view, {}, scale, "image_environment", ErrorCode::invalid_argument);
+}
+
+PshVector project_image(const EquirectView& view, int order) {
+    check_view(view);
+    check_projection_order(order);
+    const PictureContents contents = examine_equirect(view, 1, "project_image", ErrorCode::invalid_argument);
+    if (!contents.negative) return project_equirect(view, order);
+    return ImageEnvironment(view, 1, contents, {}).project(order);
 }
 
 }  // namespace nicol

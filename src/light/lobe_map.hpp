@@ -39,9 +39,10 @@ public:
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] bool polarized() const noexcept { return polarized_; }
     [[nodiscard]] int layers() const noexcept { return polarized_ ? 2 * channels_ : (channels_ + 3) / 4; }
-    /// [row][column][4]
-    [[nodiscard]] std::span<const float> layer(int i) const {
-        return std::span(texels_).subspan(static_cast<std::size_t>(i) * layer_size(), layer_size());
+    /// [layer][row][column][4] of some layers.
+    [[nodiscard]] std::span<const float> texels(int first_layer, int count) const {
+        return std::span(texels_).subspan(static_cast<std::size_t>(first_layer) * layer_size(),
+                                          static_cast<std::size_t>(count) * layer_size());
     }
     [[nodiscard]] std::size_t bytes() const noexcept { return texels_.size() * sizeof(float); }
 

@@ -113,7 +113,12 @@ EnvironmentPtr rayleigh_sky(const RayleighSky& sky) {
     if (sky.turbidity == 0) return std::make_shared<RayleighEnvironment>(sky, scaled / length);
     if (!(sky.turbidity >= 1.7 && sky.turbidity <= 10))
         throw Error(ErrorCode::invalid_argument, "rayleigh_sky: turbidity must be 0, or 1.7 to 10");
-    if (!(sky.ground_albedo >= 0 && sky.ground_albedo <= 1))
+    if (sky.ground_albedo.size() != 1 && sky.ground_albedo.size() != sky.radiance.size())
+        throw Error(ErrorCode::invalid_argument, "rayleigh_sky: ground_albedo has " +
+                                                     std::to_string(sky.ground_albedo.size()) +
+                                                     " values; it must have one, or one for each of the " +
+                                                     std::to_string(sky.radiance.size()) + " channels");
+    if (!std::ranges::all_of(sky.ground_albedo, [](double a) { return a >= 0 && a <= 1; }))
         throw Error(ErrorCode::invalid_argument, "rayleigh_sky: ground_albedo must be 0 to 1");
     if (scaled.y < 0)
         throw Error(ErrorCode::invalid_argument,

@@ -9,9 +9,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
-#include "light/degree_sums.hpp"
+#include "harmonics/batch_fft.hpp"
 #include "light/folded_sums.hpp"
 
 namespace nicol {
@@ -22,159 +21,182 @@ using Complex = std::complex<double>;
 
 class RowAnalysis {
 public:
-    RowAnalysis(const EquirectPixels& pixels, int order)
-        : pixels_(pixels), order_(order), factor_(static_cast<std::size_t>(2 * order) + 1) {
+    RowAnalysis(const EquirectView& view, int first, int count, int order)
+        : view_(view), first_(first), count_(count), order_(order) {
         // A row linear between its pixels is their comb convolved with a hat, whose transform is sinc^2.
-        for (int m = -order; m <= order; ++m) {
-            const double x = pi * m / pixels.width;
+        for (int m = 0; m <= order; ++m) {
+            const double x = pi * m / view.width;
             const double sinc = m == 0 ? 1 : std::sin(x) / x;
-            factor_[static_cast<std::size_t>(m + order)] = sinc * sinc / pixels.width;
+            factor_.push_back(sinc * sinc / view.width);
+            // The columns start half a step from phi = -pi.
+            turn_.push_back(std::polar(factor_.back(), m * (pi - pi / view.width)));
         }
     }
 
-    [[nodiscard]] FourierRows run(int channel) const {
-        FourierRows result(order_, pixels_.height);
-        if (FoldedSums::suits(order_, pixels_.width))
-            run_folded(channel, result);
+    [[nodiscard]] std::vector<FourierRows> run() const {
+        std::vector<FourierRows> result(static_cast<std::size_t>(count_), FourierRows(order_, view_.height));
+        if (FoldedSums::suits(order_, view_.width))
+            run_folded(result);
         else
-            run_transformed(channel, result);
+            run_transformed(result);
         return result;
     }
 
 private:
-    void run_folded(int channel, FourierRows& result) const {
-        const FoldedSums prototype(order_, pixels_.width);
+    /// Row i of the result's order in memory.
+    [[nodiscard]] const float* row(int channel, int i) const {
+        return view_.values + static_cast<std::size_t>(first_ + channel) * view_.channel_stride +
+               static_cast<std::size_t>(view_.height - 1 - i) * view_.row_stride;
+    }
+
+    void run_folded(std::vector<FourierRows>& results) const {
+        const FoldedSums prototype(order_, view_.width);
         tbb::enumerable_thread_specific<FoldedSums> workers(prototype);
-        if (pixels_.components == 4) {
-            tbb::parallel_for(0, pixels_.height, [&](int row) {
-                const float* start = first(channel, {row, 0});
-                const auto sums = workers.local()({{start, start + 1, start + 2, start + 3}, 4});
-                store_folded(sums, 0, result.s0, row);
-                store_folded(sums, 3, result.s3, row);
-                store_folded_spin(sums, result, row);
+        if (view_.components == 4) {
+            tbb::parallel_for(0, view_.height, [&](int i) {
+                for (int c = 0; c < count_; ++c) {
+                    FourierRows& result = results[static_cast<std::size_t>(c)];
+                    const float* start = row(c, i);
+                    const auto sums =
+                        workers.local()({{start, start + 1, start + 2, start + 3}, view_.pixel_stride});
+                    store_folded(sums, 0, result.s0, i);
+                    store_folded(sums, 3, result.s3, i);
+                    store_folded_spin(sums, result, i);
+                }
             });
             return;
         }
-        tbb::parallel_for(0, (pixels_.height + 3) / 4, [&](int group) {
-            std::array<int, 4> rows{};
-            std::array<const float*, 4> starts{};
-            for (std::size_t k = 0; k < 4; ++k) {
-                rows[k] = std::min(4 * group + static_cast<int>(k), pixels_.height - 1);
-                starts[k] = first(channel, {rows[k], 0});
+        tbb::parallel_for(0, (view_.height + 3) / 4, [&](int group) {
+            for (int c = 0; c < count_; ++c) {
+                std::array<int, 4> rows{};
+                std::array<const float*, 4> starts{};
+                for (std::size_t k = 0; k < 4; ++k) {
+                    rows[k] = std::min(4 * group + static_cast<int>(k), view_.height - 1);
+                    starts[k] = row(c, rows[k]);
+                }
+                const auto sums = workers.local()({starts, view_.pixel_stride});
+                for (std::size_t k = 0; k < 4; ++k)
+                    store_folded(sums, k, results[static_cast<std::size_t>(c)].s0, rows[k]);
             }
-            const auto sums = workers.local()({starts, 1});
-            for (std::size_t k = 0; k < 4; ++k) store_folded(sums, k, result.s0, rows[k]);
         });
     }
 
     /// phi = pi - a, so exp(-i m phi) = (-1)^m exp(i m a).
-    [[nodiscard]] double folded_factor(std::size_t m) const {
-        const double factor = factor_[static_cast<std::size_t>(order_) + m];
-        return m % 2 == 0 ? factor : -factor;
-    }
+    [[nodiscard]] double folded_factor(std::size_t m) const { return m % 2 == 0 ? factor_[m] : -factor_[m]; }
 
-    void store_folded(std::span<const double> sums, std::size_t k, std::vector<Complex>& to, int row) const {
+    void store_folded(std::span<const double> sums, std::size_t k, std::vector<Complex>& to, int i) const {
         const auto n = static_cast<std::size_t>(order_);
         for (std::size_t m = 0; m <= n; ++m)
-            to[static_cast<std::size_t>(row) * (n + 1) + m] =
+            to[static_cast<std::size_t>(i) * (n + 1) + m] =
                 folded_factor(m) * Complex(sums[8 * m + k], sums[8 * m + 4 + k]);
     }
 
     /// From the picture's frame to the theta-phi frame: a quarter turn, the sign of s1 + i s2.
-    void store_folded_spin(std::span<const double> sums, FourierRows& result, int row) const {
+    void store_folded_spin(std::span<const double> sums, FourierRows& result, int i) const {
         for (int m = 0; m <= order_; ++m) {
             const double* s = &sums[8 * static_cast<std::size_t>(m)];
             const double factor = -folded_factor(static_cast<std::size_t>(m));
-            result.spin[result.spin_index(row, m)] = factor * Complex(s[1] - s[6], s[2] + s[5]);
-            result.spin[result.spin_index(row, -m)] = factor * Complex(s[1] + s[6], s[2] - s[5]);
+            result.spin[result.spin_index(i, m)] = factor * Complex(s[1] - s[6], s[2] + s[5]);
+            result.spin[result.spin_index(i, -m)] = factor * Complex(s[1] + s[6], s[2] - s[5]);
         }
     }
 
-    void run_transformed(int channel, FourierRows& result) const {
-        // phi = pi - 2 pi u falls with the column, so the pixels are taken from the right.
-        tbb::enumerable_thread_specific<Worker> workers([&] {
-            return Worker{DegreeSums(order_, pixels_.width, pi / pixels_.width - pi),
-                          std::vector<Complex>(static_cast<std::size_t>(pixels_.width)),
-                          std::vector<Complex>(factor_.size())};
-        });
-        if (pixels_.components == 4) {
-            tbb::parallel_for(0, pixels_.height, [&](int row) {
-                Worker& worker = workers.local();
-                load(worker, channel, {row, 0}, {row, 3}, 1);
-                store_real(worker, result.s0, row);
-                store_imaginary(worker, result.s3, row);
-                load(worker, channel, {row, 1}, {row, 2}, -1);
-                std::ranges::copy(worker.sums, result.spin.begin() + static_cast<std::ptrdiff_t>(
-                                                                         result.spin_index(row, -order_)));
-            });
-            return;
-        }
-        // Two real rows are one complex row.
-        tbb::parallel_for(0, (pixels_.height + 1) / 2, [&](int pair) {
-            Worker& worker = workers.local();
-            const int second = std::min(2 * pair + 1, pixels_.height - 1);
-            load(worker, channel, {2 * pair, 0}, {second, 0}, 1);
-            store_real(worker, result.s0, 2 * pair);
-            store_imaginary(worker, result.s0, second);
-        });
-    }
-
+    /// A complex sequence of a batch: components p and q of two rows, which may be the same.
+    struct Lane {
+        int row_p, row_q;
+        std::size_t p, q;
+    };
     struct Worker {
-        DegreeSums transform;
-        std::vector<Complex> samples;
-        std::vector<Complex> sums;
-    };
-    struct Source {
-        int row;
-        std::size_t component;
+        BatchFft fft;
+        std::vector<double> data;
     };
 
-    [[nodiscard]] const float* first(int channel, Source source) const {
-        const int row = channel * pixels_.height + (pixels_.height - 1 - source.row);
-        return pixels_.values.data() +
-               static_cast<std::size_t>(row) * static_cast<std::size_t>(pixels_.width) *
-                   static_cast<std::size_t>(pixels_.components) +
-               source.component;
+    void run_transformed(std::vector<FourierRows>& results) const {
+        const auto width = static_cast<std::size_t>(view_.width);
+        tbb::enumerable_thread_specific<Worker> workers([&] {
+            return Worker{BatchFft(view_.width), std::vector<double>(BatchFft::kElement * width)};
+        });
+        // s0 + i s3 and s1 + i s2 of four rows, or s0 of sixteen in pairs.
+        const bool polarized = view_.components == 4;
+        const int rows = polarized ? 4 : 16;
+        tbb::parallel_for(0, (view_.height + rows - 1) / rows, [&](int group) {
+            Worker& worker = workers.local();
+            for (int c = 0; c < count_; ++c) {
+                std::array<Lane, BatchFft::kLanes> lanes{};
+                for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+                    const auto at = [&](std::size_t k) {
+                        return std::min(rows * group + static_cast<int>(k), view_.height - 1);
+                    };
+                    if (!polarized)
+                        lanes[lane] = {at(2 * lane), at(2 * lane + 1), 0, 0};
+                    else if (lane % 2 == 0)
+                        lanes[lane] = {at(lane / 2), at(lane / 2), 0, 3};
+                    else
+                        lanes[lane] = {at(lane / 2), at(lane / 2), 1, 2};
+                    load(lanes[lane], c, worker.data.data() + lane);
+                }
+                const double* out = worker.fft.forward(worker.data.data());
+                FourierRows& result = results[static_cast<std::size_t>(c)];
+                for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+                    if (lanes[lane].p == 1)
+                        store_spin(out + lane, result, lanes[lane].row_p);
+                    else
+                        store_scalars(out + lane, lanes[lane], result);
+                }
+            }
+        });
     }
 
-    /// The Fourier coefficients of sign * (real + i imaginary).
-    void load(Worker& worker, int channel, Source real, Source imaginary, double sign) const {
-        const auto components = static_cast<std::size_t>(pixels_.components);
-        const float* a = first(channel, real);
-        const float* b = first(channel, imaginary);
-        const std::size_t width = worker.samples.size();
-        for (std::size_t i = 0; i < width; ++i) {
-            const std::size_t at = (width - 1 - i) * components;
-            worker.samples[i] = sign * Complex(a[at], b[at]);
+    /// phi = pi - 2 pi u falls with the column, so the pixels are taken from the right.
+    void load(const Lane& lane, int channel, double* to) const {
+        const float* p = row(channel, lane.row_p) + lane.p;
+        const float* q = row(channel, lane.row_q) + lane.q;
+        const auto width = static_cast<std::size_t>(view_.width);
+        for (std::size_t i = 0; i < width; ++i, to += BatchFft::kElement) {
+            const std::size_t at = (width - 1 - i) * view_.pixel_stride;
+            to[0] = p[at];
+            to[BatchFft::kLanes] = q[at];
         }
-        worker.transform(worker.samples, worker.sums);
-        for (std::size_t i = 0; i < factor_.size(); ++i) worker.sums[i] *= factor_[i];
     }
 
-    /// The coefficients m >= 0 of the real part of what was loaded.
-    void store_real(const Worker& worker, std::vector<Complex>& to, int row) const {
-        const auto n = static_cast<std::size_t>(order_);
-        for (std::size_t m = 0; m <= n; ++m)
-            to[static_cast<std::size_t>(row) * (n + 1) + m] =
-                0.5 * (worker.sums[n + m] + std::conj(worker.sums[n - m]));
+    /// Degree m of a transformed lane, also above width / 2, where the plain sums repeat.
+    [[nodiscard]] Complex degree(const double* out, int m) const {
+        const int bin = (m % view_.width + view_.width) % view_.width;
+        const double* z = out + BatchFft::kElement * static_cast<std::size_t>(bin);
+        const Complex turn = turn_[static_cast<std::size_t>(std::abs(m))];
+        return Complex(z[0], z[BatchFft::kLanes]) * (m < 0 ? std::conj(turn) : turn);
     }
 
-    void store_imaginary(const Worker& worker, std::vector<Complex>& to, int row) const {
-        const auto n = static_cast<std::size_t>(order_);
-        for (std::size_t m = 0; m <= n; ++m)
-            to[static_cast<std::size_t>(row) * (n + 1) + m] =
-                Complex(0, -0.5) * (worker.sums[n + m] - std::conj(worker.sums[n - m]));
+    void store_scalars(const double* out, const Lane& lane, FourierRows& result) const {
+        for (int m = 0; m <= order_; ++m) {
+            const Complex plus = degree(out, m);
+            const Complex minus = std::conj(degree(out, -m));
+            const Complex real = 0.5 * (plus + minus);
+            const Complex imaginary = Complex(0, -0.5) * (plus - minus);
+            result.s0[result.scalar_index(lane.row_p, m)] = real;
+            if (lane.q == 3)
+                result.s3[result.scalar_index(lane.row_q, m)] = imaginary;
+            else
+                result.s0[result.scalar_index(lane.row_q, m)] = imaginary;
+        }
     }
 
-    const EquirectPixels& pixels_;
+    void store_spin(const double* out, FourierRows& result, int i) const {
+        for (int m = -order_; m <= order_; ++m) result.spin[result.spin_index(i, m)] = -degree(out, m);
+    }
+
+    const EquirectView& view_;
+    int first_;
+    int count_;
     int order_;
-    std::vector<double> factor_;
+    std::vector<double> factor_;  // of degree |m|
+    std::vector<Complex> turn_;   // the factor of m >= 0, turned to where the columns start
 };
 
 }  // namespace
 
-FourierRows analyze_rows(const EquirectPixels& pixels, int channel, int order) {
-    return RowAnalysis(pixels, order).run(channel);
+std::vector<FourierRows> analyze_rows(const EquirectView& view, int first, int count, int order) {
+    return RowAnalysis(view, first, count, order).run();
 }
 
 }  // namespace nicol

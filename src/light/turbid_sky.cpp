@@ -69,9 +69,11 @@ EquirectImage turbid_sky_picture(const RayleighSky& sky, const glm::dvec3& sun) 
                 irradiance += image.at(c, y, x)[0] * std::cos(y * pi / (kHeight - 1)) * solid_angle(y);
             }
         }
+        const double albedo =
+            sky.ground_albedo[sky.ground_albedo.size() == 1 ? 0 : static_cast<std::size_t>(c)];
         for (int y = kHorizonRow + 1; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x)
-                image.at(c, y, x)[0] = static_cast<float>(sky.ground_albedo / pi * irradiance);
+                image.at(c, y, x)[0] = static_cast<float>(albedo / pi * irradiance);
     }
     return image;
 }

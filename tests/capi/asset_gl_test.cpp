@@ -136,7 +136,7 @@ TEST_CASE("an image that cannot be taken is given back") {
             },
             "16384");
         pixels.image = good;
-        for (const float bad : {NAN, INFINITY, -3.0F}) {
+        for (const float bad : {NAN, INFINITY, -300.0F}) {
             const float before = pixels.values[7];
             pixels.values[7] = bad;
             refused(context, pixels, "");

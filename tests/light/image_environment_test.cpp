@@ -2,6 +2,7 @@
 // Pictures as light: directions, files, refusals.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 
@@ -98,7 +99,7 @@ TEST_CASE("pictures that are no light are refused by pixel") {
         check_error(
             bad, [&] { (void)image_environment(image); }, "channel 1", "pixel (3, 2)", what);
     };
-    refuse(0, -0.2f, "s0 < 0");
+    refuse(0, -20.0f, "s0 < 0");
     refuse(0, not_a_number, "finite");
     refuse(1, not_a_number, "finite");
     refuse(3, -infinity, "finite");
@@ -125,6 +126,124 @@ TEST_CASE("pictures that are no light are refused by pixel") {
         bad, [] { (void)image_environment(grey_picture(4, 3), 1e300); }, "pixel (0, 0)", "finite");
 }
 
+TEST_CASE("negative unpolarized pixels become 0 unless they are much of the light") {
+    // The middle row of 5 has weight 1, the rows beside it sin(pi/4), the poles 0: of all ones, 4 (1 +
+    // sqrt(2)) columns' worth.
+    EquirectImage image = grey_picture(4, 5);
+    const auto positive = static_cast<float>(4 * (1 + std::sqrt(2.0)) - 1);
+    for (const float share : {0.01f, 0.24f}) {
+        image.at(0, 2, 1)[0] = -share * positive;
+        const auto light = image_environment(image);
+        CHECK(light->picture().at(0, 2, 1)[0] == 0);
+        CHECK(light->picture().at(0, 2, 2)[0] == 1);
+        CHECK(light->radiance(0, towards(0.375, 0.5))[0] == 0);
+    }
+    for (const float share : {0.26f, 1.0f, 100.0f}) {
+        image.at(0, 2, 1)[0] = -share * positive;
+        check_error(
+            ErrorCode::invalid_argument, [&] { (void)image_environment(image); }, "channel 0", "pixel (1, 2)",
+            "s0 < 0");
+    }
+    // Of no solid angle at all.
+    EquirectImage pole = grey_picture(4, 5);
+    pole.at(0, 0, 1)[0] = -100;
+    CHECK(image_environment(pole)->picture().at(0, 0, 1)[0] == 0);
+    // Not even a little where it is polarized, nor where there is no other light.
+    EquirectImage polarized = grey_picture(4, 5);
+    polarized.at(0, 2, 1)[0] = -1e-4f;
+    polarized.at(0, 2, 1)[2] = 1e-5f;
+    check_error(
+        ErrorCode::invalid_argument, [&] { (void)image_environment(polarized); }, "pixel (1, 2)", "s0 < 0");
+    EquirectImage dark(4, 5, 1);
+    dark.at(0, 2, 3)[0] = -1e-6f;
+    check_error(
+        ErrorCode::invalid_argument, [&] { (void)image_environment(dark); }, "pixel (3, 2)", "s0 < 0");
+}
+
+TEST_CASE("the quick look at a picture overlooks nothing in any column") {
+    for (const int width : {2, 3, 4, 5, 8, 11}) {
+        const EquirectImage good = random_picture(width, 3, 2, 8);
+        CHECK_NOTHROW((void)image_environment(good));
+        for (int x = 0; x < width; ++x)
+            for (std::size_t p = 0; p < 4; ++p)
+                for (const float wrong : {not_a_number, infinity, -infinity, p == 0 ? -1e3f : 1e3f}) {
+                    EquirectImage image = good;
+                    image.at(1, 1, x)[p] = wrong;
+                    check_error(
+                        ErrorCode::invalid_argument, [&] { (void)image_environment(image); }, "channel 1",
+                        "pixel (" + std::to_string(x) + ", 1)");
+                }
+        // Squares out of the range of float say nothing.
+        for (const float size : {1e-30f, 1e25f}) {
+            EquirectImage extreme(width, 3, 1);
+            for (std::size_t i = 0; i < extreme.data.size(); i += 4) extreme.data[i] = size;
+            CHECK_NOTHROW((void)image_environment(extreme));
+            extreme.at(0, 2, width - 1)[3] = 2 * size;
+            check_error(
+                ErrorCode::invalid_argument, [&] { (void)image_environment(extreme); }, "more than fully");
+        }
+    }
+}
+
+TEST_CASE("a view gives the light of the picture it shows, whatever its layout") {
+    for (const int components : {1, 4}) {
+        const EquirectImage image = random_picture(12, 7, 3, 13, components == 4);
+        const auto light = image_environment(image, 2);
+        // Pixels with their channels side by side, rows with a gap.
+        const auto n = static_cast<std::size_t>(components);
+        const std::size_t row_stride = 12 * 3 * n + 5;
+        std::vector<float> values(7 * row_stride, not_a_number);
+        for (int c = 0; c < 3; ++c)
+            for (int y = 0; y < 7; ++y)
+                for (int x = 0; x < 12; ++x)
+                    for (std::size_t p = 0; p < n; ++p)
+                        values[static_cast<std::size_t>(y) * row_stride +
+                               (static_cast<std::size_t>(x) * 3 + static_cast<std::size_t>(c)) * n + p] =
+                            image.at(c, y, x)[p];
+        EquirectView view{12, 7, 3, components, values.data(), n, row_stride, 3 * n};
+        CHECK(image_environment(view, 2)->picture().data == light->picture().data);
+        CHECK(image_environment(view)->polarized() == (components == 4));
+        for (const int order : {4, 40}) {
+            const PshVector have = project_image(view, order);
+            const PshVector want = image_environment(image)->project(order);
+            for (std::size_t i = 0; i < want.data().size(); ++i)
+                CHECK(have.data()[i] == doctest::Approx(want.data()[i]).epsilon(1e-12));
+        }
+        const auto refused = [&](const char* what) {
+            check_error(
+                ErrorCode::invalid_argument, [&] { (void)image_environment(view); }, what);
+            check_error(
+                ErrorCode::invalid_argument, [&] { (void)project_image(view, 2); }, what);
+        };
+        check_error(
+            ErrorCode::invalid_argument, [&] { (void)project_image(view, -1); }, "order");
+        view.components = 3;
+        refused("components is 3");
+        view.components = components;
+        view.width = 1;
+        refused("1 x 7");
+        view.width = 40000;
+        refused("40000");
+        view.width = 12;
+        view.channels = 0;
+        refused("0 channels");
+        view.channels = 3;
+        view.values = nullptr;
+        refused("null");
+    }
+}
+
+TEST_CASE("coefficients of a view with negative pixels are those of its light") {
+    EquirectImage image = random_picture(12, 7, 1, 14, false);
+    image.at(0, 3, 4)[0] = -0.5f;
+    EquirectImage repaired = image;
+    repaired.at(0, 3, 4)[0] = 0;
+    const EquirectView view{12, 7, 1, 4, image.data.data(), image.data.size(), 48, 4};
+    const PshVector have = project_image(view, 6);
+    const PshVector want = image_environment(repaired)->project(6);
+    CHECK(std::ranges::equal(have.data(), want.data()));
+}
+
 TEST_CASE("files: polarized by their channels, errors by their name") {
     const TemporaryFolder folder;
     const EquirectImage image = random_picture(8, 5, 3, 5);
@@ -140,7 +259,7 @@ TEST_CASE("files: polarized by their channels, errors by their name") {
     CHECK(plain->picture().at(2, 3, 4)[0] == image.at(2, 3, 4)[0]);
 
     EquirectImage negative = image;
-    negative.at(1, 2, 3)[0] = -1;
+    negative.at(1, 2, 3)[0] = -100;
     write_exr(folder / "negative.exr", negative);
     check_error(
         ErrorCode::invalid_file, [&] { (void)load_environment(folder / "negative.exr"); }, "negative.exr",

@@ -110,7 +110,8 @@ TEST_CASE("polarization is Rayleigh's: across the plane of the sun, strongest at
 
 TEST_CASE("the ground reflects its share of the irradiance of each channel") {
     RayleighSky sky = hazy({0, 1, 1});
-    sky.ground_albedo = 0.3;
+    const std::vector<double> albedo = {0.3, 0.6, 0};
+    sky.ground_albedo = albedo;
     sky.radiance = {1, 2, 0.5};
     const auto light = rayleigh_sky(sky);
     for (int c = 0; c < 3; ++c) {
@@ -124,7 +125,8 @@ TEST_CASE("the ground reflects its share of the irradiance of each channel") {
                     light->radiance(c, {r * std::cos(a), y, r * std::sin(a)})[0] * y * 2 * pi / 90000;
             }
         const Stokes down = light->radiance(c, {0, -1, 0});
-        CHECK(down[0] == doctest::Approx(0.3 / pi * irradiance).epsilon(2e-3));
+        CHECK(down[0] ==
+              doctest::Approx(albedo[static_cast<std::size_t>(c)] / pi * irradiance).epsilon(2e-3));
         CHECK(down[1] == 0);
         CHECK(light->radiance(c, glm::normalize(glm::dvec3(1, -0.1, 0)))[0] == doctest::Approx(down[0]));
     }
@@ -148,11 +150,16 @@ TEST_CASE("skies out of range are refused") {
         "horizon");
     RayleighSky sky = hazy({0, 1, 0});
     for (const double albedo : {-0.1, 1.1, std::nan("")}) {
-        sky.ground_albedo = albedo;
+        sky.ground_albedo = {0.1, albedo, 0.1};
         check_error(
             bad, [&] { (void)rayleigh_sky(sky); }, "ground_albedo");
     }
-    sky.ground_albedo = 0;
+    for (const std::vector<double>& albedo : {std::vector<double>{}, {0.1, 0.2}, {0.1, 0.2, 0.3, 0.4}}) {
+        sky.ground_albedo = albedo;
+        check_error(
+            bad, [&] { (void)rayleigh_sky(sky); }, "ground_albedo", std::to_string(albedo.size()), "3");
+    }
+    sky.ground_albedo = {0};
     sky.radiance = {1, -1};
     check_error(
         bad, [&] { (void)rayleigh_sky(sky); }, "radiance");
