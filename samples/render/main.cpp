@@ -44,6 +44,7 @@ Context make_context(const Options& options, ProgressBar& progress) {
     wanted.backend = options.backend;
     wanted.log = log;
     wanted.log_user = &progress;
+    wanted.cache_folder = options.cache.c_str();
     nicol_context context = nullptr;
     check(nicol_context_create(&wanted, &context));
     return Context(context);
@@ -79,6 +80,8 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.method = options.method;
     wanted.order_low = order(options.order_low);
     wanted.order_high = order(options.order_high);
+    wanted.samples = options.samples.value_or(0);
+    wanted.seed = options.seed;
     wanted.progress = ProgressBar::update;
     wanted.progress_user = &progress;
     check(nicol_render(scene, &camera, &wanted, framebuffer));

@@ -2,6 +2,7 @@
 #include "options.hpp"
 
 #include <charconv>
+#include <limits>
 #include <string_view>
 
 const char* const usage =
@@ -12,9 +13,13 @@ const char* const usage =
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
     "      --pictures DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
-    "      --method NAME        factored\n"
+    "      --method NAME        factored, in real time, or reference, by rays: slow, noisy, with shadows\n"
     "      --order-low N        order of the light taken with its full angular detail, 0 to 32; default 4\n"
     "      --order-high N       order of the light taken at all, not below --order-low; default 9\n"
+    "      --samples N          of the reference method, camera rays a pixel, 1 to 1048576; default 256\n"
+    "      --seed N             of the reference method, gives other noise; default 0\n"
+    "      --cache DIR          keeps tables of materials there between runs; default: NICOL_CACHE, else "
+    "none\n"
     "      --size WxH           replaces the size of the scene's film\n"
     "      --stats FILE         writes what ran, and how long it took, as JSON\n"
     "      --help               shows this text\n"
@@ -24,12 +29,14 @@ const char* const usage =
 
 namespace {
 
-std::uint32_t parse_number(std::string_view option, std::string_view text) {
-    std::uint32_t value = 0;
+template <class Number = std::uint32_t>
+Number parse_number(std::string_view option, std::string_view text) {
+    Number value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
         throw Failure(std::string(option) + ": '" + std::string(text) +
-                      "' is not a whole number of at most 4294967295");
+                      "' is not a whole number of at most " +
+                      std::to_string(std::numeric_limits<Number>::max()));
     return value;
 }
 
@@ -39,6 +46,14 @@ std::int32_t parse_order(std::string_view option, std::string_view text) {
     if (order > INT32_MAX)
         throw Failure(std::string(option) + ": " + std::string(text) + " is no order of light");
     return static_cast<std::int32_t>(order);
+}
+
+// Zero asks the library for its default, which is no number of samples.
+std::int32_t parse_samples(std::string_view text) {
+    const std::uint32_t samples = parse_number("--samples", text);
+    if (samples < 1 || samples > 1048576)
+        throw Failure("--samples: " + std::string(text) + " does not lie in 1 to 1048576");
+    return static_cast<std::int32_t>(samples);
 }
 
 void parse_size(Options& options, std::string_view text) {
@@ -57,8 +72,9 @@ nicol_backend parse_backend(std::string_view text) {
 
 nicol_method parse_method(std::string_view text) {
     if (text == "factored") return NICOL_METHOD_FACTORED;
+    if (text == "reference") return NICOL_METHOD_REFERENCE;
     throw Failure("--method: '" + std::string(text) +
-                  "' is not a method of this version, which has: factored");
+                  "' is not a method of this version, which has: factored, reference");
 }
 
 std::string parse_definition(std::string_view text) {
@@ -110,6 +126,12 @@ Options parse_options(int argc, const char* const* argv) {
             options.order_low = parse_order(name, value());
         else if (name == "--order-high")
             options.order_high = parse_order(name, value());
+        else if (name == "--samples")
+            options.samples = parse_samples(value());
+        else if (name == "--seed")
+            options.seed = parse_number<std::uint64_t>(name, value());
+        else if (name == "--cache")
+            options.cache = path();
         else if (name == "--size")
             parse_size(options, value());
         else if (name == "--stats")

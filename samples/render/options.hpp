@@ -26,6 +26,9 @@ struct Options {
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     nicol_method method = NICOL_METHOD_FACTORED;
     std::optional<std::int32_t> order_low, order_high;
+    std::optional<std::int32_t> samples;         ///< of the reference method
+    std::uint64_t seed = 0;                      ///< likewise
+    std::string cache;                           ///< folder, empty: what NICOL_CACHE says
     std::optional<std::uint32_t> width, height;  ///< both or neither
 };
 
