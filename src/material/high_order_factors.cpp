@@ -122,6 +122,19 @@ HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_hi
     });
 }
 
+std::vector<float> HighOrderFactors::texels(int first_channel, int count, bool polarized) const {
+    const std::size_t cells = angles * static_cast<std::size_t>(polarized ? kElements : kUnpolarized);
+    std::vector<float> out(4 * cells);
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+        for (int i = 0; i < count; ++i) {
+            const int channel = channels_ == 1 ? 0 : first_channel + i;
+            out[4 * cell + static_cast<std::size_t>(i)] =
+                data_[cell * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel)];
+        }
+    }
+    return out;
+}
+
 void HighOrderFactors::at(float cos_zenith, int channel, std::span<float, kElements> out) const {
     const float x = std::clamp(cos_zenith, 0.0F, 1.0F) * static_cast<float>(angles - 1);
     const std::size_t angle = std::min(static_cast<std::size_t>(x), angles - 2);

@@ -56,6 +56,9 @@ public:
 
     /// [element][angle][channel]
     [[nodiscard]] std::span<const float> data() const noexcept { return data_; }
+    /// For a texture that is kAngles wide: [element][angle][4], the first `count` channels (1..4) from
+    /// `first_channel` on in the components; the elements of unpolarized light, or all.
+    [[nodiscard]] std::vector<float> texels(int first_channel, int count, bool polarized) const;
     /// All elements at the cosine of a zenith angle.
     void at(float cos_zenith, int channel, std::span<float, kElements> out) const;
 

@@ -20,33 +20,33 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t kLobes = kLobeWidths.size() + 1;
-constexpr int kTableSteps = 4096;
+constexpr int kTableSteps = 2048;
 // Keeps factors of nearly equal probes small, relative to the diagonal.
 constexpr double kRidge = 1e-4;
 
-// (2 l + 1) / (4 pi) times d^l_00 and d^l_22, by l from 0 to order.
-std::vector<ZonalKernel::Value> zonal_harmonics(std::size_t order, double cosine) {
-    std::vector<ZonalKernel::Value> out(order + 1);
+// The sums over l of gain[l] (2 l + 1) / (4 pi) times d^l_00 and d^l_22 of the angle.
+ZonalKernel::Value zonal_sum(const std::vector<double>& gain, double cosine) {
+    ZonalKernel::Value sum{0, 0};
     double p = 1;
     double p_before = 0;
-    double d = 0;
+    double d = (1 + cosine) * (1 + cosine) / 4;
     double d_before = 0;
-    for (std::size_t i = 0; i <= order; ++i) {
+    for (std::size_t i = 0; i < gain.size(); ++i) {
         const auto l = static_cast<double>(i);
-        if (i == 2) d = (1 + cosine) * (1 + cosine) / 4;
-        const double scale = (2 * l + 1) / (4 * pi);
-        out[i] = {scale * p, scale * d};
-        const double next = ((2 * l + 1) * cosine * p - l * p_before) / (l + 1);
+        const double scale = gain[i] * (2 * l + 1) / (4 * pi);
+        sum.spin0 += scale * p;
+        const double p_next = ((2 * l + 1) * cosine * p - l * p_before) / (l + 1);
         p_before = p;
-        p = next;
+        p = p_next;
         if (i < 2) continue;
-        const double next_d =
+        sum.spin2 += scale * d;
+        const double d_next =
             ((2 * l + 1) * (l * (l + 1) * cosine - 4) * d - (l + 1) * (l * l - 4) * d_before) /
             (l * ((l + 1) * (l + 1) - 4));
         d_before = d;
-        d = next_d;
+        d = d_next;
     }
-    return out;
+    return sum;
 }
 
 // exp(2 i c) for the angle c that turns `from` into `to` after it went along the great circle to there.
@@ -64,17 +64,15 @@ std::complex<double> transport(const Frame& from, const Frame& to) {
     return size > 0 ? turn * turn / size : 1.0;
 }
 
-// The probe's components, as rows over those at `at`: what a kernel makes of light from there.
-Mueller seen_from(const Probe& probe, const ZonalKernel& kernel, const Frame& at) {
-    const glm::dvec3 difference = probe.frame[2] - at[2];
-    const ZonalKernel::Value k = kernel.at(glm::dot(difference, difference));
-    const std::complex<double> turn = k.spin2 * transport(at, probe.frame);
-    Mueller m;
-    m(0, 0) = m(3, 3) = k.spin0;
-    m(1, 1) = m(2, 2) = turn.real();
-    m(1, 2) = turn.imag();
-    m(2, 1) = -turn.imag();
-    return m;
+// A probe as a function of light from elsewhere: (s0, s3) = scalar (s0, s3), s1 + i s2 = spin2 (s1 + i s2)
+// there.
+struct Sight {
+    double scalar;
+    std::complex<double> spin2;
+};
+
+Sight sight(const Probe& probe, const ZonalKernel::Value& k, const Frame& from) {
+    return {k.spin0, k.spin2 * std::conj(transport(from, probe.frame))};
 }
 
 // a x = b for symmetric positive definite a (row-major, destroyed) and four right-hand sides.
@@ -100,8 +98,17 @@ void solve(std::vector<double>& a, std::array<SplitVector, 4>& b) {
     }
 }
 
-std::size_t probe_of(std::size_t unknown) {
-    return unknown / 4;
+// Moments over half the circle of azimuths to those over all of it: mirrored in the plane of incidence, right
+// and left change places, and elements between (s0, s1) and (s2, s3) their sign.
+void add_other_side(std::array<SplitVector, 4>& moments) {
+    for (std::size_t p = 0; p < 4; ++p) {
+        const SplitVector half = moments[p];
+        for (std::size_t u = 0; u < kSplitUnknowns; ++u) {
+            const std::size_t probe = u / 4;
+            const std::size_t other = probe == 3 ? u + 4 : probe == 4 ? u - 4 : u;
+            moments[p][u] += (p < 2) == (u % 4 < 2) ? half[other] : -half[other];
+        }
+    }
 }
 
 // The s-frame x of outgoing light is phi-hat: a quarter turn from theta-hat.
@@ -112,13 +119,7 @@ constexpr std::array<double, 4> quarter_turn{1, -1, -1, 1};
 ZonalKernel::ZonalKernel(const std::vector<double>& gain) {
     for (int i = 0; i <= kTableSteps; ++i) {
         const double distance = 2.0 * i / kTableSteps;
-        Value sum{0, 0};
-        const std::vector<Value> harmonics = zonal_harmonics(gain.size() - 1, 1 - distance * distance / 2);
-        for (std::size_t l = 0; l < gain.size(); ++l) {
-            sum.spin0 += gain[l] * harmonics[l].spin0;
-            sum.spin2 += gain[l] * harmonics[l].spin2;
-        }
-        table_.push_back(sum);
+        table_.push_back(zonal_sum(gain, 1 - distance * distance / 2));
     }
 }
 
@@ -162,7 +163,7 @@ SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels
         for (const auto& other : lobes) {
             std::vector<double> gain = lobe;
             for (std::size_t l = 0; l < gain.size(); ++l) gain[l] *= other[l];
-            products_.emplace_back(gain);
+            products_.push_back(gain);
         }
     }
 }
@@ -171,15 +172,22 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& prob
     const auto at = probes.at(theta_out);
     constexpr std::size_t n = kSplitUnknowns;
     std::vector<double> normal(n * n);
-    for (std::size_t i = 0; i < n; ++i) {
-        for (std::size_t j = 0; j < n; ++j) {
-            const Probe& a = at[probe_of(i)];
-            const Probe& b = at[probe_of(j)];
+    for (std::size_t i = 0; i < n; i += 4) {
+        for (std::size_t j = 0; j < n; j += 4) {
+            const Probe& a = at[i / 4];
+            const Probe& b = at[j / 4];
             const auto lobes = static_cast<std::size_t>(a.lobe) * kLobes + static_cast<std::size_t>(b.lobe);
-            normal[i * n + j] = seen_from(a, products_[lobes], b.frame)(i % 4, j % 4);
+            const double cosine = glm::dot(a.frame[2], b.frame[2]);
+            const Sight k = sight(a, zonal_sum(products_[lobes], cosine), b.frame);
+            normal[i * n + j] = k.scalar;
+            if (i + 4 > n || j + 4 > n) continue;
+            normal[(i + 1) * n + j + 1] = normal[(i + 2) * n + j + 2] = k.spin2.real();
+            normal[(i + 2) * n + j + 1] = k.spin2.imag();
+            normal[(i + 1) * n + j + 2] = -k.spin2.imag();
+            normal[(i + 3) * n + j + 3] = k.scalar;
         }
-        normal[i * n + i] *= 1 + kRidge;
     }
+    for (std::size_t i = 0; i < n; ++i) normal[i * n + i] *= 1 + kRidge;
     std::vector<Moments> of_terms = moments(theta_out, at);
     std::vector<SplitFactors> out;
     const bool by_matrix = material_.matrix(0) != nullptr;
@@ -223,32 +231,32 @@ std::vector<SplitFit::Moments> SplitFit::integrated(
         const double cos_theta = std::cos(zenith.x);
         for (const QuadratureNode& azimuth : azimuths) {
             const double weight = zenith.weight * azimuth.weight * sin_theta * cos_theta;
-            glm::dvec3 light(sin_theta * std::cos(azimuth.x), sin_theta * std::sin(azimuth.x), cos_theta);
+            const glm::dvec3 light(sin_theta * std::cos(azimuth.x), sin_theta * std::sin(azimuth.x),
+                                   cos_theta);
             material_.evaluate_terms(light, viewer, muellers);
-            for (const double side : {1.0, -1.0}) {
-                // The elements that mirroring in the plane of incidence changes.
-                light.y *= side;
-                const Frame frame = theta_phi_frame(-light);
-                for (std::size_t i = 0; i < probes.size(); ++i) {
-                    const Mueller k =
-                        seen_from(probes[i], kernels_[static_cast<std::size_t>(probes[i].lobe)], frame);
-                    const std::size_t count = i + 1 == probes.size() ? 1 : 4;
-                    for (std::size_t t = 0; t < terms; ++t) {
-                        for (std::size_t p = 0; p < 4; ++p) {
-                            for (std::size_t q = 0; q < count; ++q) {
-                                double sum = 0;
-                                for (std::size_t e = 0; e < 4; ++e) {
-                                    const double sign = (p < 2) == (e < 2) ? 1 : side;
-                                    sum += sign * muellers[t](p, e) * k(q, e);
-                                }
-                                out[t][p][4 * i + q] += weight * sum;
-                            }
-                        }
+            const Frame frame = theta_phi_frame(-light);
+            for (std::size_t i = 0; i < probes.size(); ++i) {
+                const auto lobe_index = static_cast<std::size_t>(probes[i].lobe);
+                const glm::dvec3 distance = probes[i].frame[2] - frame[2];
+                const ZonalKernel::Value kernel = kernels_[lobe_index].at(glm::dot(distance, distance));
+                const Sight k = sight(probes[i], kernel, frame);
+                const double scalar = weight * k.scalar;
+                const std::complex<double> spin2 = weight * k.spin2;
+                for (std::size_t t = 0; t < terms; ++t) {
+                    const Mueller& m = muellers[t];
+                    for (std::size_t p = 0; p < 4; ++p) {
+                        double* to = &out[t][p][4 * i];
+                        to[0] += scalar * m(p, 0);
+                        if (i + 1 == probes.size()) continue;
+                        to[1] += m(p, 1) * spin2.real() - m(p, 2) * spin2.imag();
+                        to[2] += m(p, 1) * spin2.imag() + m(p, 2) * spin2.real();
+                        to[3] += scalar * m(p, 3);
                     }
                 }
             }
         }
     }
+    for (Moments& moments : out) add_other_side(moments);
     return out;
 }
 

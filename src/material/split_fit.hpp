@@ -80,9 +80,9 @@ private:
     int l_low_;
     int l_high_;
     int channels_;
-    std::vector<std::vector<double>> gains_;  // [lobe][l], of light's prior too
-    std::vector<ZonalKernel> kernels_;        // of gains_
-    std::vector<ZonalKernel> products_;       // [lobe][lobe], of two lobes and the prior
+    std::vector<std::vector<double>> gains_;     // [lobe][l], times light's prior
+    std::vector<std::vector<double>> products_;  // [lobe][lobe][l], of two lobes and the prior
+    std::vector<ZonalKernel> kernels_;           // of gains_
 };
 
 }  // namespace nicol

@@ -65,7 +65,7 @@ void HighOrder::look_up(const Viewpoint& view, const glm::vec3& position, const 
     const glm::dvec3 d = grazing - 2 * std::max(cosine, 0.0) * n;
     glm::dvec3 x = glm::cross(n, grazing);
     // Seen head-on every plane is one of incidence.
-    x = glm::dot(x, x) > 1e-12 ? glm::normalize(x) : glm::normalize(glm::cross(view.up, v));
+    x = glm::dot(x, x) > 1e-10 ? glm::normalize(x) : glm::normalize(glm::cross(view.up, v));
     const glm::dvec3 y = glm::cross(d, x);
 
     Probed centre;

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+// Light of high orders, looked up in filtered maps around the mirrored view direction.
+
+// A stage that includes this defines CHANNELS, 1 to 4, and HIGH_ORDER_POLARIZED where the maps are of polarized light.
+// Maps are textures of these channels' layers of a LobeMap, one below the other; factors, of HighOrderFactors::texels().
+// All are fetched and interpolated here, as samplers have few bits for it.
+
+#ifdef HIGH_ORDER_POLARIZED
+const int HIGH_ORDER_LAYERS = 2 * CHANNELS;
+#else
+const int HIGH_ORDER_LAYERS = 1;
+#endif
+const float HIGH_ORDER_PI = 3.14159265358979;
+
+// Four texels of a map around a direction.
+struct HighOrderSpot {
+    ivec2 low;
+    ivec2 high;
+    vec2 part;
+    int rows;
+};
+
+HighOrderSpot high_order_spot(sampler2D map, vec3 direction) {
+    ivec2 size = textureSize(map, 0);
+    HighOrderSpot at;
+    at.rows = size.y / HIGH_ORDER_LAYERS;
+    float across = length(direction.xy);
+    float turn = across > 0.0 ? atan(direction.y, direction.x) / (2.0 * HIGH_ORDER_PI) : 0.0;
+    vec2 place = vec2((turn < 0.0 ? turn + 1.0 : turn) * float(size.x),
+                      atan(across, direction.z) / HIGH_ORDER_PI * float(at.rows - 1));
+    at.low = min(ivec2(place), ivec2(size.x - 1, at.rows - 2));
+    at.part = place - vec2(at.low);
+    at.high = ivec2(at.low.x + 1 == size.x ? 0 : at.low.x + 1, at.low.y + 1);
+    return at;
+}
+
+vec4 high_order_texel(sampler2D map, HighOrderSpot at, int layer) {
+    int first = layer * at.rows;
+    vec4 top = mix(texelFetch(map, ivec2(at.low.x, first + at.low.y), 0),
+                   texelFetch(map, ivec2(at.high.x, first + at.low.y), 0), at.part.x);
+    vec4 bottom = mix(texelFetch(map, ivec2(at.low.x, first + at.high.y), 0),
+                      texelFetch(map, ivec2(at.high.x, first + at.high.y), 0), at.part.x);
+    return mix(top, bottom, at.part.y);
+}
+
+// Where an angle falls in the factors.
+struct HighOrderAngle {
+    int index;
+    float part;
+};
+
+HighOrderAngle high_order_angle(sampler2D factors, float cosine) {
+    int last = textureSize(factors, 0).x - 1;
+    float x = clamp(cosine, 0.0, 1.0) * float(last);
+    int index = min(int(x), last - 1);
+    return HighOrderAngle(index, x - float(index));
+}
+
+// An element of all channels.
+vec4 high_order_factor(sampler2D factors, HighOrderAngle at, int element) {
+    return mix(texelFetch(factors, ivec2(at.index, element), 0), texelFetch(factors, ivec2(at.index + 1, element), 0),
+               at.part);
+}
+
+// The directions that are looked up in `around`, and the x axes there: up, down, right, left.
+vec3[4] high_order_around(vec3 d, vec3 x, float spread) {
+    vec3 y = cross(d, x);
+    float c = cos(spread);
+    float s = sin(spread);
+    return vec3[4](c * d + s * y, c * d - s * y, c * d + s * x, c * d - s * x);
+}
+
+#ifdef HIGH_ORDER_POLARIZED
+// The Stokes vector of a channel in the frame with these x and y.
+vec4 high_order_stokes(sampler2D map, HighOrderSpot at, int channel, vec3 x, vec3 y) {
+    vec4 p = high_order_texel(map, at, 2 * channel);
+    vec4 q = high_order_texel(map, at, 2 * channel + 1);
+    mat3 tensor = mat3(p.z, q.x, q.y, q.x, p.w, q.z, q.y, q.z, -p.z - p.w);
+    vec3 ty = tensor * y;
+    return vec4(p.x, 0.5 * (dot(x, tensor * x) - dot(y, ty)), dot(x, ty), p.y);
+}
+
+// d, x and normal in the light's axes; the result in the frame with x along the s-axis.
+void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible, sampler2D factors,
+                           sampler2D centre, sampler2D around, sampler2D base, out vec4 stokes[CHANNELS]) {
+    HighOrderAngle angle = high_order_angle(factors, cosine);
+    vec4 difference[CHANNELS];
+    for (int i = 0; i < CHANNELS; ++i) stokes[i] = difference[i] = vec4(0.0);
+    vec3 probes[4] = high_order_around(d, x, spread);
+    for (int k = 0; k < (spread > 0.0 ? 5 : 1); ++k) {
+        vec3 direction = k == 0 ? d : probes[max(k - 1, 0)];
+        vec3 axis = k < 3 ? x : cross(cross(d, x), direction);
+        vec3 across = cross(direction, axis);
+        HighOrderSpot at;
+        if (k == 0)
+            at = high_order_spot(centre, direction);
+        else
+            at = high_order_spot(around, direction);
+        int probe = min(k, 3);
+        vec4 f[8];
+        for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, 2 * probe + e);
+        for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, 12 + 6 * probe + e);
+        for (int i = 0; i < CHANNELS; ++i) {
+            vec4 s;
+            if (k == 0)
+                s = high_order_stokes(centre, at, i, axis, across);
+            else
+                s = high_order_stokes(around, at, i, axis, across);
+            stokes[i] += vec4(f[0][i] * s.x + f[2][i] * s.y, f[1][i] * s.x + f[3][i] * s.y,
+                              f[4][i] * s.z + f[6][i] * s.w, f[5][i] * s.z + f[7][i] * s.w);
+            if (k == 3) difference[i] = s;
+            if (k == 4) difference[i] -= s;
+        }
+    }
+    vec4 f[8];
+    for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, 8 + e);
+    for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, 36 + e);
+    for (int i = 0; i < CHANNELS; ++i) {
+        vec4 s = difference[i];
+        stokes[i] += vec4(f[2][i] * s.z + f[6][i] * s.w, f[3][i] * s.z + f[7][i] * s.w,
+                          f[0][i] * s.x + f[4][i] * s.y, f[1][i] * s.x + f[5][i] * s.y);
+        stokes[i] *= visible.x;
+    }
+    if (visible.y > 0.0) {
+        HighOrderSpot at = high_order_spot(base, -normal);
+        vec4 to_s0 = visible.y * high_order_factor(factors, angle, 10);
+        vec4 to_s1 = visible.y * high_order_factor(factors, angle, 11);
+        for (int i = 0; i < CHANNELS; ++i)
+            stokes[i].xy += high_order_texel(base, at, 2 * i).x * vec2(to_s0[i], to_s1[i]);
+    }
+}
+#else
+// Components of vectors that stand for light are channels.
+void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible, sampler2D factors,
+                           sampler2D centre, sampler2D around, sampler2D base, out vec4 stokes[CHANNELS]) {
+    HighOrderAngle angle = high_order_angle(factors, cosine);
+    vec4 light = high_order_texel(centre, high_order_spot(centre, d), 0);
+    vec4 s0 = light * high_order_factor(factors, angle, 0);
+    vec4 s1 = light * high_order_factor(factors, angle, 1);
+    vec4 s2 = vec4(0.0);
+    vec4 s3 = vec4(0.0);
+    if (spread > 0.0) {
+        vec3 probes[4] = high_order_around(d, x, spread);
+        vec4 s[4];
+        for (int k = 0; k < 4; ++k) s[k] = high_order_texel(around, high_order_spot(around, probes[k]), 0);
+        vec4 sum = s[2] + s[3];
+        vec4 difference = s[2] - s[3];
+        s0 += s[0] * high_order_factor(factors, angle, 2) + s[1] * high_order_factor(factors, angle, 4) +
+              sum * high_order_factor(factors, angle, 6);
+        s1 += s[0] * high_order_factor(factors, angle, 3) + s[1] * high_order_factor(factors, angle, 5) +
+              sum * high_order_factor(factors, angle, 7);
+        s2 = difference * high_order_factor(factors, angle, 8);
+        s3 = difference * high_order_factor(factors, angle, 9);
+    }
+    for (int i = 0; i < CHANNELS; ++i) stokes[i] = visible.x * vec4(s0[i], s1[i], s2[i], s3[i]);
+    if (visible.y > 0.0) {
+        light = visible.y * high_order_texel(base, high_order_spot(base, -normal), 0);
+        s0 = light * high_order_factor(factors, angle, 10);
+        s1 = light * high_order_factor(factors, angle, 11);
+        for (int i = 0; i < CHANNELS; ++i) stokes[i].xy += vec2(s0[i], s1[i]);
+    }
+}
+#endif
+
+// What a surface reflects of the light's high orders, in the frame with x along `camera_x`, a unit vector across
+// `view`. normal and view (the propagation direction of the reflected light) are unit vectors in the world. to_light
+// turns the world's axes into the maps'. spread: HighOrderFactors::spread(); where it is 0, `around` is not used.
+// visible: the visible fraction of the lobe about the mirror direction, and of what the normal sees; where that is 0,
+// `base` is not used.
+void high_order(vec3 normal, vec3 view, vec3 camera_x, mat3 to_light, float spread, vec2 visible, sampler2D factors,
+                sampler2D centre, sampler2D around, sampler2D base, out vec4 stokes[CHANNELS]) {
+    // A normal that faces away is treated as seen at 90 degrees.
+    float cosine = dot(normal, view);
+    vec3 seen = cosine < 0.0 ? normalize(view - cosine * normal) : view;
+    vec3 x = cross(normal, seen);
+    // Seen head-on, every plane is one of incidence.
+    x = dot(x, x) > 1e-10 ? normalize(x) : camera_x;
+    vec3 d = seen - 2.0 * max(cosine, 0.0) * normal;
+    high_order_in_s_frame(to_light * d, to_light * x, to_light * normal, cosine, spread, visible, factors, centre,
+                          around, base, stokes);
+
+    float c = dot(camera_x, x);
+    float s = dot(camera_x, cross(view, x));
+    float cos2 = c * c - s * s;
+    float sin2 = 2.0 * c * s;
+    for (int i = 0; i < CHANNELS; ++i) {
+        vec4 f = stokes[i];
+        stokes[i] = vec4(f.x, cos2 * f.y + sin2 * f.z, cos2 * f.z - sin2 * f.y, f.w);
+    }
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// How much of what a vertex reflects to a viewer it sees.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "nicol/horizon.hpp"
+#include "transfer/viewpoint.hpp"
+
+namespace nicol {
+
+/// Visible fractions for HighOrder, from visibility as VisibilityHarmonics makes it.
+class HighOrderVisibility {
+public:
+    /// order: of the visibility. width: of the lobe about the mirror direction, radians, as for
+    /// gaussian_gains(); where the order cannot resolve it, it is widened. Throws Error(invalid_argument) for
+    /// an order out of 0..64 or a width that is not in 0..4.
+    HighOrderVisibility(int order, double width, HorizonExtension extension);
+
+    /// visibility: psh_count(order) coefficients of a vertex. d: unit direction in its frame. The parts of a
+    /// lobe about d and of the cosine about -z, 0..1, of what nothing hides.
+    [[nodiscard]] glm::vec2 at(std::span<const float> visibility, const glm::vec3& d) const;
+
+    /// at() the mirrored view direction for first <= v < last with visible[v] != 0, into out[v]. visibility:
+    /// [vertex][psh_index(l, m)]. Calls for different vertices may run side by side.
+    void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+             std::span<const std::uint8_t> visible, std::span<const float> visibility, std::size_t first,
+             std::size_t last, std::span<glm::vec2> out) const;
+
+private:
+    int order_;
+    std::vector<float> lobe_;        // by l, gain
+    std::vector<float> cosine_;      // by l, gain times Y_l0 at -z
+    std::vector<float> everything_;  // by l, what nothing hides (only m = 0)
+    std::vector<float> climb_;       // [m][l - m] factors of the recursion, two each
+};
+
+}  // namespace nicol
