@@ -9,6 +9,7 @@
 #include <string>
 
 #include "boundary.hpp"
+#include "light/environment_checks.hpp"
 #include "light/equirect.hpp"
 #include "light/equirect_projection.hpp"
 #include "nicol/grid.hpp"
@@ -96,11 +97,9 @@ Stokes PictureLight::radiance(int channel, const glm::dvec3& towards_light) cons
 }
 
 PshVector PictureLight::project(int order) const {
-    if (polarized_)
-        return project_equirect({image_.width, image_.height, image_.channels, 4, image_.data}, order);
-    std::vector<float> radiance(image_.data.size() / 4);
-    for (std::size_t i = 0; i < radiance.size(); ++i) radiance[i] = image_.data[4 * i];
-    return project_equirect({image_.width, image_.height, image_.channels, 1, radiance}, order);
+    EquirectView view = view_of(image_);
+    if (!polarized_) view.components = 1;
+    return project_equirect(view, order);
 }
 
 PshVector project_samples_of(const EquirectImage& image, int order) {
