@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Version, results and contexts.
 #include <array>
+#include <cstdlib>
 #include <thread>
 
 #include "handles.hpp"
@@ -23,6 +24,12 @@ gl::Backend backend_of(nicol_backend backend) {
         default:
             refuse("backend is " + std::to_string(backend) + "; it must be one of NICOL_BACKEND_...");
     }
+}
+
+const char* cache_folder(const char* chosen) {
+    if (chosen != nullptr && *chosen != '\0') return chosen;
+    const char* environment = std::getenv("NICOL_CACHE");
+    return environment != nullptr ? environment : "";
 }
 
 }  // namespace
@@ -123,6 +130,7 @@ nicol_result nicol_context_create(const nicol_context_options* options, nicol_co
         session->threads = static_cast<int>(chosen.threads);
         session->log = chosen.log;
         session->log_user = chosen.log_user;
+        session->cache = cache_folder(chosen.cache_folder);
         // The information lives as long as the context whose part it is.
         std::shared_ptr<const gl::ContextInfo> info(session->gl, &session->gl->info());
         *context = make_handle<nicol_context_impl>(session, info);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -27,8 +28,13 @@ struct Session {
     int threads = 0;
     nicol_log_callback log = nullptr;
     void* log_user = nullptr;
+    std::filesystem::path cache;  ///< folder of tables; empty: none
     std::mutex mutex;
     std::atomic<std::thread::id> busy{};  ///< the thread inside a call
+
+    void notice(const std::string& message) const {
+        if (log != nullptr) log(log_user, NICOL_LOG_NOTICE, NICOL_OK, message.c_str());
+    }
 };
 
 using SessionPtr = std::shared_ptr<Session>;
@@ -66,7 +72,11 @@ private:
 };
 
 struct SceneState {
-    explicit SceneState(const SessionPtr& session) : renderer(session->gl, session->threads) {}
+    explicit SceneState(const SessionPtr& session) : renderer(session->gl, session->threads) {
+        // Renders happen inside a call that holds the session.
+        renderer.set_cache(session->cache,
+                           [owner = session.get()](const std::string& message) { owner->notice(message); });
+    }
 
     Scene scene;
     Renderer renderer;

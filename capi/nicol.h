@@ -126,7 +126,7 @@ typedef struct nicol_context_options {
     nicol_backend backend;  /* an explicit choice never falls back to another */
     uint32_t device;        /* 0: choose; n: EGL device n - 1 */
     uint32_t threads;       /* 0: one a core */
-    nicol_log_callback log; /* NULL: silent. May be called on any thread that calls into the context. */
+    nicol_log_callback log; /* NULL: silent. May be called on any thread. */
     void* log_user;
     /* Where tables of materials are kept between runs; made where missing. Processes may share it, and it may
      * be emptied at any time. NULL or "": the environment variable NICOL_CACHE, and where that is not set or

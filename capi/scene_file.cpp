@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
 // From a scene file's description to the things it describes.
+#include <algorithm>
 #include <complex>
+#include <filesystem>
 #include <map>
+#include <tuple>
 
 #include "handles.hpp"
 #include "nicol/conductor.hpp"
+#include "nicol/measured.hpp"
+#include "nicol/psh_file.hpp"
+#include "nicol/psh_matrix_file.hpp"
+#include "nicol/scene_color.hpp"
 #include "nicol/scene_description.hpp"
 
 namespace nicol::capi {
 namespace {
-
-std::vector<double> rgb(const glm::dvec3& value) {
-    return {value.x, value.y, value.z};
-}
 
 SceneParameters parse(const char* const* definitions, std::uint32_t count) {
     if (count > 0) require(definitions, "definitions");
@@ -29,67 +32,94 @@ SceneParameters parse(const char* const* definitions, std::uint32_t count) {
     return parameters;
 }
 
-/// n - ik for each channel.
-std::vector<std::complex<double>> index_of(const MaterialDescription& d) {
-    if (!d.metal.empty()) return metal_index(d.metal);
+EnvironmentPtr make(const EmitterDescription& d) {
+    const SceneChannels rgb;
+    switch (d.kind) {
+        case EmitterDescription::Kind::envmap:
+            return load_environment(d.filename);
+        case EmitterDescription::Kind::psh:
+            return psh_environment(read_psh_vector(d.filename));
+        case EmitterDescription::Kind::constant:
+            return constant_environment(radiance(d.radiance, rgb));
+        case EmitterDescription::Kind::sky:
+            break;
+    }
+    return rayleigh_sky({.sun_direction = d.sun_direction,
+                         .dop_max = d.dop_max,
+                         .radiance = radiance(d.radiance, rgb),
+                         .turbidity = d.turbidity,
+                         .ground_albedo = reflectance(d.ground_albedo, rgb)});
+}
+
+/// The light says what the channels are; grey light serves any.
+SceneChannels channels_under(const EnvironmentPtr& light) {
+    if (!light || (light->channels() == 1 && light->wavelengths().empty())) return {};
+    return {.count = light->channels(), .wavelengths = light->wavelengths()};
+}
+
+/// n - ik, one or one a channel.
+std::vector<std::complex<double>> index_of(const MaterialDescription& d, const SceneChannels& channels) {
+    if (!d.metal.empty()) {
+        if (channels.rgb()) return metal_index(d.metal);
+        if (!channels.wavelengths.empty()) return metal_index(d.metal, channels.wavelengths);
+        throw Error(ErrorCode::unsupported, "a named metal under light of " + std::to_string(channels.count) +
+                                                " channels without wavelengths; give grey eta and k");
+    }
+    const std::vector<double> eta = refractive_index(d.eta, channels);
+    const std::vector<double> k = refractive_index(d.k, channels);
     std::vector<std::complex<double>> index;
-    const glm::dvec3 &eta = d.eta, &k = d.k;
-    for (glm::length_t c = 0; c < 3; ++c) index.emplace_back(eta[c], -k[c]);
+    for (std::size_t c = 0; c < std::max(eta.size(), k.size()); ++c)
+        index.emplace_back(eta[eta.size() == 1 ? 0 : c], -k[k.size() == 1 ? 0 : c]);
     return index;
 }
 
-MaterialPtr make_front(const MaterialDescription& d) {
+MaterialPtr matrix_material(const MaterialDescription& d, const SceneChannels& channels) {
+    std::vector<IsotropicMatrix> matrices = read_psh_matrix(d.filename);
+    std::vector<double> scale = reflectance(d.scale, channels);
+    if (std::ranges::all_of(scale, [&](double s) { return s == scale.front(); })) scale.resize(1);
+    if (matrices.size() == 1) matrices.resize(scale.size(), matrices.front());
+    return psh_matrix_material(std::move(matrices), scale);
+}
+
+MaterialPtr measured_material(const MaterialDescription& d, const SceneChannels& channels) {
+    if (d.wavelength) return load_measured(d.filename, {.wavelengths = {*d.wavelength}});
+    return load_measured(d.filename, {.wavelengths = channels.wavelengths});
+}
+
+MaterialPtr make_front(const MaterialDescription& d, const SceneChannels& channels) {
     const Distribution distribution =
         d.distribution == MaterialDescription::Distribution::ggx ? Distribution::ggx : Distribution::beckmann;
     switch (d.kind) {
         case MaterialDescription::Kind::diffuse:
-            return diffuse(rgb(d.reflectance));
+            return diffuse(reflectance(d.reflectance, channels));
         case MaterialDescription::Kind::pplastic:
-            return pplastic({.diffuse_reflectance = rgb(d.diffuse_reflectance),
-                             .specular_reflectance = rgb(d.specular_reflectance),
+            return pplastic({.diffuse_reflectance = reflectance(d.diffuse_reflectance, channels),
+                             .specular_reflectance = reflectance(d.specular_reflectance, channels),
                              .int_ior = d.int_ior,
                              .ext_ior = d.ext_ior,
                              .alpha = d.alpha,
                              .distribution = distribution});
         case MaterialDescription::Kind::conductor:
-            return conductor(index_of(d), rgb(d.specular_reflectance));
+            return conductor(index_of(d, channels), reflectance(d.specular_reflectance, channels));
         case MaterialDescription::Kind::roughconductor:
-            return rough_conductor({.eta = index_of(d),
-                                    .specular_reflectance = rgb(d.specular_reflectance),
+            return rough_conductor({.eta = index_of(d, channels),
+                                    .specular_reflectance = reflectance(d.specular_reflectance, channels),
                                     .alpha = d.alpha,
                                     .distribution = distribution});
         case MaterialDescription::Kind::psh:
+            return matrix_material(d, channels);
         case MaterialDescription::Kind::measured_polarized:
             break;
     }
-    throw Error(
-        ErrorCode::unsupported,
-        std::string("bsdf type \"") +
-            (d.kind == MaterialDescription::Kind::psh ? "psh" : "measured_polarized") +
-            "\" is not supported by this version; use pplastic, diffuse, conductor or roughconductor");
+    return measured_material(d, channels);
 }
 
-MaterialPtr make(const MaterialDescription& d) {
-    return d.twosided ? twosided(make_front(d)) : make_front(d);
-}
-
-EnvironmentPtr make(const EmitterDescription& d) {
-    switch (d.kind) {
-        case EmitterDescription::Kind::envmap:
-            return load_environment(d.filename);
-        case EmitterDescription::Kind::constant:
-            return constant_environment(rgb(d.radiance));
-        case EmitterDescription::Kind::sky:
-            return rayleigh_sky({.sun_direction = d.sun_direction,
-                                 .dop_max = d.dop_max,
-                                 .radiance = rgb(d.radiance),
-                                 .turbidity = d.turbidity,
-                                 .ground_albedo = rgb(d.ground_albedo)});
-        case EmitterDescription::Kind::psh:
-            break;
+MaterialPtr make(const MaterialDescription& d, const SceneChannels& channels) {
+    try {
+        return d.twosided ? twosided(make_front(d, channels)) : make_front(d, channels);
+    } catch (const Error& error) {
+        throw Error(error.code(), "bsdf" + (d.id.empty() ? "" : " \"" + d.id + "\"") + ": " + error.what());
     }
-    throw Error(ErrorCode::unsupported,
-                "emitter type \"psh\" is not supported by this version; use envmap, constant or sky");
 }
 
 Mesh make(const ShapeDescription& d) {
@@ -113,6 +143,23 @@ Mesh make(const ShapeDescription& d) {
     return mesh;
 }
 
+/// Shapes of the same file and flags share a mesh.
+class Meshes {
+public:
+    std::shared_ptr<const Mesh> of(const ShapeDescription& d) {
+        const Key key{d.kind,     d.filename, d.center.x,     d.center.y,
+                      d.center.z, d.radius,   d.face_normals, d.flip_normals};
+        std::shared_ptr<const Mesh>& mesh = made_[key];
+        if (!mesh) mesh = std::make_shared<const Mesh>(make(d));
+        return mesh;
+    }
+
+private:
+    using Key =
+        std::tuple<ShapeDescription::Kind, std::filesystem::path, double, double, double, double, bool, bool>;
+    std::map<Key, std::shared_ptr<const Mesh>> made_;
+};
+
 Camera make(const SensorDescription& d) {
     Camera camera;
     camera.orthographic = d.kind == SensorDescription::Kind::orthographic;
@@ -129,30 +176,24 @@ std::shared_ptr<SceneState> load_scene(const SessionPtr& session, const char* pa
                                        const char* const* definitions, std::uint32_t count) {
     require(path, "path");
     const SceneDescription description = read_mitsuba_scene(path, parse(definitions, count));
-    if (session->log != nullptr) {
-        for (const std::string& notice : description.notices) {
-            session->log(session->log_user, NICOL_LOG_NOTICE, NICOL_OK, notice.c_str());
-        }
-    }
-    if (description.sensor.luminance) {
-        throw Error(ErrorCode::unsupported,
-                    "film: pixel_format luminance is not supported by this version; use rgb");
-    }
-
+    for (const std::string& notice : description.notices) session->notice(notice);
     auto state = std::make_shared<SceneState>(session);
-    std::vector<MaterialPtr> materials;
-    for (const MaterialDescription& material : description.materials) materials.push_back(make(material));
-    for (const ShapeDescription& shape : description.shapes) {
-        state->scene.add({.mesh = std::make_shared<const Mesh>(make(shape)),
-                          .material = materials.at(shape.material),
-                          .to_world = shape.to_world});
-    }
     if (description.emitter) {
         state->scene.set_environment(make(*description.emitter),
                                      rotation_of(description.emitter->to_world, "emitter"),
                                      description.emitter->scale);
     }
+    const SceneChannels channels = channels_under(state->scene.environment());
+    std::vector<MaterialPtr> materials;
+    for (const MaterialDescription& material : description.materials)
+        materials.push_back(make(material, channels));
+    Meshes meshes;
+    for (const ShapeDescription& shape : description.shapes) {
+        state->scene.add(
+            {.mesh = meshes.of(shape), .material = materials.at(shape.material), .to_world = shape.to_world});
+    }
     state->camera = make(description.sensor);
+    state->luminance = description.sensor.luminance;
     state->width = static_cast<std::uint32_t>(description.sensor.width);
     state->height = static_cast<std::uint32_t>(description.sensor.height);
     return state;

@@ -22,8 +22,6 @@ struct ColorDescription {
 
     ColorDescription(double grey) : rgb(grey) {}
     ColorDescription(const glm::dvec3& linear) : rgb(linear) {}
-    /// The RGB. Throws Error(unsupported) where there is a table.
-    operator const glm::dvec3&() const;
 
     glm::dvec3 rgb{0.0};           ///< without meaning beside a table
     std::vector<Sample> spectrum;  ///< empty, or two and more by increasing wavelength

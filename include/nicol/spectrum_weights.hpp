@@ -7,8 +7,8 @@
 
 namespace nicol {
 
-/// channel = sum_k weights[channel][k] value[k]; the weights of a channel sum to 1, so that a grey
-/// reflectance stays grey.
+/// channel = sum_k weights[channel][k] value[k]. But for emissions the weights of a channel sum to 1, so that
+/// a grey reflectance stays grey.
 using ChannelWeights = std::vector<std::vector<double>>;
 
 /// Linear red, green and blue with the primaries and the white point (D65) of BT.709 and sRGB, of a
@@ -16,6 +16,10 @@ using ChannelWeights = std::vector<std::vector<double>>;
 /// D65, tables of 10 nm from 380 to 780. Weights may be negative: saturated spectra lie outside the gamut.
 /// `wavelengths`: nm, increasing, at least one; else Error(invalid_argument).
 [[nodiscard]] ChannelWeights rgb_weights(std::span<const double> wavelengths);
+
+/// The same colours of an emission, scaled to the luminance: weights of the CIE 1931 observer, divided by the
+/// integral of its y. A constant emission becomes white of equal energy, (1.205, 0.948, 0.909), not (1, 1, 1).
+[[nodiscard]] ChannelWeights rgb_emission_weights(std::span<const double> wavelengths);
 
 /// A channel for each wanted wavelength: linear between the measured ones, constant beyond them.
 [[nodiscard]] ChannelWeights linear_weights(std::span<const double> wavelengths,

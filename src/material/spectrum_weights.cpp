@@ -66,6 +66,20 @@ void spread(std::span<const double> wavelengths, double wavelength, double amoun
     weights[upper] += x * amount;
 }
 
+// The observer at a whole nanometre.
+Tristimulus observer_at(int nm) {
+    const auto i = static_cast<std::size_t>(nm - 380) / 10;
+    const double x = (nm - 380) % 10 / 10.0;
+    const Tristimulus& a = observer[i];
+    const Tristimulus& b = observer[i + 1];
+    return {std::lerp(a.x, b.x, x), std::lerp(a.y, b.y, x), std::lerp(a.z, b.z, x),
+            std::lerp(a.d65, b.d65, x)};
+}
+
+double response(std::size_t channel, const Tristimulus& t) {
+    return to_rgb[channel][0] * t.x + to_rgb[channel][1] * t.y + to_rgb[channel][2] * t.z;
+}
+
 }  // namespace
 
 ChannelWeights rgb_weights(std::span<const double> wavelengths) {
@@ -74,19 +88,27 @@ ChannelWeights rgb_weights(std::span<const double> wavelengths) {
     for (std::size_t c = 0; c < 3; ++c) {
         double total = 0;
         for (int nm = 380; nm < 780; ++nm) {
-            const auto i = static_cast<std::size_t>(nm - 380) / 10;
-            const double x = (nm - 380) % 10 / 10.0;
-            const Tristimulus& a = observer[i];
-            const Tristimulus& b = observer[i + 1];
-            const double response = to_rgb[c][0] * std::lerp(a.x, b.x, x) +
-                                    to_rgb[c][1] * std::lerp(a.y, b.y, x) +
-                                    to_rgb[c][2] * std::lerp(a.z, b.z, x);
-            const double amount = response * std::lerp(a.d65, b.d65, x);
+            const Tristimulus t = observer_at(nm);
+            const double amount = response(c, t) * t.d65;
             spread(wavelengths, nm, amount, out[c]);
             total += amount;
         }
         for (double& weight : out[c]) weight /= total;
     }
+    return out;
+}
+
+ChannelWeights rgb_emission_weights(std::span<const double> wavelengths) {
+    require_increasing(wavelengths);
+    ChannelWeights out(3, std::vector<double>(wavelengths.size()));
+    double luminance = 0;
+    for (int nm = 380; nm < 780; ++nm) {
+        const Tristimulus t = observer_at(nm);
+        luminance += t.y;
+        for (std::size_t c = 0; c < 3; ++c) spread(wavelengths, nm, response(c, t), out[c]);
+    }
+    for (auto& channel : out)
+        for (double& weight : channel) weight /= luminance;
     return out;
 }
 

@@ -2,6 +2,7 @@
 // Renders one scene.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include "render/painter.hpp"
@@ -13,6 +14,11 @@ class Renderer {
 public:
     /// threads = 0: one a core.
     Renderer(std::shared_ptr<gl::Context> context, int threads);
+
+    /// See TransferCache::set_cache().
+    void set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
+        transfer_.set_cache(folder, notice);
+    }
 
     /// The same scene every time. Throws Error(invalid_argument) for options or a camera out of range, a
     /// framebuffer of another context or with other channels than the scene; Error(cancelled);

@@ -166,6 +166,9 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
         material.kind = MaterialDescription::Kind::psh;
         material.filename = plugin.filename("filename");
         material.scale = plugin.color("scale", 1.0);
+        if (!material.scale.spectrum.empty())
+            plugin.fail("scale", "is a table over the wavelength; expected one value or three",
+                        ErrorCode::unsupported);
     } else if (plugin.type() == "twosided") {
         plugin.finish();
         return read_twosided(document, plugin);

@@ -107,9 +107,6 @@ TEST_CASE("conductors: defaults, metals, an index in numbers, colours and tables
     CHECK(table.eta.spectrum[1].value == 1.25);
     CHECK(table.eta.spectrum[2].wavelength == 700.0);
     CHECK(table.k.spectrum.empty());
-    // A table is no RGB, and does not pass for one.
-    CHECK_THROWS_AS(static_cast<void>(static_cast<const glm::dvec3&>(table.eta)), Error);
-    CHECK(static_cast<const glm::dvec3&>(rough.eta) == rough.eta.rgb);
 }
 
 TEST_CASE("conductors that are refused") {
@@ -144,6 +141,13 @@ TEST_CASE("tables over the wavelength are kept in every colour") {
               .reflectance.spectrum.size() == 2);
     CHECK(emitter("<emitter type='constant'><spectrum name='radiance' value='400:5 500:6 700:7'/></emitter>")
               .radiance.spectrum.size() == 3);
+}
+
+TEST_CASE("the scale of a matrix material is no table") {
+    refused(
+        "<bsdf type='psh'><string name='filename' value='a.npz'/>\n"
+        "<spectrum name='scale' value='400:0.5, 700:1'/></bsdf>",
+        ErrorCode::unsupported, 3, {"\"scale\"", "one value or three"});
 }
 
 TEST_CASE("measured materials") {
