@@ -68,9 +68,9 @@ void figure_16(Experiment& experiment) {
         check(nicol_psh_convolve(order, bands.data(), bands.size(), 1, f.data(), f.size(), result.data(),
                                  result.size()));
     };
-    const double convolve_s = seconds(convolve);
+    const double convolve_s = least_seconds(convolve);
     Doubles frequency;
-    const double synthesize_s = seconds([&] { frequency = grid.synthesize(result); });
+    const double synthesize_s = least_seconds([&] { frequency = grid.synthesize(result); });
 
     // Output pixels: every second column, (order + 1)^2 of them.
     const std::vector<Point> points = points_of(grid);

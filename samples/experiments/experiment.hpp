@@ -10,6 +10,7 @@
 struct Experiment {
     std::filesystem::path out;  ///< folder for pictures
     std::string light;          ///< OpenEXR file; empty: the picture of light.hpp
+    std::string polarsh;        ///< folder of the authors' data; empty: not compared
     bool quick = false;         ///< a smaller case where the full one takes more than a second
     bool failed = false;        ///< some claim did not hold
 

@@ -4,6 +4,7 @@
 
 #include <nicol.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <complex>
@@ -77,6 +78,14 @@ double seconds(F&& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The least wall seconds of some calls.
+template <class F>
+double least_seconds(F&& work) {
+    double least = seconds(work);
+    for (int i = 0; i < 9; ++i) least = std::min(least, seconds(work));
+    return least;
 }
 
 double largest_difference(const Doubles& a, const Doubles& b);

@@ -17,6 +17,8 @@ const char* const usage =
     "      --out DIR     folder for the pictures, made when missing; default out/experiments\n"
     "      --light FILE  light of figures 7, 11 and 16, in any format that nicol-render takes;\n"
     "                    default: a sky with three polarized lamps, made here\n"
+    "      --polarsh DIR the authors' visibility of a vertex, vis_SHVec_buddha_v17650_256_L9.npz, and their\n"
+    "                    matrix of it, vis_TPmat_buddha_v17650_256_L5.npz: compared in figure 13\n"
     "      --quick       figure 16 in order 19 in place of 99\n"
     "      --help        shows this text\n"
     "\n"
@@ -66,12 +68,12 @@ int main(int argc, char** argv) try {
         }
         if (name == "--quick") {
             experiment.quick = true;
-        } else if (name == "--out" || name == "--light") {
+        } else if (name == "--out" || name == "--light" || name == "--polarsh") {
             if (++i == argc) return refuse(name + ": a value must follow");
             if (name == "--out")
                 experiment.out = argv[i];
             else
-                experiment.light = argv[i];
+                (name == "--light" ? experiment.light : experiment.polarsh) = argv[i];
         } else {
             const auto* found =
                 std::ranges::find_if(figures, [&](const Figure& f) { return name == f.name; });
