@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Lanes as the compiler's own vectors, which stay in registers where arrays go through memory.
+#pragma once
+
+#include <cstdint>
+
+#include "transfer/lanes.hpp"
+
+namespace nicol {
+
+using LaneVector [[gnu::vector_size(64), gnu::may_alias]] = float;
+using FixedVector [[gnu::vector_size(32), gnu::may_alias]] = std::int16_t;
+
+/// 16-bit numbers stand for themselves over this: -2 to 2 in steps of 6.1e-5.
+inline constexpr float kFixedOne = 16384.0F;
+
+// Inlined into functions of every instruction set. Numbers of 16 bits come as they are, kFixedOne too large.
+[[gnu::always_inline]] inline void load(const Lanes* from, LaneVector& to) {
+    to = *reinterpret_cast<const LaneVector*>(from);
+}
+[[gnu::always_inline]] inline void load(const float* from, LaneVector& to) {
+    to = *reinterpret_cast<const LaneVector*>(from);
+}
+[[gnu::always_inline]] inline void load(const std::int16_t* from, LaneVector& to) {
+    to = __builtin_convertvector(*reinterpret_cast<const FixedVector*>(from), LaneVector);
+}
+[[gnu::always_inline]] inline void store(Lanes* to, const LaneVector& from) {
+    *reinterpret_cast<LaneVector*>(to) = from;
+}
+
+}  // namespace nicol

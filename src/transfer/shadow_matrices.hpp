@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Products with mirrored visibility as a matrix a vertex.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "transfer/lanes.hpp"
+#include "transfer/mirror_basis.hpp"
+#include "transfer/shadow_triples.hpp"
+
+namespace nicol {
+
+/// The shadow matrix (Eq. 54) of mirrored visibility falls into three blocks over MirrorBasis: even to even,
+/// odd to odd, and one of spin harmonics that serves e and o. Sixteen vertices at once.
+class ShadowMatrices {
+public:
+    /// Light that is multiplied at once.
+    static constexpr std::size_t kMostChannels = 3;
+
+    /// The bases, of one kind, must outlive the object.
+    ShadowMatrices(int order_in, const MirrorBasis& in, int order_out, const MirrorBasis& out);
+
+    /// Numbers of one vertex.
+    [[nodiscard]] std::size_t size() const noexcept;
+    /// From coefficients by psh_index, of order_in + order_out.
+    void make(const Lanes* visibility, Lanes* numbers) const;
+
+    /// out[c] = matrix in[c], split lights of at most kMostChannels channels.
+    void multiply(const float* numbers, std::span<const Lanes* const> in, std::span<Lanes* const> out) const;
+    /// The same from numbers that stand for themselves over kFixedOne.
+    void multiply(const std::int16_t* numbers, std::span<const Lanes* const> in,
+                  std::span<Lanes* const> out) const;
+
+private:
+    // A block of the matrix and where the two parts of a light begin that it multiplies.
+    struct Block {
+        ShadowTriples triples;
+        std::array<std::size_t, 2> in;
+        std::array<std::size_t, 2> out;
+        std::size_t parts;
+    };
+
+    template <class Number>
+    void multiply_blocks(const Number* numbers, std::span<const Lanes* const> in,
+                         std::span<Lanes* const> out) const;
+
+    std::array<Block, 3> blocks_;
+};
+
+}  // namespace nicol
