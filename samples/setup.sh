@@ -3,10 +3,10 @@
 # Installs the Debian 12 packages that Nicol is built with and run on, where some are missing.
 set -eu
 
-packages="cmake g++ ninja-build pkg-config python3 python3-glad
+packages="cmake g++ ninja-build python3 python3-glad
   libosmesa6-dev libosmesa6 libegl-dev libegl-mesa0 libgl1-mesa-dri
   libglm-dev libopenmesh-dev libopenexr-dev libembree-dev libtbb-dev libpugixml-dev libpng-dev
-  libkissfft-dev libboost-dev zlib1g-dev doctest-dev"
+  libboost-dev zlib1g-dev doctest-dev"
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
     echo "setup: not a Debian system; what is needed there is called:" $packages >&2
