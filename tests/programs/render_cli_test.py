@@ -181,7 +181,10 @@ class Success(RenderTest):
         self.assertTrue(stats["renderer"])
         self.assertEqual((stats["width"], stats["height"], stats["channels"]), (24, 16, 3))
         self.assertGreater(stats["vertices"], 3)
-        self.assertEqual(set(stats["milliseconds"]), {"project", "bake", "relight", "shade", "draw", "observe"})
+        self.assertEqual(
+            set(stats["milliseconds"]), {"project", "bake", "relight", "shade", "trace", "draw", "observe"}
+        )
+        self.assertEqual(stats["rays"], {"camera": 0, "shadow": 0})
         self.assertGreater(stats["milliseconds"]["observe"], 0)
         self.assertEqual(set(stats["skipped"]), {"vertices", "light_columns", "response_rows", "channels_shared"})
         self.assertGreater(stats["bytes"]["texture"], 24 * 16 * 16)
@@ -193,6 +196,48 @@ class Success(RenderTest):
             with open(self.path("out/s.json"), encoding="utf-8") as file:
                 self.assertEqual(json.load(file)["order"], int(low))
         self.assert_succeeds("good.xml", "-o", "out/a.exr", "--order-low", "4", "--order-high", "4")
+
+    def test_reference(self):
+        def picture(*arguments):
+            self.assert_succeeds("good.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
+            return self.files()[self.path("out", "a.exr")]
+
+        reference = ["--method", "reference", "--samples", "8"]
+        first = picture(*reference)
+        with open(self.path("out/s.json"), encoding="utf-8") as file:
+            stats = json.load(file)
+        self.assertEqual(stats["rays"]["camera"], 24 * 16 * 8)
+        self.assertGreater(stats["rays"]["shadow"], 0)
+        self.assertGreater(stats["milliseconds"]["trace"], 0)
+        self.assertEqual(stats["triangles"], 2 * 64 * 64)
+        self.assertEqual(picture(*reference, "--seed", "0"), first)
+        self.assertNotEqual(picture(*reference, "--seed", "18446744073709551615"), first)
+        self.assertNotEqual(picture("--method=reference", "--samples=16"), first)
+        self.assertNotEqual(picture(), first)
+
+    def test_cache(self):
+        def tables():
+            return sorted(os.listdir(self.path("tables"))) if os.path.isdir(self.path("tables")) else []
+
+        self.assert_succeeds("good.xml", "-o", "out/a.exr", NICOL_CACHE="")
+        self.assert_succeeds("good.xml", "-o", "out/b.exr", "--cache", "tables")
+        made = tables()
+        self.assertEqual(len(made), 1)
+        run = self.assert_succeeds("good.xml", "-o", "out/c.exr", NICOL_CACHE=self.path("tables"))
+        self.assertEqual(run.stderr, "")
+        self.assertEqual(tables(), made)
+        with open(self.path("tables", made[0]), "r+b") as file:
+            file.truncate(100)
+        run = self.assert_succeeds("good.xml", "-o", "out/d.exr", "--cache", "tables")
+        self.assertIn("notice: ", run.stderr)
+        self.assertIn(made[0], run.stderr)
+        files = self.files()
+        for name in "bcd":
+            self.assertEqual(files[self.path("out", name + ".exr")], files[self.path("out", "a.exr")], name)
+        # What is no folder is a notice too.
+        self.write("file", "x")
+        run = self.assert_succeeds("good.xml", "-o", "out/d.exr", "--cache", "file/deep")
+        self.assertIn("notice: ", run.stderr)
 
     def test_ignored_integrator_is_noticed(self):
         self.write("notice.xml", scene(emitter='<integrator type="stokes"/>' + EMITTER))
@@ -233,6 +278,12 @@ class CommandLine(RenderTest):
             (["4"], good + ["--order-low", "8", "--order-high", "4"]),
             (["--order-high", "-1"], good + ["--order-high", "-1"]),
             (["--order-low", "four"], good + ["--order-low", "four"]),
+            (["--samples", "'many'"], good + ["--samples", "many"]),
+            (["--samples", "0"], good + ["--samples", "0"]),
+            (["--samples", "1048577"], good + ["--method", "reference", "--samples", "1048577"]),
+            (["--samples", "-1"], good + ["--samples", "-1"]),
+            (["--seed", "18446744073709551616"], good + ["--seed", "18446744073709551616"]),
+            (["--cache"], good + ["--cache", ""]),
             (["--size", "24"], good + ["--size", "24"]),
             (["--size", "'a'"], good + ["--size", "axb"]),
             (["--size"], good + ["--size", "24x16x3"]),
@@ -299,7 +350,7 @@ class BadScene(RenderTest):
                 self.refuse(["bad.xml"], text)
 
     def test_unsupported(self):
-        self.refuse(["bad.xml", "roughconductor"], scene(shape=SHAPE.replace("pplastic", "roughconductor")))
+        self.refuse(["bad.xml", "principled", "supported"], scene(shape=SHAPE.replace("pplastic", "principled")))
         self.refuse(["bad.xml", "hair"], scene(shape='<shape type="hair"/>'))
         self.refuse(["bad.xml", "sunsky"], scene(emitter='<emitter type="sunsky"/>'))
         self.refuse(["bad.xml", "gloss"], scene(shape=SHAPE.replace("alpha", "gloss")))
