@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: MIT
+# nicol-convert from the outside: what it writes and says, and that every bad input ends in exit code 2 and one clear line.
+import json
+import math
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+
+PROGRAM = os.path.abspath(sys.argv[1])
+
+
+def npy(kind, shape, data):
+    header = f"{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape!r}, }}".encode()
+    header += b" " * (63 - (10 + len(header)) % 64) + b"\n"
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header + data
+
+
+def npz(path, shape, values):
+    def text(word):
+        return npy(f"<U{len(word)}", (), word.encode("utf-32-le"))
+
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("coeff.npy", npy("<f8", shape, struct.pack(f"<{len(values)}d", *values)))
+        archive.writestr("cod_type.npy", text("POLAR4"))
+        archive.writestr("sh_type.npy", text("REAL"))
+
+
+def read_npz(path):
+    with zipfile.ZipFile(path) as archive:
+        data = archive.read("coeff.npy")
+    start = 10 + struct.unpack_from("<H", data, 8)[0]
+    return list(struct.unpack(f"<{(len(data) - start) // 8}d", data[start:]))
+
+
+def light(order, last=0.0):
+    """Radiance 1 from everywhere, and `last` as the last s0 coefficient."""
+    values = [0.0] * (4 * (order + 1) ** 2)
+    values[0] = math.sqrt(4 * math.pi)
+    values[-4] = last
+    return values
+
+
+class ConvertTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        os.mkdir(self.path("out"))
+        npz(self.path("light.npz"), (1, 9, 4), light(2, 0.5))
+        # Two levels: 8 entries; the first is s0 to s0 of order 0.
+        npz(self.path("material.npz"), (1, 8, 4, 4), [0.5] + [0.0] * (8 * 16 - 1))
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+
+    def run_program(self, *arguments):
+        return subprocess.run(
+            [PROGRAM, *arguments],
+            cwd=self.folder,
+            # No OpenGL is needed, so none may be looked for.
+            env={**os.environ, "NICOL_BACKEND": "none"},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+
+    def files(self):
+        result = {}
+        for folder, _, names in os.walk(self.folder):
+            for name in names:
+                with open(os.path.join(folder, name), "rb") as file:
+                    result[os.path.join(folder, name)] = file.read()
+        return result
+
+    def assert_succeeds(self, *arguments):
+        run = self.run_program(*arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run
+
+    def info(self, *arguments):
+        return json.loads(self.assert_succeeds("--info", "--json", *arguments).stdout)
+
+    def assert_fails(self, words, *arguments):
+        """Exit code 2, one line that says each of the words, and not one file made or changed."""
+        before = self.files()
+        run = self.run_program(*arguments)
+        self.assertEqual(run.returncode, 2, f"{arguments}: {run.stderr}")
+        lines = run.stderr.splitlines()
+        self.assertEqual(len(lines), 1, run.stderr)
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertEqual(run.stdout, "")
+        self.assertEqual(before, self.files())
+
+
+class Success(ConvertTest):
+    def test_every_format_of_light(self):
+        run = self.assert_succeeds("light.npz", "out/a.exr")
+        self.assertEqual((run.stdout, run.stderr), ("", ""))
+        self.assert_succeeds("out/a.exr", "out/c_s0.exr", "--edge", "64")
+        self.assert_succeeds("out/c_s3.exr", "out/d.npz", "--order=2")
+        for a, b in zip(read_npz(self.path("out/d.npz")), light(2, 0.5)):
+            self.assertAlmostEqual(a, b, delta=1e-3)
+        wanted = ["a.exr", "c_s0.exr", "c_s1.exr", "c_s2.exr", "c_s3.exr", "d.npz"]
+        self.assertEqual(sorted(os.listdir(self.path("out"))), wanted)
+        for name, kind in (("a.exr", "light picture"), ("c_s2.exr", "light cross"), ("d.npz", "light psh")):
+            self.assertEqual(self.info("out/" + name)["kind"], kind)
+
+    def test_exact_round_trip(self):
+        self.assert_succeeds("light.npz", "out/a.exr", "--size", "40x21")
+        self.assertEqual([self.info("out/a.exr")[k] for k in ("width", "height")], [40, 21])
+        self.assert_succeeds("out/a.exr", "out/b.npz", "--order", "2", "--band-limited")
+        for a, b in zip(read_npz(self.path("out/b.npz")), light(2, 0.5)):
+            self.assertAlmostEqual(a, b, delta=1e-6)
+
+    def test_turns(self):
+        # l = 1 stands for -y, z, -x. A quarter about x takes y to z and z to -y; then one about z x to y and y to -x.
+        values = [10.0, 0, 0, 0, 1.0, 0, 0, 0, 2.0, 0, 0, 0, 3.0, 0, 0, 0]
+        npz(self.path("turn.npz"), (1, 4, 4), values)
+        self.assert_succeeds("turn.npz", "out/x.npz", "--rotate", "1,0,0,90")
+        for a, b in zip(read_npz(self.path("out/x.npz"))[4::4], (2, -1, 3)):
+            self.assertAlmostEqual(a, b)
+        self.assert_succeeds("turn.npz", "out/xz.npz", "--rotate", "2,0,0,90", "--rotate=0,0,1,90", "--scale", "2")
+        for a, b in zip(read_npz(self.path("out/xz.npz"))[4::4], (6, -2, -4)):
+            self.assertAlmostEqual(a, b)
+
+    def test_materials(self):
+        self.assert_succeeds("material.npz", "out/m.npz")
+        self.assertEqual(read_npz(self.path("out/m.npz")), read_npz(self.path("material.npz")))
+        self.assert_succeeds("material.npz", "out/cache/")
+        (table,) = os.listdir(self.path("out/cache"))
+        self.assertEqual(self.info("out/cache/" + table)["kind"], "material table")
+        self.assert_succeeds("out/cache/" + table, "out/back.npz", "--order", "0")
+        # Half of what order 0 says leaves downwards.
+        self.assertAlmostEqual(read_npz(self.path("out/back.npz"))[0], 0.25, delta=1e-6)
+
+    def test_information(self):
+        report = self.info("light.npz")
+        self.assertEqual((report["channels"], report["order"], report["wavelengths"]), (1, 2, None))
+        self.assertAlmostEqual(report["mean"][0], 1, delta=1e-3)
+        self.assertAlmostEqual(report["energy"][0][0][0], 4 * math.pi, delta=1e-6)
+        self.assertAlmostEqual(report["energy"][0][2][0], 0.25)
+        self.assertEqual(len(report["energy"][0]), 3)
+        self.assertIs(report["polarized"], False)
+        report = self.info("light.npz", "--order", "0", "--scale=3")
+        self.assertEqual(len(report["energy"][0]), 1)
+        self.assertAlmostEqual(report["mean"][0], 3, delta=1e-5)
+        report = self.info("material.npz")
+        self.assertEqual((report["kind"], report["order"], report["file_order"]), ("material psh", 1, 1))
+        self.assertEqual(report["norms"], [[[0.5, 0, 0], [0, 0, 0], [0, 0, 0]]])
+        self.assertEqual(report["energy"], [[0.25, 0]])
+        self.assertEqual(report["asymmetry"], [0])
+
+    def test_information_for_people(self):
+        text = self.assert_succeeds("--info", "light.npz").stdout
+        for words in ("light.npz\n", "coefficients", "channels", "0 to 2", "mean s0", "Eq. 70", "100.0000 %"):
+            self.assertIn(words, text)
+        self.assertIn("albedo", self.assert_succeeds("material.npz", "--info").stdout)
+        self.assertLess(max(map(len, text.splitlines())), 100)
+
+    def test_unphysical_light_is_noticed(self):
+        npz(self.path("ringing.npz"), (1, 9, 4), light(2, 6.0))
+        run = self.assert_succeeds("ringing.npz", "out/a.exr")
+        self.assertEqual(len(run.stderr.splitlines()), 1)
+        for words in ("notice: out/a.exr", "--physical"):
+            self.assertIn(words, run.stderr)
+        self.assertGreater(self.info("out/a.exr")["unphysical"][0], 0.01)
+        self.assertEqual(self.assert_succeeds("ringing.npz", "out/a.exr", "--physical").stderr, "")
+        self.assertEqual(self.info("out/a.exr")["unphysical"], [0])
+
+    def test_replaces_in_one_step(self):
+        # Another name of the old file shows whether it was written into.
+        self.write("out/a.exr", b"old")
+        os.link(self.path("out/a.exr"), self.path("old"))
+        self.assert_succeeds("light.npz", "out/a.exr")
+        self.assertEqual(self.files()[self.path("old")], b"old")
+        self.assertEqual(os.listdir(self.path("out")), ["a.exr"])
+
+    def test_help_and_version(self):
+        self.assertIn("--wavelengths", self.assert_succeeds("--help").stdout)
+        self.assertRegex(self.assert_succeeds("--version").stdout, r"^nicol-convert \d+\.\d+\.\d+\n")
+
+
+class CommandLine(ConvertTest):
+    def test_arguments(self):
+        good = ["light.npz", "out/a.exr"]
+        npz_out = ["light.npz", "out/a.npz"]
+        for words, arguments in (
+            (["input", "0"], []),
+            (["output", "1"], ["light.npz"]),
+            (["3"], good + ["more"]),
+            (["--info", "2"], good + ["--info"]),
+            (["--info", "0"], ["--info"]),
+            (["--json"], good + ["--json"]),
+            (["--json"], ["--info", "light.npz", "--json=1"]),
+            (["--frobnicate"], good + ["--frobnicate"]),
+            (["--order"], good + ["--order"]),
+            (["--order", "four"], good + ["--order", "four"]),
+            (["--order", "-1"], good + ["--order", "-1"]),
+            (["--order", "4097"], good + ["--order", "4097"]),
+            (["--order", "99999999999"], good + ["--order", "99999999999"]),
+            (["--size", "24"], good + ["--size", "24"]),
+            (["--size"], good + ["--size", "24x16x3"]),
+            (["--size", "0x16"], good + ["--size", "0x16"]),
+            (["100000"], good + ["--size", "100000x16"]),
+            (["width"], npz_out + ["--size", "24x16"]),
+            (["width"], ["light.npz", "out/a_s0.exr", "--size", "24x16"]),
+            (["edge"], ["light.npz", "out/a_s0.exr", "--edge", "0"]),
+            (["edge"], good + ["--edge", "16"]),
+            (["--wavelengths", "''"], good + ["--wavelengths", ""]),
+            (["--wavelengths", "red"], good + ["--wavelengths", "550,red"]),
+            (["--wavelengths", "17"], good + ["--wavelengths", ",".join(["550"] * 17)]),
+            (["wavelength"], good + ["--wavelengths", "5"]),
+            (["wavelengths"], good + ["--wavelengths", "550"]),
+            (["--scale", "0"], good + ["--scale", "0"]),
+            (["--scale", "nan"], good + ["--scale", "nan"]),
+            (["--scale", "1,2"], good + ["--scale", "1,2"]),
+            (["scale"], good + ["--scale", "1e30"]),
+            (["--rotate", "1,0,0"], good + ["--rotate", "1,0,0"]),
+            (["--rotate", "axis"], good + ["--rotate", "0,0,0,90"]),
+            (["rotation"], ["material.npz", "out/m.npz", "--rotate", "1,0,0,90"]),
+            (["--band-limited"], good + ["--band-limited=1"]),
+            (["BAND_LIMITED"], good + ["--band-limited"]),
+            (["PHYSICAL"], npz_out + ["--physical"]),
+            (["65"], ["material.npz", "out/m.npz", "--order", "65"]),
+        ):
+            with self.subTest(arguments=arguments):
+                self.assert_fails(words, *arguments)
+
+
+class BadFiles(ConvertTest):
+    def test_inputs(self):
+        self.write("text.txt", "no light")
+        self.write("empty.npz", b"")
+        self.write("zero.exr", bytes(4096))
+        self.write("zero.pbsdf", bytes(4096))
+        self.write("zero.response", bytes(4096))
+        npz(self.path("nan.npz"), (1, 1, 4), [float("nan"), 0, 0, 0])
+        npz(self.path("shape.npz"), (1, 5, 4), [0.0] * 20)
+        npz(self.path("odd.npz"), (1, 13, 4, 4), [0.0] * (13 * 16))
+        npz(self.path("huge.npz"), (1, 2**60, 4), [0.0] * 4)
+        with open(self.path("light.npz"), "rb") as file:
+            self.write("half.npz", file.read()[:300])
+        os.mkdir(self.path("folder.exr"))
+        for name in (
+            ["nowhere.exr", "nowhere", "nowhere_s0.exr", "text.txt", "empty.npz", "zero.exr", "zero.pbsdf"]
+            + ["zero.response", "nan.npz", "shape.npz", "odd.npz", "huge.npz", "half.npz", "folder.exr"]
+        ):
+            with self.subTest(name=name):
+                self.assert_fails([name.split("_")[0]], "--info", name)
+                self.assert_fails([name.split("_")[0]], name, "out/a.exr")
+                self.assert_fails([name.split("_")[0]], name, "out/a.npz")
+
+    def test_cube_with_a_part_missing(self):
+        self.assert_succeeds("light.npz", "out/c_s0.exr", "--edge", "8")
+        os.remove(self.path("out/c_s2.exr"))
+        self.assert_fails(["out/c_s2.exr"], "--info", "out/c_s0.exr")
+
+    def test_light_and_materials_do_not_mix(self):
+        self.assert_fails(["light", "folder/"], "light.npz", "folder/")
+        self.assert_fails(["out/a.exr"], "material.npz", "out/a.exr")
+
+    def test_outputs(self):
+        self.write("file", "x")
+        for output in ("nowhere/a.exr", "file/a.exr", "nowhere/a.npz", "nowhere/a_s0.exr"):
+            with self.subTest(output=output):
+                self.assert_fails([output.removesuffix("_s0.exr")], "light.npz", output)
+        self.assert_fails(["out/a.png"], "light.npz", "out/a.png")
+        self.assert_fails(["file"], "material.npz", "file/")
+        os.mkdir(self.path("out/a.exr"))
+        self.assert_fails(["out/a.exr"], "light.npz", "out/a.exr")
+
+    def test_device(self):
+        os.symlink("/dev/null", self.path("null.exr"))
+        self.assert_fails(["null.exr"], "light.npz", "null.exr")
+        self.assertTrue(os.path.islink(self.path("null.exr")))
+
+    def test_report_that_cannot_be_written(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        with open("/dev/full", "w") as full:
+            run = subprocess.run(
+                [PROGRAM, "--info", self.path("light.npz")], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60
+            )
+        self.assertEqual(run.returncode, 2)
+        self.assertEqual(len(run.stderr.splitlines()), 1)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
