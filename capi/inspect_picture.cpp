@@ -70,6 +70,13 @@ private:
     std::vector<double> samples_;
 };
 
+std::array<bool, 4> components_of(const PshVector& field) {
+    std::array<bool, 4> there{};
+    for (std::size_t i = 0; i < field.data().size(); ++i) there[i % 4] = there[i % 4] || field.data()[i] != 0;
+    there[1] = there[2] = there[1] || there[2];
+    return there;
+}
+
 }  // namespace
 
 PictureLight::PictureLight(EquirectImage image) : image_(std::move(image)) {
@@ -118,6 +125,10 @@ EquirectImage synthesize_picture(const PshVector& field, int width, int height) 
         std::copy_n(field.channel(c).begin(), 4 * psh_count(order), part.channel(c).begin());
     EquirectImage image(width, height, field.channels());
     PictureGrid(order, width, height).synthesize(rotated(part, glm::transpose(equirect_axes())), image);
+    // Transforms share their work between components, so that rounding errors stand where nothing is.
+    const std::array<bool, 4> there = components_of(part);
+    for (std::size_t i = 0; i < image.data.size(); ++i)
+        if (!there[i % 4]) image.data[i] = 0;
     return image;
 }
 
@@ -133,8 +144,8 @@ EquirectImage resample_picture(const Environment& light, const glm::dmat3& rotat
             double area = 0;
             for (int j = 0; j < steps; ++j) {
                 const double v = (y + (j + 0.5) / steps - 0.5) / (height - 1);
-                if (v < 0 || v > 1) continue;  // the rows of the poles are half as high
-                const double weight = steps == 1 ? 1 : std::sin(pi * v);
+                // Beyond a pole the other side follows, with the frame it has seen from here.
+                const double weight = steps == 1 ? 1 : std::abs(std::sin(pi * v));
                 for (int i = 0; i < steps; ++i) {
                     const double u = (x + (i + 0.5) / steps) / width;
                     const glm::dvec3 from = glm::transpose(rotation) * equirect_direction(u, v);
