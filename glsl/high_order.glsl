@@ -12,6 +12,22 @@ const int HIGH_ORDER_LAYERS = 1;
 #endif
 const float HIGH_ORDER_PI = 3.14159265358979;
 
+// The angle of (x, y), 0 where both are. Drivers' own atan() may miss by 1e-5, a visible part of a texel.
+float high_order_atan(float y, float x) {
+    vec2 size = abs(vec2(x, y));
+    float large = max(size.x, size.y);
+    float ratio = large > 0.0 ? min(size.x, size.y) / large : 0.0;
+    // At most tan(pi/8): the fit of atan(t) / t in t^2 is then good to 2e-8.
+    bool beyond = ratio > 0.41421356;
+    float t = beyond ? (ratio - 1.0) / (ratio + 1.0) : ratio;
+    float z = t * t;
+    float angle = t * (0.99999998 + z * (-0.33332786 + z * (0.19974082 + z * (-0.13848490 + z * 0.07976292))));
+    if (beyond) angle += 0.25 * HIGH_ORDER_PI;
+    if (size.y > size.x) angle = 0.5 * HIGH_ORDER_PI - angle;
+    if (x < 0.0) angle = HIGH_ORDER_PI - angle;
+    return y < 0.0 ? -angle : angle;
+}
+
 // Four texels of a map around a direction.
 struct HighOrderSpot {
     ivec2 low;
@@ -25,9 +41,9 @@ HighOrderSpot high_order_spot(sampler2D map, vec3 direction) {
     HighOrderSpot at;
     at.rows = size.y / HIGH_ORDER_LAYERS;
     float across = length(direction.xy);
-    float turn = across > 0.0 ? atan(direction.y, direction.x) / (2.0 * HIGH_ORDER_PI) : 0.0;
+    float turn = high_order_atan(direction.y, direction.x) / (2.0 * HIGH_ORDER_PI);
     vec2 place = vec2((turn < 0.0 ? turn + 1.0 : turn) * float(size.x),
-                      atan(across, direction.z) / HIGH_ORDER_PI * float(at.rows - 1));
+                      high_order_atan(across, direction.z) / HIGH_ORDER_PI * float(at.rows - 1));
     at.low = min(ivec2(place), ivec2(size.x - 1, at.rows - 2));
     at.part = place - vec2(at.low);
     at.high = ivec2(at.low.x + 1 == size.x ? 0 : at.low.x + 1, at.low.y + 1);
@@ -169,11 +185,15 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
 // `base` is not used.
 void high_order(vec3 normal, vec3 view, vec3 camera_x, mat3 to_light, float spread, vec2 visible, sampler2D factors,
                 sampler2D centre, sampler2D around, sampler2D base, out vec4 stokes[CHANNELS]) {
-    // A normal that faces away is treated as seen at 90 degrees.
+    // A normal that faces away is treated as seen at 90 degrees, from anywhere if it does so exactly.
     float cosine = dot(normal, view);
-    vec3 seen = cosine < 0.0 ? normalize(view - cosine * normal) : view;
-    vec3 x = cross(normal, seen);
+    vec3 seen = view;
+    if (cosine < 0.0) {
+        seen -= cosine * normal;
+        seen = dot(seen, seen) > 1e-10 ? normalize(seen) : camera_x;
+    }
     // Seen head-on, every plane is one of incidence.
+    vec3 x = cross(normal, seen);
     x = dot(x, x) > 1e-10 ? normalize(x) : camera_x;
     vec3 d = seen - 2.0 * max(cosine, 0.0) * normal;
     high_order_in_s_frame(to_light * d, to_light * x, to_light * normal, cosine, spread, visible, factors, centre,

@@ -38,9 +38,9 @@ PshVector filtered(const PshVector& light, std::span<const double> gains) {
     return out;
 }
 
-// Rows at which bilinear interpolation of sharpened texels misses kTolerance of the RMS: a wave of degree l
-// on texels h apart is missed by 0.04 (l h)^2.
-int rows_for(const PshVector& field) {
+// Rows at which bilinear interpolation of sharpened texels misses the tolerance times the RMS: a wave of
+// degree l on texels h apart is missed by 0.04 (l h)^2.
+int rows_for(const PshVector& field, double tolerance) {
     double power = 0;
     double bent = 0;
     for (int c = 0; c < field.channels(); ++c) {
@@ -55,7 +55,7 @@ int rows_for(const PshVector& field) {
     }
     int steps = LobeMap::kLeastRows - 1;
     if (power == 0) return steps + 1;
-    const double spacing = std::sqrt(LobeMap::kTolerance / (0.04 * std::sqrt(bent / power)));
+    const double spacing = std::sqrt(tolerance / (0.04 * std::sqrt(bent / power)));
     // As many columns as transform fast: powers of two, or three times these.
     for (int base = steps; base < LobeMap::kMostRows - 1 && steps * spacing < pi; base *= 2) {
         steps = base + base / 2;
@@ -78,16 +78,17 @@ void sharpen(PshVector& field, double spacing) {
 
 }  // namespace
 
-LobeMap::LobeMap(const PshVector& light, std::span<const double> gains, bool polarized)
+LobeMap::LobeMap(const PshVector& light, std::span<const double> gains, bool polarized, double tolerance)
     : channels_(light.channels()), polarized_(polarized) {
     if (gains.empty()) throw Error(ErrorCode::invalid_argument, "a lobe without gains");
+    if (!(tolerance > 0)) throw Error(ErrorCode::invalid_argument, "the tolerance of a map must be above 0");
     PshVector field = filtered(light, gains);
     if (!polarized) {
         const std::span<double> f = field.data();
         for (std::size_t i = 0; i < f.size(); ++i)
             if (i % 4 != 0) f[i] = 0;
     }
-    rows_ = rows_for(field);
+    rows_ = rows_for(field, tolerance);
     sharpen(field, pi / (rows_ - 1));
     texels_.resize(static_cast<std::size_t>(layers()) * layer_size());
 

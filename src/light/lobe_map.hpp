@@ -21,8 +21,8 @@ namespace nicol {
 /// holds (s0, s3, Txx, Tyy) of channel c and layer 2 c + 1 (Txy, Txz, Tyz, 0); Tzz = -Txx - Tyy.
 ///
 /// The grid is chosen from the filtered light's spectrum, so that the interpolation misses less than
-/// kTolerance of its RMS (up to kMostRows rows). Texels are sharpened by as much as the interpolation blurs,
-/// so they are not quite the field at their centres.
+/// a tolerance times its RMS (up to kMostRows rows). Texels are sharpened by as much as the interpolation
+/// blurs, so they are not quite the field at their centres.
 class LobeMap {
 public:
     static constexpr double kTolerance = 1e-3;
@@ -31,8 +31,9 @@ public:
 
     LobeMap() = default;
     /// The light times the gains; orders beyond either are left out. Throws Error(invalid_argument) where a
-    /// value is not finite or `gains` is empty.
-    LobeMap(const PshVector& light, std::span<const double> gains, bool polarized);
+    /// value is not finite, `gains` is empty or the tolerance is not positive.
+    LobeMap(const PshVector& light, std::span<const double> gains, bool polarized,
+            double tolerance = kTolerance);
 
     [[nodiscard]] int rows() const noexcept { return rows_; }
     [[nodiscard]] int columns() const noexcept { return 2 * (rows_ - 1); }

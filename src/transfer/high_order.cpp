@@ -59,13 +59,18 @@ void HighOrder::look_up(const Viewpoint& view, const glm::vec3& position, const 
                         const glm::vec2& visible_fraction, std::span<glm::vec4> out) const {
     const glm::dvec3 n = normal;
     const glm::dvec3 v = view.towards(glm::dvec3(position));
-    // A normal that faces away is treated as seen at 90 degrees.
+    const glm::dvec3 camera = view.frame(v)[0];
+    // A normal that faces away is treated as seen at 90 degrees, from anywhere if it does so exactly.
     const double cosine = glm::dot(n, v);
-    const glm::dvec3 grazing = cosine < 0 ? glm::normalize(v - cosine * n) : v;
-    const glm::dvec3 d = grazing - 2 * std::max(cosine, 0.0) * n;
-    glm::dvec3 x = glm::cross(n, grazing);
-    // Seen head-on every plane is one of incidence.
-    x = glm::dot(x, x) > 1e-10 ? glm::normalize(x) : glm::normalize(glm::cross(view.up, v));
+    glm::dvec3 seen = v;
+    if (cosine < 0) {
+        seen -= cosine * n;
+        seen = glm::dot(seen, seen) > 1e-10 ? glm::normalize(seen) : camera;
+    }
+    const glm::dvec3 d = seen - 2 * std::max(cosine, 0.0) * n;
+    // Seen head-on, every plane is one of incidence.
+    glm::dvec3 x = glm::cross(n, seen);
+    x = glm::dot(x, x) > 1e-10 ? glm::normalize(x) : camera;
     const glm::dvec3 y = glm::cross(d, x);
 
     Probed centre;
@@ -98,7 +103,6 @@ void HighOrder::look_up(const Viewpoint& view, const glm::vec3& position, const 
     if (factors_.normal()) probe(*maps_.normal, -n, x, base);
 
     // From the s-frame to the camera's, as cos and sin of twice the angle.
-    const glm::dvec3 camera = view.frame(v)[0];
     const double c = glm::dot(camera, x);
     const double s = glm::dot(camera, glm::cross(v, x));
     const auto cos2 = static_cast<float>(c * c - s * s);

@@ -45,7 +45,7 @@ std::size_t HighOrderLight::bytes() const noexcept {
 }
 
 LobeMap convolved_map(const PshVector& light, std::span<const ConvolutionKernel> kernels, int l_low,
-                      int l_high) {
+                      int l_high, double tolerance) {
     const int given = static_cast<int>(kernels.size());
     if (given != 1 && light.channels() != 1 && given != light.channels()) {
         throw Error(ErrorCode::invalid_argument, std::to_string(given) + " kernels cannot serve light of " +
@@ -59,7 +59,7 @@ LobeMap convolved_map(const PshVector& light, std::span<const ConvolutionKernel>
         const ConvolutionKernel& kernel = kernels[static_cast<std::size_t>(given == 1 ? 0 : c)];
         convolve(kernel, light.channel(light.channels() == 1 ? 0 : c).first(size), out.channel(c));
     }
-    return LobeMap(out, gaussian_gains(0, l_low + 1, l_high), true);
+    return LobeMap(out, gaussian_gains(0, l_low + 1, l_high), true, tolerance);
 }
 
 }  // namespace nicol

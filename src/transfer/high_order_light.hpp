@@ -40,6 +40,6 @@ private:
 /// It has the kernels' channels where the light has one. Always polarized. Throws Error(invalid_argument)
 /// where channels do not fit or a kernel is shorter than l_high.
 [[nodiscard]] LobeMap convolved_map(const PshVector& light, std::span<const ConvolutionKernel> kernels,
-                                    int l_low, int l_high);
+                                    int l_low, int l_high, double tolerance = LobeMap::kTolerance);
 
 }  // namespace nicol

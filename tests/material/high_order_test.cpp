@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Filters, kernels and factors of high orders.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "material/high_order_factors.hpp"
+#include "material/high_order_gains.hpp"
+#include "material/high_order_kernel.hpp"
+#include "nicol/conductor.hpp"
+#include "nicol/error.hpp"
+#include "nicol/grid.hpp"
+#include "nicol/material_projection.hpp"
+#include "nicol/psh_matrix_file.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using Elements = std::array<float, HighOrderFactors::kElements>;
+
+// An ideal mirror that blurs: light filtered by `gains`, attenuated per component, mirrored.
+MaterialPtr blurring_mirror(const OrderGains& gains) {
+    ConvolutionKernel kernel(gains.size());
+    for (std::size_t l = 0; l < gains.size(); ++l) {
+        const double unit = gains[l] / std::sqrt(4 * pi / (2 * static_cast<double>(l) + 1));
+        kernel[l].k00 = unit;
+        kernel[l].k33 = 0.5 * unit;
+        if (l >= 2) kernel[l].iso = 0.8 * unit;
+    }
+    const int order = static_cast<int>(gains.size()) - 1;
+    return psh_matrix_material({compose(reflection_matrix(order), kernel_matrix(kernel))});
+}
+
+}  // namespace
+
+TEST_CASE("gains are the Legendre coefficients of their lobes") {
+    const OrderGains cosine = cosine_gains(0, 12);
+    const LatitudeRows rows = gauss_legendre_rows(400);
+    for (int l = 0; l <= 12; ++l) {
+        double sum = 0;
+        for (std::size_t j = 0; j < rows.theta.size(); ++j) {
+            const double x = std::cos(rows.theta[j]);
+            if (x > 0) sum += 2 * rows.weight[j] * x * std::legendre(static_cast<unsigned>(l), x);
+        }
+        CHECK(cosine[static_cast<std::size_t>(l)] == doctest::Approx(sum).epsilon(1e-4).scale(0.01));
+    }
+    const OrderGains lobe = gaussian_gains(0.3, 2, 6);
+    REQUIRE(lobe.size() == 7);
+    CHECK(lobe[1] == 0);
+    CHECK(lobe[6] == doctest::Approx(std::exp(-21 * 0.09)));
+    CHECK(gaussian_gains(0, 5, 5)[5] == 1);
+    CHECK(cosine_gains(5, 9)[4] == 0);
+    CHECK_THROWS_AS((void)gaussian_gains(0.1, 6, 5), Error);
+    CHECK_THROWS_AS((void)gaussian_gains(0.1, -1, 5), Error);
+    CHECK_THROWS_AS((void)gaussian_gains(-0.1, 0, 5), Error);
+    CHECK_THROWS_AS((void)gaussian_gains(std::numeric_limits<double>::quiet_NaN(), 0, 5), Error);
+    CHECK_THROWS_AS((void)cosine_gains(0, kMaxOrder + 1), Error);
+}
+
+TEST_CASE("the kernel without a dense matrix is the kernel") {
+    const MaterialPtr material = rough_conductor({.eta = metal_index("Cu"), .alpha = 0.4});
+    const IsotropicMatrix matrix = project_material(*material, 1, 7);
+    const ConvolutionKernel expected = material_kernel(matrix);
+    const std::vector<ConvolutionKernel> found = mirrored_kernels(*material, 7, 3);
+    REQUIRE(found.size() == 3);
+    REQUIRE(found[1].size() == expected.size());
+    double largest = 0;
+    double error = 0;
+    for (std::size_t l = 0; l < expected.size(); ++l) {
+        const KernelBand& a = expected[l];
+        const KernelBand& b = found[1][l];
+        largest = std::max(largest, std::abs(a.k00));
+        for (const double e :
+             {a.k00 - b.k00, a.k03 - b.k03, a.k30 - b.k30, a.k33 - b.k33, std::abs(a.p0 - b.p0),
+              std::abs(a.p3 - b.p3), std::abs(a.from_p0 - b.from_p0), std::abs(a.from_p3 - b.from_p3),
+              std::abs(a.iso - b.iso), std::abs(a.conj - b.conj)})
+            error = std::max(error, std::abs(e));
+    }
+    CHECK(error < 1e-12 * largest);
+    CHECK_THROWS_AS((void)mirrored_kernel(IsotropicMatrix(3, 4)), Error);
+    CHECK_THROWS_AS((void)mirrored_kernels(*material, 7, 2), Error);
+}
+
+TEST_CASE("the factors of a mirror that blurs by one of the lobes are the mirror's") {
+    const MaterialPtr material = blurring_mirror(gaussian_gains(kLobeWidths[3], 0, 24));
+    const HighOrderFactors factors(*material, 4, 24, 1);
+    CHECK(factors.centre() == 3);
+    const double expected[4] = {1, 0.8, -0.8, -0.5};
+    Elements f{};
+    for (const float cosine : {1.0F, 0.77F, 0.3F}) {
+        factors.at(cosine, 0, f);
+        // A probe beside the centre counts for the part of light that it has in common with it.
+        const auto sum = [&](std::size_t first, std::size_t stride) {
+            return f[first] + f[first + stride] + f[first + 2 * stride] + 2 * f[first + 3 * stride];
+        };
+        constexpr auto rest = static_cast<std::size_t>(HighOrderFactors::kUnpolarized);
+        CHECK(sum(0, 2) == doctest::Approx(expected[0]).epsilon(2e-3));
+        CHECK(sum(rest + 1, 6) == doctest::Approx(expected[1]).epsilon(2e-3));
+        CHECK(sum(rest + 2, 6) == doctest::Approx(expected[2]).epsilon(2e-3));
+        CHECK(sum(rest + 5, 6) == doctest::Approx(expected[3]).epsilon(2e-3));
+        for (const std::size_t zero : {std::size_t{1}, rest, rest + 3, rest + 4})
+            CHECK(std::abs(f[zero]) < 2e-3F);
+    }
+    factors.at(0.3F, 0, f);
+    CHECK(std::abs(f[8]) < 2e-3F);
+}
+
+TEST_CASE("factors from samples of a material and from its rows agree") {
+    // The matrix is cut at the same order on the outgoing side, which a smooth material hardly notices.
+    const MaterialPtr sampled = pplastic({.diffuse_reflectance = {0.3}, .alpha = 0.5});
+    const MaterialPtr by_rows = psh_matrix_material({project_material(*sampled, 0, 24)});
+    const HighOrderFactors a(*sampled, 2, 9, 1);
+    const HighOrderFactors b(*by_rows, 2, 9, 1);
+    REQUIRE(a.centre() == b.centre());
+    REQUIRE(a.around() == b.around());
+    for (const float cosine : {0.98F, 0.8F, 0.5F}) {
+        Elements x{};
+        Elements y{};
+        a.at(cosine, 0, x);
+        b.at(cosine, 0, y);
+        float largest = 0;
+        for (const float value : x) largest = std::max(largest, std::abs(value));
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            CAPTURE(i);
+            CHECK(std::abs(x[i] - y[i]) < 0.02F * largest);
+        }
+    }
+}
+
+TEST_CASE("factors are linear between angles, by channel, and laid out for a texture") {
+    const MaterialPtr gold = rough_conductor({.eta = metal_index("Au"), .alpha = 0.3});
+    const HighOrderFactors factors(*gold, 4, 9, 3);
+    CHECK(factors.channels() == 3);
+    CHECK(factors.data().size() == HighOrderFactors::kElements * HighOrderFactors::kAngles * 3);
+    constexpr float step = 1.0F / (HighOrderFactors::kAngles - 1);
+    Elements low{};
+    Elements middle{};
+    Elements high{};
+    factors.at(40 * step, 2, low);
+    factors.at(40.25F * step, 2, middle);
+    factors.at(41 * step, 2, high);
+    const std::vector<float> texels = factors.texels(1, 2, true);
+    REQUIRE(texels.size() == HighOrderFactors::kElements * HighOrderFactors::kAngles * 4);
+    for (std::size_t i = 0; i < low.size(); ++i) {
+        CHECK(middle[i] == doctest::Approx(0.75F * low[i] + 0.25F * high[i]).epsilon(1e-4));
+        const std::size_t texel = 4 * (i * HighOrderFactors::kAngles + 40);
+        CHECK(texels[texel + 1] == doctest::Approx(low[i]).epsilon(1e-4));
+        CHECK(texels[texel + 2] == 0);
+    }
+    CHECK(factors.texels(0, 1, false).size() ==
+          HighOrderFactors::kUnpolarized * HighOrderFactors::kAngles * 4);
+
+    Elements mirror{};
+    HighOrderFactors::mirror().at(0.4F, 0, mirror);
+    CHECK(HighOrderFactors::mirror().spread() == 0);
+    CHECK_FALSE(HighOrderFactors::mirror().normal());
+    CHECK(mirror[0] == 1);
+    CHECK(mirror[14] == -1);
+}
+
+TEST_CASE("a grey material has one set of factors, orders and channels are checked") {
+    const MaterialPtr grey = pplastic({.diffuse_reflectance = {0.4}, .alpha = 0.3});
+    CHECK(HighOrderFactors(*grey, 4, 9, 3).channels() == 1);
+    CHECK_THROWS_AS(HighOrderFactors(*grey, 9, 9, 1), Error);
+    CHECK_THROWS_AS(HighOrderFactors(*grey, -1, 9, 1), Error);
+    CHECK_THROWS_AS(HighOrderFactors(*grey, 4, kMaxOrder + 1, 1), Error);
+    const MaterialPtr two = pplastic({.diffuse_reflectance = {0.4, 0.1}, .alpha = 0.3});
+    CHECK_THROWS_AS(HighOrderFactors(*two, 4, 9, 3), Error);
+}

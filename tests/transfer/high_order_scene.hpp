@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// A sphere seen along -z, and what it reflects by response rows at the exact angles.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "material/matrix_rows.hpp"
+#include "material/row_integral.hpp"
+#include "nicol/light_layout.hpp"
+#include "nicol/rotation.hpp"
+#include "transfer/high_order.hpp"
+#include "transfer/viewpoint.hpp"
+
+namespace nicol::test {
+
+/// Stokes vectors in the camera's frame, [channel][vertex].
+using Picture = std::vector<std::vector<glm::vec4>>;
+
+/// Points on rings, so that few outgoing angles occur, evenly over the disc of radius 0.95.
+struct SphereView {
+    SphereView(int rings, int per_ring) {
+        view.orthographic = true;
+        view.forward = {0, 0, -1};
+        view.up = {0, 1, 0};
+        view.right = {1, 0, 0};
+        for (int i = 0; i < rings; ++i) {
+            const double radius = 0.95 * std::sqrt((i + 0.5) / rings);
+            angles.push_back(std::asin(radius));
+            for (int k = 0; k < per_ring; ++k) {
+                const double phi = 2 * std::numbers::pi * (k + 0.37 * i) / per_ring;
+                ring.push_back(static_cast<std::size_t>(i));
+                normals.emplace_back(radius * std::cos(phi), radius * std::sin(phi),
+                                     std::sqrt(1 - radius * radius));
+            }
+        }
+        visible.assign(normals.size(), 1);
+    }
+
+    /// A light in the frames of the vertices, each with the viewer at azimuth 0.
+    struct LocalLight {
+        LightLayout layout;
+        int channels;
+        std::vector<std::vector<std::complex<double>>> packed;  // [vertex * channels + channel]
+    };
+    [[nodiscard]] LocalLight local(const PshVector& light, LightKind kind) const {
+        LocalLight out{LightLayout(light.order(), kind), light.channels(), {}};
+        for (const glm::vec3& normal : normals) {
+            const PshVector turned_light = rotated(light, glm::transpose(surface(normal)));
+            for (int c = 0; c < light.channels(); ++c)
+                out.packed.push_back(out.layout.pack(turned_light.channel(c)));
+        }
+        return out;
+    }
+
+    /// The reflected light of orders 0..top, for top = each of `tops`.
+    [[nodiscard]] std::vector<Picture> reflected(const Material& material, const LocalLight& light,
+                                                 const std::vector<int>& tops) const {
+        const LightLayout& layout = light.layout;
+        const auto channels = static_cast<std::size_t>(light.channels);
+        const auto rows = response_rows(material, layout, light.channels);
+        std::vector<Picture> out(tops.size(), black(light.channels));
+        for (std::size_t v = 0; v < normals.size(); ++v) {
+            const Frame frame = surface(normals[v]);
+            const glm::dvec3 towards(0, 0, 1);
+            const Frame from = frame * theta_phi_frame(glm::transpose(frame) * towards);
+            const double turn = angle_between(from, view.frame(towards));
+            for (std::size_t c = 0; c < channels; ++c) {
+                const auto& z = light.packed[v * channels + c];
+                const double* row = rows[ring[v]].data() + 4 * z.size() * c;
+                for (std::size_t i = 0; i < tops.size(); ++i) {
+                    Stokes sum(0.0);
+                    for (std::size_t j = 0; j < z.size(); ++j) {
+                        if (layout.entries()[j].l > tops[i]) continue;
+                        for (std::size_t p = 0; p < 4; ++p)
+                            sum[static_cast<int>(p)] +=
+                                row[p * z.size() + j] * (p < 2 ? z[j].real() : z[j].imag());
+                    }
+                    out[i][c][v] = glm::vec4(turned(sum, turn));
+                }
+            }
+        }
+        return out;
+    }
+
+    [[nodiscard]] Picture black(int channels) const {
+        return Picture(static_cast<std::size_t>(channels), std::vector<glm::vec4>(normals.size()));
+    }
+
+    /// `low` and the high orders on top.
+    [[nodiscard]] Picture with(const Picture& low, const HighOrder& high) const {
+        Picture out = low;
+        std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
+        high.run(view, normals, normals, visible, {}, 0, normals.size(), channels);
+        return out;
+    }
+
+    Viewpoint view;
+    std::vector<double> angles;      // of the rings
+    std::vector<std::size_t> ring;   // of the vertices
+    std::vector<glm::vec3> normals;  // and positions
+    std::vector<std::uint8_t> visible;
+
+private:
+    static Frame surface(const glm::vec3& normal) { return frame_with_x(glm::dvec3(normal), {0, 0, 1}); }
+
+    // [ring][channel][p][j]
+    [[nodiscard]] std::vector<std::vector<double>> response_rows(const Material& material,
+                                                                 const LightLayout& layout,
+                                                                 int channels) const {
+        const std::size_t set = 4 * layout.size();
+        std::vector<std::vector<double>> out;
+        RowIntegral integral(material, layout);
+        for (const double angle : angles) {
+            std::vector<double>& rows = out.emplace_back(set * static_cast<std::size_t>(channels));
+            if (material.matrix(0) != nullptr) {
+                for (int c = 0; c < channels; ++c) {
+                    const int own = material.channels() == 1 ? 0 : c;
+                    rows_from_matrix(*material.matrix(own), angle, layout,
+                                     std::span(rows).subspan(set * static_cast<std::size_t>(c), set));
+                }
+                continue;
+            }
+            const double* of_term = integral.integrate(angle).data();
+            for (int t = 0; t < material.terms(); ++t, of_term += set) {
+                for (int c = 0; c < channels; ++c) {
+                    for (std::size_t j = 0; j < set; ++j)
+                        rows[set * static_cast<std::size_t>(c) + j] += material.weight(t, c) * of_term[j];
+                }
+            }
+        }
+        return out;
+    }
+};
+
+/// Root of the mean square difference of each Stokes component over that of `truth`, all channels together.
+inline std::array<double, 4> relative_error(const Picture& found, const Picture& truth) {
+    std::array<double, 4> error{};
+    for (int p = 0; p < 4; ++p) {
+        double difference = 0;
+        double power = 0;
+        for (std::size_t c = 0; c < truth.size(); ++c) {
+            for (std::size_t v = 0; v < truth[c].size(); ++v) {
+                const double e = static_cast<double>(found[c][v][p]) - static_cast<double>(truth[c][v][p]);
+                difference += e * e;
+                power += static_cast<double>(truth[c][v][p]) * static_cast<double>(truth[c][v][p]);
+            }
+        }
+        error[static_cast<std::size_t>(p)] = power > 0 ? std::sqrt(difference / power) : difference;
+    }
+    return error;
+}
+
+}  // namespace nicol::test
