@@ -208,30 +208,50 @@ void multiply_lanes(int width, const double* d, const double* in, double* out) {
     }
 }
 
+/// Every second degree, `N` of them, each its cosine and its sine: 2 N chains of additions.
+template <int N>
+void add_degrees(const FourUnaligned* cosine, const FourUnaligned* sine, long count, const double* table,
+                 double* sums) {
+    Four sum[2 * N] = {};
+    for (long i = 0; i < count; ++i) {
+        const Four c = cosine[i], s = sine[i];
+        for (int k = 0; k < N; ++k) {
+            const double* pair = table + 4 * k * count + 2 * i;
+            sum[2 * k] += pair[0] * c;
+            sum[2 * k + 1] += pair[1] * s;
+        }
+    }
+    FourUnaligned* out = reinterpret_cast<FourUnaligned*>(sums);
+    for (int k = 0; k < N; ++k) {
+        out[4 * k] += sum[2 * k];
+        out[4 * k + 1] += sum[2 * k + 1];
+    }
+}
+
 void low_degrees(const double* folded, int count, const double* table, int degrees, double* sums) {
     const FourUnaligned* four = reinterpret_cast<const FourUnaligned*>(folded);
     const long n = count;
-    // Two degrees of the same parity at a time, each its cosine and its sine: four chains of additions.
-    for (int m = 0; m < degrees; ++m) {
-        if (m % 4 >= 2) continue;
-        const FourUnaligned* cosine = four + (m % 2) * n;
-        const FourUnaligned* sine = four + (2 + m % 2) * n;
-        const double* a = table + 2 * m * n;
-        const bool pair = m + 2 < degrees;
-        const double* b = pair ? a + 4 * n : a;
-        Four sum[4] = {};
-        for (long i = 0; i < n; ++i) {
-            sum[0] += a[2 * i] * cosine[i];
-            sum[1] += a[2 * i + 1] * sine[i];
-            sum[2] += b[2 * i] * cosine[i];
-            sum[3] += b[2 * i + 1] * sine[i];
+    for (int parity = 0; parity < 2; ++parity) {
+        const FourUnaligned* cosine = four + parity * n;
+        const FourUnaligned* sine = four + (2 + parity) * n;
+        for (int m = parity; m < degrees;) {
+            const int left = (degrees - m + 1) / 2;
+            const double* a = table + 2 * m * n;
+            double* out = sums + 8 * m;
+            if (left == 4 || left > 5) {
+                add_degrees<4>(cosine, sine, n, a, out);
+                m += 8;
+            } else if (left >= 3) {
+                add_degrees<3>(cosine, sine, n, a, out);
+                m += 6;
+            } else if (left == 2) {
+                add_degrees<2>(cosine, sine, n, a, out);
+                m += 4;
+            } else {
+                add_degrees<1>(cosine, sine, n, a, out);
+                m += 2;
+            }
         }
-        FourUnaligned* out = reinterpret_cast<FourUnaligned*>(sums) + 2 * m;
-        out[0] += sum[0];
-        out[1] += sum[1];
-        if (!pair) continue;
-        out[4] += sum[2];
-        out[5] += sum[3];
     }
 }
 
