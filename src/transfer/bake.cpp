@@ -7,15 +7,16 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
 #include "nicol/error.hpp"
+#include "transfer/bake_origins.hpp"
 #include "transfer/simd.hpp"
 
 namespace nicol {
@@ -30,10 +31,6 @@ constexpr float grazing = 0x1p-17F;
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-float largest_coordinate(const glm::vec3& p) {
-    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
 [[noreturn]] void refuse(const std::string& message) {
@@ -55,36 +52,6 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
         out.emplace_back(normal / length);
     }
     return out;
-}
-
-// How far from each vertex its rays start: some 30 units in the last place of the largest coordinate of any
-// triangle that touches the vertex, or a vertex at the same place.
-std::vector<float> offsets(const BakeGeometry& geometry) {
-    const std::span<const glm::vec3> positions = geometry.positions;
-    std::vector<float> reach(positions.size());
-    for (std::size_t v = 0; v < reach.size(); ++v) reach[v] = largest_coordinate(positions[v]);
-    for (const glm::uvec3& t : geometry.triangles) {
-        const float largest =
-            std::max({largest_coordinate(positions[t.x]), largest_coordinate(positions[t.y]),
-                      largest_coordinate(positions[t.z])});
-        for (const std::uint32_t v : {t.x, t.y, t.z}) reach[v] = std::max(reach[v], largest);
-    }
-    std::vector<std::uint32_t> sorted(positions.size());
-    std::iota(sorted.begin(), sorted.end(), 0U);
-    const auto place = [&](std::uint32_t v) {
-        return std::array{positions[v].x, positions[v].y, positions[v].z};
-    };
-    std::ranges::sort(sorted, {}, place);
-    for (std::size_t first = 0; first < sorted.size();) {
-        std::size_t last = first;
-        float largest = 0;
-        for (; last < sorted.size() && place(sorted[last]) == place(sorted[first]); ++last) {
-            largest = std::max(largest, reach[sorted[last]]);
-        }
-        for (; first < last; ++first) reach[sorted[first]] = largest;
-    }
-    for (float& distance : reach) distance = std::ldexp(distance, -19);
-    return reach;
 }
 
 // Bit i is set where direction i of the bundle stands higher than `least` over the plane of the normal.
@@ -142,7 +109,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const auto building = std::chrono::steady_clock::now();
     const RaySurface surface{.positions = geometry.positions, .triangles = geometry.triangles};
     const RayScene scene({&surface, 1});
-    const std::vector<float> offset = offsets(geometry);
+    const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     const double build_milliseconds = milliseconds_since(building);
 
     const auto tracing = std::chrono::steady_clock::now();
@@ -154,8 +121,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 4), [&](const auto& range) {
             std::uint64_t traced = 0;
             for (std::size_t v = range.begin(); v < range.end(); ++v) {
-                const glm::vec3 origin = geometry.positions[v] + offset[v] * normals[v];
-                traced += look_around(scene, directions, origin, normals[v], v, visibility);
+                traced += look_around(scene, directions, origins[v], normals[v], v, visibility);
             }
             rays += traced;
         });

@@ -36,9 +36,10 @@ struct BakeStatistics {
 using BakeProgress = std::function<void(double fraction)>;
 
 /// Traces one ray from each vertex in each direction above its horizon. Triangles block from both sides. Rays
-/// start beside their vertex, 2^-19 of the largest coordinate around it along the normal: no convex surface
-/// shadows itself, whatever its size, as long as normals lie between those of the faces around their vertex.
-/// A vertex without a triangle is treated like the others.
+/// start beside their vertex, by 2^-19 of the largest coordinate around it along the normal and as much away
+/// from the edges of its own triangles: no convex surface shadows itself, whatever its size, as long as
+/// normals lie between those of the faces around their vertex, and no light comes through the walls of a
+/// corner.
 ///
 /// Runs on all threads of the calling thread's TBB arena; the result does not depend on their number. Throws
 /// Error(invalid_argument) where a normal is zero or not finite, counts differ, a position is not finite or

@@ -13,6 +13,7 @@
 
 #include "nicol/error.hpp"
 #include "nicol/psh.hpp"
+#include "transfer/lane_transpose.hpp"
 #include "transfer/lane_vector.hpp"
 #include "transfer/mirror_basis.hpp"
 #include "transfer/shadow_grid.hpp"
@@ -201,11 +202,11 @@ void ShadowProduct::run(const VertexLight& in, VertexLight& out, std::size_t fir
         for (std::size_t begin = 0; begin < channels; begin += lights.size()) {
             const std::size_t count = std::min(lights.size(), channels - begin);
             for (std::size_t c = 0; c < count; ++c) {
+                std::array<const float*, kLanes> from{};
                 for (std::size_t i = 0; i < kLanes; ++i) {
-                    const std::span<const float> from =
-                        in.at(here[std::min(i, here.size() - 1)], static_cast<int>(begin + c));
-                    for (std::size_t j = 0; j < b.in.packed_size(); ++j) packed[j][i] = from[j];
+                    from[i] = in.at(here[std::min(i, here.size() - 1)], static_cast<int>(begin + c)).data();
                 }
+                to_lanes(from, b.in.packed_size(), packed.data());
                 b.in.split(packed.data(), light.data() + c * b.in.size());
             }
             const auto some_lights = std::span(lights).first(count);
@@ -220,10 +221,11 @@ void ShadowProduct::run(const VertexLight& in, VertexLight& out, std::size_t fir
             }
             for (std::size_t c = 0; c < count; ++c) {
                 b.out.join(product.data() + c * b.out.size(), packed.data());
+                std::array<float*, kLanes> to{};
                 for (std::size_t i = 0; i < here.size(); ++i) {
-                    const std::span<float> to = out.at(here[i], static_cast<int>(begin + c));
-                    for (std::size_t j = 0; j < b.out.packed_size(); ++j) to[j] = packed[j][i];
+                    to[i] = out.at(here[i], static_cast<int>(begin + c)).data();
                 }
+                from_lanes(packed.data(), b.out.packed_size(), here.size(), to);
             }
         }
     }

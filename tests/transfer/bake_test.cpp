@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// What vertices see of the environment past the triangles around them.
+#include "transfer/bake.hpp"
+
+#include <doctest/doctest.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <thread>
+#include <vector>
+
+#include "nicol/error.hpp"
+#include "nicol/mesh.hpp"
+
+using namespace nicol;
+
+namespace {
+
+BakeGeometry geometry_of(const Mesh& mesh) {
+    return {mesh.positions, mesh.normals, mesh.triangles};
+}
+
+const DirectionSet& few() {
+    static const DirectionSet set(256);
+    return set;
+}
+
+// A cone of height 2 with its tip up; the tip is one vertex with the axis for a normal, or one a face.
+Mesh make_cone(bool shared_tip) {
+    constexpr int sides = 24;
+    Mesh mesh;
+    const auto rim = [](int i) {
+        const double phi = 2 * std::numbers::pi * i / sides;
+        return glm::vec3(std::cos(phi), std::sin(phi), 0);
+    };
+    for (int i = 0; i < sides; ++i) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        mesh.positions.insert(mesh.positions.end(), {rim(i), rim(i + 1), {0, 0, 2}, {0, 0, 0}});
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
+        mesh.triangles.emplace_back(first + 1, first, first + 3);
+        const glm::vec3 face = glm::normalize(glm::cross(rim(i + 1) - rim(i), glm::vec3(0, 0, 2) - rim(i)));
+        mesh.normals.insert(mesh.normals.end(),
+                            {face, face, shared_tip ? glm::vec3(0, 0, 1) : face, {0, 0, -1}});
+    }
+    return mesh;
+}
+
+Mesh placed(Mesh mesh, double scale, const glm::dvec3& offset) {
+    for (glm::vec3& p : mesh.positions) p = glm::vec3(scale * (glm::dvec3(p) + offset));
+    return mesh;
+}
+
+void append(Mesh& to, const Mesh& mesh) {
+    const auto first = static_cast<std::uint32_t>(to.positions.size());
+    to.positions.insert(to.positions.end(), mesh.positions.begin(), mesh.positions.end());
+    to.normals.insert(to.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    for (const glm::uvec3& t : mesh.triangles) to.triangles.push_back(t + first);
+}
+
+// One vertex at the origin that looks up, and a tiny triangle to hold it.
+Mesh lookout() {
+    return {.positions = {{0, 0, 0}, {0.01F, 0, 0}, {0, 0.01F, 0}},
+            .normals = std::vector<glm::vec3>(3, {0, 0, 1}),
+            .triangles = {{0, 1, 2}}};
+}
+
+bool none_seen(const Visibility& visibility, std::size_t vertex) {
+    return std::ranges::all_of(visibility.at(vertex), [](std::uint64_t word) { return word == 0; });
+}
+
+}  // namespace
+
+TEST_CASE("a closed convex surface never shadows itself, whatever its size and place") {
+    Mesh smooth_cube = make_cube(1);
+    for (std::size_t v = 0; v < smooth_cube.positions.size(); ++v) {
+        smooth_cube.normals[v] = glm::normalize(smooth_cube.positions[v]);
+    }
+    const Mesh sphere = make_sphere();
+    const Mesh shapes[] = {make_cube(5), smooth_cube, make_cone(true), make_cone(false)};
+    const auto check = [](const Mesh& mesh) {
+        BakeStatistics statistics;
+        const Visibility visibility = bake(geometry_of(mesh), few(), {}, &statistics);
+        CHECK(statistics.unoccluded == mesh.positions.size());
+        CHECK(visibility.unoccluded_count() == mesh.positions.size());
+    };
+    for (const double scale : {1e-6, 1e-3, 1.0, 37.0, 1e6}) {
+        for (const glm::dvec3& offset :
+             {glm::dvec3(0), glm::dvec3(3, -7, 11), glm::dvec3(1000, 300, -2000)}) {
+            CAPTURE(scale);
+            CAPTURE(offset.x);
+            for (const Mesh& mesh : shapes) check(placed(mesh, scale, offset));
+        }
+    }
+    for (const auto& [scale, offset] : {std::pair{1e-6, 0.0}, std::pair{1e6, 0.0}, std::pair{1.0, 100.0}}) {
+        CAPTURE(scale);
+        check(placed(sphere, scale, glm::dvec3(offset, -offset, 2 * offset)));
+    }
+    check(with_face_normals(make_sphere({2, 3, 4}, 5)));
+}
+
+TEST_CASE("directions above the horizon are seen, the others not") {
+    const Mesh cube = make_cube(2);
+    const DirectionSet set(1000);
+    BakeStatistics statistics;
+    const Visibility visibility = bake(geometry_of(cube), set, {}, &statistics);
+    std::uint64_t above = 0;
+    for (std::size_t v = 0; v < cube.positions.size(); ++v) {
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            const float height = glm::dot(cube.normals[v], set.directions()[i]);
+            if (std::abs(height) < 1e-4F) continue;
+            CHECK(visibility.seen(v, i) == (height > 0));
+            above += height > 0 ? 1 : 0;
+        }
+    }
+    CHECK(statistics.rays >= above);
+    CHECK(statistics.rays <= above + cube.positions.size());
+    CHECK(statistics.rays_per_second() > 0);
+}
+
+TEST_CASE("a sphere above a plane blocks the cone that it fills") {
+    for (const double scale : {1e-6, 1.0, 1e6}) {
+        Mesh scene = lookout();
+        const glm::dvec3 center(0.5, 0.2, 2.5);
+        append(scene, make_sphere(center, 1));
+        scene = placed(scene, scale, glm::dvec3(0));
+        const DirectionSet set;
+        const Visibility visibility = bake(geometry_of(scene), set);
+        const double half_angle = std::asin(1 / glm::length(center));
+        int inside = 0;
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            const glm::dvec3 d(set.directions()[i]);
+            const double angle = std::acos(std::clamp(glm::dot(d, glm::normalize(center)), -1.0, 1.0));
+            // The sphere's flat triangles lie a little inside of it.
+            if (d.z < 1e-4 || std::abs(angle - half_angle) < 1e-3) continue;
+            inside += angle < half_angle ? 1 : 0;
+            CHECK(visibility.seen(0, i) == (angle > half_angle));
+        }
+        CHECK(inside > 50);
+        CHECK_FALSE(visibility.unoccluded(0));
+    }
+}
+
+TEST_CASE("a far, large ground does not lift the shadow of what stands near") {
+    Mesh scene = lookout();
+    // A lid 0.001 above the vertex, and a ground whose corners are 1e5 away.
+    append(scene, placed(make_rectangle(1), 0.05, glm::dvec3(0, 0, 0.02)));
+    append(scene, placed(make_rectangle(1), 1e5, glm::dvec3(0, 0, -1e-4)));
+    const Visibility visibility = bake(geometry_of(scene), few());
+    for (std::size_t i = 0; i < few().size(); ++i) {
+        if (few().directions()[i].z > 0.1F) CHECK_FALSE(visibility.seen(0, i));
+    }
+}
+
+TEST_CASE("both sides of a surface with two sides look their own way") {
+    for (const double scale : {1e-6, 1.0, 1e6}) {
+        Mesh sheet = placed(make_rectangle(3), scale, glm::dvec3(0.3, 0.2, 5));
+        const std::size_t front = sheet.positions.size();
+        Mesh back = sheet;
+        flip_normals(back);
+        append(sheet, back);
+        CHECK(bake(geometry_of(sheet), few()).unoccluded_count() == 2 * front);
+
+        Mesh ball = placed(make_cube(3), scale, glm::dvec3(-0.4, 0.1, 0.2));
+        const std::size_t outside = ball.positions.size();
+        Mesh inside = ball;
+        flip_normals(inside);
+        append(ball, inside);
+        const Visibility visibility = bake(geometry_of(ball), few());
+        for (std::size_t v = 0; v < ball.positions.size(); ++v) {
+            CHECK(visibility.unoccluded(v) == (v < outside));
+            if (v >= outside) CHECK(none_seen(visibility, v));
+        }
+    }
+}
+
+TEST_CASE("a hole lets the environment in, and faces that are there twice make no difference") {
+    Mesh box = make_cube(1);
+    // Corners of the top, which is the side that looks up.
+    std::erase_if(box.triangles, [&](const glm::uvec3& t) { return box.normals[t.x].z > 0.5F; });
+    flip_normals(box);
+    const Visibility once = bake(geometry_of(box), few());
+    Mesh twice = box;
+    twice.triangles.insert(twice.triangles.end(), box.triangles.begin(), box.triangles.end());
+    twice.triangles.emplace_back(0, 0, 1);
+    const Visibility again = bake(geometry_of(twice), few());
+    CHECK(std::ranges::equal(once.bits(), again.bits()));
+    for (std::size_t v = 0; v < box.positions.size(); ++v) {
+        if (box.normals[v].z < 0.5F) continue;
+        // A corner of the floor: the opening is a square two above, from straight up to one corner.
+        for (std::size_t i = 0; i < few().size(); ++i) {
+            const glm::vec3 d = few().directions()[i];
+            if (d.z <= 0.01F) continue;
+            const glm::vec3 at = box.positions[v] + d * (2 / d.z);
+            const float out = std::max(std::abs(at.x), std::abs(at.y)) - 1;
+            if (std::abs(out) > 1e-3F) CHECK(once.seen(v, i) == (out < 0));
+        }
+    }
+}
+
+TEST_CASE("the result does not depend on the number of threads or the length of normals") {
+    Mesh scene = make_sphere({0, 0, 1.5}, 1);
+    append(scene, placed(make_rectangle(16), 3, glm::dvec3(0)));
+    Visibility one;
+    Visibility many;
+    tbb::task_arena(1).execute([&] { one = bake(geometry_of(scene), few()); });
+    for (glm::vec3& normal : scene.normals) normal *= 8.0F;
+    tbb::task_arena(2).execute([&] { many = bake(geometry_of(scene), few()); });
+    CHECK(std::ranges::equal(one.bits(), many.bits()));
+    CHECK(std::ranges::equal(one.open(), many.open()));
+    CHECK(one.unoccluded_count() > 0);
+    CHECK(one.unoccluded_count() < one.vertices());
+}
+
+TEST_CASE("progress rises from 0 to 1 on the calling thread, and what it throws stops the work") {
+    const Mesh sphere = make_sphere();
+    const DirectionSet set;
+    std::vector<double> told;
+    const std::thread::id here = std::this_thread::get_id();
+    static_cast<void>(bake(geometry_of(sphere), set, [&](double fraction) {
+        told.push_back(fraction);
+        CHECK(std::this_thread::get_id() == here);
+    }));
+    CHECK(told.size() > 3);
+    CHECK(told.front() == 0);
+    CHECK(told.back() == 1);
+    CHECK(std::ranges::is_sorted(told));
+    int calls = 0;
+    try {
+        static_cast<void>(bake(geometry_of(sphere), set, [&](double) {
+            if (++calls == 2) throw Error(ErrorCode::cancelled, "enough");
+        }));
+        FAIL("not cancelled");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::cancelled);
+    }
+    CHECK(calls == 2);
+}
+
+TEST_CASE("nothing to bake is no mistake") {
+    CHECK(bake({}, few()).vertices() == 0);
+    const Mesh lonely{.positions = {{1, 2, 3}}, .normals = {{0, 1, 0}}, .triangles = {}};
+    CHECK(bake(geometry_of(lonely), few()).unoccluded(0));
+}
+
+TEST_CASE("geometry that makes no sense is refused with the vertex or triangle at fault") {
+    const auto message = [](const Mesh& mesh) -> std::string {
+        try {
+            static_cast<void>(bake(geometry_of(mesh), few()));
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::invalid_argument);
+            return error.what();
+        }
+        return {};
+    };
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    Mesh mesh = lookout();
+    mesh.normals[1] = {0, 0, 0};
+    CHECK(message(mesh).find("vertex 1 is zero") != std::string::npos);
+    mesh.normals[1] = {0, nan, 0};
+    CHECK(message(mesh).find("vertex 1 is not finite") != std::string::npos);
+    mesh.normals.pop_back();
+    CHECK(message(mesh).find("2 normals for 3 vertices") != std::string::npos);
+    mesh = lookout();
+    mesh.positions[2].x = nan;
+    CHECK(message(mesh).find("vertex 2") != std::string::npos);
+    mesh = lookout();
+    mesh.triangles[0].z = 3;
+    CHECK(message(mesh).find("triangle 0") != std::string::npos);
+}

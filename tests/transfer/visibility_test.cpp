@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// The directions of visibility, and visibility as harmonics.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdlib>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "files/npz.hpp"
+#include "nicol/error.hpp"
+#include "nicol/evaluate.hpp"
+#include "nicol/grid.hpp"
+#include "nicol/mesh.hpp"
+#include "nicol/psh.hpp"
+#include "nicol/stokes.hpp"
+#include "transfer/bake.hpp"
+#include "transfer/visibility_directions.hpp"
+#include "transfer/visibility_harmonics.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// What is seen by `sees`, above the horizon of one vertex.
+template <class Sees>
+Visibility visibility_of(const DirectionSet& set, const glm::vec3& normal, Sees sees) {
+    Visibility out(set.size(), 1);
+    for (std::size_t i = 0; i < set.size(); ++i) {
+        const glm::vec3& d = set.directions()[i];
+        if (glm::dot(d, normal) > 0 && sees(d)) out.at(0)[i / 64] |= std::uint64_t{1} << (i % 64);
+    }
+    return out;
+}
+
+std::vector<float> projected(const DirectionSet& set, const Visibility& visibility, const glm::vec3& normal,
+                             int order, HorizonExtension extension) {
+    std::vector<float> out(psh_count(order));
+    VisibilityHarmonics(set, order, extension).project(visibility, 0, normal, out);
+    return out;
+}
+
+std::vector<double> harmonics(int order, const glm::dvec3& direction) {
+    std::vector<double> out(psh_count(order));
+    std::vector<std::complex<double>> unused(out.size());
+    harmonics_at(order, direction, out, unused);
+    return out;
+}
+
+// Coefficients of a zonal function of the cosine by many samples along it.
+template <class Function>
+std::vector<double> zonal(int order, Function f) {
+    std::vector<double> out(psh_count(order));
+    constexpr int count = 20000;
+    for (int i = 0; i < count; ++i) {
+        const double z = -1 + (2 * i + 1) / static_cast<double>(count);
+        const std::vector<double> y = harmonics(order, {std::sqrt(1 - z * z), 0, z});
+        for (int l = 0; l <= order; ++l) out[psh_index(l, 0)] += 4 * pi / count * f(z) * y[psh_index(l, 0)];
+    }
+    return out;
+}
+
+template <class A, class B>
+double difference(const A& a, const B& b) {
+    double out = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        out = std::max(out, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
+    }
+    return out;
+}
+
+// ((1 + axis . d) / 2)^8, which is of order 8 and nearly nothing more than 90 degrees off its axis.
+std::vector<double> lobe(const glm::dvec3& axis) {
+    std::vector<double> out(psh_count(8));
+    const LatitudeRows rows = gauss_legendre_rows(12);
+    constexpr int columns = 24;
+    for (std::size_t j = 0; j < rows.theta.size(); ++j) {
+        for (int k = 0; k < columns; ++k) {
+            const double phi = 2 * pi * k / columns;
+            const double sine = std::sin(rows.theta[j]);
+            const glm::dvec3 d(sine * std::cos(phi), sine * std::sin(phi), std::cos(rows.theta[j]));
+            const double value = std::pow((1 + glm::dot(axis, d)) / 2, 8) * rows.weight[j] * 2 * pi / columns;
+            const std::vector<double> y = harmonics(8, d);
+            for (std::size_t i = 0; i < y.size(); ++i) out[i] += value * y[i];
+        }
+    }
+    return out;
+}
+
+template <class A, class B>
+double inner_product(const A& a, const B& b) {
+    double out = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) out += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+    return out;
+}
+
+const glm::vec3 slanted = glm::normalize(glm::vec3(0.4F, -0.7F, 0.2F));
+
+}  // namespace
+
+TEST_CASE("directions are unit vectors whose weights integrate harmonics") {
+    for (const auto& [count, order] : {std::pair{256, 8}, std::pair{1000, 15}, std::pair{2048, 16}}) {
+        const DirectionSet set(count);
+        REQUIRE(set.size() == static_cast<std::size_t>(count));
+        std::vector<double> moments(psh_count(order));
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            CHECK(std::abs(glm::length(set.directions()[i]) - 1) < 1e-6F);
+            CHECK(set.weights()[i] > 0);
+            const std::vector<double> y = harmonics(order, glm::dvec3(set.directions()[i]));
+            for (std::size_t k = 0; k < y.size(); ++k) {
+                moments[k] += static_cast<double>(set.weights()[i]) * y[k];
+            }
+        }
+        moments[0] -= std::sqrt(4 * pi);
+        CHECK(difference(moments, std::vector<double>(moments.size())) < 2e-6);
+    }
+}
+
+TEST_CASE("every stratum of the sphere holds about as many directions as any other") {
+    const DirectionSet set;
+    CHECK(set.size() == 2048);
+    std::mt19937 random(5);
+    std::normal_distribution<float> normal;
+    for (int k = 0; k < 50; ++k) {
+        const glm::vec3 axis = glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
+        // A cap of a fiftieth of the sphere.
+        const auto inside = std::ranges::count_if(
+            set.directions(), [&](const glm::vec3& d) { return glm::dot(d, axis) > 0.96F; });
+        CHECK(std::abs(static_cast<double>(inside) - 0.02 * 2048) < 6);
+    }
+}
+
+TEST_CASE("bundles hold the directions in order, each bundle in one place of the sphere") {
+    const DirectionSet set(1000);
+    REQUIRE(set.bundles().size() == 63);
+    double widest = 0;
+    for (std::size_t i = 0; i < 63 * RayBundle::kRays; ++i) {
+        const RayBundle& bundle = set.bundles()[i / RayBundle::kRays];
+        const std::size_t lane = i % RayBundle::kRays;
+        const glm::vec3 d(bundle.x[lane], bundle.y[lane], bundle.z[lane]);
+        CHECK(d == set.directions()[std::min<std::size_t>(i, 999)]);
+        widest += glm::distance(d, {bundle.x[0], bundle.y[0], bundle.z[0]}) / 1000;
+    }
+    CHECK(widest < 0.4);
+}
+
+TEST_CASE("a number of directions out of range is refused") {
+    for (const int count : {-1, 0, 255, 65537}) CHECK_THROWS_AS(DirectionSet{count}, Error);
+}
+
+TEST_CASE("who sees all, or nothing, has exact coefficients") {
+    const DirectionSet set(512);
+    for (const glm::vec3& normal : {slanted, glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)}) {
+        Visibility all = visibility_of(set, normal, [](const glm::vec3&) { return true; });
+        const Visibility none(set.size(), 1);
+        std::vector<float> one(psh_count(8));
+        one[0] = static_cast<float>(std::sqrt(4 * pi));
+        // Light from above propagates down.
+        const std::vector<double> half = zonal(8, [](double z) { return z < 0 ? 1.0 : 0.0; });
+        for (const bool flagged : {true, false}) {
+            all.set_unoccluded(0, flagged);
+            CHECK(difference(projected(set, all, normal, 8, HorizonExtension::mirrored), one) <=
+                  (flagged ? 0 : 1e-6));
+            CHECK(difference(projected(set, all, normal, 8, HorizonExtension::dark), half) < 1e-6);
+        }
+        for (const auto extension : {HorizonExtension::mirrored, HorizonExtension::dark}) {
+            CHECK(difference(projected(set, none, normal, 8, extension), std::vector<float>(81)) == 0);
+        }
+    }
+}
+
+TEST_CASE("a cone around the normal has the coefficients of a cap") {
+    const DirectionSet set(65536);
+    const Visibility cone =
+        visibility_of(set, slanted, [](const glm::vec3& d) { return glm::dot(d, slanted) > 0.6F; });
+    const auto dark = projected(set, cone, slanted, 8, HorizonExtension::dark);
+    CHECK(difference(dark, zonal(8, [](double z) { return z < -0.6 ? 1.0 : 0.0; })) < 1e-3);
+    const auto mirrored = projected(set, cone, slanted, 8, HorizonExtension::mirrored);
+    CHECK(difference(mirrored, zonal(8, [](double z) { return std::abs(z) > 0.6 ? 1.0 : 0.0; })) < 2e-3);
+}
+
+TEST_CASE("coefficients are those of the directions turned into the vertex's frame") {
+    const DirectionSet set(256);
+    constexpr int order = 18;
+    for (const glm::vec3& normal : {slanted, glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)}) {
+        const Visibility visibility =
+            visibility_of(set, normal, [](const glm::vec3& d) { return d.x + 0.5F * d.y > 0.2F; });
+        const glm::dmat3 into = glm::transpose(theta_phi_frame(glm::dvec3(normal)));
+        // Directions that are seen count 1, the others 0, and what quadrature makes of all of them is
+        // replaced by the truth for the part that is seen.
+        std::vector<double> want(psh_count(order));
+        std::vector<double> everything(want.size());
+        double seen = 0;
+        double all = 0;
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            const glm::dvec3 local = into * glm::dvec3(set.directions()[i]);
+            if (!(local.z > 0)) continue;
+            const std::vector<double> y = harmonics(order, -local);
+            const double weight = set.weights()[i];
+            all += weight;
+            if (visibility.seen(0, i)) seen += weight;
+            for (std::size_t k = 0; k < y.size(); ++k) {
+                everything[k] += weight * y[k];
+                if (visibility.seen(0, i)) want[k] += weight * y[k];
+            }
+        }
+        REQUIRE(seen > 0.1 * all);
+        REQUIRE(seen < 0.9 * all);
+        const std::vector<double> half = zonal(order, [](double z) { return z < 0 ? 1.0 : 0.0; });
+        for (std::size_t k = 0; k < want.size(); ++k) want[k] += seen / all * (half[k] - everything[k]);
+        CHECK(difference(projected(set, visibility, normal, order, HorizonExtension::dark), want) < 2e-5);
+        // The mirror image doubles what is even and removes what is odd.
+        for (int l = 0; l <= order; ++l) {
+            for (int m = -l; m <= l; ++m) want[psh_index(l, m)] *= (l + m) % 2 == 0 ? 2 : 0;
+        }
+        for (int l = 1; l <= order; ++l) CHECK(std::abs(half[psh_index(l, 0)]) < (l % 2 == 0 ? 1e-6 : 2.0));
+        CHECK(difference(projected(set, visibility, normal, order, HorizonExtension::mirrored), want) < 2e-5);
+    }
+}
+
+TEST_CASE("a vertex of the authors' data sees what they say it sees") {
+    const char* data = std::getenv("NICOL_TEST_DATA");
+    const std::filesystem::path folder = std::filesystem::path(data != nullptr ? data : "") / "polarsh";
+    if (!std::filesystem::exists(folder / "buddha.obj")) {
+        MESSAGE("skipped: no polarsh data in NICOL_TEST_DATA");
+        return;
+    }
+    const auto file = folder / "vis_SHVec_buddha_v17650_256_L9.npz";
+    const std::vector<double> published = read_npz_member(file, npz_members(file).back()).values;
+    REQUIRE(published.size() == psh_count(8));
+    const Mesh mesh = load_mesh(folder / "buddha.obj");
+    const DirectionSet set(512);
+    const Visibility visibility = bake({mesh.positions, mesh.normals, mesh.triangles}, set);
+    // They count vertices in another order, and keep what is below the normal's horizon: compared is what
+    // lobes about directions near the normal see of it.
+    constexpr std::size_t vertex = 17473;
+    const glm::vec3 normal = mesh.normals[vertex];
+    const Frame frame = theta_phi_frame(glm::dvec3(normal));
+    std::vector<float> ours(psh_count(8));
+    VisibilityHarmonics(set, 8, HorizonExtension::dark).project(visibility, vertex, normal, ours);
+    double least = 1;
+    for (int k = 0; k < 8; ++k) {
+        const glm::dvec3 axis =
+            glm::normalize(glm::dvec3(0.5 * std::cos(k * pi / 4), 0.5 * std::sin(k * pi / 4), -1));
+        const std::vector<double> in_frame = lobe(axis);
+        const double all = in_frame[0] * std::sqrt(4 * pi);
+        const double want = inner_product(published, lobe(frame * axis)) / all;
+        const double have = inner_product(ours, in_frame) / all;
+        CHECK(std::abs(want - have) < 0.015);
+        least = std::min(least, want);
+    }
+    // Seeing all would not do.
+    CHECK(least < 0.96);
+}
+
+TEST_CASE("orders out of range are refused") {
+    const DirectionSet set(256);
+    CHECK_THROWS_AS(VisibilityHarmonics(set, -1, HorizonExtension::dark), Error);
+    CHECK_THROWS_AS(VisibilityHarmonics(set, 65, HorizonExtension::dark), Error);
+}
