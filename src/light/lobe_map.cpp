@@ -104,6 +104,11 @@ LobeMap::LobeMap(const PshVector& light, std::span<const double> gains, bool pol
         return Work{FourierTransform(order, columns()),
                     std::vector<double>(4 * block * static_cast<std::size_t>(columns()))};
     });
+    std::vector<glm::dvec2> azimuths;
+    for (int i = 0; i < columns(); ++i) {
+        const double phi = 2 * pi * i / columns();
+        azimuths.emplace_back(std::cos(phi), std::sin(phi));
+    }
     for (int c = 0; c < channels_; ++c) {
         legendre.synthesize(field.channel(c), rows);
         tbb::parallel_for(0, (rows_ + block - 1) / block, [&](int b) {
@@ -113,17 +118,20 @@ LobeMap::LobeMap(const PshVector& light, std::span<const double> gains, bool pol
                 std::span(local.samples)
                     .first(4 * static_cast<std::size_t>(count) * static_cast<std::size_t>(columns()));
             local.transform.synthesize(rows, b * block, samples);
-            store(c, b * block, samples);
+            store(c, b * block, samples, azimuths);
         });
     }
 }
 
-void LobeMap::store(int channel, int first_row, std::span<const double> samples) {
+void LobeMap::store(int channel, int first_row, std::span<const double> samples,
+                    std::span<const glm::dvec2> azimuths) {
     const auto width = static_cast<std::size_t>(columns());
     const std::size_t count = samples.size() / (4 * width);
     for (std::size_t j = 0; j < count; ++j) {
         const auto row = static_cast<std::size_t>(first_row) + j;
         const double theta = pi * static_cast<double>(row) / (rows_ - 1);
+        const double cosine = std::cos(theta);
+        const double sine = std::sin(theta);
         for (std::size_t i = 0; i < width; ++i) {
             const double* s = &samples[4 * (j * width + i)];
             const std::size_t texel = 4 * (row * width + i);
@@ -132,10 +140,9 @@ void LobeMap::store(int channel, int first_row, std::span<const double> samples)
                 texels_[layer + texel + static_cast<std::size_t>(channel % 4)] = static_cast<float>(s[0]);
                 continue;
             }
-            const double phi = 2 * pi * static_cast<double>(i) / static_cast<double>(width);
-            const glm::dvec3 x(std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi),
-                               -std::sin(theta));
-            const glm::dvec3 y(-std::sin(phi), std::cos(phi), 0);
+            const glm::dvec2& azimuth = azimuths[i];
+            const glm::dvec3 x(cosine * azimuth[0], cosine * azimuth[1], -sine);
+            const glm::dvec3 y(-azimuth[1], azimuth[0], 0);
             const auto tensor = [&](int a, int b) {
                 return static_cast<float>(s[1] * (x[a] * x[b] - y[a] * y[b]) +
                                           s[2] * (x[a] * y[b] + y[a] * x[b]));

@@ -2,13 +2,13 @@
 // Distant light blurred by an isotropic lobe, as a map to look up.
 #pragma once
 
-#include <array>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
 #include "nicol/psh.hpp"
-#include "nicol/stokes.hpp"
 
 namespace nicol {
 
@@ -55,7 +55,8 @@ private:
     [[nodiscard]] std::size_t layer_size() const noexcept {
         return 4 * static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns());
     }
-    void store(int channel, int first_row, std::span<const double> samples);
+    void store(int channel, int first_row, std::span<const double> samples,
+               std::span<const glm::dvec2> azimuths);
 
     int rows_ = kLeastRows;
     int channels_ = 0;

@@ -17,6 +17,8 @@ namespace nicol {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+// Of the energy that is caught in s0: two percent of it in amplitude.
+constexpr double kNegligible = 4e-4;
 constexpr auto angles = static_cast<std::size_t>(HighOrderFactors::kAngles);
 
 double zenith(std::size_t angle) {
@@ -60,16 +62,20 @@ SplitProbes best_probes(const SplitFit& fit) {
     for (int around = 1; around < static_cast<int>(kLobeWidths.size()); ++around)
         for (int centre = 0; centre <= around; ++centre)
             candidates.push_back({centre, around, kLobeWidths[static_cast<std::size_t>(around)]});
-    // Angles by the projected area they have on a sphere.
-    constexpr std::size_t samples = 6;
-    std::vector<std::array<double, 3>> energy(candidates.size());
-    tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
+    const auto caught = [&fit](const SplitProbes& probes) {
+        // Angles by the projected area they have on a sphere.
+        constexpr std::size_t samples = 6;
+        std::array<double, 3> sum{};
         for (std::size_t k = 0; k < samples; ++k) {
             const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / samples);
-            for (const SplitFactors& channel : fit.at(std::acos(cosine), candidates[i]))
-                for (std::size_t p = 0; p < 3; ++p) energy[i][p] += channel.energy[p];
+            for (const SplitFactors& channel : fit.at(std::acos(cosine), probes))
+                for (std::size_t p = 0; p < 3; ++p) sum[p] += channel.energy[p];
         }
-    });
+        return sum;
+    };
+    std::vector<std::array<double, 3>> energy(candidates.size());
+    tbb::parallel_for(std::size_t{0}, candidates.size(),
+                      [&](std::size_t i) { energy[i] = caught(candidates[i]); });
     std::array<double, 3> most{};
     for (const auto& e : energy)
         for (std::size_t p = 0; p < 3; ++p) most[p] = std::max(most[p], e[p]);
@@ -78,8 +84,13 @@ SplitProbes best_probes(const SplitFit& fit) {
         for (std::size_t p = 0; p < 3; ++p) sum += most[p] > 0 ? e[p] / most[p] : 0;
         return sum;
     };
-    const auto best = std::ranges::max_element(energy, {}, score);
-    return candidates[static_cast<std::size_t>(best - energy.begin())];
+    const auto best = std::ranges::max_element(energy, {}, score) - energy.begin();
+    SplitProbes probes = candidates[static_cast<std::size_t>(best)];
+    // A metal has nothing to gain from the normal's probe.
+    probes.normal = false;
+    if (caught(probes)[0] > (1 - kNegligible) * energy[static_cast<std::size_t>(best)][0]) return probes;
+    probes.normal = true;
+    return probes;
 }
 
 }  // namespace
@@ -87,13 +98,11 @@ SplitProbes best_probes(const SplitFit& fit) {
 HighOrderFactors HighOrderFactors::mirror() {
     HighOrderFactors out;
     out.data_.resize(kElements * angles);
-    const auto set = [&](std::size_t element, float value) {
-        std::fill_n(out.data_.begin() + static_cast<std::ptrdiff_t>(element * angles), angles, value);
-    };
-    set(0, 1);
-    set(kUnpolarized + 1, 1);
-    set(kUnpolarized + 2, -1);
-    set(kUnpolarized + 5, -1);
+    for (std::size_t angle = 0; angle < angles; ++angle) {
+        float* f = &out.data_[angle * kElements];
+        f[0] = f[kUnpolarized + 1] = 1;
+        f[kUnpolarized + 2] = f[kUnpolarized + 5] = -1;
+    }
     return out;
 }
 
@@ -109,40 +118,39 @@ HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_hi
     centre_ = probes.centre;
     around_ = probes.around;
     spread_ = probes.spread;
-    normal_ = true;
+    normal_ = probes.normal;
     const auto count = static_cast<std::size_t>(channels_);
     data_.resize(kElements * angles * count);
     tbb::parallel_for(std::size_t{0}, angles, [&](std::size_t angle) {
         const std::vector<SplitFactors> factors = fit.at(zenith(angle), probes);
         for (std::size_t c = 0; c < count; ++c) {
             const auto elements = elements_of(factors[c]);
-            for (std::size_t i = 0; i < elements.size(); ++i)
-                data_[(i * angles + angle) * count + c] = static_cast<float>(elements[i]);
+            float* to = &data_[(angle * count + c) * elements.size()];
+            for (std::size_t i = 0; i < elements.size(); ++i) to[i] = static_cast<float>(elements[i]);
         }
     });
 }
 
 std::vector<float> HighOrderFactors::texels(int first_channel, int count, bool polarized) const {
-    const std::size_t cells = angles * static_cast<std::size_t>(polarized ? kElements : kUnpolarized);
-    std::vector<float> out(4 * cells);
-    for (std::size_t cell = 0; cell < cells; ++cell) {
+    const auto elements = static_cast<std::size_t>(polarized ? kElements : kUnpolarized);
+    std::vector<float> out(4 * elements * angles);
+    for (std::size_t angle = 0; angle < angles; ++angle) {
         for (int i = 0; i < count; ++i) {
-            const int channel = channels_ == 1 ? 0 : first_channel + i;
-            out[4 * cell + static_cast<std::size_t>(i)] =
-                data_[cell * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel)];
+            const float* from = row(angle, channels_ == 1 ? 0 : first_channel + i);
+            for (std::size_t e = 0; e < elements; ++e)
+                out[4 * (e * angles + angle) + static_cast<std::size_t>(i)] = from[e];
         }
     }
     return out;
 }
 
-void HighOrderFactors::at(float cos_zenith, int channel, std::span<float, kElements> out) const {
+void HighOrderFactors::at(float cos_zenith, int channel, std::span<float> out) const {
     const float x = std::clamp(cos_zenith, 0.0F, 1.0F) * static_cast<float>(angles - 1);
     const std::size_t angle = std::min(static_cast<std::size_t>(x), angles - 2);
     const float fraction = x - static_cast<float>(angle);
-    const auto count = static_cast<std::size_t>(channels_);
-    const float* from = &data_[angle * count + static_cast<std::size_t>(channel)];
-    for (std::size_t i = 0; i < out.size(); ++i, from += angles * count)
-        out[i] = from[0] + fraction * (from[count] - from[0]);
+    const float* low = row(angle, channel);
+    const float* high = row(angle + 1, channel);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = low[i] + fraction * (high[i] - low[i]);
 }
 
 }  // namespace nicol

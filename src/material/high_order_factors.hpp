@@ -54,16 +54,20 @@ public:
     /// Whether light is probed at -n.
     [[nodiscard]] bool normal() const noexcept { return normal_; }
 
-    /// [element][angle][channel]
+    /// [angle][channel][element]
     [[nodiscard]] std::span<const float> data() const noexcept { return data_; }
     /// For a texture that is kAngles wide: [element][angle][4], the first `count` channels (1..4) from
     /// `first_channel` on in the components; the elements of unpolarized light, or all.
     [[nodiscard]] std::vector<float> texels(int first_channel, int count, bool polarized) const;
-    /// All elements at the cosine of a zenith angle.
-    void at(float cos_zenith, int channel, std::span<float, kElements> out) const;
+    /// The first out.size() elements at the cosine of a zenith angle.
+    void at(float cos_zenith, int channel, std::span<float> out) const;
 
 private:
     HighOrderFactors() = default;
+    [[nodiscard]] const float* row(std::size_t angle, int channel) const {
+        const auto count = static_cast<std::size_t>(channels_);
+        return &data_[(angle * count + static_cast<std::size_t>(channel)) * kElements];
+    }
 
     int channels_ = 1;
     int centre_ = 0;

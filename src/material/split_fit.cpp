@@ -188,6 +188,9 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& prob
         }
     }
     for (std::size_t i = 0; i < n; ++i) normal[i * n + i] *= 1 + kRidge;
+    if (!probes.normal) {
+        for (std::size_t i = 0; i + 1 < n; ++i) normal[i * n + n - 1] = normal[(n - 1) * n + i] = 0;
+    }
     std::vector<Moments> of_terms = moments(theta_out, at);
     std::vector<SplitFactors> out;
     const bool by_matrix = material_.matrix(0) != nullptr;
@@ -200,6 +203,8 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& prob
                 for (std::size_t u = 0; u < n; ++u)
                     of_channels[c][p][u] += weight * quarter_turn[p] * of_terms[t][p][u];
         }
+        if (!probes.normal)
+            for (SplitVector& row : of_channels[c]) row[n - 1] = 0;
         SplitFactors factors{of_channels[c], {}};
         std::vector<double> matrix = normal;
         solve(matrix, factors.of);

@@ -40,6 +40,7 @@ struct SplitProbes {
     int centre;
     int around;
     double spread;
+    bool normal = true;  ///< whether the last probe counts
 
     static constexpr std::size_t kCount = 6;
     [[nodiscard]] std::array<Probe, kCount> at(double theta_out) const;

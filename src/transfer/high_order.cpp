@@ -108,9 +108,11 @@ void HighOrder::look_up(const Viewpoint& view, const glm::vec3& position, const 
     const auto cos2 = static_cast<float>(c * c - s * s);
     const auto sin2 = static_cast<float>(2 * c * s);
     std::array<float, HighOrderFactors::kElements> f{};
+    const bool polarized = maps_.centre->polarized();
+    const std::size_t used = polarized ? f.size() : HighOrderFactors::kUnpolarized;
     for (std::size_t i = 0; i < out.size(); ++i) {
         if (i == 0 || factors_.channels() > 1)
-            factors_.at(static_cast<float>(cosine), static_cast<int>(i), f);
+            factors_.at(static_cast<float>(cosine), static_cast<int>(i), std::span(f).first(used));
         const std::size_t light = channels == 1 ? 0 : i;
         constexpr auto rest = static_cast<std::size_t>(HighOrderFactors::kUnpolarized);
         glm::vec4 lobe = even_product(&f[0], &f[rest], centre[light]);

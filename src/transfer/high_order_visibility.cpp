@@ -31,6 +31,10 @@ HighOrderVisibility::HighOrderVisibility(int order, double width, HorizonExtensi
         throw Error(ErrorCode::invalid_argument, "the order of visibility is " + std::to_string(order) +
                                                      "; it must lie in 0 to " + std::to_string(most_order));
     }
+    if (!(width >= 0 && width <= 4)) {
+        throw Error(ErrorCode::invalid_argument,
+                    "the width of a lobe is " + std::to_string(width) + "; it must lie in 0 to 4 radians");
+    }
     // A gain of about 1/4 is left at the last order, so that the lobe hardly rings.
     const OrderGains lobe = gaussian_gains(std::max(width, 1.7 / (order + 1)), 0, order);
     lobe_.assign(lobe.begin(), lobe.end());
