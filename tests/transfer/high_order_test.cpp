@@ -166,6 +166,31 @@ TEST_CASE("under real light the split form halves what convolution misses, and k
     }
 }
 
+TEST_CASE("of a measured metal given as a matrix the split form keeps polarization too") {
+    const char* data = std::getenv("NICOL_TEST_DATA");
+    const std::filesystem::path folder = data == nullptr ? "" : data;
+    const auto file = folder / "polarsh" / "SHMat_6_gold_ds1_L20_ISOBI2.npz";
+    if (data == nullptr || !std::filesystem::exists(file)) {
+        MESSAGE("skipped: NICOL_TEST_DATA has no polarsh/SHMat_6_gold_ds1_L20_ISOBI2.npz");
+        return;
+    }
+    const MaterialPtr material = psh_matrix_material(read_psh_matrix(file));
+    const int order = material->matrix(0)->order_in();
+    const PshVector light = test::random_light(order, 3, 1, 1);
+    const test::SphereView sphere(8, 10);
+    const auto pictures =
+        sphere.reflected(*material, sphere.local(light, LightKind::unpolarized), {l_low, order});
+    const auto convolution =
+        test::relative_error(convolved(sphere, *material, light, pictures[0], order), pictures[1]);
+    const auto error =
+        test::relative_error(split(sphere, *material, light, pictures[0], order, false), pictures[1]);
+    for (std::size_t p = 0; p < 3; ++p) {
+        CAPTURE(p);
+        CHECK(error[p] < convolution[p] / 5);
+        CHECK(error[p] < 0.1);
+    }
+}
+
 TEST_CASE("turning the light turns the look-up") {
     const PshVector light = test::random_light(12, 1, 4, 8);
     const test::SphereView sphere(4, 9);

@@ -113,6 +113,11 @@ TEST_CASE("every vertex is looked at along its mirrored view direction") {
     CHECK(out[0][0] > 0.9F);
     CHECK(out[3][0] > 0.9F);
     CHECK(out[0][1] == doctest::Approx(0.5).epsilon(1e-3));
+    // Light that is seen travels into the surface.
+    const auto half = project([](const glm::dvec3& d) { return d.z < 0 ? 1.0 : 0.0; }, order);
+    view.eye = {5, 0, 0.5};
+    fraction.run(view, positions, normals, visible, half, 0, 1, out);
+    CHECK(out[0][0] > 0.9F);
 }
 
 TEST_CASE("orders and widths are checked") {
