@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: MIT
+// Scene files with every kind of material and light, against the reference method.
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "capi.hpp"
+#include "material/pbsdf_file.hpp"
+#include "nicol/material_projection.hpp"
+#include "nicol/psh_matrix_file.hpp"
+#include "nicol/stokes_image.hpp"
+
+using namespace capi_test;
+using doctest::Approx;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+const std::string sky =
+    "<emitter type='sky'><vector name='sun_direction' x='0.3' y='0.8' z='0.5'/>"
+    "<rgb name='radiance' value='1,0.8,0.6'/></emitter>";
+
+// A flat square that fills the picture, so that nothing is interpolated or hidden.
+std::string scene_text(const std::string& bsdf, const std::string& emitter = sky,
+                       const std::string& film = "", const std::string& turn = "") {
+    return "<scene version='3.0.0'><sensor type='perspective'><float name='fov' value='30'/>"
+           "<transform name='to_world'><lookat origin='1,0.5,2' target='0,0,0' up='0,1,0'/></transform>"
+           "<film type='hdrfilm'><integer name='width' value='6'/><integer name='height' value='5'/>" +
+           film + "</film></sensor>" + emitter + "<shape type='rectangle'><transform name='to_world'>" +
+           turn + "<scale value='3'/></transform>" + bsdf + "</shape></scene>";
+}
+
+struct Loaded {
+    nicol_scene scene = nullptr;
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    std::uint32_t width = 0, height = 0, channels = 0;
+
+    Loaded(nicol_context context, const std::string& path) {
+        OK(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
+        OK(nicol_scene_get_camera(scene, &camera));
+        OK(nicol_scene_get_film_size(scene, &width, &height));
+        OK(nicol_scene_get_channels(scene, &channels));
+    }
+    ~Loaded() { CHECK(nicol_scene_release(scene) == NICOL_OK); }
+    Loaded(const Loaded&) = delete;
+    Loaded& operator=(const Loaded&) = delete;
+
+    [[nodiscard]] std::vector<float> picture(nicol_context context,
+                                             const nicol_render_options& options) const {
+        nicol_framebuffer framebuffer = nullptr;
+        OK(nicol_framebuffer_create(context, width, height, channels, &framebuffer));
+        OK(nicol_render(scene, &camera, &options, framebuffer));
+        std::vector<float> all = read_all(framebuffer);
+        OK(nicol_framebuffer_release(framebuffer));
+        return all;
+    }
+};
+
+nicol_render_options options_of(nicol_method method, std::int32_t order, std::int32_t samples = 0) {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.method = method;
+    options.order_low = options.order_high = order;
+    options.samples = samples;
+    return options;
+}
+
+// Root mean square of each Stokes component's difference relative to that of s0.
+std::array<double, 4> rmse(const std::vector<float>& found, const std::vector<float>& truth) {
+    REQUIRE(found.size() == truth.size());
+    std::array<double, 4> error{};
+    double size = 0;
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+        const double t = static_cast<double>(truth[i]);
+        error[i % 4] += std::pow(static_cast<double>(found[i]) - t, 2);
+        if (i % 4 == 0) size += t * t;
+    }
+    for (double& e : error) e = std::sqrt(e / size);
+    return error;
+}
+
+// The sky has no order above 2, so that the factored method misses nothing.
+std::vector<float> check_against_reference(nicol_context context, const std::string& path, double tolerance) {
+    const Loaded loaded(context, path);
+    const std::vector<float> factored = loaded.picture(context, options_of(NICOL_METHOD_FACTORED, 2));
+    const auto error = rmse(factored, loaded.picture(context, options_of(NICOL_METHOD_REFERENCE, 2, 1024)));
+    for (std::size_t p = 0; p < 4; ++p) {
+        CAPTURE(p);
+        CHECK(error[p] < tolerance);
+    }
+    return factored;
+}
+
+nicol::test::SFrameMueller retarder() {
+    // Brighter in red, and turning s2 into s3.
+    return [](std::size_t wavelength, const glm::dvec3&, const glm::dvec3&) {
+        nicol::Mueller m;
+        m(0, 0) = m(1, 1) = (0.2 + 0.2 * static_cast<double>(wavelength)) / pi;
+        m(2, 3) = 0.5 * m(0, 0);
+        m(3, 2) = -m(2, 3);
+        m(0, 1) = m(1, 0) = 0.3 * m(0, 0);
+        return m;
+    };
+}
+
+}  // namespace
+
+TEST_CASE("materials of scene files agree with the reference method") {
+    const Folder folder;
+    nicol::test::write_bytes(
+        folder.file("table.pbsdf"),
+        nicol::test::make_pbsdf(nicol::test::even_angles(9, -pi, pi), nicol::test::even_angles(17, 0, pi / 2),
+                                nicol::test::even_angles(17, 0, pi / 2), {460, 550, 610}, retarder())
+            .bytes());
+    const nicol::MaterialPtr rough = nicol::pplastic({.alpha = 0.5});
+    nicol::write_psh_matrix(folder.file("matrix.npz"), std::vector{nicol::project_material(*rough, 0, 6)});
+    on_every_backend([&](nicol_context context) {
+        for (const auto& [bsdf, tolerance] : std::vector<std::pair<std::string, double>>{
+                 {"<bsdf type='conductor'><string name='material' value='Cu'/></bsdf>", 4e-3},
+                 {"<bsdf type='conductor'><rgb name='eta' value='0.2,0.5,1.2'/><float name='k' "
+                  "value='3'/></bsdf>",
+                  4e-3},
+                 {"<bsdf type='roughconductor'><string name='material' value='Al'/><float name='alpha' "
+                  "value='0.4'/><string name='distribution' value='ggx'/></bsdf>",
+                  4e-3},
+                 {"<bsdf type='conductor'><spectrum name='eta' value='400:1.6, 500:0.9, 700:0.2'/>"
+                  "<spectrum name='k' value='400:1.9, 700:3.8'/></bsdf>",
+                  4e-3},
+                 {"<bsdf type='diffuse'><spectrum name='reflectance' value='400:0.1, 700:0.9'/></bsdf>",
+                  2e-3},
+                 {"<bsdf type='measured_polarized'><string name='filename' value='table.pbsdf'/></bsdf>",
+                  8e-3},
+                 {"<bsdf type='measured_polarized'><string name='filename' value='table.pbsdf'/>"
+                  "<float name='wavelength' value='600'/></bsdf>",
+                  8e-3},
+                 {"<bsdf type='psh'><string name='filename' value='matrix.npz'/>"
+                  "<rgb name='scale' value='1,0.5,0.25'/></bsdf>",
+                  8e-3},
+             }) {
+            CAPTURE(bsdf);
+            const std::string path = folder.write("scene.xml", scene_text(bsdf));
+            const std::vector<float> front = check_against_reference(context, path, tolerance);
+            CHECK(front[0] > 0.02F);
+            // From behind there is something where there are two sides, and only there.
+            const std::string turned = "<rotate y='1' angle='180'/>";
+            const Loaded one(context, folder.write("one.xml", scene_text(bsdf, sky, "", turned)));
+            for (const float value : one.picture(context, options_of(NICOL_METHOD_FACTORED, 2)))
+                CHECK(value == 0);
+            const std::string both = folder.write(
+                "both.xml", scene_text("<bsdf type='twosided'>" + bsdf + "</bsdf>", sky, "", turned));
+            const std::vector<float> back = check_against_reference(context, both, tolerance);
+            for (std::size_t i = 0; i < front.size(); ++i) CHECK(std::abs(back[i] - front[i]) < 2e-3F);
+        }
+    });
+}
+
+TEST_CASE("a film of luminance has one channel, the sum of the colours") {
+    const Folder folder;
+    const std::string bsdf =
+        "<bsdf type='pplastic'><rgb name='diffuse_reflectance' value='0.8,0.4,0.1'/></bsdf>";
+    const std::string rgb = folder.write("rgb.xml", scene_text(bsdf));
+    const std::string grey =
+        folder.write("grey.xml", scene_text(bsdf, sky, "<string name='pixel_format' value='luminance'/>"));
+    on_every_backend([&](nicol_context context) {
+        const Loaded colours(context, rgb), luminance(context, grey);
+        CHECK(colours.channels == 3);
+        CHECK(luminance.channels == 1);
+        const auto options = options_of(NICOL_METHOD_FACTORED, 2);
+        const std::vector<float> c = colours.picture(context, options),
+                                 y = luminance.picture(context, options);
+        REQUIRE(c.size() == 3 * y.size());
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            CHECK(y[i] == Approx(0.2126 * c[i] + 0.7152 * c[y.size() + i] + 0.0722 * c[2 * y.size() + i])
+                              .epsilon(1e-4));
+        }
+    });
+}
+
+TEST_CASE("tables and colours of light and ground") {
+    const Folder folder;
+    const std::string bsdf = "<bsdf type='diffuse'><float name='reflectance' value='1'/></bsdf>";
+    const auto middle = [&](nicol_context context, const std::string& emitter, const std::string& turn = "") {
+        const Loaded loaded(context, folder.write("light.xml", scene_text(bsdf, emitter, "", turn)));
+        const std::vector<float> all = loaded.picture(context, options_of(NICOL_METHOD_FACTORED, 4));
+        const std::size_t plane = all.size() / 3;
+        return std::array{all[60], all[plane + 60], all[2 * plane + 60]};
+    };
+    on_every_backend([&](nicol_context context) {
+        // Equal energy is a little redder than the white of the primaries.
+        const auto flat = middle(context,
+                                 "<emitter type='constant'><spectrum name='radiance' "
+                                 "value='360:2, 830:2'/></emitter>");
+        CHECK(flat[0] == Approx(2 * 1.205).epsilon(0.01));
+        CHECK(flat[1] == Approx(2 * 0.948).epsilon(0.01));
+        CHECK(flat[2] == Approx(2 * 0.909).epsilon(0.01));
+        // Downwards there is nothing but the ground.
+        const auto ground = [&](const char* albedo) {
+            return middle(context,
+                          "<emitter type='sky'><vector name='sun_direction' x='0' y='1' z='0.2'/>"
+                          "<float name='turbidity' value='4'/><rgb name='ground_albedo' value='" +
+                              std::string(albedo) + "'/></emitter>",
+                          "<rotate x='1' angle='70'/>");
+        };
+        const auto white = ground("1,1,1"), red = ground("1,0,0");
+        CHECK(red[0] == Approx(white[0]).epsilon(1e-3));
+        CHECK(red[1] < 0.5F * white[1]);
+    });
+}
+
+TEST_CASE("what a scene names and is not there or of the wrong colours is refused by name") {
+    const Folder folder;
+    nicol::StokesImage spectral(4, 3, 5);
+    spectral.wavelengths = {450, 500, 550, 600, 650};
+    for (std::size_t i = 0; i < spectral.data.size(); i += 4) spectral.data[i] = 1;
+    nicol::write_exr(folder.file("spectral.exr"), spectral, {.components = 0});
+    const std::string light =
+        "<emitter type='envmap'><string name='filename' value='spectral.exr'/></emitter>";
+    on_every_backend([&](nicol_context context) {
+        nicol_scene scene = marker<nicol_scene>();
+        const auto load = [&](const std::string& text) {
+            return nicol_scene_load(context, folder.write("bad.xml", text).c_str(), nullptr, 0, &scene);
+        };
+        const auto named = [](const char* type, const char* file) {
+            return std::string("<bsdf type='") + type + "' id='it'><string name='filename' value='" + file +
+                   "'/></bsdf>";
+        };
+        FAILS(load(scene_text(named("psh", "absent.npz"))), NICOL_ERROR_FILE_NOT_FOUND, "absent.npz");
+        FAILS(load(scene_text(named("psh", "absent.npz"))), NICOL_ERROR_FILE_NOT_FOUND, "bsdf \"it\"");
+        FAILS(load(scene_text(named("measured_polarized", "absent.pbsdf"))), NICOL_ERROR_FILE_NOT_FOUND,
+              "absent.pbsdf");
+        FAILS(load(scene_text("",
+                              "<emitter type='psh'><string name='filename' value='absent.npz'/></emitter>")),
+              NICOL_ERROR_FILE_NOT_FOUND, "absent.npz");
+        folder.write("text.npz", "no archive");
+        FAILS(load(scene_text(named("psh", "text.npz"))), NICOL_ERROR_INVALID_FILE, "text.npz");
+        FAILS(
+            load(scene_text("", "<emitter type='psh'><string name='filename' value='text.npz'/></emitter>")),
+            NICOL_ERROR_INVALID_FILE, "text.npz");
+        FAILS(load(scene_text("<bsdf type='diffuse'><rgb name='reflectance' value='1,0,0'/></bsdf>", light)),
+              NICOL_ERROR_UNSUPPORTED, "red, green and blue");
+        CHECK(scene == marker<nicol_scene>());
+
+        // Grey, tables and named metals fit light of wavelengths.
+        for (const char* bsdf :
+             {"<bsdf type='diffuse'/>", "<bsdf type='conductor'><string name='material' value='Au'/></bsdf>",
+              "<bsdf type='diffuse'><spectrum name='reflectance' value='400:0, 800:0.8'/></bsdf>"}) {
+            const Loaded loaded(context, folder.write("good.xml", scene_text(bsdf, light)));
+            CHECK(loaded.channels == 5);
+            const std::vector<float> all = loaded.picture(context, options_of(NICOL_METHOD_FACTORED, 2));
+            CHECK(all[0] > 0);
+            if (std::string(bsdf).find("spectrum") == std::string::npos) continue;
+            for (std::size_t c = 0; c < 5; ++c)
+                CHECK(all[c * all.size() / 5] == Approx((spectral.wavelengths[c] - 400) / 500).epsilon(0.01));
+        }
+    });
+}
+
+TEST_CASE("measured gold under measured light, from the authors' coefficients") {
+    const char* data = std::getenv("NICOL_TEST_DATA");
+    const std::filesystem::path polarsh = std::filesystem::path(data != nullptr ? data : "") / "polarsh";
+    const auto gold = polarsh / "SHMat_6_gold_ds1_L20_ISOBI2.npz";
+    const auto sponza = polarsh / "SHVec_sponza_1024_L100.npz";
+    if (!std::filesystem::exists(gold) || !std::filesystem::exists(sponza)) {
+        MESSAGE("skipped: NICOL_TEST_DATA holds no polarsh coefficients");
+        return;
+    }
+    const Folder folder;
+    const std::string path = folder.write(
+        "gold.xml",
+        "<scene version='3.0.0'><sensor type='perspective'><float name='fov' value='40'/><transform "
+        "name='to_world'><lookat origin='0,-3.2,0.4' target='0,0,0' up='0,0,1'/></transform><film "
+        "type='hdrfilm'>"
+        "<integer name='width' value='48'/><integer name='height' value='48'/></film></sensor>"
+        "<emitter type='psh'><string name='filename' value='" +
+            sponza.string() +
+            "'/></emitter><shape type='sphere'><bsdf type='psh'><string name='filename' value='" +
+            gold.string() + "'/></bsdf></shape></scene>");
+    for (const nicol_backend backend : every_backend) {
+        const nicol_context context = make_context(backend);
+        {
+            const Loaded loaded(context, path);
+            CHECK(loaded.channels == 3);
+            std::vector<float> before;
+            for (const std::int32_t order : {4, 9, 19}) {
+                CAPTURE(order);
+                const std::vector<float> all =
+                    loaded.picture(context, options_of(NICOL_METHOD_FACTORED, order));
+                std::array<double, 3> mean{};
+                double polarized = 0;
+                const std::size_t plane = all.size() / 3;
+                for (std::size_t i = 0; i < all.size(); ++i) CHECK(std::isfinite(all[i]));
+                for (std::size_t c = 0; c < 3; ++c) {
+                    for (int y = 14; y < 34; ++y) {
+                        for (int x = 14; x < 34; ++x) {
+                            const float* s = &all[c * plane + 4 * static_cast<std::size_t>(y * 48 + x)];
+                            mean[c] += static_cast<double>(s[0]) / 400;
+                            polarized += static_cast<double>(std::hypot(s[1], s[2])) / 1200;
+                        }
+                    }
+                }
+                // Gold reflects most of the red and less of the blue.
+                CHECK(mean[0] > 0);
+                CHECK(mean[2] > 0);
+                CHECK(mean[0] > 1.2 * mean[2]);
+                CHECK(polarized > 0);
+                CHECK(polarized < mean[0]);
+                CHECK(all != before);
+                before = all;
+            }
+        }
+        // A lamp above a plate of gold is seen from above, the same lamp below it is not.
+        std::vector<double> lamp(4 * 25, 0.0);
+        const double amplitude[] = {std::sqrt(pi), -std::sqrt(3 * pi)};
+        lamp[0] = amplitude[0];
+        for (const bool above : {true, false}) {
+            // s0 = 1/2 (1 + cos) about the direction the light travels in: down, or up.
+            lamp[8] = (above ? 1 : -1) * amplitude[1] / 1.7320508;
+            nicol_environment light = nullptr;
+            OK(nicol_environment_create_psh(context, 4, 1, lamp.data(), lamp.size(), &light));
+            nicol_material material = nullptr;
+            OK(nicol_material_load_psh(context, gold.string().c_str(), nullptr, &material));
+            nicol_mesh mesh = nullptr;
+            OK(nicol_mesh_create_rectangle(context, &mesh));
+            nicol_scene scene = nullptr;
+            OK(nicol_scene_create(context, &scene));
+            OK(nicol_scene_set_environment(scene, light, nullptr, 0));
+            nicol_instance instance = NICOL_INSTANCE_INIT;
+            instance.mesh = mesh;
+            instance.material = material;
+            OK(nicol_scene_add_instance(scene, &instance, nullptr));
+            nicol_framebuffer framebuffer = nullptr;
+            OK(nicol_framebuffer_create(context, 4, 4, 3, &framebuffer));
+            const nicol_camera camera = front_camera(1);
+            OK(nicol_render(scene, &camera, nullptr, framebuffer));
+            const float s0 = read_plane(framebuffer, NICOL_PLANE_S0)[5];
+            CHECK(s0 > (above ? 0.5F : -0.2F));
+            CHECK(s0 < (above ? 1.5F : 0.35F));
+            OK(nicol_framebuffer_release(framebuffer));
+            OK(nicol_scene_release(scene));
+            OK(nicol_mesh_release(mesh));
+            OK(nicol_material_release(material));
+            OK(nicol_environment_release(light));
+        }
+        OK(nicol_context_release(context));
+    }
+}
