@@ -40,39 +40,100 @@ using Slots = ShadowGrid::Slots;
     }
 }
 
+// The samples of Parts functions in Count columns from `table` on: what is loaded of one serves all of the
+// other.
+template <std::size_t Parts, std::size_t Count>
 [[gnu::always_inline]] inline void to_columns(const Slots& layout, const float* table,
-                                              const LaneVector* slots, LaneVector* columns) {
-    LaneVector sum[4];
+                                              const LaneVector (*slots)[kMostSlots],
+                                              LaneVector (&samples)[Parts][Count][4]) {
+    const std::size_t stride = layout.begin[4];
+    LaneVector sum[4][Parts][Count];
     for (std::size_t k = 0; k < 4; ++k) {
-        LaneVector s{};
+        LaneVector total[Parts][Count] = {};
         for (std::uint32_t slot = layout.begin[k]; slot < layout.begin[k + 1]; ++slot) {
-            s += table[slot] * slots[slot];
+            for (std::size_t p = 0; p < Parts; ++p) {
+                const LaneVector x = slots[p][slot];
+                for (std::size_t c = 0; c < Count; ++c) total[p][c] += table[c * stride + slot] * x;
+            }
         }
-        sum[k] = s;
+        for (std::size_t p = 0; p < Parts; ++p) {
+            for (std::size_t c = 0; c < Count; ++c) sum[k][p][c] = total[p][c];
+        }
     }
-    const LaneVector a = sum[0] + sum[1];
-    const LaneVector b = sum[0] - sum[1];
-    const LaneVector c = sum[2] + sum[3];
-    const LaneVector d = sum[3] - sum[2];
-    columns[0] = a + c;
-    columns[1] = a - c;
-    columns[2] = b + d;
-    columns[3] = b - d;
+    for (std::size_t p = 0; p < Parts; ++p) {
+        for (std::size_t c = 0; c < Count; ++c) {
+            const LaneVector even = sum[0][p][c] + sum[1][p][c];
+            const LaneVector odd = sum[0][p][c] - sum[1][p][c];
+            const LaneVector right = sum[2][p][c] + sum[3][p][c];
+            const LaneVector left = sum[3][p][c] - sum[2][p][c];
+            samples[p][c][0] = even + right;
+            samples[p][c][1] = even - right;
+            samples[p][c][2] = odd + left;
+            samples[p][c][3] = odd - left;
+        }
+    }
 }
 
+// And back, adding.
+template <std::size_t Parts, std::size_t Count>
 [[gnu::always_inline]] inline void from_columns(const Slots& layout, const float* table,
-                                                const LaneVector* columns, LaneVector* slots) {
-    const LaneVector a = columns[0] + columns[1];
-    const LaneVector b = columns[2] + columns[3];
-    const LaneVector c = columns[0] - columns[1];
-    const LaneVector d = columns[2] - columns[3];
-    const LaneVector sum[4] = {a + b, a - b, c - d, c + d};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const LaneVector s = sum[k];
-        for (std::uint32_t slot = layout.begin[k]; slot < layout.begin[k + 1]; ++slot) {
-            slots[slot] += table[slot] * s;
+                                                const LaneVector (&samples)[Parts][Count][4],
+                                                LaneVector (*slots)[kMostSlots]) {
+    const std::size_t stride = layout.begin[4];
+    LaneVector sum[4][Parts][Count];
+    for (std::size_t p = 0; p < Parts; ++p) {
+        for (std::size_t c = 0; c < Count; ++c) {
+            const LaneVector* f = samples[p][c];
+            const LaneVector right = f[0] + f[1];
+            const LaneVector left = f[2] + f[3];
+            const LaneVector up = f[0] - f[1];
+            const LaneVector down = f[2] - f[3];
+            sum[0][p][c] = right + left;
+            sum[1][p][c] = right - left;
+            sum[2][p][c] = up - down;
+            sum[3][p][c] = up + down;
         }
     }
+    for (std::size_t k = 0; k < 4; ++k) {
+        for (std::uint32_t slot = layout.begin[k]; slot < layout.begin[k + 1]; ++slot) {
+            for (std::size_t p = 0; p < Parts; ++p) {
+                LaneVector x = slots[p][slot];
+                for (std::size_t c = 0; c < Count; ++c) x += table[c * stride + slot] * sum[k][p][c];
+                slots[p][slot] = x;
+            }
+        }
+    }
+}
+
+// Count columns of one row; `even` and `odd` are visibility's samples there.
+template <bool Dark, std::size_t Count, class Number>
+[[gnu::always_inline]] inline void multiply_columns(const Slots& slots_in, const float* table_in,
+                                                    const LaneVector (*before)[kMostSlots],
+                                                    const Slots& slots_out, const float* table_out,
+                                                    LaneVector (*after)[kMostSlots], const Number* even,
+                                                    const Number* odd) {
+    constexpr float one = sizeof(Number) == sizeof(float) ? 1.0F : kFixedOne;
+    LaneVector f[2][Count][4];
+    to_columns<2, Count>(slots_in, table_in, before, f);
+    for (std::size_t c = 0; c < Count; ++c) {
+        for (std::size_t image = 0; image < 4; ++image) {
+            LaneVector v;
+            load(even + (4 * c + image) * kLanes, v);
+            v *= 1 / one;
+            if constexpr (Dark) {
+                LaneVector w;
+                load(odd + (4 * c + image) * kLanes, w);
+                w *= 1 / one;
+                const LaneVector mixed = v * f[0][c][image] + w * f[1][c][image];
+                f[1][c][image] = v * f[1][c][image] + w * f[0][c][image];
+                f[0][c][image] = mixed;
+            } else {
+                f[0][c][image] *= v;
+                f[1][c][image] *= v;
+            }
+        }
+    }
+    from_columns<2, Count>(slots_out, table_out, f, after);
 }
 
 template <bool Dark, class Number>
@@ -80,43 +141,31 @@ template <bool Dark, class Number>
                                                  const Slots& slots_out, std::size_t rows,
                                                  std::size_t quarter, const Number* even, const Number* odd,
                                                  const Lanes* in, Lanes* out) {
-    constexpr float one = sizeof(Number) == sizeof(float) ? 1.0F : kFixedOne;
     LaneVector before[2][kMostSlots];
     LaneVector after[2][kMostSlots];
-    for (std::size_t part = 0; part < 2; ++part) {
-        for (std::uint32_t s = 0; s < slots_in.begin[4]; ++s) before[part][s] = LaneVector{};
+    for (auto& part : before) {
+        for (std::uint32_t s = 0; s < slots_in.begin[4]; ++s) part[s] = LaneVector{};
     }
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t part = 0; part < 2; ++part) {
             to_slots(from[part], row, in + from[part].begin, before[part]);
             for (std::uint32_t s = 0; s < slots_out.begin[4]; ++s) after[part][s] = LaneVector{};
         }
-        for (std::size_t column = 0; column < quarter; ++column) {
+        for (std::size_t column = 0; column < quarter;) {
             const float* table_in = slots_in.table.data() + column * slots_in.begin[4];
             const float* table_out = slots_out.table.data() + column * slots_out.begin[4];
-            LaneVector f[2][4];
-            for (std::size_t part = 0; part < 2; ++part) {
-                to_columns(slots_in, table_in, before[part], f[part]);
-            }
             const std::size_t sample = 4 * (row * quarter + column) * kLanes;
-            for (std::size_t image = 0; image < 4; ++image) {
-                LaneVector v;
-                load(even + sample + image * kLanes, v);
-                v *= 1 / one;
-                if constexpr (Dark) {
-                    LaneVector w;
-                    load(odd + sample + image * kLanes, w);
-                    w *= 1 / one;
-                    const LaneVector mixed = v * f[0][image] + w * f[1][image];
-                    f[1][image] = v * f[1][image] + w * f[0][image];
-                    f[0][image] = mixed;
-                } else {
-                    f[0][image] *= v;
-                    f[1][image] *= v;
-                }
-            }
-            for (std::size_t part = 0; part < 2; ++part) {
-                from_columns(slots_out, table_out, f[part], after[part]);
+            const Number* v = even + sample;
+            const Number* w = Dark ? odd + sample : nullptr;
+            if (quarter - column >= 3) {
+                multiply_columns<Dark, 3>(slots_in, table_in, before, slots_out, table_out, after, v, w);
+                column += 3;
+            } else if (quarter - column == 2) {
+                multiply_columns<Dark, 2>(slots_in, table_in, before, slots_out, table_out, after, v, w);
+                column += 2;
+            } else {
+                multiply_columns<Dark, 1>(slots_in, table_in, before, slots_out, table_out, after, v, w);
+                column += 1;
             }
         }
         for (std::size_t part = 0; part < 2; ++part) {
@@ -151,12 +200,14 @@ void multiply_fixed(const Pair& from, const Slots& slots_in, const Pair& to, con
 
 void synthesize_row(const Component& component, const Slots& slots, std::size_t row, std::size_t quarter,
                     const Lanes* in, Lanes* samples) {
-    LaneVector values[kMostSlots] = {};
-    to_slots(component, row, in, values);
+    LaneVector values[1][kMostSlots] = {};
+    to_slots(component, row, in, values[0]);
     for (std::size_t column = 0; column < quarter; ++column) {
-        LaneVector images[4];
-        to_columns(slots, slots.table.data() + column * slots.begin[4], values, images);
-        for (std::size_t image = 0; image < 4; ++image) store(samples + 4 * column + image, images[image]);
+        LaneVector images[1][1][4];
+        to_columns<1, 1>(slots, slots.table.data() + column * slots.begin[4], values, images);
+        for (std::size_t image = 0; image < 4; ++image) {
+            store(samples + 4 * column + image, images[0][0][image]);
+        }
     }
 }
 

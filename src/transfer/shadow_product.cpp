@@ -41,7 +41,8 @@ FixedLanes fixed(const Lanes& in) {
     throw Error(ErrorCode::invalid_argument, message);
 }
 
-// Below this sum of orders matrices are the faster.
+// Up to this sum of orders matrices serve. Beyond they are the faster still, 1.4 times at 8 + 8, but take 28
+// times the memory there.
 constexpr int most_for_matrix = 12;
 
 ShadowProduct::Form choose(ShadowProduct::Form form, HorizonExtension extension, int visibility_order) {

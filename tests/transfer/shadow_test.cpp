@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Visibility times light at vertices: every form equals the product of harmonics.
 #include <doctest/doctest.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
@@ -158,4 +160,103 @@ TEST_CASE("the product at vertices is the product of harmonics, whatever its for
             }
         }
     }
+}
+
+TEST_CASE("blocks hold the vertices that do not see all, and the others keep their light") {
+    const Scene scene(40);
+    const LightLayout layout(4, LightKind::linear);
+    const ShadowProduct product =
+        scene.product(layout, layout, HorizonExtension::mirrored, Form::best, ShadowStorage::fixed16);
+    CHECK(product.blocks() == 2);
+    CHECK(product.vertices(0).size() == 16);
+    CHECK(product.vertices(1).size() == 16);
+    const VertexLight before = vertex_lights(layout, 2, 40);
+    VertexLight light = before;
+    product.run(light, light, 0, product.blocks());
+    for (std::size_t v = 0; v < 40; ++v) {
+        const bool same = std::ranges::equal(light.at(v, 0), before.at(v, 0)) &&
+                          std::ranges::equal(light.at(v, 1), before.at(v, 1));
+        CHECK(same == scene.visibility.unoccluded(v));
+    }
+    // All that is seen is half of all in the dark.
+    CHECK(
+        scene.product(layout, layout, HorizonExtension::dark, Form::best, ShadowStorage::fixed16).blocks() ==
+        3);
+}
+
+TEST_CASE("the product is the same to the last bit in place, in pieces and beside other threads") {
+    const Scene scene(300);
+    const LightLayout layout(3, LightKind::full);
+    const VertexLight light = vertex_lights(layout, 1, 300);
+    for (const Form form : {Form::matrix, Form::grid}) {
+        std::vector<ShadowProduct> products;
+        for (const int threads : {1, 2}) {
+            tbb::task_arena(threads).execute([&] {
+                products.push_back(
+                    scene.product(layout, layout, HorizonExtension::mirrored, form, ShadowStorage::fixed16));
+            });
+        }
+        VertexLight whole = light;
+        products[0].run(light, whole, 0, products[0].blocks());
+        VertexLight pieces = light;
+        tbb::parallel_for(std::size_t{0}, products[1].blocks(),
+                          [&](std::size_t block) { products[1].run(pieces, pieces, block, block + 1); });
+        bool same = true;
+        for (std::size_t v = 0; v < 300; ++v)
+            same = same && std::ranges::equal(whole.at(v, 0), pieces.at(v, 0));
+        CHECK(same);
+    }
+}
+
+TEST_CASE("no vertex in shadow makes no blocks") {
+    const LightLayout layout(2, LightKind::linear);
+    Visibility visibility(directions().size(), 3);
+    for (std::size_t v = 0; v < 3; ++v) visibility.set_unoccluded(v, true);
+    const std::vector<glm::vec3> normals(3, {0, 0, 1});
+    const ShadowProduct product(visibility, directions(), normals, layout, layout);
+    CHECK(product.blocks() == 0);
+    CHECK(product.bytes() == 0);
+}
+
+TEST_CASE("matrices serve low orders and the grid high ones") {
+    const Scene scene(17);
+    const auto form = [&](int order) {
+        const LightLayout layout(order, LightKind::unpolarized);
+        return scene.product(layout, layout, HorizonExtension::mirrored, Form::best, ShadowStorage::fixed16)
+            .form();
+    };
+    CHECK(form(4) == Form::matrix);
+    CHECK(form(9) == Form::grid);
+    CHECK(form(32) == Form::grid);
+}
+
+TEST_CASE("what does not fit together is refused") {
+    const Scene scene(3);
+    const LightLayout low(2, LightKind::linear);
+    const LightLayout high(4, LightKind::linear);
+    const LightLayout other(4, LightKind::full);
+    const auto mirrored = HorizonExtension::mirrored;
+    const auto refused = [&](auto make) {
+        try {
+            static_cast<void>(make());
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return ErrorCode::internal;
+    };
+    const auto product = [&](const LightLayout& in, const LightLayout& out, HorizonExtension extension,
+                             Form form) {
+        return refused([&] { return scene.product(in, out, extension, form, ShadowStorage::fixed16); });
+    };
+    CHECK(product(high, low, mirrored, Form::best) == ErrorCode::invalid_argument);
+    CHECK(product(low, other, mirrored, Form::best) == ErrorCode::invalid_argument);
+    CHECK(product(low, high, HorizonExtension::dark, Form::matrix) == ErrorCode::unsupported);
+    const LightLayout beyond(33, LightKind::linear);
+    CHECK(product(beyond, beyond, mirrored, Form::best) == ErrorCode::invalid_argument);
+    const std::vector<glm::vec3> few(2, {0, 0, 1});
+    CHECK(refused([&] { return ShadowProduct(scene.visibility, directions(), few, low, low); }) ==
+          ErrorCode::invalid_argument);
+    CHECK(refused([&] {
+              return ShadowProduct(scene.visibility, DirectionSet(256), scene.normals, low, low);
+          }) == ErrorCode::invalid_argument);
 }
