@@ -4,7 +4,8 @@
 
 #include <sstream>
 
-#include "psh.hpp"
+#include "nicol/stokes_image.hpp"
+#include "psh_sky.hpp"
 
 namespace capi_test {
 
@@ -58,6 +59,21 @@ inline double largest_of(const Doubles& values) {
     double largest = 0;
     for (const double v : values) largest = std::max(largest, std::abs(v));
     return largest;
+}
+
+inline nicol_light_report light_report_of(const std::string& path,
+                                          const nicol_file_options* options = nullptr) {
+    nicol_light_report report = NICOL_LIGHT_REPORT_INIT;
+    OK(nicol_file_describe_light(path.c_str(), options, &report, nullptr, 0));
+    return report;
+}
+
+/// The sky of psh_sky.hpp as a picture file.
+inline void write_sky(const std::string& path, std::uint32_t width, std::uint32_t height) {
+    const std::vector<float> pixels = sky_picture(width, height, 1);
+    nicol::StokesImage picture(static_cast<int>(width), static_cast<int>(height), 1);
+    std::copy(pixels.begin(), pixels.end(), picture.data.begin());
+    nicol::write_exr(path, picture);
 }
 
 }  // namespace capi_test
