@@ -286,8 +286,8 @@ typedef struct nicol_conductor {
     /* Roughness, 0.001 to 1. 0: smooth, for which Beckmann's facets of 0.01 stand, a blur of one degree. */
     float alpha;
     uint32_t reserved; /* 0 */
-    /* "Au", "Ag", "Cu" or "Al" (also in words), with measured values; eta and k must be empty then. NULL or
-     * "": eta and k hold. */
+    /* "Au", "Ag", "Cu" or "Al", or "gold", "silver", "copper" or "aluminium", with measured values; eta and k
+     * must be empty then. NULL or "": eta and k hold. */
     const char* metal;
     nicol_spectrum eta; /* default 0; 0 to 100 */
     nicol_spectrum k;   /* default 1, with eta 0 a perfect mirror; 0 to 100; eta and k must not both be 0 */

@@ -89,6 +89,41 @@ std::vector<NamedCall> calls(nicol_context handle) {
                  nicol_material out = nullptr;
                  return nicol_material_create_diffuse(handle, nullptr, &out);
              }},
+            {"environment_create_psh",
+             [=] {
+                 nicol_environment out = nullptr;
+                 const double one[4] = {1, 0, 0, 0};
+                 return nicol_environment_create_psh(handle, 0, 1, one, 4, &out);
+             }},
+            {"material_create_conductor",
+             [=] {
+                 nicol_material out = nullptr;
+                 const nicol_conductor parameters = NICOL_CONDUCTOR_INIT;
+                 return nicol_material_create_conductor(handle, &parameters, &out);
+             }},
+            {"material_load_measured",
+             [=] {
+                 nicol_material out = nullptr;
+                 return nicol_material_load_measured(handle, "x.pbsdf", nullptr, &out);
+             }},
+            {"material_load_psh",
+             [=] {
+                 nicol_material out = nullptr;
+                 return nicol_material_load_psh(handle, "x.npz", nullptr, &out);
+             }},
+            {"material_create_twosided",
+             [=] {
+                 nicol_material out = nullptr;
+                 return nicol_material_create_twosided(handle, nullptr, &out);
+             }},
+            {"material_create_callback",
+             [=] {
+                 nicol_material out = nullptr;
+                 nicol_callback_material parameters = NICOL_CALLBACK_MATERIAL_INIT;
+                 parameters.mueller = [](void*, std::uint32_t, const double[3], const double[3],
+                                         double[16]) -> std::int32_t { return 0; };
+                 return nicol_material_create_callback(handle, &parameters, &out);
+             }},
             {"mesh_load",
              [=] {
                  nicol_mesh out = nullptr;

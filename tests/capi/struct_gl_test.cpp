@@ -147,6 +147,31 @@ TEST_CASE("asset descriptors of any version") {
         };
         check_input(plastic, offsetof(nicol_pplastic, alpha), "parameters", from_plastic);
 
+        const nicol_conductor metal = NICOL_CONDUCTOR_INIT;
+        const auto from_metal = [&](const nicol_conductor* given) {
+            nicol_material made = nullptr;
+            const nicol_result result = nicol_material_create_conductor(context, given, &made);
+            CHECK((made != nullptr) == (result == NICOL_OK));
+            OK(nicol_material_release(made));
+            return result;
+        };
+        check_input(metal, offsetof(nicol_conductor, specular_reflectance), "parameters", from_metal);
+
+        nicol_callback_material function = NICOL_CALLBACK_MATERIAL_INIT;
+        function.mueller = [](void*, std::uint32_t, const double[3], const double[3],
+                              double mueller[16]) -> std::int32_t {
+            for (int i = 0; i < 16; ++i) mueller[i] = i == 0 ? 0.1 : 0;
+            return 1;
+        };
+        const auto from_function = [&](const nicol_callback_material* given) {
+            nicol_material made = nullptr;
+            const nicol_result result = nicol_material_create_callback(context, given, &made);
+            CHECK((made != nullptr) == (result == NICOL_OK));
+            OK(nicol_material_release(made));
+            return result;
+        };
+        check_input(function, offsetof(nicol_callback_material, user), "parameters", from_function);
+
         const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
         const std::uint32_t indices[] = {0, 1, 2};
         nicol_mesh_data data = NICOL_MESH_DATA_INIT;
@@ -164,6 +189,37 @@ TEST_CASE("asset descriptors of any version") {
         check_input(data, sizeof data, "data", from_data);
         Sized<nicol_mesh_data> cut(data, offsetof(nicol_mesh_data, indices));
         FAILS(from_data(cut.get()), NICOL_ERROR_INVALID_ARGUMENT, "data->indices");
+    });
+}
+
+TEST_CASE("options of files of any version, which may be NULL") {
+    on_every_backend([](nicol_context context) {
+        const Folder folder;
+        const std::string path = folder.write("none", "no file");
+        const auto check = [&](auto good, auto call) {
+            // Where the options are right, the file is looked at.
+            FAILS(call(static_cast<decltype(&good)>(nullptr)), NICOL_ERROR_INVALID_FILE, path);
+            for (const std::uint32_t size : {0U, 3U, UINT32_MAX}) {
+                auto wrong = good;
+                wrong.struct_size = size;
+                FAILS(call(&wrong), NICOL_ERROR_INVALID_ARGUMENT, "options->struct_size");
+            }
+            Sized newer(good, sizeof good + 8);
+            FAILS(call(newer.get()), NICOL_ERROR_INVALID_FILE, path);
+            newer.byte(sizeof good + 5) = 1;
+            FAILS(call(newer.get()), NICOL_ERROR_INVALID_ARGUMENT, "options");
+            Sized older(good, 8);
+            FAILS(call(older.get()), NICOL_ERROR_INVALID_FILE, path);
+        };
+        check(nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT,
+              [&](const nicol_environment_load_options* options) {
+                  nicol_environment out = nullptr;
+                  return nicol_environment_load(context, path.c_str(), options, &out);
+              });
+        check(nicol_measured NICOL_MEASURED_INIT, [&](const nicol_measured* options) {
+            nicol_material out = nullptr;
+            return nicol_material_load_measured(context, path.c_str(), options, &out);
+        });
     });
 }
 
@@ -215,6 +271,9 @@ TEST_CASE("structs that the library fills, of any version") {
         stage.render();
         check_output<nicol_context_info>(
             "info", [&](nicol_context_info* info) { return nicol_context_get_info(context, info); });
+        check_output<nicol_environment_info>("info", [&](nicol_environment_info* info) {
+            return nicol_environment_get_info(stage.environment, info);
+        });
         check_output<nicol_statistics>("statistics", [&](nicol_statistics* statistics) {
             return nicol_framebuffer_get_statistics(stage.framebuffer, statistics);
         });
