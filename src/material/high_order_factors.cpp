@@ -55,41 +55,54 @@ std::array<double, HighOrderFactors::kElements> elements_of(const SplitFactors& 
     return out;
 }
 
-// The lobes and their spread that catch most of a material's response to unpolarized light, each Stokes
-// component counted by the part of it that the best of them catches.
+// Energy of the response to unpolarized light that the probes catch, by channel, of s0, s1 and s2.
+using Energy = std::vector<std::array<double, 3>>;
+
+Energy caught(const SplitFit& fit, const SplitProbes& probes) {
+    // Angles by the projected area they have on a sphere.
+    constexpr std::size_t samples = 6;
+    Energy sum;
+    for (std::size_t k = 0; k < samples; ++k) {
+        const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / samples);
+        const std::vector<SplitFactors> factors = fit.at(std::acos(cosine), probes);
+        sum.resize(factors.size());
+        for (std::size_t c = 0; c < factors.size(); ++c)
+            for (std::size_t p = 0; p < 3; ++p) sum[c][p] += factors[c].energy[p];
+    }
+    return sum;
+}
+
+// The lobes and their spread that catch most, each Stokes component counted by the part of it that the best
+// of them catches.
 SplitProbes best_probes(const SplitFit& fit) {
     std::vector<SplitProbes> candidates;
     for (int around = 1; around < static_cast<int>(kLobeWidths.size()); ++around)
         for (int centre = 0; centre <= around; ++centre)
             candidates.push_back({centre, around, kLobeWidths[static_cast<std::size_t>(around)]});
-    const auto caught = [&fit](const SplitProbes& probes) {
-        // Angles by the projected area they have on a sphere.
-        constexpr std::size_t samples = 6;
-        std::array<double, 3> sum{};
-        for (std::size_t k = 0; k < samples; ++k) {
-            const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / samples);
-            for (const SplitFactors& channel : fit.at(std::acos(cosine), probes))
-                for (std::size_t p = 0; p < 3; ++p) sum[p] += channel.energy[p];
-        }
-        return sum;
-    };
-    std::vector<std::array<double, 3>> energy(candidates.size());
+    std::vector<Energy> energy(candidates.size());
     tbb::parallel_for(std::size_t{0}, candidates.size(),
-                      [&](std::size_t i) { energy[i] = caught(candidates[i]); });
+                      [&](std::size_t i) { energy[i] = caught(fit, candidates[i]); });
     std::array<double, 3> most{};
-    for (const auto& e : energy)
-        for (std::size_t p = 0; p < 3; ++p) most[p] = std::max(most[p], e[p]);
-    const auto score = [&](const std::array<double, 3>& e) {
+    const auto total = [](const Energy& e, std::size_t p) {
         double sum = 0;
-        for (std::size_t p = 0; p < 3; ++p) sum += most[p] > 0 ? e[p] / most[p] : 0;
+        for (const auto& channel : e) sum += channel[p];
         return sum;
     };
-    const auto best = std::ranges::max_element(energy, {}, score) - energy.begin();
-    SplitProbes probes = candidates[static_cast<std::size_t>(best)];
-    // A metal has nothing to gain from the normal's probe.
+    for (const Energy& e : energy)
+        for (std::size_t p = 0; p < 3; ++p) most[p] = std::max(most[p], total(e, p));
+    const auto score = [&](const Energy& e) {
+        double sum = 0;
+        for (std::size_t p = 0; p < 3; ++p) sum += most[p] > 0 ? total(e, p) / most[p] : 0;
+        return sum;
+    };
+    const auto best = static_cast<std::size_t>(std::ranges::max_element(energy, {}, score) - energy.begin());
+
+    // A metal has nothing to gain from the normal's probe, which is for diffuse bases.
+    SplitProbes probes = candidates[best];
     probes.normal = false;
-    if (caught(probes)[0] > (1 - kNegligible) * energy[static_cast<std::size_t>(best)][0]) return probes;
-    probes.normal = true;
+    const Energy without = caught(fit, probes);
+    for (std::size_t c = 0; c < without.size(); ++c)
+        probes.normal = probes.normal || without[c][0] < (1 - kNegligible) * energy[best][c][0];
     return probes;
 }
 

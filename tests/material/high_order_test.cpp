@@ -164,6 +164,15 @@ TEST_CASE("factors are linear between angles, by channel, and laid out for a tex
     CHECK(mirror[14] == -1);
 }
 
+TEST_CASE("lobes follow the roughness, and a base is probed where there is one") {
+    const HighOrderFactors sharp(*rough_conductor({.alpha = 0.05}), 4, 32, 1);
+    const HighOrderFactors blunt(*rough_conductor({.alpha = 0.25}), 4, 32, 1);
+    CHECK(sharp.around() < blunt.around());
+    CHECK(sharp.spread() == kLobeWidths[static_cast<std::size_t>(sharp.around())]);
+    CHECK_FALSE(sharp.normal());
+    CHECK(HighOrderFactors(*pplastic({.alpha = 0.1}), 4, 9, 1).normal());
+}
+
 TEST_CASE("a grey material has one set of factors, orders and channels are checked") {
     const MaterialPtr grey = pplastic({.diffuse_reflectance = {0.4}, .alpha = 0.3});
     CHECK(HighOrderFactors(*grey, 4, 9, 3).channels() == 1);
