@@ -5,34 +5,10 @@
 #include <array>
 #include <vector>
 
+#include "material/split_fit_kernel.hpp"
 #include "nicol/material.hpp"
-#include "nicol/stokes.hpp"
 
 namespace nicol {
-
-/// A function of the angle between two directions given by its coefficients: the kernels of the convolutions
-/// with gain[l] of s0 and s3, and of s1 + i s2 (frames with x along the great circle).
-class ZonalKernel {
-public:
-    /// gain[l] for l = 0..order.
-    explicit ZonalKernel(const std::vector<double>& gain);
-
-    struct Value {
-        double spin0;
-        double spin2;
-    };
-    /// At directions with the squared distance 2 - 2 cos(angle), within 0..4.
-    [[nodiscard]] Value at(double distance2) const;
-
-private:
-    std::vector<Value> table_;  // by distance
-};
-
-/// A direction at which light filtered by a lobe is measured, in a frame whose z it is.
-struct Probe {
-    Frame frame;
-    int lobe;  ///< position in kLobeWidths; that many: cosine_gains(), of which only s0 counts
-};
 
 /// The probes of HighOrderFactors in the surface's frame for outgoing light at azimuth 0: centre, up, down,
 /// right, left, normal.

@@ -14,7 +14,9 @@
 
 #include "material/matrix_rows.hpp"
 #include "material/row_integral.hpp"
+#include "nicol/conductor.hpp"
 #include "nicol/light_layout.hpp"
+#include "nicol/material.hpp"
 #include "nicol/rotation.hpp"
 #include "transfer/high_order.hpp"
 #include "transfer/viewpoint.hpp"
@@ -23,6 +25,18 @@ namespace nicol::test {
 
 /// Stokes vectors in the camera's frame, [channel][vertex].
 using Picture = std::vector<std::vector<glm::vec4>>;
+
+inline MaterialPtr plastic(double alpha) {
+    return pplastic({.diffuse_reflectance = {0.6, 0.35, 0.1},
+                     .int_ior = 1.5,
+                     .ext_ior = 1,
+                     .alpha = alpha,
+                     .distribution = Distribution::ggx});
+}
+
+inline MaterialPtr gold(double alpha) {
+    return rough_conductor({.eta = metal_index("Au"), .alpha = alpha, .distribution = Distribution::ggx});
+}
 
 /// Points on rings, so that few outgoing angles occur, evenly over the disc of radius 0.95.
 struct SphereView {
