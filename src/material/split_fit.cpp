@@ -120,7 +120,11 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& prob
             normal[(i + 3) * n + j + 3] = k.scalar;
         }
     }
-    for (std::size_t i = 0; i < n; ++i) normal[i * n + i] *= 1 + kRidge;
+    for (std::size_t i = 0; i < n; ++i) {
+        // A probe may be blind in these orders: a cosine to odd ones, spin 2 below the second.
+        double& diagonal = normal[i * n + i];
+        diagonal = diagonal > 0 ? diagonal * (1 + kRidge) : 1;
+    }
     if (!probes.normal) {
         for (std::size_t i = 0; i + 1 < n; ++i) normal[i * n + n - 1] = normal[(n - 1) * n + i] = 0;
     }

@@ -10,7 +10,6 @@ namespace nicol {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int kTableSteps = 2048;
 
 // exp(2 i c) for the angle c that turns `from` into `to` after it went along the great circle to there.
 std::complex<double> transport(const Frame& from, const Frame& to) {
@@ -54,14 +53,15 @@ ZonalKernel::Value zonal_sum(const std::vector<double>& gain, double cosine) {
 }
 
 ZonalKernel::ZonalKernel(const std::vector<double>& gain) {
-    for (int i = 0; i <= kTableSteps; ++i) {
-        const double distance = 2.0 * i / kTableSteps;
+    const std::size_t steps = std::max<std::size_t>(2048, 32 * gain.size());
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const double distance = 2.0 * static_cast<double>(i) / static_cast<double>(steps);
         table_.push_back(zonal_sum(gain, 1 - distance * distance / 2));
     }
 }
 
 ZonalKernel::Value ZonalKernel::at(double distance2) const {
-    const double x = std::sqrt(std::min(distance2, 4.0)) / 2 * kTableSteps;
+    const double x = std::sqrt(std::min(distance2, 4.0)) / 2 * static_cast<double>(table_.size() - 1);
     const std::size_t i = std::min(static_cast<std::size_t>(x), table_.size() - 2);
     const double f = x - static_cast<double>(i);
     return {table_[i].spin0 + f * (table_[i + 1].spin0 - table_[i].spin0),

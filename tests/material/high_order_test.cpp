@@ -2,6 +2,7 @@
 // Filters, kernels and factors of high orders.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -171,6 +172,21 @@ TEST_CASE("lobes follow the roughness, and a base is probed where there is one")
     CHECK(sharp.spread() == kLobeWidths[static_cast<std::size_t>(sharp.around())]);
     CHECK_FALSE(sharp.normal());
     CHECK(HighOrderFactors(*pplastic({.alpha = 0.1}), 4, 9, 1).normal());
+}
+
+TEST_CASE("few orders, which some probes are blind to, leave factors finite") {
+    const MaterialPtr material = pplastic({.alpha = 0.2});
+    for (const auto& [low, high] : {std::array{4, 5}, std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
+        const HighOrderFactors factors(*material, low, high, 1);
+        CAPTURE(high);
+        float largest = 0;
+        for (const float value : factors.data()) {
+            REQUIRE(std::isfinite(value));
+            largest = std::max(largest, std::abs(value));
+        }
+        CHECK(largest > 0);
+        CHECK(largest < 100);
+    }
 }
 
 TEST_CASE("a grey material has one set of factors, orders and channels are checked") {
