@@ -2,8 +2,8 @@
 // Light of high orders, looked up in filtered maps around the mirrored view direction.
 
 // A stage that includes this defines CHANNELS, 1 to 4, and HIGH_ORDER_POLARIZED where the maps are of polarized light.
-// Maps are textures of these channels' layers of a LobeMap, one below the other; factors, of HighOrderFactors::texels().
-// All are fetched and interpolated here, as samplers have few bits for it.
+// Maps are textures of these channels' layers of a LobeMap, one below the other; the factors, of
+// HighOrderFactors::texels(). All are fetched and interpolated here, as samplers have few bits for it.
 
 #ifdef HIGH_ORDER_POLARIZED
 const int HIGH_ORDER_LAYERS = 2 * CHANNELS;
