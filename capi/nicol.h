@@ -105,12 +105,9 @@ typedef struct nicol_spectrum {
     uint32_t count;
     float values[NICOL_MAX_CHANNELS];
 } nicol_spectrum;
-#define NICOL_SPECTRUM_INIT \
-    {                       \
-        0, {                \
-            0               \
-        }                   \
-    }
+/* clang-format off */
+#define NICOL_SPECTRUM_INIT { 0, {0} }
+/* clang-format on */
 
 /* ---------------------------------------------------------------- context */
 
@@ -427,12 +424,10 @@ typedef struct nicol_instance {
     nicol_material material;
     double to_world[16]; /* any invertible affine transform */
 } nicol_instance;
-#define NICOL_INSTANCE_INIT                \
-    {                                      \
-        sizeof(nicol_instance), 0, 0, 0, { \
-            0                              \
-        }                                  \
-    }
+/* clang-format off */
+#define NICOL_INSTANCE_INIT \
+    { sizeof(nicol_instance), 0, 0, 0, {0} }
+/* clang-format on */
 
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 /* A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings

@@ -193,6 +193,18 @@ TEST_CASE("render targets outside the limits are refused") {
                 target.read(i, pixels);
                 CHECK(pixels == std::vector<float>(pixels.size(), static_cast<float>(i)));
             }
+            // What is written comes back, from its attachment alone.
+            std::vector<float> written(pixels.size());
+            for (std::size_t i = 0; i < written.size(); ++i) written[i] = 0.5F * static_cast<float>(i) - 3;
+            target.write(1, written);
+            target.read(1, pixels);
+            CHECK(pixels == written);
+            target.read(0, pixels);
+            CHECK(pixels == std::vector<float>(pixels.size(), 0.0F));
+            CHECK(code_of([&] { target.write(target.colours(), written); }) == ErrorCode::invalid_argument);
+            written.pop_back();
+            CHECK(code_of([&] { target.write(0, written); }) == ErrorCode::invalid_argument);
+
             CHECK(code_of([&] { target.clear_colour(target.colours(), {}); }) == ErrorCode::invalid_argument);
             CHECK(code_of([&] { target.read(-1, pixels); }) == ErrorCode::invalid_argument);
             CHECK(code_of([&] { target.clear_depth(); }) == ErrorCode::invalid_argument);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -253,6 +255,33 @@ TEST_CASE("only what a change makes necessary runs again") {
     scene.set_transform(id, affine(glm::dmat3(0.5)));
     CHECK(run(camera_at({0, 0, 3})).relight_ms > 0);
     CHECK(largest_difference(picture, target.image()) > 0.1F);
+}
+
+TEST_CASE("a picture shown in a framebuffer is in memory and on the device") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        constexpr int channels = Framebuffer::kGroup + 2;
+        Framebuffer target(context, 5, 3, channels);
+        StokesImage image(5, 3, channels);
+        for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(i) - 50;
+        Statistics statistics;
+        statistics.camera_rays = 7;
+        target.show(image, statistics);
+        CHECK(target.image().data == image.data);
+        CHECK(target.statistics().camera_rays == 7);
+        const std::size_t plane = image.data.size() / channels;
+        for (int c = 0; c < channels; ++c) {
+            std::vector<float> read(plane);
+            context->run([&] {
+                target.groups()[static_cast<std::size_t>(c / Framebuffer::kGroup)].read(
+                    c % Framebuffer::kGroup, read);
+            });
+            CHECK(std::equal(read.begin(), read.end(),
+                             image.data.begin() + static_cast<std::ptrdiff_t>(plane) * c));
+        }
+        for (const auto& [w, h, n] : {std::array{4, 3, channels}, {5, 4, channels}, {5, 3, channels - 1}})
+            CHECK_THROWS_AS(target.show(StokesImage(w, h, n), statistics), Error);
+        CHECK(target.image().data == image.data);
+    });
 }
 
 TEST_CASE("options and framebuffers that do not fit are refused") {
