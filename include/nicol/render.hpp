@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "nicol/horizon.hpp"
+
 namespace nicol {
 
 /// Highest order a render accepts.
@@ -18,6 +20,9 @@ enum class Method {
 
 struct RenderOptions {
     Method method = Method::factored;
+    bool shadows = true;         ///< surfaces hide the environment from each other
+    int bake_directions = 2048;  ///< that shadows are traced in from every vertex, 256..65536
+    HorizonExtension horizon = HorizonExtension::mirrored;
     int order_low = 4;   ///< 0..kMaxRenderOrder
     int order_high = 9;  ///< order_low..64; orders above order_low are not rendered by this version
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
@@ -37,11 +42,15 @@ struct Statistics {
     double draw_ms = 0;
     double observe_ms = 0;
     std::uint64_t vertices_skipped = 0;       ///< of no triangle that faces the camera inside the view
+    std::uint64_t vertices_unoccluded = 0;    ///< nothing hides the environment from them
     std::uint64_t light_columns_skipped = 0;  ///< Stokes components that the light lacks, times its channels
     std::uint64_t response_rows_skipped =
         0;                              ///< Stokes components that a material cannot make, times channels
     std::uint64_t channels_shared = 0;  ///< colour channels of light that equal another
     std::uint64_t response_bytes = 0;
+    std::uint64_t bake_rays = 0;
+    double bake_trace_ms = 0;  ///< of bake_ms, the rays alone
+    std::uint64_t visibility_bytes = 0;
     std::uint64_t transfer_bytes = 0;
     std::uint64_t buffer_bytes = 0;
     std::uint64_t texture_bytes = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/dense_method.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "nicol/material_projection.hpp"
@@ -52,6 +54,8 @@ void DenseMethod::bake(const TransferInput& input, Workers& workers, Progress& p
 
     const Stopwatch baking;
     const auto shadows = std::make_shared<const ShadowMatrix>(2 * order, order, order);
+    std::optional<VisibilityHarmonics> harmonics;
+    if (input.visibility != nullptr) harmonics.emplace(*input.directions, 2 * order, input.horizon);
     runs_.clear();
     for (const VertexRange& range : input.geometry.ranges) {
         const auto& material = materials.at(range.material);
@@ -60,14 +64,20 @@ void DenseMethod::bake(const TransferInput& input, Workers& workers, Progress& p
                                           .matrices = DenseTransfer(material, count),
                                           .shade = shades.at(range.material),
                                           .light = {}});
-        workers.for_vertices(range.first, range.last, input.geometry.positions.size(), "bake", progress,
-                             [&](std::size_t begin, std::size_t end) {
-                                 DenseBuilder builder(material, shadows);
-                                 for (std::size_t v = begin; v < end; ++v) {
-                                     builder.build(input.geometry.normals[v], {},
-                                                   run.matrices.at(v - range.first));
-                                 }
-                             });
+        workers.for_vertices(
+            range.first, range.last, input.geometry.positions.size(), "bake", progress,
+            [&](std::size_t begin, std::size_t end) {
+                DenseBuilder builder(material, shadows);
+                std::vector<float> seen(psh_count(2 * order));
+                std::vector<double> visibility;
+                for (std::size_t v = begin; v < end; ++v) {
+                    if (harmonics) {
+                        harmonics->project(*input.visibility, v, input.geometry.normals[v], seen);
+                        visibility.assign(seen.begin(), seen.end());
+                    }
+                    builder.build(input.geometry.normals[v], visibility, run.matrices.at(v - range.first));
+                }
+            });
     }
     statistics.bake_ms += baking.milliseconds();
 }

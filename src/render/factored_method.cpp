@@ -13,6 +13,7 @@ void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice)
 void FactoredMethod::update(const TransferInput& input, Workers& workers, Progress& progress,
                             Statistics& statistics) {
     project(input, workers, progress, statistics);
+    prepare_shadows(input, workers, statistics);
     const RelightKey key(input);
     if (lit_for_ == key) return;
     lit_for_ = {};
@@ -46,6 +47,23 @@ void FactoredMethod::project(const TransferInput& input, Workers& workers, Progr
     }
     tables_ = std::move(tables);
     statistics.project_ms += watch.milliseconds();
+}
+
+void FactoredMethod::prepare_shadows(const TransferInput& input, Workers& workers, Statistics& statistics) {
+    RelightKey key(input);
+    key.light = 0;
+    if (shadows_for_ == key) return;
+    shadows_for_ = {};
+    shadows_.reset();
+    if (input.visibility != nullptr) {
+        const Stopwatch watch;
+        workers.run([&] {
+            shadows_.emplace(*input.visibility, *input.directions, input.geometry.normals, input.layout,
+                             input.layout, input.horizon);
+        });
+        statistics.bake_ms += watch.milliseconds();
+    }
+    shadows_for_ = key;
 }
 
 void FactoredMethod::relight(const TransferInput& input, Workers& workers, Progress& progress,
@@ -86,7 +104,7 @@ void FactoredMethod::count(const TransferInput& input, Statistics& statistics) c
             if (!made) statistics.response_rows_skipped += static_cast<std::uint64_t>(input.channels);
         }
     }
-    statistics.transfer_bytes += vertex_light_.bytes();
+    statistics.transfer_bytes += vertex_light_.bytes() + (shadows_ ? shadows_->bytes() : 0);
 }
 
 }  // namespace nicol

@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 
 #include "nicol/render.hpp"
 #include "nicol/response_cache.hpp"
 #include "render/transfer_input.hpp"
 #include "transfer/shade.hpp"
+#include "transfer/shadow_product.hpp"
 #include "transfer/vertex_light.hpp"
 
 namespace nicol {
@@ -27,6 +29,7 @@ public:
 
 private:
     void project(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);
+    void prepare_shadows(const TransferInput& input, Workers& workers, Statistics& statistics);
     void relight(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);
 
     std::filesystem::path folder_;
@@ -35,6 +38,8 @@ private:
     int table_channels_ = 0;  // what the tables are for
     int tables_order_ = -1;
     LightKind tables_kind_ = LightKind::unpolarized;
+    std::optional<ShadowProduct> shadows_;
+    RelightKey shadows_for_;  // light not counted
     VertexLight vertex_light_;
     RelightKey lit_for_;
 };

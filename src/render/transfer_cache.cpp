@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "nicol/rotation.hpp"
+#include "transfer/bake_cache.hpp"
 
 namespace nicol {
 namespace {
@@ -26,6 +27,12 @@ PshVector without_repeats(PshVector light) {
 
 }  // namespace
 
+void TransferCache::set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
+    folder_ = folder;
+    notice_ = notice;
+    factored_.set_cache(folder, notice);
+}
+
 void TransferCache::update(const Scene& scene, const Projection& projection, const RenderOptions& options,
                            Progress& progress, Statistics& statistics) {
     if (geometry_revision_ != scene.geometry_revision()) {
@@ -34,12 +41,19 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
     }
     project_light(scene, options.order_low, statistics);
     turn_light(scene, statistics);
+    if (options.shadows) bake(scene, options, progress, statistics);
+    const bool shadowed = options.shadows && visibility_revision_ == geometry_revision_ &&
+                          visibility_.unoccluded_count() < visibility_.vertices();
     const TransferInput input{.geometry = geometry_,
                               .geometry_revision = geometry_revision_,
                               .layout = *layout_,
                               .light = turned_,
                               .light_revision = light_revision_,
-                              .channels = scene.channels()};
+                              .channels = scene.channels(),
+                              .visibility = shadowed ? &visibility_ : nullptr,
+                              .directions = shadowed ? &*directions_ : nullptr,
+                              .visibility_revision = shadowed ? visibility_revision_ : 0,
+                              .horizon = options.horizon};
     const auto compute = [&](auto& method) {
         method.update(input, workers_, progress, statistics);
         const Stopwatch watch;
@@ -64,6 +78,29 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
     statistics.channels_shared = static_cast<std::uint64_t>(input.channels - light_.channels());
     statistics.transfer_bytes +=
         geometry_.bytes() + visible_.size() + stokes_.size() * geometry_.positions.size() * sizeof(glm::vec4);
+}
+
+void TransferCache::bake(const Scene& scene, const RenderOptions& options, Progress& progress,
+                         Statistics& statistics) {
+    const bool same_directions =
+        directions_ && directions_->size() == static_cast<std::size_t>(options.bake_directions);
+    if (same_directions && visibility_revision_ == geometry_revision_) return;
+    if (!scene.environment()) return;  // darkness casts no shadows
+    const Stopwatch watch;
+    visibility_revision_ = 0;
+    if (!same_directions) directions_.emplace(options.bake_directions);
+    const BakeGeometry geometry{
+        .positions = geometry_.positions, .normals = geometry_.normals, .triangles = geometry_.triangles};
+    BakeStatistics baked;
+    workers_.run([&] {
+        visibility_ = load_or_bake(
+            geometry, *directions_, folder_, notice_,
+            [&progress](double fraction) { progress.report("bake", fraction); }, &baked);
+    });
+    visibility_revision_ = geometry_revision_;
+    statistics.bake_rays += baked.rays;
+    statistics.bake_trace_ms += baked.milliseconds;
+    statistics.bake_ms += watch.milliseconds();
 }
 
 void TransferCache::project_light(const Scene& scene, int order, Statistics& statistics) {

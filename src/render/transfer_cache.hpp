@@ -16,6 +16,7 @@
 #include "render/progress.hpp"
 #include "render/transfer_input.hpp"
 #include "render/workers.hpp"
+#include "transfer/visibility.hpp"
 
 namespace nicol {
 
@@ -25,9 +26,7 @@ public:
     explicit TransferCache(int threads) : workers_(threads) {}
 
     /// Where to keep what takes long to compute; an empty folder: nowhere.
-    void set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
-        factored_.set_cache(folder, notice);
-    }
+    void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
 
     /// Shades every vertex that can be seen; the result is in stokes(). Adds its times and counts to
     /// `statistics`.
@@ -43,10 +42,18 @@ private:
     void project_light(const Scene& scene, int order, Statistics& statistics);
     void turn_light(const Scene& scene, Statistics& statistics);
 
+    void bake(const Scene& scene, const RenderOptions& options, Progress& progress, Statistics& statistics);
+
     Workers workers_;
+    std::filesystem::path folder_;
+    CacheNotice notice_;
 
     WorldGeometry geometry_;
     std::uint64_t geometry_revision_ = 0;
+
+    std::optional<DirectionSet> directions_;
+    Visibility visibility_;
+    std::uint64_t visibility_revision_ = 0;  // geometry_revision_ that visibility_ belongs to
 
     EnvironmentPtr environment_;  // that light_ was projected from
     PshVector light_;             // in the environment's axes, unscaled; one channel where all are equal

@@ -11,6 +11,8 @@
 #include "nicol/psh.hpp"
 #include "render/geometry.hpp"
 #include "render/workers.hpp"
+#include "transfer/visibility.hpp"
+#include "transfer/visibility_harmonics.hpp"
 
 namespace nicol {
 
@@ -21,13 +23,18 @@ struct TransferInput {
     const LightLayout& layout;
     const PshVector& light;  ///< in the world's axes, scaled; one channel where all are equal
     std::uint64_t light_revision;
-    int channels;  ///< of the picture
+    int channels;                  ///< of the picture
+    const Visibility* visibility;  ///< of the vertices; null where nothing casts shadows
+    const DirectionSet* directions;
+    std::uint64_t visibility_revision;  ///< 0 where there is none
+    HorizonExtension horizon;
 };
 
 /// The state that a method's per-vertex light was made for.
 struct RelightKey {
     std::uint64_t geometry = 0;
     std::uint64_t light = 0;
+    std::uint64_t visibility = 0;
     int order = -1;
     LightKind kind = LightKind::unpolarized;
 
@@ -35,6 +42,7 @@ struct RelightKey {
     explicit RelightKey(const TransferInput& input)
         : geometry(input.geometry_revision),
           light(input.light_revision),
+          visibility(input.visibility_revision),
           order(input.layout.order()),
           kind(input.layout.kind()) {}
     bool operator==(const RelightKey&) const = default;

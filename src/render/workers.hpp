@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 
 #include "render/progress.hpp"
 
@@ -27,14 +26,29 @@ public:
         arena_.execute(function);
     }
 
-    /// Calls body(begin, end) for pieces that cover first <= v < last, side by side, and reports progress as
+    /// Calls body(begin, end) for pieces that cover first <= i < last, side by side, and reports progress as
     /// fractions of `all` between chunks of them. Throws Error(cancelled).
     template <class Body>
     void for_vertices(std::size_t first, std::size_t last, std::size_t all, const char* verb,
                       Progress& progress, const Body& body) {
-        for (std::size_t begin = first; begin < last; begin += chunk) {
+        for_chunks(first, last, all, chunk, grain, verb, progress, body);
+    }
+    /// The same for blocks of sixteen vertices.
+    template <class Body>
+    void for_blocks(std::size_t count, const char* verb, Progress& progress, const Body& body) {
+        for_chunks(0, count, count, chunk / 16, grain / 16, verb, progress, body);
+    }
+
+private:
+    static constexpr std::size_t chunk = 16384;  // vertices between two looks at the progress callback
+    static constexpr std::size_t grain = 256;    // vertices of one task
+
+    template <class Body>
+    void for_chunks(std::size_t first, std::size_t last, std::size_t all, std::size_t step,
+                    std::size_t smallest, const char* verb, Progress& progress, const Body& body) {
+        for (std::size_t begin = first; begin < last; begin += step) {
             progress.report(verb, static_cast<double>(begin) / static_cast<double>(all));
-            const tbb::blocked_range<std::size_t> part(begin, std::min(begin + chunk, last), grain);
+            const tbb::blocked_range<std::size_t> part(begin, std::min(begin + step, last), smallest);
             arena_.execute([&] {
                 tbb::parallel_for(part, [&body](const tbb::blocked_range<std::size_t>& range) {
                     body(range.begin(), range.end());
@@ -42,10 +56,6 @@ public:
             });
         }
     }
-
-private:
-    static constexpr std::size_t chunk = 16384;  // vertices between two looks at the progress callback
-    static constexpr std::size_t grain = 256;    // vertices of one task
 
     tbb::task_arena arena_;
 };
