@@ -76,6 +76,11 @@ void FactoredMethod::relight(const TransferInput& input, Workers& workers, Progr
     workers.for_vertices(0, vertices, vertices, "relight", progress, [&](std::size_t begin, std::size_t end) {
         turn.run(normals.subspan(begin, end - begin), begin, vertex_light_);
     });
+    if (shadows_) {
+        workers.for_blocks(shadows_->blocks(), "relight", progress, [&](std::size_t begin, std::size_t end) {
+            shadows_->run(vertex_light_, vertex_light_, begin, end);
+        });
+    }
     statistics.relight_ms += watch.milliseconds();
 }
 

@@ -76,6 +76,8 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
     statistics.light_columns_skipped = static_cast<std::uint64_t>(4 - static_cast<int>(layout_->kind())) *
                                        static_cast<std::uint64_t>(light_.channels());
     statistics.channels_shared = static_cast<std::uint64_t>(input.channels - light_.channels());
+    statistics.vertices_unoccluded = shadowed ? visibility_.unoccluded_count() : geometry_.positions.size();
+    statistics.visibility_bytes = options.shadows ? visibility_.bytes() : 0;
     statistics.transfer_bytes +=
         geometry_.bytes() + visible_.size() + stokes_.size() * geometry_.positions.size() * sizeof(glm::vec4);
 }

@@ -35,6 +35,7 @@ struct RelightKey {
     std::uint64_t geometry = 0;
     std::uint64_t light = 0;
     std::uint64_t visibility = 0;
+    HorizonExtension horizon = HorizonExtension::mirrored;
     int order = -1;
     LightKind kind = LightKind::unpolarized;
 
@@ -43,6 +44,7 @@ struct RelightKey {
         : geometry(input.geometry_revision),
           light(input.light_revision),
           visibility(input.visibility_revision),
+          horizon(input.horizon),
           order(input.layout.order()),
           kind(input.layout.kind()) {}
     bool operator==(const RelightKey&) const = default;
