@@ -18,13 +18,22 @@ enum class Method {
     dense,     ///< a transfer matrix a vertex, as the article has it: the baseline of comparisons
 };
 
+/// How orders of light above order_low become reflected light: filtered beforehand, looked up at the mirrored
+/// view direction.
+enum class HighOrders {
+    split,        ///< lobes that all materials share, times 4 x 4 factors of the outgoing zenith angle
+    convolution,  ///< a kernel a material, as the article has it (Eq. 68, supplement E.6)
+    none,         ///< left out
+};
+
 struct RenderOptions {
     Method method = Method::factored;
     bool shadows = true;         ///< surfaces hide the environment from each other
     int bake_directions = 2048;  ///< that shadows are traced in from every vertex, 256..65536
     HorizonExtension horizon = HorizonExtension::mirrored;
-    int order_low = 4;   ///< 0..kMaxRenderOrder
-    int order_high = 9;  ///< order_low..64; orders above order_low are not rendered by this version
+    int order_low = 4;   ///< 0..kMaxRenderOrder: light up to here with its full angular detail
+    int order_high = 9;  ///< order_low..64: light up to here at all
+    HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
     /// false stops the render with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;
@@ -32,7 +41,7 @@ struct RenderOptions {
 
 /// Milliseconds are 0 for verbs that did not have to run.
 struct Statistics {
-    int order = 0;
+    int order = 0;  ///< the highest of the light that was rendered
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     double project_ms = 0;

@@ -1,31 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/transfer_cache.hpp"
 
-#include <algorithm>
-#include <utility>
-
-#include "nicol/rotation.hpp"
 #include "transfer/bake_cache.hpp"
 
 namespace nicol {
-namespace {
-
-LightKind kind_of(const EnvironmentPtr& environment) {
-    if (!environment || !environment->polarized()) return LightKind::unpolarized;
-    return environment->circular() ? LightKind::full : LightKind::linear;
-}
-
-// The first channel alone where all are equal.
-PshVector without_repeats(PshVector light) {
-    for (int c = 1; c < light.channels(); ++c) {
-        if (!std::ranges::equal(light.channel(c), light.channel(0))) return light;
-    }
-    PshVector single(light.order(), 1);
-    std::ranges::copy(light.channel(0), single.channel(0).begin());
-    return single;
-}
-
-}  // namespace
 
 void TransferCache::set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
     folder_ = folder;
@@ -39,21 +17,30 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
         geometry_ = world_geometry(scene);
         geometry_revision_ = scene.geometry_revision();
     }
-    project_light(scene, options.order_low, statistics);
-    turn_light(scene, statistics);
+    light_.update(scene, options, statistics);
     if (options.shadows) bake(scene, options, progress, statistics);
-    const bool shadowed = options.shadows && visibility_revision_ == geometry_revision_ &&
+    const bool shadowed = options.shadows && baked_geometry_ == geometry_revision_ &&
                           visibility_.unoccluded_count() < visibility_.vertices();
     const TransferInput input{.geometry = geometry_,
                               .geometry_revision = geometry_revision_,
-                              .layout = *layout_,
-                              .light = turned_,
-                              .light_revision = light_revision_,
+                              .layout = light_.layout(),
+                              .light = light_.turned(),
+                              .light_revision = light_.turned_revision(),
                               .channels = scene.channels(),
                               .visibility = shadowed ? &visibility_ : nullptr,
                               .directions = shadowed ? &*directions_ : nullptr,
                               .visibility_revision = shadowed ? visibility_revision_ : 0,
                               .horizon = options.horizon};
+    const DistantLight distant{.coefficients = light_.distant(),
+                               .revision = light_.distant_revision(),
+                               .to_world = scene.light_rotation(),
+                               .low = options.order_low,
+                               .high = light_.last_order(),
+                               .polarized = input.layout.kind() != LightKind::unpolarized};
+    const bool high_orders = distant.high > distant.low;
+    if (high_orders) {
+        high_orders_.update(input, distant, options.high_orders, workers_, progress, statistics);
+    }
     const auto compute = [&](auto& method) {
         method.update(input, workers_, progress, statistics);
         const Stopwatch watch;
@@ -61,6 +48,10 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
         stokes_.resize(static_cast<std::size_t>(input.channels));
         for (auto& channel : stokes_) channel.resize(geometry_.positions.size());
         method.shade(input, projection.view, visible_, workers_, progress, stokes_);
+        if (high_orders) {
+            high_orders_.shade(input, distant, projection.view, visible_, workers_, progress, stokes_);
+            high_orders_.count(statistics);
+        }
         statistics.shade_ms += watch.milliseconds();
         method.count(input, statistics);
     };
@@ -70,12 +61,13 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
         compute(factored_);
     }
 
-    statistics.order = layout_->order();
+    statistics.order = distant.high;
     statistics.vertices = geometry_.positions.size();
     statistics.triangles = geometry_.triangles.size();
-    statistics.light_columns_skipped = static_cast<std::uint64_t>(4 - static_cast<int>(layout_->kind())) *
-                                       static_cast<std::uint64_t>(light_.channels());
-    statistics.channels_shared = static_cast<std::uint64_t>(input.channels - light_.channels());
+    const int light_channels = input.light.channels();
+    statistics.light_columns_skipped =
+        static_cast<std::uint64_t>((4 - static_cast<int>(input.layout.kind())) * light_channels);
+    statistics.channels_shared = static_cast<std::uint64_t>(input.channels - light_channels);
     statistics.vertices_unoccluded = shadowed ? visibility_.unoccluded_count() : geometry_.positions.size();
     statistics.visibility_bytes = options.shadows ? visibility_.bytes() : 0;
     statistics.transfer_bytes +=
@@ -86,10 +78,10 @@ void TransferCache::bake(const Scene& scene, const RenderOptions& options, Progr
                          Statistics& statistics) {
     const bool same_directions =
         directions_ && directions_->size() == static_cast<std::size_t>(options.bake_directions);
-    if (same_directions && visibility_revision_ == geometry_revision_) return;
+    if (same_directions && baked_geometry_ == geometry_revision_) return;
     if (!scene.environment()) return;  // darkness casts no shadows
     const Stopwatch watch;
-    visibility_revision_ = 0;
+    baked_geometry_ = 0;
     if (!same_directions) directions_.emplace(options.bake_directions);
     const BakeGeometry geometry{
         .positions = geometry_.positions, .normals = geometry_.normals, .triangles = geometry_.triangles};
@@ -99,32 +91,11 @@ void TransferCache::bake(const Scene& scene, const RenderOptions& options, Progr
             geometry, *directions_, folder_, notice_,
             [&progress](double fraction) { progress.report("bake", fraction); }, &baked);
     });
-    visibility_revision_ = geometry_revision_;
+    baked_geometry_ = geometry_revision_;
+    ++visibility_revision_;
     statistics.bake_rays += baked.rays;
     statistics.bake_trace_ms += baked.milliseconds;
     statistics.bake_ms += watch.milliseconds();
-}
-
-void TransferCache::project_light(const Scene& scene, int order, Statistics& statistics) {
-    const LightKind kind = kind_of(scene.environment());
-    const bool same_layout = layout_ && layout_->order() == order && layout_->kind() == kind;
-    if (same_layout && environment_ == scene.environment()) return;
-    const Stopwatch watch;
-    scene_light_revision_ = 0;
-    environment_ = scene.environment();
-    light_ = environment_ ? without_repeats(environment_->project(order)) : PshVector(order, 1);
-    layout_.emplace(order, kind);
-    statistics.project_ms += watch.milliseconds();
-}
-
-void TransferCache::turn_light(const Scene& scene, Statistics& statistics) {
-    if (scene_light_revision_ == scene.light_revision()) return;
-    const Stopwatch watch;
-    turned_ = rotated(light_, scene.light_rotation());
-    for (double& coefficient : turned_.data()) coefficient *= scene.light_scale();
-    scene_light_revision_ = scene.light_revision();
-    ++light_revision_;
-    statistics.relight_ms += watch.milliseconds();
 }
 
 }  // namespace nicol

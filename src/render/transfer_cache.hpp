@@ -3,16 +3,16 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "nicol/light_layout.hpp"
 #include "nicol/render.hpp"
 #include "nicol/scene.hpp"
 #include "render/dense_method.hpp"
 #include "render/factored_method.hpp"
 #include "render/geometry.hpp"
+#include "render/high_orders.hpp"
+#include "render/light_projection.hpp"
 #include "render/progress.hpp"
 #include "render/transfer_input.hpp"
 #include "render/workers.hpp"
@@ -39,9 +39,6 @@ public:
     [[nodiscard]] const VertexStokes& stokes() const noexcept { return stokes_; }
 
 private:
-    void project_light(const Scene& scene, int order, Statistics& statistics);
-    void turn_light(const Scene& scene, Statistics& statistics);
-
     void bake(const Scene& scene, const RenderOptions& options, Progress& progress, Statistics& statistics);
 
     Workers workers_;
@@ -53,17 +50,14 @@ private:
 
     std::optional<DirectionSet> directions_;
     Visibility visibility_;
-    std::uint64_t visibility_revision_ = 0;  // geometry_revision_ that visibility_ belongs to
+    std::uint64_t baked_geometry_ = 0;       // geometry_revision_ that visibility_ belongs to
+    std::uint64_t visibility_revision_ = 0;  // counts the bakes
 
-    EnvironmentPtr environment_;  // that light_ was projected from
-    PshVector light_;             // in the environment's axes, unscaled; one channel where all are equal
-    std::optional<LightLayout> layout_;
-    std::uint64_t scene_light_revision_ = 0;  // that turned_ belongs to
-    PshVector turned_;                        // in the world's axes, scaled
-    std::uint64_t light_revision_ = 0;        // counts the changes of turned_
+    LightProjection light_;
 
     FactoredMethod factored_;
     DenseMethod dense_;
+    HighOrderTransfer high_orders_;
 
     std::vector<std::uint8_t> visible_;
     VertexStokes stokes_;

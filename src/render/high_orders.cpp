@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "render/high_orders.hpp"
+
+#include <utility>
+
+#include "material/high_order_kernel.hpp"
+
+namespace nicol {
+
+void HighOrderTransfer::update(const TransferInput& input, const DistantLight& light, HighOrders form,
+                               Workers& workers, Progress& progress, Statistics& statistics) {
+    const Stopwatch projecting;
+    const Key key{.form = form,
+                  .low = light.low,
+                  .high = light.high,
+                  .channels = input.channels,
+                  .polarized = light.polarized};
+    const bool same_parts = key_ == key && fitted_ == input.geometry_revision;
+    if (!same_parts) {
+        fitted_ = 0;
+        fit(input, key, workers, progress);
+        fitted_ = input.geometry_revision;
+    }
+    if (!same_parts || filtered_ != light.revision) {
+        filtered_ = 0;
+        filter(input, light, workers);
+        filtered_ = light.revision;
+    }
+    statistics.project_ms += projecting.milliseconds();
+
+    const int order = 2 * light.low;
+    if (visibility_revision_ == input.visibility_revision && visibility_order_ == order) return;
+    const Stopwatch baking;
+    visibility_revision_ = 0;
+    visibility_.clear();
+    if (input.visibility != nullptr) expand_visibility(input, order, workers, progress);
+    visibility_order_ = order;
+    visibility_revision_ = input.visibility_revision;
+    statistics.bake_ms += baking.milliseconds();
+}
+
+void HighOrderTransfer::fit(const TransferInput& input, const Key& key, Workers& workers,
+                            Progress& progress) {
+    if (key_ != key) {
+        parts_.clear();
+        kernels_.clear();
+        key_ = key;
+    }
+    std::map<MaterialPtr, Part> parts;
+    std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels;
+    for (const VertexRange& range : input.geometry.ranges) {
+        const MaterialPtr& material = range.material;
+        if (parts.contains(material)) continue;
+        if (auto known = kernels_.extract(material)) kernels.insert(std::move(known));
+        if (auto known = parts_.extract(material)) {
+            parts.insert(std::move(known));
+            continue;
+        }
+        progress.report(
+            "project", static_cast<double>(parts.size()) / static_cast<double>(input.geometry.ranges.size()));
+        workers.run([&] {
+            if (key.form == HighOrders::convolution) {
+                const int channels = material->channels() == 1 ? 1 : key.channels;
+                kernels[material] = mirrored_kernels(*material, key.high, channels);
+                parts.emplace(material,
+                              Part{.factors = HighOrderFactors::mirror(), .convolved = {}, .maps = {}});
+            } else {
+                parts.emplace(material,
+                              Part{.factors = HighOrderFactors(*material, key.low, key.high, key.channels),
+                                   .convolved = {},
+                                   .maps = {}});
+            }
+        });
+    }
+    parts_ = std::move(parts);
+    kernels_ = std::move(kernels);
+}
+
+void HighOrderTransfer::filter(const TransferInput& input, const DistantLight& light, Workers& workers) {
+    light_.reset();
+    if (input.geometry.ranges.empty()) return;
+    workers.run([&] {
+        light_.emplace(light.coefficients, light.low, light.high, light.polarized);
+        for (auto& [material, part] : parts_) {
+            if (key_.form == HighOrders::convolution) {
+                part.convolved =
+                    convolved_map(light.coefficients, kernels_.at(material), light.low, light.high);
+                part.maps = {.centre = &*part.convolved};
+            } else {
+                part.maps = light_->maps(part.factors);
+            }
+        }
+    });
+}
+
+void HighOrderTransfer::expand_visibility(const TransferInput& input, int order, Workers& workers,
+                                          Progress& progress) {
+    const std::size_t vertices = input.geometry.positions.size();
+    const std::size_t count = psh_count(order);
+    const VisibilityHarmonics harmonics(*input.directions, order, input.horizon);
+    visibility_.resize(vertices * count);
+    workers.for_vertices(0, vertices, vertices, "bake", progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            harmonics.project(*input.visibility, v, input.geometry.normals[v],
+                              std::span(visibility_).subspan(v * count, count));
+        }
+    });
+}
+
+void HighOrderTransfer::shade(const TransferInput& input, const DistantLight& light, const Viewpoint& view,
+                              std::span<const std::uint8_t> visible, Workers& workers, Progress& progress,
+                              VertexStokes& out) {
+    const WorldGeometry& geometry = input.geometry;
+    const std::size_t vertices = geometry.positions.size();
+    const std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
+    fractions_.resize(visibility_.empty() ? 0 : vertices);
+    for (const VertexRange& range : geometry.ranges) {
+        const Part& part = parts_.at(range.material);
+        const HighOrder high(part.factors, part.maps, light.to_world);
+        const double width = kLobeWidths[static_cast<std::size_t>(part.factors.centre())];
+        std::optional<HighOrderVisibility> seen;
+        if (!visibility_.empty()) seen.emplace(visibility_order_, width, input.horizon);
+        workers.for_vertices(range.first, range.last, vertices, "shade", progress,
+                             [&](std::size_t begin, std::size_t end) {
+                                 if (seen) {
+                                     seen->run(view, geometry.positions, geometry.normals, visible,
+                                               visibility_, begin, end, fractions_);
+                                 }
+                                 high.run(view, geometry.positions, geometry.normals, visible, fractions_,
+                                          begin, end, channels);
+                             });
+    }
+}
+
+void HighOrderTransfer::count(Statistics& statistics) const {
+    if (light_) statistics.response_bytes += light_->bytes();
+    for (const auto& [material, part] : parts_) {
+        statistics.response_bytes += part.factors.data().size_bytes();
+        if (part.convolved) statistics.response_bytes += part.convolved->bytes();
+    }
+    statistics.transfer_bytes += visibility_.size() * sizeof(float) + fractions_.size() * sizeof(glm::vec2);
+}
+
+}  // namespace nicol

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The orders of light above order_low, for every vertex.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "nicol/render.hpp"
+#include "render/transfer_input.hpp"
+#include "transfer/high_order.hpp"
+#include "transfer/high_order_light.hpp"
+#include "transfer/high_order_visibility.hpp"
+
+namespace nicol {
+
+/// Distant light to a high order, in its own axes: filtering commutes with turning, so a turn costs nothing.
+struct DistantLight {
+    const PshVector& coefficients;  ///< of order `high`, scaled
+    std::uint64_t revision;         ///< counts the changes of the coefficients
+    glm::dmat3 to_world;
+    int low;
+    int high;  ///< above low
+    bool polarized;
+};
+
+class HighOrderTransfer {
+public:
+    /// project: filters the light and fits the materials, as far as changes make it necessary.
+    void update(const TransferInput& input, const DistantLight& light, HighOrders form, Workers& workers,
+                Progress& progress, Statistics& statistics);
+    /// shade: adds to the vertices with visible[v] != 0. Only after update() with the same arguments.
+    void shade(const TransferInput& input, const DistantLight& light, const Viewpoint& view,
+               std::span<const std::uint8_t> visible, Workers& workers, Progress& progress,
+               VertexStokes& out);
+    void count(Statistics& statistics) const;
+
+private:
+    // A material and what it makes of the light.
+    struct Part {
+        HighOrderFactors factors;
+        std::optional<LobeMap> convolved;  // of the published form
+        HighOrderMaps maps;
+    };
+    // What the parts belong to.
+    struct Key {
+        HighOrders form = HighOrders::none;
+        int low = -1;
+        int high = -1;
+        int channels = 0;
+        bool polarized = false;
+        bool operator==(const Key&) const = default;
+    };
+
+    void fit(const TransferInput& input, const Key& key, Workers& workers, Progress& progress);
+    void filter(const TransferInput& input, const DistantLight& light, Workers& workers);
+    void expand_visibility(const TransferInput& input, int order, Workers& workers, Progress& progress);
+
+    Key key_;
+    std::map<MaterialPtr, Part> parts_;
+    std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels_;
+    std::optional<HighOrderLight> light_;
+    std::uint64_t filtered_ = 0;  // revision of the light that the maps are of
+    std::uint64_t fitted_ = 0;    // revision of the geometry, and with it of the materials
+
+    std::vector<float> visibility_;  // [vertex][psh_index(l, m)]
+    int visibility_order_ = -1;
+    std::uint64_t visibility_revision_ = 0;
+    std::vector<glm::vec2> fractions_;
+};
+
+}  // namespace nicol

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "render/light_projection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "nicol/rotation.hpp"
+#include "render/stopwatch.hpp"
+
+namespace nicol {
+namespace {
+
+LightKind kind_of(const EnvironmentPtr& environment) {
+    if (!environment || !environment->polarized()) return LightKind::unpolarized;
+    return environment->circular() ? LightKind::full : LightKind::linear;
+}
+
+// The first channel alone where all are equal.
+PshVector without_repeats(PshVector light) {
+    for (int c = 1; c < light.channels(); ++c) {
+        if (!std::ranges::equal(light.channel(c), light.channel(0))) return light;
+    }
+    PshVector single(light.order(), 1);
+    std::ranges::copy(light.channel(0), single.channel(0).begin());
+    return single;
+}
+
+PshVector cut(const PshVector& light, int order) {
+    PshVector low(order, light.channels());
+    for (int c = 0; c < light.channels(); ++c) {
+        std::ranges::copy(light.channel(c).first(4 * psh_count(order)), low.channel(c).begin());
+    }
+    return low;
+}
+
+// The last order with anything in it but rounding.
+int last_order_of(const PshVector& light) {
+    const auto largest = [](std::span<const double> coefficients) {
+        double most = 0;
+        for (const double value : coefficients) most = std::max(most, std::abs(value));
+        return most;
+    };
+    const double threshold = 1e-8 * largest(light.data());
+    for (int l = light.order(); l > 0; --l) {
+        for (int c = 0; c < light.channels(); ++c) {
+            const std::size_t first = 4 * psh_count(l - 1);
+            if (largest(light.channel(c).subspan(first, 4 * psh_count(l) - first)) > threshold) return l;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+void LightProjection::update(const Scene& scene, const RenderOptions& options, Statistics& statistics) {
+    const Stopwatch watch;
+    const int high = options.high_orders == HighOrders::none ? options.order_low : options.order_high;
+    const bool same_layout =
+        layout_ && layout_->order() == options.order_low && layout_->kind() == kind_of(scene.environment());
+    if (!projected_ || environment_ != scene.environment() || !same_layout || light_.order() != high) {
+        projected_ = false;
+        scene_light_revision_ = 0;
+        scale_ = -1;
+        environment_ = scene.environment();
+        light_ = environment_ ? without_repeats(environment_->project(high)) : PshVector(high, 1);
+        layout_.emplace(options.order_low, kind_of(environment_));
+        last_order_ = std::max(options.order_low, last_order_of(light_));
+        projected_ = true;
+        statistics.project_ms += watch.milliseconds();
+    }
+    if (scene_light_revision_ == scene.light_revision()) return;
+    const Stopwatch turning;
+    if (scale_ != scene.light_scale()) {
+        distant_ = light_;
+        for (double& coefficient : distant_.data()) coefficient *= scene.light_scale();
+        scale_ = scene.light_scale();
+        ++distant_revision_;
+    }
+    turned_ = rotated(cut(distant_, options.order_low), scene.light_rotation());
+    ++turned_revision_;
+    scene_light_revision_ = scene.light_revision();
+    statistics.relight_ms += turning.milliseconds();
+}
+
+}  // namespace nicol

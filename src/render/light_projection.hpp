@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// project: a scene's distant light as coefficients.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "nicol/light_layout.hpp"
+#include "nicol/render.hpp"
+#include "nicol/scene.hpp"
+
+namespace nicol {
+
+/// Low orders are kept in the world's axes, for the methods of transfer; all orders in the light's own, for
+/// the high orders. Both are scaled, and have one channel where all are equal.
+class LightProjection {
+public:
+    /// As far as changes make it necessary. Adds its times to `statistics`.
+    void update(const Scene& scene, const RenderOptions& options, Statistics& statistics);
+
+    /// Of the low orders.
+    [[nodiscard]] const LightLayout& layout() const { return *layout_; }
+    [[nodiscard]] const PshVector& turned() const noexcept { return turned_; }
+    /// Counts the changes of turned().
+    [[nodiscard]] std::uint64_t turned_revision() const noexcept { return turned_revision_; }
+
+    [[nodiscard]] const PshVector& distant() const noexcept { return distant_; }
+    /// Counts the changes of distant().
+    [[nodiscard]] std::uint64_t distant_revision() const noexcept { return distant_revision_; }
+    /// The last order of distant() that is worth rendering: order_low where there is nothing above it.
+    [[nodiscard]] int last_order() const noexcept { return last_order_; }
+
+private:
+    EnvironmentPtr environment_;  // that light_ was projected from
+    bool projected_ = false;
+    PshVector light_;  // in the environment's axes, unscaled
+    std::optional<LightLayout> layout_;
+    int last_order_ = -1;
+    double scale_ = 1;                        // of distant_
+    std::uint64_t scene_light_revision_ = 0;  // that turned_ belongs to
+    PshVector turned_;
+    std::uint64_t turned_revision_ = 0;
+    PshVector distant_;
+    std::uint64_t distant_revision_ = 0;
+};
+
+}  // namespace nicol
