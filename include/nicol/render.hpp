@@ -34,6 +34,13 @@ struct RenderOptions {
     int order_low = 4;   ///< 0..kMaxRenderOrder: light up to here with its full angular detail
     int order_high = 9;  ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
+    /// Against ringing: all components of the light's order l times 1 / (1 + dering (l (l + 1))^2), the
+    /// window that trades the least smoothing for the least curvature (Sloan 2017). 0 and up; 0: off. 1e-4 to
+    /// 1e-2 are of use.
+    double dering = 0;
+    /// Moves the Stokes vectors of vertices into the physical range (Eq. 70): s0 >= 0, no more polarized than
+    /// s0.
+    bool physical = false;
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
     /// false stops the render with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;
@@ -52,6 +59,7 @@ struct Statistics {
     double observe_ms = 0;
     std::uint64_t vertices_skipped = 0;       ///< of no triangle that faces the camera inside the view
     std::uint64_t vertices_unoccluded = 0;    ///< nothing hides the environment from them
+    std::uint64_t vertices_unphysical = 0;    ///< moved into the physical range, times channels
     std::uint64_t light_columns_skipped = 0;  ///< Stokes components that the light lacks, times its channels
     std::uint64_t response_rows_skipped =
         0;                              ///< Stokes components that a material cannot make, times channels

@@ -34,6 +34,18 @@ PshVector cut(const PshVector& light, int order) {
     return low;
 }
 
+// Each order of all components times the same number, so that degrees of polarization survive.
+void suppress_ringing(PshVector& light, double strength) {
+    for (int l = 1; l <= light.order(); ++l) {
+        const double curvature = l * (l + 1.0);
+        const double gain = 1 / (1 + strength * curvature * curvature);
+        for (int c = 0; c < light.channels(); ++c) {
+            const std::size_t first = 4 * psh_count(l - 1);
+            for (double& value : light.channel(c).subspan(first, 4 * psh_count(l) - first)) value *= gain;
+        }
+    }
+}
+
 // The last order with anything in it but rounding.
 int last_order_of(const PshVector& light) {
     const auto largest = [](std::span<const double> coefficients) {
@@ -58,12 +70,15 @@ void LightProjection::update(const Scene& scene, const RenderOptions& options, S
     const int high = options.high_orders == HighOrders::none ? options.order_low : options.order_high;
     const bool same_layout =
         layout_ && layout_->order() == options.order_low && layout_->kind() == kind_of(scene.environment());
-    if (!projected_ || environment_ != scene.environment() || !same_layout || light_.order() != high) {
+    if (!projected_ || environment_ != scene.environment() || !same_layout || light_.order() != high ||
+        dering_ != options.dering) {
         projected_ = false;
         scene_light_revision_ = 0;
         scale_ = -1;
         environment_ = scene.environment();
         light_ = environment_ ? without_repeats(environment_->project(high)) : PshVector(high, 1);
+        dering_ = options.dering;
+        suppress_ringing(light_, dering_);
         layout_.emplace(options.order_low, kind_of(environment_));
         last_order_ = std::max(options.order_low, last_order_of(light_));
         projected_ = true;

@@ -33,9 +33,10 @@ public:
 private:
     EnvironmentPtr environment_;  // that light_ was projected from
     bool projected_ = false;
-    PshVector light_;  // in the environment's axes, unscaled
+    PshVector light_;  // in the environment's axes, unscaled, windowed
     std::optional<LightLayout> layout_;
     int last_order_ = -1;
+    double dering_ = 0;
     double scale_ = 1;                        // of distant_
     std::uint64_t scene_light_revision_ = 0;  // that turned_ belongs to
     PshVector turned_;

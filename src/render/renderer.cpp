@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/renderer.hpp"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,13 @@ void check(const RenderOptions& options) {
     if (options.order_high < options.order_low || options.order_high > 64) {
         refuse("order_high is " + std::to_string(options.order_high) + "; it must lie in order_low (" +
                std::to_string(options.order_low) + ") to 64");
+    }
+    if (options.bake_directions < DirectionSet::kFewest || options.bake_directions > DirectionSet::kMost) {
+        refuse("bake_directions is " + std::to_string(options.bake_directions) + "; it must lie in " +
+               std::to_string(DirectionSet::kFewest) + " to " + std::to_string(DirectionSet::kMost));
+    }
+    if (!(options.dering >= 0 && std::isfinite(options.dering))) {
+        refuse("dering is " + std::to_string(options.dering) + "; it must be finite and not negative");
     }
 }
 

@@ -2,6 +2,7 @@
 #include "render/transfer_cache.hpp"
 
 #include "transfer/bake_cache.hpp"
+#include "transfer/physical_range.hpp"
 
 namespace nicol {
 
@@ -51,6 +52,9 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
         if (high_orders) {
             high_orders_.shade(input, distant, projection.view, visible_, workers_, progress, stokes_);
             high_orders_.count(statistics);
+        }
+        if (options.physical) {
+            for (auto& channel : stokes_) statistics.vertices_unphysical += make_physical(channel);
         }
         statistics.shade_ms += watch.milliseconds();
         method.count(input, statistics);

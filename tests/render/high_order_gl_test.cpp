@@ -8,6 +8,7 @@
 
 #include "gl/contexts.hpp"
 #include "nicol/conductor.hpp"
+#include "nicol/error.hpp"
 #include "nicol/stokes.hpp"
 #include "render/renderer.hpp"
 
@@ -187,4 +188,38 @@ TEST_CASE("shadows darken the plate below the sphere and leave a lone sphere alo
         CHECK(statistics.vertices_unoccluded == statistics.vertices);
         CHECK(with_shadows.data == render(context, lone, with(4, 4, HighOrders::none)).data);
     });
+}
+
+TEST_CASE("ringing can be windowed away, and what is left of it moved into the physical range") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    EquirectImage image(64, 33, 3);  // a lamp in the dark
+    for (int c = 0; c < 3; ++c) image.at(c, 8, 20)[0] = 500;
+    Scene scene;
+    scene.add({.mesh = std::make_shared<const Mesh>(make_sphere()), .material = pplastic({.alpha = 0.1})});
+    scene.set_environment(image_environment(image), glm::dmat3(1), 1);
+    const auto lowest = [](const StokesImage& picture) {
+        float low = 0;
+        for (std::size_t i = 0; i < picture.data.size(); i += 4) low = std::min(low, picture.data[i]);
+        return low;
+    };
+    RenderOptions options = with(4, 4, HighOrders::none);
+    Statistics statistics;
+    const StokesImage plain = render(context, scene, options, camera_of(), &statistics);
+    CHECK(lowest(plain) < -0.01F);
+    CHECK(statistics.vertices_unphysical == 0);
+
+    options.physical = true;
+    const StokesImage physical = render(context, scene, options, camera_of(), &statistics);
+    CHECK(lowest(physical) == 0);
+    CHECK(statistics.vertices_unphysical > 0);
+    for (std::size_t i = 0; i < physical.data.size(); i += 4) {
+        const float polarized = std::hypot(physical.data[i + 1], physical.data[i + 2], physical.data[i + 3]);
+        CHECK_MESSAGE(polarized <= physical.data[i] * 1.001F + 1e-6F, i);
+    }
+
+    options.physical = false;
+    options.dering = 0.02;
+    CHECK(lowest(render(context, scene, options)) > 0.05F * lowest(plain));
+    options.dering = -1;
+    CHECK_THROWS_AS(render(context, scene, options), Error);
 }
