@@ -72,7 +72,7 @@ void FactoredMethod::relight(const TransferInput& input, Workers& workers, Progr
     const std::size_t vertices = input.geometry.positions.size();
     const std::span normals(input.geometry.normals);
     const Relight turn(input.layout, input.light);
-    vertex_light_ = VertexLight(input.layout, input.light.channels(), vertices);
+    vertex_light_.resize(input.layout, input.light.channels(), vertices);
     workers.for_vertices(0, vertices, vertices, "relight", progress, [&](std::size_t begin, std::size_t end) {
         turn.run(normals.subspan(begin, end - begin), begin, vertex_light_);
     });

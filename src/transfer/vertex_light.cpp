@@ -44,10 +44,11 @@ Pick quarter_turns(int m) {  // (-i)^m (x + i y)
 
 }  // namespace
 
-VertexLight::VertexLight(const LightLayout& layout, int channels, std::size_t vertices)
-    : row_size_(layout.size()),
-      channels_(channels),
-      data_(vertices * static_cast<std::size_t>(channels) * 2 * layout.size()) {}
+void VertexLight::resize(const LightLayout& layout, int channels, std::size_t vertices) {
+    row_size_ = layout.size();
+    channels_ = channels;
+    data_.resize(vertices * static_cast<std::size_t>(channels) * 2 * row_size_);
+}
 
 Relight::Relight(const LightLayout& layout, const PshVector& light) : layout_(layout) {
     for (int c = 0; c < light.channels(); ++c) {

@@ -16,7 +16,11 @@ namespace nicol {
 class VertexLight {
 public:
     VertexLight() = default;
-    VertexLight(const LightLayout& layout, int channels, std::size_t vertices);
+    VertexLight(const LightLayout& layout, int channels, std::size_t vertices) {
+        resize(layout, channels, vertices);
+    }
+    /// Without allocating where the size is the same; what it holds afterwards is unspecified.
+    void resize(const LightLayout& layout, int channels, std::size_t vertices);
 
     /// Real, then imaginary parts of the packed coefficients, row_size() each.
     [[nodiscard]] std::span<const float> at(std::size_t vertex, int channel) const {
