@@ -16,6 +16,8 @@ struct Camera {
     double fov = 45;  ///< perspective: horizontal, degrees, in (0, 180)
     double near_clip = 1e-2;
     double far_clip = 1e4;
+
+    bool operator==(const Camera&) const = default;
 };
 
 /// A rotation and translation that puts the camera at `origin`, looking at `target`, with `up` upwards in the

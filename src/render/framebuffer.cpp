@@ -2,6 +2,7 @@
 #include "render/framebuffer.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <span>
 #include <string>
 #include <utility>
@@ -70,6 +71,8 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics) {
 }
 
 void Framebuffer::rendered(const Statistics& statistics) {
+    static std::atomic<std::uint64_t> contents = 0;
+    content_ = ++contents;
     statistics_ = statistics;
     image_.reset();
 }

@@ -2,6 +2,7 @@
 // The Stokes picture of the last render into it.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,6 +40,8 @@ public:
     /// To be called once a render has drawn.
     void rendered(const Statistics& statistics);
     [[nodiscard]] Statistics& statistics() noexcept { return statistics_; }
+    /// Names what it holds: another number after each render, which no other framebuffer ever has.
+    [[nodiscard]] std::uint64_t content() const noexcept { return content_; }
 
 private:
     std::shared_ptr<gl::Context> context_;
@@ -48,6 +51,7 @@ private:
     std::vector<gl::RenderTarget> groups_;
     std::optional<StokesImage> image_;
     Statistics statistics_;
+    std::uint64_t content_ = 0;
 };
 
 }  // namespace nicol

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "nicol/error.hpp"
@@ -32,10 +33,23 @@ void check(const RenderOptions& options) {
     }
 }
 
+// All but the callback.
+auto values(const RenderOptions& o) {
+    return std::tie(o.method, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
+                    o.high_orders, o.dering, o.physical);
+}
+
 }  // namespace
 
 Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
     : context_(context), transfer_(threads), painter_(std::move(context)) {}
+
+bool Renderer::holds(const Framebuffer& target, const Scene& scene, const Camera& camera,
+                     const RenderOptions& options) const {
+    return made_ && made_->content == target.content() && made_->geometry == scene.geometry_revision() &&
+           made_->light == scene.light_revision() && made_->camera == camera &&
+           values(made_->options) == values(options);
+}
 
 void Renderer::render(const Scene& scene, const Camera& camera, const RenderOptions& options,
                       Framebuffer& target) {
@@ -44,6 +58,15 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     if (target.channels() != scene.channels()) {
         refuse("the framebuffer has " + std::to_string(target.channels()) +
                " colour channels and the scene " + std::to_string(scene.channels()) + "; they must agree");
+    }
+    if (holds(target, scene, camera, options)) {
+        Statistics& kept = target.statistics();
+        for (double* ms : {&kept.project_ms, &kept.bake_ms, &kept.bake_trace_ms, &kept.relight_ms,
+                           &kept.shade_ms, &kept.draw_ms, &kept.observe_ms}) {
+            *ms = 0;
+        }
+        kept.bake_rays = 0;
+        return;
     }
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
@@ -60,6 +83,12 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
                               memory.of(gl::MemoryKind::storage);
     statistics.texture_bytes = memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
     target.rendered(statistics);
+    made_ = {.content = target.content(),
+             .geometry = scene.geometry_revision(),
+             .light = scene.light_revision(),
+             .camera = camera,
+             .options = options};
+    made_->options.progress = nullptr;
 }
 
 }  // namespace nicol

@@ -2,8 +2,10 @@
 // Renders one scene.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "render/painter.hpp"
 #include "render/transfer_cache.hpp"
@@ -22,10 +24,23 @@ public:
 
     /// The same scene every time. Throws Error(invalid_argument) for options or a camera out of range, a
     /// framebuffer of another context or with other channels than the scene; Error(cancelled);
-    /// Error(out_of_memory). Then the framebuffer still holds what it held.
+    /// Error(out_of_memory). Then the framebuffer still holds what it held. Where nothing has changed since
+    /// the last call it is left alone, and no verb takes any time.
     void render(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
 
 private:
+    // What a picture was made of; where all of it is the same, so is the picture.
+    struct Made {
+        std::uint64_t content;  // of the framebuffer
+        std::uint64_t geometry;
+        std::uint64_t light;
+        Camera camera;
+        RenderOptions options;
+    };
+    [[nodiscard]] bool holds(const Framebuffer& target, const Scene& scene, const Camera& camera,
+                             const RenderOptions& options) const;
+
+    std::optional<Made> made_;  // last
     std::shared_ptr<gl::Context> context_;
     TransferCache transfer_;
     Painter painter_;

@@ -247,13 +247,29 @@ TEST_CASE("only what a change makes necessary runs again") {
     const StokesImage picture = target.image();
     const Statistics again = run(camera_at({0, 0, 3}));
     CHECK(again.relight_ms == 0);
+    CHECK(again.shade_ms == 0);
+    CHECK(again.draw_ms == 0);
+    CHECK(again.vertices_skipped == first.vertices_skipped);
     CHECK(largest_difference(picture, target.image()) == 0);
+    // Another picture in the framebuffer is a change, too, and so is another framebuffer.
+    Framebuffer other(context, width, height, 3);
+    renderer.render(scene, camera_at({0, 0, 3}), {}, other);
+    CHECK(other.statistics().draw_ms > 0);
+    CHECK(largest_difference(picture, other.image()) == 0);
+    target.show(StokesImage(width, height, 3), {});
+    CHECK(run(camera_at({0, 0, 3})).draw_ms > 0);
+    CHECK(largest_difference(picture, target.image()) == 0);
+    RenderOptions coarse;
+    coarse.order_low = 0;
+    renderer.render(scene, camera_at({0, 0, 3}), coarse, target);
+    CHECK(target.statistics().draw_ms > 0);
+    run(camera_at({0, 0, 3}));
     CHECK(run(camera_at({0, 3, 3})).relight_ms == 0);
     CHECK(largest_difference(picture, target.image()) > 0);
     scene.set_environment(scene.environment(), some_rotation(), 1);
-    CHECK(run(camera_at({0, 0, 3})).relight_ms > 0);
+    CHECK(run(camera_at({0, 3, 3})).relight_ms > 0);
     scene.set_transform(id, affine(glm::dmat3(0.5)));
-    CHECK(run(camera_at({0, 0, 3})).relight_ms > 0);
+    CHECK(run(camera_at({0, 3, 3})).relight_ms > 0);
     CHECK(largest_difference(picture, target.image()) > 0.1F);
 }
 
