@@ -67,7 +67,8 @@ const char* nicol_build_info(uint32_t index) {
         "build_type=" NICOL_BUILD_TYPE,
         "compiler=" __VERSION__,
         "backends=egl,osmesa",
-        "methods=factored,reference",
+        "methods=factored,dense,reference",
+        "high_orders=split,convolution,none",
         "max_order=32",
         "max_channels=16",
     };

@@ -455,28 +455,51 @@ NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
 /* ---------------------------------------------------------------- render */
 
 typedef uint32_t nicol_method;
-#define NICOL_METHOD_FACTORED 0 /* per-vertex light times response table */
+/* Real time. Light up to order_low is kept in each vertex's frame and meets a table of what the material
+ * makes of it at each view angle. */
+#define NICOL_METHOD_FACTORED 0
+/* Real time: a matrix of transfer for each vertex, as the article has it, which baking computes from shadow
+ * and material. What leaves a vertex is truncated at order_low too. Slower and larger, for comparison. */
+#define NICOL_METHOD_DENSE 1
 /* No harmonics: for each pixel rays and the integral of the light over directions, with shadows, by random
- * sampling. Slow and noisy, right in the mean: what the other methods are measured against. The orders have
- * no effect. */
+ * sampling. Slow and noisy, right in the mean: what the other methods are measured against. */
 #define NICOL_METHOD_REFERENCE 2
+
+/* How the light's orders above order_low become reflected light: filtered by lobes beforehand and looked up
+ * at the mirrored view direction, dimmed by what the lobe's directions see of the light. */
+typedef uint32_t nicol_high_orders;
+#define NICOL_HIGH_ORDERS_SPLIT 0       /* lobes times Mueller matrices of the view angle */
+#define NICOL_HIGH_ORDERS_CONVOLUTION 1 /* a kernel a material (Eq. 68): no polarization by reflection */
+#define NICOL_HIGH_ORDERS_NONE 2        /* left out */
 
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
-    int32_t order_low;  /* light is taken up to this order with its full angular detail; 0: 4; -1: order 0; up
-                           to 32 */
-    int32_t order_high; /* orders order_low + 1 .. order_high by the high-order method; 0: 9, or order_low
-                           where that is larger; -1: order 0; order_low to 64. This version has no high-order
-                           method yet: the statistics tell the order rendered. */
-    nicol_progress_callback progress; /* NULL: none */
+    /* These, up to dering, are of the factored and the dense method. The reference method, whose own are
+     * samples and seed, looks at `shadows` alone. */
+    int32_t order_low;             /* light up to this order meets the material's full angular detail; 0: 4;
+                                      -1: order 0; at most NICOL_MAX_ORDER */
+    int32_t order_high;            /* light up to this order is rendered at all, what lies above order_low as
+                                      high_orders says; 0: 9, or order_low where that is larger; -1: order 0;
+                                      order_low to 64 */
+    nicol_high_orders high_orders; /* 0: split */
+    int32_t shadows;          /* whether surfaces hide the environment from each other and themselves. 0: the
+                                 default, which is on; 1: on; -1: off. The reference method refuses -1 */
+    uint32_t bake_directions; /* that each vertex looks for the environment in; 0: 2048; 256 to 65536. Time
+                                 and memory of baking grow with it, noise in the shadows falls */
+    uint32_t physical;        /* 1: Stokes vectors of vertices are moved into the physical range (Eq. 70), s0
+                                 >= 0 and no more polarized than s0, which truncated light may leave; 0: not */
+    double dering;            /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
+                                 1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
+    nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
+                                         reference method trace */
     void* progress_user;
     int32_t samples;   /* reference: camera rays a pixel, 0: 256; up to 2^20. Powers of two are spread best */
     uint32_t reserved; /* 0 */
     uint64_t seed; /* reference: the same gives the same picture whatever the threads, another other noise */
 } nicol_render_options;
 #define NICOL_RENDER_OPTIONS_INIT \
-    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
  * luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */
@@ -495,21 +518,28 @@ NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camer
 /* What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run. */
 typedef struct nicol_statistics {
     uint32_t struct_size;
-    uint32_t order;                 /* highest order rendered; 0 by the reference method */
-    uint64_t vertices;
-    uint64_t triangles;
-    double project_ms;              /* light and materials to coefficients and tables */
-    double bake_ms;                 /* visibility; of the reference method its hierarchy of triangles and table of light */
-    double relight_ms;              /* light into the vertices' frames */
-    double shade_ms;                /* light times response, at the view */
+    uint32_t order;                 /* highest order of the light that was rendered: order_high, or less where the light
+                                       has no more, but at least order_low; 0 by the reference method */
+    uint64_t vertices;              /* of all instances */
+    uint64_t triangles;             /* likewise */
+    double project_ms;              /* light and materials to coefficients, tables and lobes */
+    double bake_ms;                 /* what each vertex sees of the environment, and by the dense method its matrices; of the
+                                       reference method its hierarchy of triangles and table of light */
+    double relight_ms;              /* light, times shadows, into the vertices' frames */
+    double shade_ms;                /* light times response, at the view, high orders included */
     double draw_ms;                 /* rasterisation, or copying the picture into the framebuffer */
     double observe_ms;              /* reading and writing pictures since that render */
-    uint64_t vertices_skipped;      /* not shaded: facing away or behind the camera */
+    double bake_trace_ms;           /* of bake_ms, tracing rays; 0 where the bake came from the cache */
+    uint64_t bake_rays;             /* traced by the bake; 0 likewise */
+    uint64_t vertices_skipped;      /* not shaded: facing away or outside the view */
+    uint64_t vertices_unoccluded;   /* that nothing hides the environment from: no shadow to compute */
+    uint64_t vertices_unphysical;   /* that `physical` moved into the physical range, times channels */
     uint64_t light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
     uint64_t response_rows_skipped; /* Stokes components that no material can make, times channels */
     uint64_t channels_shared;       /* colour channels of light that equal another and are not computed again */
     uint64_t response_bytes;        /* material tables */
-    uint64_t transfer_bytes;        /* per-vertex light and geometry kept for relight and shade */
+    uint64_t visibility_bytes;      /* what the bake found: directions in which each vertex sees the environment */
+    uint64_t transfer_bytes;        /* per-vertex light, shadows, matrices and geometry kept for relight and shade */
     uint64_t buffer_bytes;          /* OpenGL vertex and index buffers */
     uint64_t texture_bytes;         /* OpenGL textures, framebuffer included */
     uint64_t camera_rays;           /* reference: rays from the camera */
@@ -518,7 +548,7 @@ typedef struct nicol_statistics {
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT \
-    { sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer,
                                                         nicol_statistics* statistics);

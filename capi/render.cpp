@@ -50,16 +50,64 @@ std::function<bool(const char*, double)> progress_from(const nicol_render_option
     };
 }
 
+Method method_from(nicol_method given) {
+    if (given == NICOL_METHOD_FACTORED) return Method::factored;
+    if (given == NICOL_METHOD_DENSE) return Method::dense;
+    throw Error(ErrorCode::unsupported, "method is " + std::to_string(given) +
+                                            "; this version has NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE "
+                                            "and NICOL_METHOD_REFERENCE");
+}
+
+HighOrders high_orders_from(nicol_high_orders given) {
+    switch (given) {
+        case NICOL_HIGH_ORDERS_SPLIT:
+            return HighOrders::split;
+        case NICOL_HIGH_ORDERS_CONVOLUTION:
+            return HighOrders::convolution;
+        case NICOL_HIGH_ORDERS_NONE:
+            return HighOrders::none;
+        default:
+            refuse("high_orders is " + std::to_string(given) + "; it must be one of NICOL_HIGH_ORDERS_...");
+    }
+}
+
+bool shadows_from(std::int32_t given) {
+    if (given < -1 || given > 1) {
+        refuse("shadows is " + std::to_string(given) +
+               "; it must be 0 (the default, on), 1 (on) or -1 (off)");
+    }
+    return given != -1;
+}
+
+int bake_directions_from(std::uint32_t given, int fallback) {
+    if (given > INT32_MAX) refuse("bake_directions is " + std::to_string(given) + "; that is too many");
+    return given == 0 ? fallback : static_cast<int>(given);
+}
+
 RenderOptions options_from(const nicol_render_options& given) {
     RenderOptions options;
-    options.order_low = order_from(given.order_low, 4, "order_low");
-    options.order_high = order_from(given.order_high, std::max(9, options.order_low), "order_high");
+    options.method = method_from(given.method);
+    options.shadows = shadows_from(given.shadows);
+    options.bake_directions = bake_directions_from(given.bake_directions, options.bake_directions);
+    options.order_low = order_from(given.order_low, options.order_low, "order_low");
+    options.order_high =
+        order_from(given.order_high, std::max(options.order_high, options.order_low), "order_high");
+    options.high_orders = high_orders_from(given.high_orders);
+    options.dering = given.dering;
+    if (given.physical > 1) {
+        refuse("physical is " + std::to_string(given.physical) + "; it must be 0 or 1");
+    }
+    options.physical = given.physical == 1;
     options.progress = progress_from(given);
     return options;
 }
 
 void render_by_reference(const Session& session, const Scene& scene, const Camera& camera,
                          const nicol_render_options& given, Framebuffer& target) {
+    if (!shadows_from(given.shadows)) {
+        throw Error(ErrorCode::unsupported,
+                    "shadows is -1; the reference method always has shadows, so it must be 0 or 1");
+    }
     const ReferenceOptions options{.samples = given.samples == 0 ? 256 : given.samples,
                                    .seed = given.seed,
                                    .threads = session.threads,
@@ -82,15 +130,10 @@ void render_by_reference(const Session& session, const Scene& scene, const Camer
 
 void render_by(nicol_method method, const Session& session, SceneState& state, const Camera& camera,
                const nicol_render_options& given, Framebuffer& target) {
-    switch (method) {
-        case NICOL_METHOD_FACTORED:
-            return state.renderer.render(state.scene, camera, options_from(given), target);
-        case NICOL_METHOD_REFERENCE:
-            return render_by_reference(session, state.scene, camera, given, target);
-        default:
-            throw Error(ErrorCode::unsupported, "method is " + std::to_string(method) +
-                                                    "; this version has NICOL_METHOD_FACTORED and "
-                                                    "NICOL_METHOD_REFERENCE");
+    if (method == NICOL_METHOD_REFERENCE) {
+        render_by_reference(session, state.scene, camera, given, target);
+    } else {
+        state.renderer.render(state.scene, camera, options_from(given), target);
     }
 }
 
@@ -166,11 +209,16 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.shade_ms = s.shade_ms;
         out.draw_ms = s.draw_ms;
         out.observe_ms = s.observe_ms;
+        out.bake_trace_ms = s.bake_trace_ms;
+        out.bake_rays = s.bake_rays;
         out.vertices_skipped = s.vertices_skipped;
+        out.vertices_unoccluded = s.vertices_unoccluded;
+        out.vertices_unphysical = s.vertices_unphysical;
         out.light_columns_skipped = s.light_columns_skipped;
         out.response_rows_skipped = s.response_rows_skipped;
         out.channels_shared = s.channels_shared;
         out.response_bytes = s.response_bytes;
+        out.visibility_bytes = s.visibility_bytes;
         out.transfer_bytes = s.transfer_bytes;
         out.buffer_bytes = s.buffer_bytes;
         out.texture_bytes = s.texture_bytes;
