@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/geometry.hpp"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -40,28 +44,44 @@ WorldGeometry world_geometry(const Scene& scene) {
 
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
                          std::vector<std::uint8_t>& visible) {
+    using Range = tbb::blocked_range<std::size_t>;
+    constexpr std::size_t grain = 4096;
+    const std::size_t vertices = geometry.positions.size();
     // Which sides of the view a vertex is outside of, as bits.
-    std::vector<std::uint8_t> outside(geometry.positions.size());
+    std::vector<std::uint8_t> outside(vertices);
+    visible.resize(vertices);
     const glm::mat4 clip(projection.world_to_clip);
-    for (std::size_t v = 0; v < outside.size(); ++v) {
-        const glm::vec4 p = clip * glm::vec4(geometry.positions[v], 1);
-        outside[v] =
-            static_cast<std::uint8_t>((p.x < -p.w ? 1 : 0) | (p.x > p.w ? 2 : 0) | (p.y < -p.w ? 4 : 0) |
-                                      (p.y > p.w ? 8 : 0) | (p.z < -p.w ? 16 : 0) | (p.z > p.w ? 32 : 0));
-    }
+    tbb::parallel_for(Range(0, vertices, grain), [&](const Range& range) {
+        for (std::size_t v = range.begin(); v < range.end(); ++v) {
+            const glm::vec4 p = clip * glm::vec4(geometry.positions[v], 1);
+            outside[v] =
+                static_cast<std::uint8_t>((p.x < -p.w ? 1 : 0) | (p.x > p.w ? 2 : 0) | (p.y < -p.w ? 4 : 0) |
+                                          (p.y > p.w ? 8 : 0) | (p.z < -p.w ? 16 : 0) | (p.z > p.w ? 32 : 0));
+            visible[v] = 0;
+        }
+    });
 
-    visible.assign(geometry.positions.size(), 0);
     const glm::vec3 eye(projection.view.eye);
     const glm::vec3 backward(-projection.view.forward);
-    for (const glm::uvec3& t : geometry.triangles) {
-        if ((outside[t.x] & outside[t.y] & outside[t.z]) != 0) continue;
-        const glm::vec3& a = geometry.positions[t.x];
-        const glm::vec3 normal = glm::cross(geometry.positions[t.y] - a, geometry.positions[t.z] - a);
-        const glm::vec3 towards = projection.view.orthographic ? backward : eye - a;
-        // Edge-on triangles count as facing: rounding here must not lose what the rasteriser keeps.
-        if (glm::dot(normal, towards) < -1e-4F * glm::length(normal) * glm::length(towards)) continue;
-        visible[t.x] = visible[t.y] = visible[t.z] = 1;
-    }
+    tbb::parallel_for(Range(0, geometry.triangles.size(), grain), [&](const Range& range) {
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const glm::uvec3& t = geometry.triangles[i];
+            if ((outside[t.x] & outside[t.y] & outside[t.z]) != 0) continue;
+            const glm::vec3& a = geometry.positions[t.x];
+            const glm::vec3 normal = glm::cross(geometry.positions[t.y] - a, geometry.positions[t.z] - a);
+            const glm::vec3 towards = projection.view.orthographic ? backward : eye - a;
+            // Edge-on triangles count as facing: rounding here must not lose what the rasteriser keeps.
+            const float facing = glm::dot(normal, towards);
+            if (facing < 0 &&
+                facing * facing > 1e-8F * glm::dot(normal, normal) * glm::dot(towards, towards)) {
+                continue;
+            }
+            // Neighbours share vertices, and may be in another thread's hands.
+            for (glm::length_t corner = 0; corner < 3; ++corner) {
+                std::atomic_ref(visible[t[corner]]).store(1, std::memory_order_relaxed);
+            }
+        }
+    });
     return static_cast<std::size_t>(std::count(visible.begin(), visible.end(), std::uint8_t{0}));
 }
 

@@ -37,7 +37,8 @@ struct WorldGeometry {
 [[nodiscard]] WorldGeometry world_geometry(const Scene& scene);
 
 /// 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one side of the view;
-/// the others cannot reach the picture. Resizes `visible`; returns how many are 0.
+/// the others cannot reach the picture. Resizes `visible`; returns how many are 0. Runs on the calling
+/// thread's TBB arena.
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
                          std::vector<std::uint8_t>& visible);
 

@@ -45,7 +45,7 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
     const auto compute = [&](auto& method) {
         method.update(input, workers_, progress, statistics);
         const Stopwatch watch;
-        statistics.vertices_skipped = find_visible(geometry_, projection, visible_);
+        workers_.run([&] { statistics.vertices_skipped = find_visible(geometry_, projection, visible_); });
         stokes_.resize(static_cast<std::size_t>(input.channels));
         for (auto& channel : stokes_) channel.resize(geometry_.positions.size());
         method.shade(input, projection.view, visible_, workers_, progress, stokes_);
