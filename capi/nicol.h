@@ -484,7 +484,7 @@ typedef struct nicol_render_options {
                                       order_low to 64 */
     nicol_high_orders high_orders; /* 0: split */
     int32_t shadows;          /* whether surfaces hide the environment from each other and themselves. 0: the
-                                 default, which is on; 1: on; -1: off. The reference method refuses -1 */
+                                 default, which is on; 1: on; -1: off */
     uint32_t bake_directions; /* that each vertex looks for the environment in; 0: 2048; 256 to 65536. Time
                                  and memory of baking grow with it, noise in the shadows falls */
     uint32_t physical;        /* 1: Stokes vectors of vertices are moved into the physical range (Eq. 70), s0

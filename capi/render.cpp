@@ -104,11 +104,8 @@ RenderOptions options_from(const nicol_render_options& given) {
 
 void render_by_reference(const Session& session, const Scene& scene, const Camera& camera,
                          const nicol_render_options& given, Framebuffer& target) {
-    if (!shadows_from(given.shadows)) {
-        throw Error(ErrorCode::unsupported,
-                    "shadows is -1; the reference method always has shadows, so it must be 0 or 1");
-    }
     const ReferenceOptions options{.samples = given.samples == 0 ? 256 : given.samples,
+                                   .shadows = shadows_from(given.shadows),
                                    .seed = given.seed,
                                    .threads = session.threads,
                                    .progress = progress_from(given)};

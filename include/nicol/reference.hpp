@@ -16,6 +16,7 @@ struct ReferenceOptions {
     /// Camera rays a pixel, 1..kMaxReferenceSamples; each that hits a surface sends one ray towards the light
     /// and one into the surface's lobe. Powers of two are stratified best.
     int samples = 256;
+    bool shadows = true;  ///< whether surfaces hide the environment from each other
     /// The same seed gives the same picture whatever the number of threads; another one gives other noise.
     std::uint64_t seed = 0;
     int threads = 0;  ///< 0: one a core, which is also the most

@@ -15,11 +15,12 @@ struct DirectLight::Hit {
     glm::dvec3 towards_viewer;  ///< in that frame
 };
 
-DirectLight::DirectLight(const Scene& scene, Strategy strategy)
+DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     : environment_(scene.environment().get()),
       light_to_world_(scene.light_rotation()),
       light_scale_(scene.light_scale()),
-      strategy_(strategy) {
+      strategy_(strategy),
+      shadows_(shadows) {
     if (environment_ != nullptr) {
         channels_ = environment_->channels();
         light_sampler_ = std::make_unique<LightSampler>(*environment_);
@@ -100,8 +101,10 @@ void DirectLight::add_reflected(const Hit& hit, const glm::dvec3& towards_light,
                                 const Frame& received, std::span<Stokes> sum, Workspace& workspace) const {
     if (!(towards_light.z > 0) || !(pdf > 0)) return;
     const glm::dvec3 in_world = glm::normalize(hit.frame * towards_light);
-    ++workspace.shadow_rays;
-    if (rays_->occluded(hit.position, hit.geometric_normal, in_world)) return;
+    if (shadows_) {
+        ++workspace.shadow_rays;
+        if (rays_->occluded(hit.position, hit.geometric_normal, in_world)) return;
+    }
 
     const Material& material = *hit.surface.material;
     const int terms = material.terms();

@@ -22,7 +22,7 @@ enum class Strategy { both, light, surface };
 class DirectLight {
 public:
     /// Throws what RayScene throws.
-    DirectLight(const Scene& scene, Strategy strategy);
+    DirectLight(const Scene& scene, Strategy strategy, bool shadows);
 
     /// What one thread needs: room for one reflection, and its count.
     struct Workspace {
@@ -57,6 +57,7 @@ private:
     glm::dmat3 light_to_world_;
     double light_scale_;
     Strategy strategy_;
+    bool shadows_;
     int channels_ = 1;
     std::uint64_t triangles_ = 0;
     std::vector<Surface> surfaces_;

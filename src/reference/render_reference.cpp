@@ -115,7 +115,7 @@ private:
 StokesImage render(const Scene& scene, const Projection& projection, int width, int height,
                    const ReferenceOptions& options, ReferenceStatistics& statistics, Strategy strategy) {
     const Stopwatch build;
-    const DirectLight light(scene, strategy);
+    const DirectLight light(scene, strategy, options.shadows);
     StokesImage image(width, height, light.channels());
     statistics.triangles = light.triangles();
     statistics.build_ms = build.milliseconds();

@@ -90,3 +90,17 @@ TEST_CASE("a convex body does not shade itself") {
     // The triangles are up to 1 degree from the sphere's own surface and hide what little lies between.
     CHECK(total / count == doctest::Approx(1).epsilon(1e-3));
 }
+
+TEST_CASE("without shadows nothing is in the way, and no ray asks") {
+    const MaterialPtr white = diffuse({0.8});
+    Scene scene;
+    scene.add(square(white, Frame(1.0), {0, 0, 0}, 50));
+    scene.add(square(white, Frame(1.0), {0, 0, 1}, 0.5));
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    ReferenceStatistics statistics;
+    const Projection projection = project(camera_on({0, 0, 0}, aside), 1, 1);
+    const StokesImage image = render_reference(
+        scene, projection, 1, 1, {.samples = 1 << 14, .shadows = false, .progress = {}}, statistics);
+    CHECK(image.data[0] == doctest::Approx(0.8).epsilon(2e-3));
+    CHECK(statistics.shadow_rays == 0);
+}
