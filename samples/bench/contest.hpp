@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "median.hpp"
+
 /// Median seconds of each contestant for one call. Every contestant runs once untimed; then all take turns
 /// until `seconds` have passed, at least five rounds. A turn repeats the call until it takes a millisecond or
 /// so, since clocks are coarse.
@@ -32,10 +34,6 @@ inline std::vector<double> contest(const std::vector<std::function<void()>>& con
         }
     }
     std::vector<double> medians;
-    for (auto& list : times) {
-        std::nth_element(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2),
-                         list.end());
-        medians.push_back(list[list.size() / 2]);
-    }
+    for (auto& list : times) medians.push_back(median(std::move(list)));
     return medians;
 }

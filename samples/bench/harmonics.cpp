@@ -5,19 +5,14 @@
 #include <memory>
 #include <numeric>
 #include <random>
-#include <stdexcept>
 
+#include "abi.hpp"
 #include "contest.hpp"
-#include "nicol.h"
 #include "peer.hpp"
 
 namespace {
 
 const double not_measured = std::nan("");
-
-void ok(nicol_result result) {
-    if (result != NICOL_OK) throw std::runtime_error(nicol_last_error());
-}
 
 std::size_t coefficient_count(int order) {
     return std::size_t{4} * static_cast<std::size_t>((order + 1) * (order + 1));

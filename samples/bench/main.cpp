@@ -1,75 +1,142 @@
 // SPDX-License-Identifier: MIT
 // nicol-bench: what Nicol takes, as ratios within one run.
-#include <cstring>
+#include <algorithm>
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 
+#include "bake.hpp"
+#include "error.hpp"
+#include "frame.hpp"
 #include "harmonics.hpp"
-#include "nicol.h"
+#include "options.hpp"
+#include "pareto.hpp"
+#include "report.hpp"
+#include "scale.hpp"
+#include "start.hpp"
 
 namespace {
 
-constexpr const char* usage =
-    "usage: nicol-bench harmonics [--seconds S] [--csv FILE] [--json FILE]\n"
-    "  harmonics   transforms, rotation and projection of polarized spherical harmonics\n"
-    "  --seconds   of measurement for each line of the table, default 1\n"
-    "  --csv, --json   write the table there as well\n";
-
-struct Options {
-    double seconds = 1;
-    std::string csv;
-    std::string json;
+struct Command {
+    const char* name;
+    Report (*run)(const Options&);
+    std::vector<const char*> options;
+    const char* summary;
 };
 
-bool parse(int count, char** arguments, Options& options) {
-    for (int i = 2; i < count; ++i) {
-        if (i + 1 >= count) return false;
-        const std::string name = arguments[i];
-        const std::string value = arguments[++i];
-        if (name == "--seconds") {
-            char* end = nullptr;
-            options.seconds = std::strtod(value.c_str(), &end);
-            if (*end != '\0' || !(options.seconds > 0 && options.seconds <= 3600)) return false;
-        } else if (name == "--csv") {
-            options.csv = value;
-        } else if (name == "--json") {
-            options.json = value;
-        } else {
-            return false;
-        }
+const Command commands[] = {
+    {"error",
+     bench_error,
+     {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--samples", "--orders", "--memory",
+      "--csv", "--json"},
+     "distance from the reference method by order, dense and factored, with and without\n"
+     "              shadows, and with each form of the high orders"},
+    {"frame",
+     bench_frame,
+     {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--orders", "--memory", "--seconds",
+      "--csv", "--json"},
+     "frames after a move of the camera, a turn of the light and no change, beside\n"
+     "              drawing the triangles in one colour"},
+    {"pareto",
+     bench_pareto,
+     {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--samples", "--orders", "--memory",
+      "--seconds", "--plot", "--csv", "--json"},
+     "run time against error, over orders"},
+    {"bake",
+     bench_bake,
+     {"SCENE.xml", "-D", "--light", "--backend", "--csv", "--json"},
+     "visibility at the vertices: rays a second, time, memory, cache"},
+    {"scale",
+     bench_scale,
+     {"--backend", "--cache", "--size", "--orders", "--seconds", "--large", "--csv", "--json"},
+     "cost against the number of vertices and against the order"},
+    {"start",
+     bench_start,
+     {"SCENE.xml", "-D", "--light", "--backend", "--size", "--csv", "--json"},
+     "time to the first picture, with an empty and a warm cache"},
+    {"harmonics",
+     [](const Options& options) { return bench_harmonics(options.seconds); },
+     {"--seconds", "--csv", "--json"},
+     "transforms, rotation and projection of polarized spherical harmonics"},
+};
+
+struct Help {
+    const char* name;
+    const char* text;
+};
+const Help option_help[] = {
+    {"SCENE.xml", "SCENE.xml       a scene for nicol-render; default the bunny of samples/assets"},
+    {"-D", "-D NAME=VALUE   replaces a default of the scene; may be repeated"},
+    {"--light", "--light FILE    replaces the scene's light; needed for the light to turn"},
+    {"--backend", "--backend NAME  egl or osmesa; default as the library chooses"},
+    {"--cache", "--cache DIR     keeps tables there; default a folder that is removed at the end"},
+    {"--size", "--size N        pictures of N x N, 8 to 4096"},
+    {"--samples", "--samples N     of each of the two reference pictures, a pixel; default 256"},
+    {"--orders", "--orders A-B    from order A to B, 0 to 32 (frame: low order A, high order B)"},
+    {"--memory", "--memory GB     most that matrices of the dense method may take; default 4"},
+    {"--seconds", "--seconds S     of measurement for each line of the table; default 1"},
+    {"--large", "--large         2,000,000 vertices too"},
+    {"--plot", "--plot FILE     writes the curves as SVG"},
+    {"--csv", "--csv FILE      writes the table as CSV"},
+    {"--json", "--json FILE     writes the table as JSON"},
+};
+
+void print_usage(std::ostream& out) {
+    out << "usage: nicol-bench SUB-COMMAND [options]\n";
+    for (const Command& command : commands)
+        out << "  " << command.name << std::string(12 - std::string(command.name).size(), ' ')
+            << command.summary << '\n';
+    out << "nicol-bench SUB-COMMAND --help lists its options.\n";
+}
+
+void print_help(std::ostream& out, const Command& command) {
+    out << "usage: nicol-bench " << command.name << " [options]\n  " << command.summary << "\noptions:\n";
+    for (const Help& help : option_help) {
+        if (std::ranges::any_of(command.options,
+                                [&](const char* name) { return std::string(name) == help.name; }))
+            out << "  " << help.text << '\n';
     }
-    return true;
 }
 
 template <class Write>
-bool write_file(const std::string& path, Write write) {
-    if (path.empty()) return true;
+void write_file(const std::string& path, Write write) {
+    if (path.empty()) return;
     std::ofstream out(path);
     write(out);
     out.close();
-    if (out) return true;
-    std::cerr << "nicol-bench: " << path << " cannot be written\n";
-    return false;
+    if (!out) throw std::runtime_error(path + ": cannot be written");
+}
+
+void run(const Command& command, std::span<char* const> arguments) {
+    const Options options = parse_options(arguments, command.options);
+    const Report report = command.run(options);
+    report.print(std::cout);
+    write_file(options.csv, [&](std::ostream& out) { report.write_csv(out); });
+    write_file(options.json, [&](std::ostream& out) { report.write_json(out); });
 }
 
 }  // namespace
 
 int main(int count, char** arguments) {
-    Options options;
-    if (count < 2 || std::strcmp(arguments[1], "harmonics") != 0 || !parse(count, arguments, options)) {
-        std::cerr << usage;
-        return 2;
+    const std::string name = count > 1 ? arguments[1] : "";
+    const auto* command = std::ranges::find_if(commands, [&](const Command& c) { return name == c.name; });
+    if (command == std::end(commands)) {
+        const bool asked = name == "--help";
+        print_usage(asked ? std::cout : std::cerr);
+        return asked ? 0 : 2;
+    }
+    const std::span<char* const> rest(arguments + 2, static_cast<std::size_t>(count - 2));
+    if (std::ranges::any_of(rest, [](const char* a) { return std::string(a) == "--help"; })) {
+        print_help(std::cout, *command);
+        return 0;
     }
     try {
-        const Report report = bench_harmonics(options.seconds);
-        report.print(std::cout);
-        const bool written = write_file(options.csv, [&](std::ostream& out) { report.write_csv(out); }) &&
-                             write_file(options.json, [&](std::ostream& out) { report.write_json(out); });
-        return written ? 0 : 2;
+        run(*command, rest);
+        return 0;
     } catch (const std::exception& error) {
-        std::cerr << "nicol-bench: " << error.what() << '\n';
+        std::cerr << "nicol-bench " << name << ": " << error.what() << '\n';
         return 2;
     }
 }

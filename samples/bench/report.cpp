@@ -46,7 +46,7 @@ void Report::write_csv(std::ostream& out) const {
     for (std::size_t i = 0; i < columns_.size(); ++i) out << (i == 0 ? "" : ",") << columns_[i];
     out << '\n';
     for (const Row& row : rows_) {
-        out << row.what;
+        out << '"' << row.what << '"';
         for (const double value : row.values) out << ',' << (std::isnan(value) ? "" : number(value));
         out << '\n';
     }

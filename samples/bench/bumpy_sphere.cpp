@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "bumpy_sphere.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+Mesh make_bumpy_sphere(nicol_context context, std::uint32_t vertices) {
+    // Rows between the poles, of twice as many columns; a pole is one vertex.
+    const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(vertices / 2.0)));
+    const std::uint32_t columns = 2 * rows;
+    std::vector<float> positions;
+    const auto add = [&](double theta, double phi) {
+        const double radius = 1 + 0.1 * std::sin(7 * theta) * std::sin(6 * phi) * std::sin(theta);
+        positions.push_back(static_cast<float>(radius * std::sin(theta) * std::cos(phi)));
+        positions.push_back(static_cast<float>(radius * std::cos(theta)));
+        positions.push_back(static_cast<float>(-radius * std::sin(theta) * std::sin(phi)));
+    };
+    const auto at = [&](std::uint32_t row, std::uint32_t column) {
+        return 2 + row * columns + column % columns;
+    };
+    add(0, 0);
+    add(std::numbers::pi, 0);
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        for (std::uint32_t column = 0; column < columns; ++column) {
+            add((row + 1) * std::numbers::pi / (rows + 1), column * 2 * std::numbers::pi / columns);
+            const std::uint32_t here = at(row, column), beside = at(row, column + 1);
+            if (row == 0) indices.insert(indices.end(), {0, here, beside});
+            if (row + 1 == rows) indices.insert(indices.end(), {1, beside, here});
+            if (row + 1 < rows) {
+                const std::uint32_t below = at(row + 1, column), across = at(row + 1, column + 1);
+                indices.insert(indices.end(), {here, below, across, here, across, beside});
+            }
+        }
+    }
+    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
+    data.vertex_count = static_cast<std::uint32_t>(positions.size() / 3);
+    data.triangle_count = static_cast<std::uint32_t>(indices.size() / 3);
+    data.positions = positions.data();
+    data.indices = indices.data();
+    nicol_mesh mesh = nullptr;
+    ok(nicol_mesh_create(context, &data, &mesh));
+    return Mesh(mesh);
+}

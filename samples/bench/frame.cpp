@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "frame.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "dense_memory.hpp"
+#include "frame_times.hpp"
+
+namespace {
+
+void add_rows(Report& report, const std::string& name, const FrameTimes& t, double floor) {
+    const double none = std::nan("");
+    report.add(name + ": camera",
+               {t.camera / floor, t.camera, none, t.camera_shade, t.camera_draw, t.transfer_mb});
+    if (!std::isnan(t.light)) {
+        report.add(name + ": light",
+                   {t.light / floor, t.light, t.light_relight, t.light_shade, t.light_draw, t.transfer_mb});
+    }
+    report.add(name + ": nothing", {t.still / floor, t.still, none, none, none, t.transfer_mb});
+}
+
+std::string times(const std::string& what, double ratio) {
+    char text[200];
+    std::snprintf(text, sizeof text, "%s: %.3g times.", what.c_str(), ratio);
+    return text;
+}
+
+void compare(Report& report, const FrameTimes& dense, const FrameTimes& factored, const std::string& what) {
+    report.note(times("dense / factored, " + what + ", shade, camera only",
+                      dense.camera_shade / factored.camera_shade));
+    if (!std::isnan(dense.light)) {
+        report.note(times(
+            "dense / factored, " + what + ", relight + shade, light turning",
+            (dense.light_relight + dense.light_shade) / (factored.light_relight + factored.light_shade)));
+    }
+    report.note(
+        times("dense / factored, " + what + ", bytes of vertices", dense.transfer_mb / factored.transfer_mb));
+}
+
+std::vector<Recipe> recipes(const Options& options, const DenseMemory& memory) {
+    const int low = options.first_order < 0 ? 4 : options.first_order;
+    const int top = options.last_order < 0 ? std::max(9, low) : options.last_order;
+    std::vector<Recipe> list;
+    for (const High high : {High::none, High::convolution, High::split}) {
+        list.push_back({.low = low, .high = high, .top = top});
+        // Each has matrices of its own.
+        if (memory.at(low) * (static_cast<double>(high) + 1) <= options.memory)
+            list.push_back({.method = NICOL_METHOD_DENSE, .low = low, .high = high, .top = top});
+    }
+    list.push_back({.low = top});
+    return list;
+}
+
+}  // namespace
+
+Report bench_frame(const Options& options) {
+    const std::uint32_t size = options.size == 0 ? 1024 : options.size;
+    const Workshop workshop(options);
+    const DenseMemory memory(workshop);
+    const std::vector<Recipe> list = recipes(options, memory);
+    std::vector<Contestant> contestants;
+    contestants.reserve(list.size() + 1);
+    contestants.emplace_back(workshop, floor_recipe(), size);
+    for (const Recipe& recipe : list) contestants.emplace_back(workshop, recipe, size);
+    const std::vector<FrameTimes> medians = time_frames(contestants, options.seconds);
+
+    const double floor = medians[0].camera_draw;
+    Report report({"frame after a change of", "ratio to floor", "ms", "relight ms", "shade ms", "draw ms",
+                   "vertex data MB"});
+    report.add("floor: one colour", {1, floor, std::nan(""), std::nan(""), floor, std::nan("")});
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        add_rows(report, list[i].name(), medians[i + 1], floor);
+        if (i > 0 && list[i].method == NICOL_METHOD_DENSE)
+            compare(report, medians[i + 1], medians[i], list[i - 1].name().substr(9));
+    }
+    report.note(workshop.machine() + "; " + std::to_string(size) + " x " + std::to_string(size) + ".");
+    if (workshop.light() == nullptr)
+        report.note("Without --light the scene keeps its light, which cannot be turned then.");
+    return report;
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What frames cost, with contestants that take turns.
+#pragma once
+
+#include <vector>
+
+#include "stage.hpp"
+
+/// Median milliseconds. A frame is the whole call, whatever else the statistics leave out.
+struct FrameTimes {
+    double camera = 0;  ///< frame after a move of the camera
+    double light = 0;   ///< frame after a turn of the light; NaN where it cannot be turned
+    double still = 0;   ///< frame after no change at all
+    double camera_shade = 0, camera_draw = 0;
+    double light_relight = 0, light_shade = 0, light_draw = 0;
+    double transfer_mb = 0;  ///< run-time buffers of vertices, shadows included
+};
+
+/// One way to render, with a scene of its own.
+class Contestant {
+public:
+    Contestant(const Workshop& workshop, const Recipe& recipe, std::uint32_t size);
+
+    [[nodiscard]] const Recipe& recipe() const { return recipe_; }
+    [[nodiscard]] const Stage& stage() const { return stage_; }
+    /// Camera, light, nothing.
+    void run_round();
+    [[nodiscard]] FrameTimes medians() const;
+
+private:
+    struct Frame {
+        double milliseconds;
+        nicol_statistics statistics;
+    };
+    Frame frame();
+
+    Stage stage_;
+    Recipe recipe_;
+    Framebuffer framebuffer_;
+    std::vector<Frame> camera_, light_, still_;
+};
+
+/// Rounds until `seconds` a contestant have passed, at least five; one round before them is not counted.
+std::vector<FrameTimes> time_frames(std::vector<Contestant>& contestants, double seconds);
+
+/// The same triangles into the same attachments, in one colour: light of order 0. Its floor is the median of
+/// what its drawing takes, camera_draw.
+Recipe floor_recipe();

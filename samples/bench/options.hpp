@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The command line.
+#pragma once
+
+#include <nicol.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Fields that were not given have the values below; 0 or -1 asks for the sub-command's own default.
+struct Options {
+    std::string scene;  ///< empty: the bunny of samples/assets
+    std::vector<std::string> definitions;
+    std::string light;  ///< empty: the scene's own
+    nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
+    std::uint32_t size = 0;
+    std::int32_t samples = 0;
+    int first_order = -1;
+    int last_order = -1;
+    double memory = 4;  ///< GB
+    double seconds = 1;
+    bool large = false;
+    std::string cache;
+    std::string plot;
+    std::string csv;
+    std::string json;
+};
+
+/// Throws std::runtime_error with one line that names the argument. `accepted` are the names of options, such
+/// as "--size"; "SCENE.xml" stands for the one argument without a name.
+Options parse_options(std::span<char* const> arguments, std::span<const char* const> accepted);

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "pareto.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include "dense_memory.hpp"
+#include "frame_times.hpp"
+#include "plot.hpp"
+#include "truth.hpp"
+
+namespace {
+
+constexpr std::uint32_t error_size = 256;
+
+// Points of one curve: a method and what it does above order_low.
+struct Family {
+    nicol_method method;
+    High high;
+    int top;
+    const char* name;
+    const char* colour;
+    bool dashed;
+};
+constexpr Family families[] = {
+    {NICOL_METHOD_FACTORED, High::none, 0, "factored", "#0060c0", false},
+    {NICOL_METHOD_FACTORED, High::split, 32, "factored + split to 32", "#0060c0", true},
+    {NICOL_METHOD_DENSE, High::none, 0, "dense", "#c04000", false},
+    {NICOL_METHOD_DENSE, High::convolution, 9, "dense + convolution to 9", "#c04000", true},
+};
+
+struct Entry {
+    std::size_t family;
+    Recipe recipe;
+    StokesErrors errors;
+    FrameTimes times;
+};
+
+std::vector<Entry> entries(const Options& options, const DenseMemory& memory) {
+    const int first = options.first_order < 0 ? 1 : options.first_order;
+    const int last = options.last_order < 0 ? 12 : options.last_order;
+    double used = 0;
+    std::vector<Entry> list;
+    // Low orders first: those of the dense method that fit together.
+    for (int order = first; order <= last; ++order) {
+        for (std::size_t f = 0; f < std::size(families); ++f) {
+            const Family& family = families[f];
+            if (family.high != High::none && order >= family.top) continue;
+            if (family.method == NICOL_METHOD_DENSE) {
+                if (used + memory.at(order) > options.memory) continue;
+                used += memory.at(order);
+            }
+            list.push_back(
+                {f, {.method = family.method, .low = order, .high = family.high, .top = family.top}, {}, {}});
+        }
+    }
+    return list;
+}
+
+double linear(const StokesErrors& errors) {
+    return std::hypot(errors[1], errors[2]);
+}
+
+template <class X, class Y>
+Panel panel(const std::vector<Entry>& list, const char* title, const char* y_axis, X x, Y y) {
+    Panel out{title, "frame, ms (median)", y_axis, {}};
+    for (std::size_t f = 0; f < std::size(families); ++f) {
+        Series series{families[f].name, families[f].colour, families[f].dashed, {}};
+        for (const Entry& e : list) {
+            if (e.family == f)
+                series.points.push_back({x(e.times), y(e.errors), std::to_string(e.recipe.low)});
+        }
+        out.series.push_back(std::move(series));
+    }
+    return out;
+}
+
+void write_plot(const std::string& path, const std::vector<Entry>& list) {
+    const auto light = [](const FrameTimes& t) { return t.light; };
+    const auto camera = [](const FrameTimes& t) { return t.camera; };
+    const auto s0 = [](const StokesErrors& e) { return e[0]; };
+    constexpr const char* s0_axis = "relative RMSE of s0";
+    constexpr const char* linear_axis = "relative RMSE of (s1, s2)";
+    std::ofstream out(path);
+    write_svg(out,
+              {panel(list, "the light turns", s0_axis, light, s0),
+               panel(list, "the camera moves", s0_axis, camera, s0),
+               panel(list, "the light turns", linear_axis, light, linear),
+               panel(list, "the camera moves", linear_axis, camera, linear)},
+              2);
+    out.close();
+    if (!out) throw std::runtime_error(path + ": cannot be written");
+}
+
+}  // namespace
+
+Report bench_pareto(const Options& options) {
+    const std::uint32_t size = options.size == 0 ? 1024 : options.size;
+    const std::uint32_t small = std::min(size, error_size);
+    const Workshop workshop(options);
+    std::vector<Entry> list = entries(options, DenseMemory(workshop));
+    const Truth truth = make_truth(workshop, small, options.samples == 0 ? 256 : options.samples, true);
+
+    std::vector<Contestant> contestants;
+    contestants.reserve(list.size());
+    for (Entry& entry : list) {
+        const Contestant& added = contestants.emplace_back(workshop, entry.recipe, size);
+        const Framebuffer wide = added.stage().framebuffer(kReduction * small, kReduction * small);
+        entry.errors = truth.errors(reduced_picture(added.stage(), entry.recipe, wide.get()));
+    }
+    const std::vector<FrameTimes> times = time_frames(contestants, options.seconds);
+    Report report({"method and orders", "light turning ms", "camera only ms", "s0", "s1", "s2", "s3"});
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        list[i].times = times[i];
+        const StokesErrors& e = list[i].errors;
+        report.add(list[i].recipe.name(), {times[i].light, times[i].camera, e[0], e[1], e[2], e[3]});
+    }
+    report.note(workshop.machine() + "; frames of " + std::to_string(size) + " x " + std::to_string(size) +
+                ", errors relative to the RMS of s0 at " + std::to_string(small) + " x " +
+                std::to_string(small) + ", shadows included.");
+    if (!options.plot.empty()) write_plot(options.plot, list);
+    return report;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What a picture is made with.
+#pragma once
+
+#include <nicol.h>
+
+#include <cstdint>
+#include <string>
+
+enum class High { none, convolution, split };
+
+struct Recipe {
+    nicol_method method = NICOL_METHOD_FACTORED;
+    int low = 4;
+    High high = High::none;
+    int top = 9;  ///< highest order; without effect where high is none
+    bool shadows = true;
+    std::uint32_t directions = 0;  ///< of the bake; 0: the library's default
+
+    /// As in "dense 4 + convolution to 9, no shadows".
+    [[nodiscard]] std::string name() const;
+    [[nodiscard]] nicol_render_options options() const;
+};
+
+/// Of the reference method.
+nicol_render_options reference_options(std::int32_t samples, std::uint64_t seed, bool shadows);

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// nicol-bench start: from nothing to the first picture.
+#pragma once
+
+#include "options.hpp"
+#include "report.hpp"
+
+/// Throws std::runtime_error with Nicol's message where a call fails.
+Report bench_start(const Options& options);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "truth.hpp"
+
+#include <algorithm>
+
+namespace {
+
+// Under constant light of radiance 1 the background is 1 to the last bit, and nothing reflects exactly that.
+Mask wholly_covered(const Workshop& workshop, std::uint32_t size) {
+    const Stage stage(workshop);
+    nicol_spectrum one = NICOL_SPECTRUM_INIT;
+    one.count = 1;
+    one.values[0] = 1;
+    nicol_environment handle = nullptr;
+    ok(nicol_environment_create_constant(workshop.context(), &one, &handle));
+    const Environment constant(handle);
+    ok(nicol_scene_set_environment(stage.scene(), constant.get(), nullptr, 1));
+    const Framebuffer framebuffer = stage.framebuffer(kReduction * size, kReduction * size);
+    const Recipe plain{.low = 0, .shadows = false};
+    stage.render(plain.options(), framebuffer.get());
+    const Picture picture = read_picture(framebuffer.get());
+
+    Mask covered(std::size_t{size} * size, 1);
+    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        bool background = true;
+        for (std::size_t c = 0; c < picture.channels; ++c)
+            background = background && picture.stokes[4 * (c * pixels + i)] == 1.0F;
+        const std::size_t x = i % picture.width / kReduction;
+        const std::size_t y = i / picture.width / kReduction;
+        if (background) covered[y * size + x] = 0;
+    }
+    return covered;
+}
+
+}  // namespace
+
+Truth make_truth(const Workshop& workshop, std::uint32_t size, std::int32_t samples, bool shadows) {
+    const Stage stage(workshop);
+    const Framebuffer framebuffer = stage.framebuffer(size, size);
+    Truth truth;
+    stage.render(reference_options(samples, 1, shadows), framebuffer.get());
+    truth.first = read_picture(framebuffer.get());
+    stage.render(reference_options(samples, 2, shadows), framebuffer.get());
+    truth.second = read_picture(framebuffer.get());
+    truth.mask = eroded(wholly_covered(workshop, size), size, size);
+    return truth;
+}
+
+Picture reduced_picture(const Stage& stage, const Recipe& recipe, nicol_framebuffer framebuffer) {
+    stage.render(recipe.options(), framebuffer);
+    return reduced(read_picture(framebuffer), kReduction);
+}
