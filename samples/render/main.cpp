@@ -80,6 +80,11 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.method = options.method;
     wanted.order_low = order(options.order_low);
     wanted.order_high = order(options.order_high);
+    wanted.high_orders = options.high_orders;
+    wanted.shadows = options.shadows ? 1 : -1;
+    wanted.bake_directions = options.bake_directions;
+    wanted.dering = options.dering;
+    wanted.physical = options.physical ? 1 : 0;
     wanted.samples = options.samples.value_or(0);
     wanted.seed = options.seed;
     wanted.progress = ProgressBar::update;

@@ -2,6 +2,7 @@
 #include "options.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -13,13 +14,20 @@ const char* const usage =
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
     "      --pictures DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
-    "      --method NAME        factored, in real time, or reference, by rays: slow, noisy, with shadows\n"
+    "      --method NAME        factored or dense, in real time, or reference, by rays: slow and noisy\n"
     "      --order-low N        order of the light taken with its full angular detail, 0 to 32; default 4\n"
-    "      --order-high N       order of the light taken at all, not below --order-low; default 9\n"
+    "      --order-high N       order of the light taken at all, --order-low to 64; default 9\n"
+    "      --high-orders NAME   how orders above --order-low are taken: split, convolution or none;\n"
+    "                           default split\n"
+    "      --no-shadows         lets every surface see all of the light\n"
+    "      --bake-directions N  directions that shadows are traced in from each vertex, 256 to 65536;\n"
+    "                           default 2048\n"
+    "      --dering X           weakens high orders of the light against ringing; default 0, 0.001 helps\n"
+    "      --physical           moves what truncation made unphysical to the nearest Stokes vector\n"
     "      --samples N          of the reference method, camera rays a pixel, 1 to 1048576; default 256\n"
     "      --seed N             of the reference method, gives other noise; default 0\n"
-    "      --cache DIR          keeps tables of materials there between runs; default: NICOL_CACHE, else "
-    "none\n"
+    "      --cache DIR          keeps tables of materials and bakes of shadows there between runs;\n"
+    "                           default: NICOL_CACHE, else none\n"
     "      --size WxH           replaces the size of the scene's film\n"
     "      --stats FILE         writes what ran, and how long it took, as JSON\n"
     "      --help               shows this text\n"
@@ -48,12 +56,22 @@ std::int32_t parse_order(std::string_view option, std::string_view text) {
     return static_cast<std::int32_t>(order);
 }
 
-// Zero asks the library for its default, which is no number of samples.
-std::int32_t parse_samples(std::string_view text) {
-    const std::uint32_t samples = parse_number("--samples", text);
-    if (samples < 1 || samples > 1048576)
-        throw Failure("--samples: " + std::string(text) + " does not lie in 1 to 1048576");
-    return static_cast<std::int32_t>(samples);
+// Zero asks the library for its default, which is no number of samples or directions.
+std::uint32_t parse_count(std::string_view option, std::string_view text, std::uint32_t least,
+                          std::uint32_t most) {
+    const std::uint32_t count = parse_number(option, text);
+    if (count < least || count > most)
+        throw Failure(std::string(option) + ": " + std::string(text) + " does not lie in " +
+                      std::to_string(least) + " to " + std::to_string(most));
+    return count;
+}
+
+double parse_strength(std::string_view option, std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !(value >= 0) || !std::isfinite(value))
+        throw Failure(std::string(option) + ": '" + std::string(text) + "' is not a number of at least 0");
+    return value;
 }
 
 void parse_size(Options& options, std::string_view text) {
@@ -72,9 +90,17 @@ nicol_backend parse_backend(std::string_view text) {
 
 nicol_method parse_method(std::string_view text) {
     if (text == "factored") return NICOL_METHOD_FACTORED;
+    if (text == "dense") return NICOL_METHOD_DENSE;
     if (text == "reference") return NICOL_METHOD_REFERENCE;
     throw Failure("--method: '" + std::string(text) +
-                  "' is not a method of this version, which has: factored, reference");
+                  "' is not a method of this version, which has: factored, dense, reference");
+}
+
+nicol_high_orders parse_high_orders(std::string_view text) {
+    if (text == "split") return NICOL_HIGH_ORDERS_SPLIT;
+    if (text == "convolution") return NICOL_HIGH_ORDERS_CONVOLUTION;
+    if (text == "none") return NICOL_HIGH_ORDERS_NONE;
+    throw Failure("--high-orders: '" + std::string(text) + "' is none of: split, convolution, none");
 }
 
 std::string parse_definition(std::string_view text) {
@@ -126,8 +152,18 @@ Options parse_options(int argc, const char* const* argv) {
             options.order_low = parse_order(name, value());
         else if (name == "--order-high")
             options.order_high = parse_order(name, value());
+        else if (name == "--high-orders")
+            options.high_orders = parse_high_orders(value());
+        else if (name == "--no-shadows" && !attached)
+            options.shadows = false;
+        else if (name == "--bake-directions")
+            options.bake_directions = parse_count(name, value(), 256, 65536);
+        else if (name == "--dering")
+            options.dering = parse_strength(name, value());
+        else if (name == "--physical" && !attached)
+            options.physical = true;
         else if (name == "--samples")
-            options.samples = parse_samples(value());
+            options.samples = static_cast<std::int32_t>(parse_count(name, value(), 1, 1048576));
         else if (name == "--seed")
             options.seed = parse_number<std::uint64_t>(name, value());
         else if (name == "--cache")

@@ -26,6 +26,11 @@ struct Options {
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     nicol_method method = NICOL_METHOD_FACTORED;
     std::optional<std::int32_t> order_low, order_high;
+    nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
+    bool shadows = true;
+    bool physical = false;
+    double dering = 0;
+    std::uint32_t bake_directions = 0;           ///< 0: the library's default
     std::optional<std::int32_t> samples;         ///< of the reference method
     std::uint64_t seed = 0;                      ///< likewise
     std::string cache;                           ///< folder, empty: what NICOL_CACHE says

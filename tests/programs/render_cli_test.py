@@ -182,11 +182,17 @@ class Success(RenderTest):
         self.assertEqual((stats["width"], stats["height"], stats["channels"]), (24, 16, 3))
         self.assertGreater(stats["vertices"], 3)
         self.assertEqual(
-            set(stats["milliseconds"]), {"project", "bake", "relight", "shade", "trace", "draw", "observe"}
+            set(stats["milliseconds"]),
+            {"project", "bake", "bake_trace", "relight", "shade", "trace", "draw", "observe"},
         )
-        self.assertEqual(stats["rays"], {"camera": 0, "shadow": 0})
+        # A flat square hides nothing from itself, and still the bake has to look.
+        self.assertEqual(stats["rays"], {"bake": stats["rays"]["bake"], "camera": 0, "shadow": 0})
+        self.assertGreater(stats["rays"]["bake"], 0)
+        self.assertEqual(stats["skipped"]["unoccluded"], stats["vertices"])
+        self.assertGreater(stats["bytes"]["visibility"], 0)
+        self.assertEqual(stats["unphysical"], 0)
         self.assertGreater(stats["milliseconds"]["observe"], 0)
-        self.assertEqual(set(stats["skipped"]), {"vertices", "light_columns", "response_rows", "channels_shared"})
+        self.assertEqual(set(stats["skipped"]), {"vertices", "unoccluded", "light_columns", "response_rows", "channels_shared"})
         self.assertGreater(stats["bytes"]["texture"], 24 * 16 * 16)
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["a.exr", "deep", "s.json"])
 
@@ -222,22 +228,83 @@ class Success(RenderTest):
         self.assert_succeeds("good.xml", "-o", "out/a.exr", NICOL_CACHE="")
         self.assert_succeeds("good.xml", "-o", "out/b.exr", "--cache", "tables")
         made = tables()
-        self.assertEqual(len(made), 1)
+        self.assertEqual(sorted(name.rsplit(".", 1)[1] for name in made), ["response", "visibility"])
         run = self.assert_succeeds("good.xml", "-o", "out/c.exr", NICOL_CACHE=self.path("tables"))
         self.assertEqual(run.stderr, "")
         self.assertEqual(tables(), made)
-        with open(self.path("tables", made[0]), "r+b") as file:
-            file.truncate(100)
-        run = self.assert_succeeds("good.xml", "-o", "out/d.exr", "--cache", "tables")
-        self.assertIn("notice: ", run.stderr)
-        self.assertIn(made[0], run.stderr)
+        whole = {name: self.files()[self.path("tables", name)] for name in made}
+        for name, output in zip(made, ("d", "e")):
+            with open(self.path("tables", name), "r+b") as file:
+                file.truncate(100)
+            run = self.assert_succeeds("good.xml", "-o", f"out/{output}.exr", "--cache", "tables")
+            self.assertEqual(run.stderr.count("notice: "), 1, run.stderr)
+            self.assertIn(name, run.stderr)
+            self.assertEqual(self.files()[self.path("tables", name)], whole[name])
         files = self.files()
-        for name in "bcd":
+        for name in "bcde":
             self.assertEqual(files[self.path("out", name + ".exr")], files[self.path("out", "a.exr")], name)
         # What is no folder is a notice too.
         self.write("file", "x")
         run = self.assert_succeeds("good.xml", "-o", "out/d.exr", "--cache", "file/deep")
         self.assertIn("notice: ", run.stderr)
+
+    def test_methods_and_shadows(self):
+        # A square that stands on another one, under light with every order.
+        squares = "".join(
+            f'<shape type="rectangle"><transform name="to_world">{turn}</transform></shape>'
+            for turn in ("<rotate x='1' angle='-90'/>", "")
+        )
+        sky = (
+            '<emitter type="sky"><float name="turbidity" value="2"/>'
+            '<vector name="sun_direction" x="0.5" y="0.5" z="-0.6"/></emitter>'
+        )
+        self.write("sky.xml", scene(emitter=sky, shape=squares))
+
+        def picture(*arguments):
+            self.assert_succeeds("sky.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
+            with open(self.path("out/s.json"), encoding="utf-8") as file:
+                stats = json.load(file)
+            return self.files()[self.path("out", "a.exr")], stats
+
+        shadowed, stats = picture("--cache", "kept")
+        self.assertEqual(stats["order"], 9)
+        self.assertLess(stats["skipped"]["unoccluded"], stats["vertices"])
+        self.assertEqual(stats["rays"]["bake"] % 2048, 0)
+        again, stats = picture("--cache", "kept")
+        self.assertEqual(again, shadowed)
+        self.assertEqual(stats["rays"]["bake"], 0)
+        self.assertEqual(stats["milliseconds"]["bake_trace"], 0)
+        pictures = [shadowed]
+        for arguments in (
+            ["--method", "dense"],
+            ["--high-orders", "convolution"],
+            ["--high-orders=none"],
+            ["--no-shadows"],
+            ["--bake-directions", "256"],
+            ["--dering", "0.01"],
+        ):
+            pictures.append(picture(*arguments)[0])
+        self.assertEqual(len(set(pictures)), len(pictures))
+        self.assertEqual(picture("--high-orders", "split")[0], shadowed)
+        _, stats = picture("--high-orders", "none", "--no-shadows")
+        self.assertEqual(stats["order"], 4)
+        self.assertEqual(stats["rays"]["bake"], 0)
+        self.assertEqual(stats["bytes"]["visibility"], 0)
+
+    def test_physical(self):
+        # The lowest orders of a bright ring are negative between the ring and its poles, and a metal shows it.
+        self.write("ring.exr", exr(16, 8, 1000))
+        emitter = '<emitter type="envmap"><string name="filename" value="ring.exr"/></emitter>'
+        ball = '<shape type="sphere"><bsdf type="roughconductor"><string name="material" value="Al"/></bsdf></shape>'
+        self.write("ring.xml", scene(emitter=emitter, shape=ball))
+
+        def moved(*arguments):
+            self.assert_succeeds("ring.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
+            with open(self.path("out/s.json"), encoding="utf-8") as file:
+                return json.load(file)["unphysical"]
+
+        self.assertEqual(moved(), 0)
+        self.assertGreater(moved("--physical"), 0)
 
     def test_ignored_integrator_is_noticed(self):
         self.write("notice.xml", scene(emitter='<integrator type="stokes"/>' + EMITTER))
@@ -272,7 +339,16 @@ class CommandLine(RenderTest):
             (["-D", "res"], good + ["-D", "res"]),
             (["unknown_name"], good + ["-D", "unknown_name=1"]),
             (["--backend", "metal"], good + ["--backend", "metal"]),
-            (["--method", "dense"], good + ["--method", "dense"]),
+            (["--method", "'sparse'"], good + ["--method", "sparse"]),
+            (["--high-orders", "'some'"], good + ["--high-orders", "some"]),
+            (["--no-shadows=1"], good + ["--no-shadows=1"]),
+            (["--bake-directions", "255"], good + ["--bake-directions", "255"]),
+            (["--bake-directions", "65537"], good + ["--bake-directions", "65537"]),
+            (["--bake-directions", "0"], good + ["--bake-directions", "0"]),
+            (["--dering", "'-1'"], good + ["--dering", "-1"]),
+            (["--dering", "'nan'"], good + ["--dering", "nan"]),
+            (["--dering", "'inf'"], good + ["--dering", "inf"]),
+            (["--physical=1"], good + ["--physical=1"]),
             (["33"], good + ["--order-low", "33"]),
             (["4000000000"], good + ["--order-low", "4000000000"]),
             (["4"], good + ["--order-low", "8", "--order-high", "4"]),
