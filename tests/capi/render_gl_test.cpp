@@ -279,14 +279,56 @@ TEST_CASE("orders out of range are refused by name, and -1 asks for order 0") {
               "method");
         CHECK(read_all(stage.framebuffer) == before);
 
+        // The sky of this scene has no order above 2.
         nicol_statistics statistics = NICOL_STATISTICS_INIT;
         for (const auto& [low, high, order] : std::vector<std::array<std::int32_t, 3>>{
-                 {0, 0, 4}, {-1, 0, 0}, {-1, -1, 0}, {1, 1, 1}, {12, 0, 12}, {2, 9, 2}}) {
+                 {0, 0, 4}, {-1, 0, 2}, {-1, -1, 0}, {1, 1, 1}, {1, 0, 2}, {12, 0, 12}, {2, 9, 2}}) {
             OK(render(low, high));
             OK(nicol_framebuffer_get_statistics(stage.framebuffer, &statistics));
             CHECK(statistics.order == static_cast<std::uint32_t>(order));
         }
         OK(render(0, 0));
+        CHECK(read_all(stage.framebuffer) == before);
+    });
+}
+
+TEST_CASE("options of shadows, high orders and ringing out of range are refused by name") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        stage.render();
+        const std::vector<float> before = read_all(stage.framebuffer);
+        const auto with = [&](auto change, const char* text) {
+            nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+            change(options);
+            FAILS(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer),
+                  NICOL_ERROR_INVALID_ARGUMENT, text);
+        };
+        for (const std::uint32_t bad : {3U, 77U, UINT32_MAX})
+            with([&](auto& o) { o.high_orders = bad; }, "high_orders");
+        for (const std::int32_t bad : {-2, 2, INT32_MIN, INT32_MAX}) {
+            with([&](auto& o) { o.shadows = bad; }, "shadows");
+            with(
+                [&](auto& o) {
+                    o.method = NICOL_METHOD_REFERENCE;
+                    o.shadows = bad;
+                },
+                "shadows");
+        }
+        for (const std::uint32_t bad : {1U, 255U, 65537U, 0x80000000U, UINT32_MAX})
+            with([&](auto& o) { o.bake_directions = bad; }, "bake_directions");
+        for (const std::uint32_t bad : {2U, UINT32_MAX}) with([&](auto& o) { o.physical = bad; }, "physical");
+        for (const double bad : {-1e-9, static_cast<double>(NAN), static_cast<double>(INFINITY)})
+            with([&](auto& o) { o.dering = bad; }, "dering");
+        with([](auto& o) { o.reserved = 1; }, "reserved");
+        CHECK(read_all(stage.framebuffer) == before);
+        // Every default by name.
+        nicol_render_options named = NICOL_RENDER_OPTIONS_INIT;
+        named.order_low = 4;
+        named.order_high = 9;
+        named.shadows = 1;
+        named.bake_directions = 2048;
+        named.high_orders = NICOL_HIGH_ORDERS_SPLIT;
+        OK(nicol_render(stage.scene, &stage.camera, &named, stage.framebuffer));
         CHECK(read_all(stage.framebuffer) == before);
     });
 }
@@ -307,26 +349,37 @@ TEST_CASE("a framebuffer must have the scene's channels, or one of three") {
 TEST_CASE("a cancelled render leaves the picture, whichever verb was at work") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
-        const auto stop_at = [&](const char* verb, nicol_scene scene, const nicol_camera& camera) {
+        const auto stop_at = [&](const char* verb, nicol_scene scene, const nicol_camera& camera,
+                                 Stop* given = nullptr) {
             nicol_statistics before = NICOL_STATISTICS_INIT, after = NICOL_STATISTICS_INIT;
             const std::vector<float> picture = read_all(stage.framebuffer);
             OK(nicol_framebuffer_get_statistics(stage.framebuffer, &before));
-            Stop stop;
+            Stop fresh;
+            Stop& stop = given != nullptr ? *given : fresh;
             FAILS(nicol_render(scene, &camera, &stop.options, stage.framebuffer), NICOL_ERROR_CANCELLED,
                   "progress");
-            CHECK(stop.verbs == std::vector<std::string>{verb});
+            INFO(std::string(verb));
+            REQUIRE(stop.verbs.size() == 1);
+            CHECK(stop.verbs.front() == verb);
             CHECK(read_all(stage.framebuffer) == picture);
             OK(nicol_framebuffer_get_statistics(stage.framebuffer, &after));
             after.observe_ms = before.observe_ms;  // the reading in between
             CHECK(std::memcmp(&before, &after, sizeof before) == 0);
         };
         // The first render of all: the framebuffer is still fresh.
-        stop_at("project", stage.scene, stage.camera);
+        stop_at("bake", stage.scene, stage.camera);
+        stop_at("bake", stage.scene, stage.camera);
+        Stop off;
+        off.options.shadows = -1;
+        stop_at("project", stage.scene, stage.camera, &off);
         stage.render();
         const std::vector<float> still = read_all(stage.framebuffer);
         OK(nicol_scene_set_transform(stage.scene, 0, placed(0.3, 0, 0, 0.4).rows));
-        stop_at("relight", stage.scene, stage.camera);
-        stop_at("relight", stage.scene, stage.camera);
+        stop_at("bake", stage.scene, stage.camera);
+        off.verbs.clear();
+        stop_at("relight", stage.scene, stage.camera, &off);
+        off.verbs.clear();
+        stop_at("relight", stage.scene, stage.camera, &off);
         stage.render();
         const std::vector<float> moved = read_all(stage.framebuffer);
         CHECK(moved != still);
@@ -334,7 +387,8 @@ TEST_CASE("a cancelled render leaves the picture, whichever verb was at work") {
         nicol_scene empty = nullptr;
         OK(nicol_scene_create(context, &empty));
         OK(nicol_scene_set_environment(empty, stage.environment, nullptr, 0));
-        stop_at("draw", empty, stage.camera);
+        off.verbs.clear();
+        stop_at("draw", empty, stage.camera, &off);
         OK(nicol_scene_release(empty));
 
         // What was begun does not spoil what is rendered later.
