@@ -40,9 +40,19 @@ MaterialPtr truncated(const Material& material, int order) {
     return psh_matrix_material(channels);
 }
 
+/// A sphere of few vertices: a cube's, moved out to unit length.
+Mesh coarse_sphere() {
+    Mesh mesh = make_cube(6);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        mesh.normals[i] = mesh.positions[i] = glm::normalize(mesh.positions[i]);
+    }
+    return mesh;
+}
+
+/// Close enough to shadow each other.
 Scene two_spheres(const MaterialPtr& first, const MaterialPtr& second, int order) {
     Scene scene;
-    const auto mesh = std::make_shared<const Mesh>(make_sphere());
+    const auto mesh = std::make_shared<const Mesh>(coarse_sphere());
     scene.add({.mesh = mesh, .material = first, .to_world = glm::translate(glm::dmat4(1), {-1.1, 0, 0})});
     scene.add({.mesh = mesh, .material = second, .to_world = glm::translate(glm::dmat4(1), {1.1, 0, 0})});
     scene.set_environment(some_light(order), glm::dmat3(1), 1);
@@ -82,7 +92,7 @@ TEST_CASE("dense equals factored where factored truncates the outgoing side as w
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.3});
         const MaterialPtr metal = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.3});
-        for (const int order : {0, 4}) {
+        for (const int order : {0, 3}) {
             Scene exact = two_spheres(plastic, metal, order);
             Scene cut = two_spheres(truncated(*plastic, order), truncated(*metal, order), order);
             Framebuffer dense(context, 64, 48, 3);
@@ -97,9 +107,11 @@ TEST_CASE("dense equals factored where factored truncates the outgoing side as w
                 factored_renderer.render(cut, some_camera(), options, factored);
                 const Difference d = compare(factored.image(), dense.image());
                 CHECK(d.scale > 0.1);
-                // What remains is the linear interpolation between the angles of the response table.
+                // What remains is the linear interpolation between the angles of the response table, and
+                // single vertices whose matrices of shadow lose most to the 16 bits that their entries are
+                // kept in.
                 CHECK(d.mean < 1e-5 * d.scale);
-                CHECK(d.largest < 5e-5 * d.scale);
+                CHECK(d.largest < 3e-4 * d.scale);
             };
             check();
             // Turned light, then an object elsewhere: what depends on them follows.
