@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""nicol-bench: every sub-command runs on a small scene; errors fall with the order, and factored beats dense."""
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+BENCH = sys.argv[1]
+
+# A ball over a floor under a sky: both shadows and polarization.
+SCENE = """<scene version="3.0.0">
+  <sensor type="perspective"><float name="fov" value="40"/>
+    <transform name="to_world"><lookat origin="0,2,6" target="0,0,0" up="0,1,0"/></transform>
+    <film type="hdrfilm"><integer name="width" value="64"/><integer name="height" value="64"/></film></sensor>
+  <emitter type="sky"><vector name="sun_direction" x="0.6" y="0.5" z="0.6"/>
+    <float name="turbidity" value="3"/></emitter>
+  <shape type="obj"><string name="filename" value="ball.obj"/>
+    <bsdf type="pplastic"><float name="alpha" value="0.2"/></bsdf></shape>
+  <shape type="obj"><string name="filename" value="floor.obj"/>
+    <bsdf type="pplastic"><float name="alpha" value="0.4"/></bsdf></shape>
+</scene>
+"""
+
+
+def grid_obj(rows, columns, place):
+    """A mesh of rows x columns vertices at place(v, u), v and u from 0 to 1."""
+    lines = ["v %g %g %g" % place(r / (rows - 1), c / (columns - 1)) for r in range(rows) for c in range(columns)]
+    for r in range(rows - 1):
+        for c in range(columns - 1):
+            a = r * columns + c + 1
+            lines += [f"f {a} {a + columns} {a + columns + 1}", f"f {a} {a + columns + 1} {a + 1}"]
+    return "\n".join(lines) + "\n"
+
+
+def ball(v, u):
+    # Seams and poles stay open by a little, so that no triangle is without area.
+    theta, phi = math.pi * (0.01 + 0.98 * v), 2 * math.pi * u
+    return math.sin(theta) * math.cos(phi), math.cos(theta), -math.sin(theta) * math.sin(phi)
+
+
+def floor(v, u):
+    return 4 * u - 2, -1, 4 * v - 2
+
+
+def run(*arguments, code=0):
+    done = subprocess.run([BENCH, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == code, (arguments, done.returncode, done.stdout, done.stderr)
+    return done.stdout if code == 0 else done.stderr
+
+
+def table(folder, command, *arguments):
+    """Rows by name, the same from CSV and JSON."""
+    written = folder / f"{command}.json", folder / f"{command}.csv"
+    printed = run(command, *arguments, "--json", written[0], "--csv", written[1])
+    rows = json.loads(written[0].read_text())
+    name = next(iter(rows[0]))
+    with written[1].open(newline="") as file:
+        assert [row[0] for row in csv.reader(file)][1:] == [row[name] for row in rows], command
+    assert all(row[name] in printed for row in rows), command
+    return {row.pop(name): row for row in rows}
+
+
+def check_error(folder, scene):
+    rows = table(folder, "error", scene, "--size", 48, "--samples", 256, "--orders", "2-6",
+                 "--cache", folder / "cache")
+    for suffix in ("", ", no shadows"):
+        for component in ("s0", "s1", "s2"):
+            errors = {name: row[component] for name, row in rows.items()}
+            for order in (2, 3, 4, 5, 6):
+                factored, dense = (errors[f"{m} {order}{suffix}"] for m in ("factored", "dense"))
+                assert factored <= dense, (suffix, component, order, factored, dense)
+            low, high = (errors[f"factored {order}{suffix}"] for order in (2, 6))
+            assert high < low, (suffix, component, low, high)
+            assert high < 0.1, (suffix, component, high)
+    assert rows["factored 2 + split to 32"]["s0"] < rows["factored 2"]["s0"]
+    assert all(row["s0"] > 0 for name, row in rows.items() if name.startswith("reference"))
+
+
+def check_pareto(folder, scene):
+    plot = folder / "plot.svg"
+    rows = table(folder, "pareto", scene, "--size", 48, "--samples", 16, "--orders", "2-3", "--seconds", 0.001,
+                 "--plot", plot, "--cache", folder / "cache")
+    assert set(rows) == {f"{method} {order}{high}" for order in (2, 3)
+                         for method, high in (("factored", ""), ("factored", " + split to 32"), ("dense", ""),
+                                              ("dense", " + convolution to 9"))}, rows
+    for row in rows.values():
+        assert row["light turning ms"] is None and row["camera only ms"] > 0, row
+    drawing = xml.etree.ElementTree.parse(plot).getroot()
+    points = [e for e in drawing.iter() if e.tag.endswith("circle")]
+    assert len(points) == 2 * len(rows), len(points)  # panels of the light's turns stay empty
+
+
+def check_times(folder, scene):
+    rows = table(folder, "frame", scene, "--size", 32, "--seconds", 0.001, "--orders", "2-4",
+                 "--cache", folder / "cache")
+    assert rows["floor: one colour"]["ratio to floor"] == 1, rows
+    assert "dense 2: camera" in rows and "factored 2: light" not in rows, rows
+    assert rows["dense 2: camera"]["vertex data MB"] > rows["factored 2: camera"]["vertex data MB"] > 0, rows
+
+    bakes = table(folder, "bake", scene)
+    assert list(bakes) == ["512", "2048", "8192"], bakes
+    for row in bakes.values():
+        assert 0 < row["unoccluded"] < row["vertices"] and row["million rays/s"] > 0, row
+
+    scale = table(folder, "scale", "--size", 32, "--seconds", 0.001, "--orders", "2-4")
+    assert len(scale) == 5 and all(row["relight ms"] > 0 for row in scale.values()), scale
+
+    start = table(folder, "start", scene, "--size", 32)
+    assert start["empty cache folder"]["whole"] > 0 and start["warm cache folder"]["whole"] > 0, start
+
+
+def check_arguments(folder, scene):
+    assert "error" in run("--help")
+    for command in ("error", "frame", "pareto", "bake", "scale", "start", "harmonics"):
+        help_text = run(command, "--help")
+        assert command in help_text and "--csv FILE" in help_text, help_text
+    for arguments, word in ((("error", "--size", "4"), "--size"), (("error", "--orders", "5-4"), "--orders"),
+                            (("bake", "--large"), "--large"), (("scale", scene), "scene.xml"),
+                            (("frame", "--seconds"), "--seconds"), (("start", "--backend", "metal"), "--backend"),
+                            (("bake", folder / "absent.xml"), "absent.xml"),
+                            (("start", folder / "absent.xml"), "absent.xml")):
+        message = run(*arguments, code=2)
+        assert word in message and message.count("\n") == 1, message
+    assert "usage" in run(code=2) and "usage" in run("bogus", code=2)
+    assert "cannot be written" in run("frame", scene, "--size", "8", "--seconds", "0.001", "--orders", "1-1",
+                                      "--cache", folder / "cache", "--csv", folder / "no" / "x", code=2)
+
+
+with tempfile.TemporaryDirectory() as name:
+    home = pathlib.Path(name)
+    small = home / "scene.xml"
+    small.write_text(SCENE)
+    (home / "ball.obj").write_text(grid_obj(20, 30, ball))
+    (home / "floor.obj").write_text(grid_obj(14, 14, floor))
+    for check in (check_arguments, check_error, check_pareto, check_times):
+        check(home, small)
