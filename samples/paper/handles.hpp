@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Handles of the C interface that release themselves, and its errors as exceptions.
+#pragma once
+
+#include <nicol.h>
+
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+
+template <auto Release>
+struct Releaser {
+    template <typename T>
+    void operator()(T* object) const {
+        Release(object);
+    }
+};
+template <typename Handle, auto Release>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Releaser<Release>>;
+
+using Context = Owned<nicol_context, nicol_context_release>;
+using Environment = Owned<nicol_environment, nicol_environment_release>;
+using Material = Owned<nicol_material, nicol_material_release>;
+using Mesh = Owned<nicol_mesh, nicol_mesh_release>;
+using Scene = Owned<nicol_scene, nicol_scene_release>;
+using Framebuffer = Owned<nicol_framebuffer, nicol_framebuffer_release>;
+
+inline void ok(nicol_result result) {
+    if (result != NICOL_OK) throw std::runtime_error(nicol_last_error());
+}

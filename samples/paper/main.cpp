@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// nicol-paper: the article's scene, its ablation and its costs, through the C ABI alone.
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <optional>
+
+#include "report.hpp"
+#include "sheet.hpp"
+
+namespace {
+
+using Truth = std::array<Picture, 2>;
+
+class Paper {
+public:
+    explicit Paper(const Options& options)
+        : options_(options),
+          stage_(options),
+          dense_(stage_.make_scene()),
+          factored_(stage_.make_scene()),
+          target_(stage_.make_framebuffer()) {}
+
+    void run() {
+        std::printf("%s\n", stage_.machine().c_str());
+        find_objects();
+        if (options_.reference > 0) trace_truth();
+        for (const Step& step : steps()) run_step(step);
+        // Pictures are compared, so all share the exposure of the last.
+        const Colouring colours(expose(pictures_.back()), std::min<std::size_t>(options_.size, 512));
+        write_ablation(colours);
+        write_physical_range(colours);
+        write_tables();
+    }
+
+private:
+    Picture picture(View view, const Recipe& recipe) {
+        const Scene& scene = recipe.method == NICOL_METHOD_DENSE ? dense_ : factored_;
+        return picture(scene.get(), view, recipe);
+    }
+
+    Picture picture(nicol_scene scene, View view, const Recipe& recipe) {
+        stage_.render(scene, view, recipe, target_.get());
+        Picture picture = read_picture(target_.get());
+        picture.object = masks_.at(static_cast<std::size_t>(view));
+        return picture;
+    }
+
+    void find_objects() {
+        const Scene scene = stage_.make_mask_scene();
+        const Recipe recipe{.order_low = -1, .order_high = -1, .shadows = false};
+        for (const View view : {View::front, View::side}) {
+            stage_.render(scene.get(), view, recipe, target_.get());
+            const Picture shown = read_picture(target_.get());
+            std::vector<std::uint8_t>& mask = masks_.at(static_cast<std::size_t>(view));
+            mask.resize(shown.size * shown.size);
+            for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = shown.stokes[0][4 * i] < 0.5F;
+        }
+    }
+
+    void trace_truth() {
+        say("reference");
+        const Recipe recipe{.method = NICOL_METHOD_REFERENCE, .samples = options_.reference, .seed = 1};
+        Recipe other = recipe;
+        other.seed = 2;
+        const Scene scene = stage_.make_reference_scene(path("light.exr"));
+        truth_.emplace(
+            Truth{picture(scene.get(), View::front, recipe), picture(scene.get(), View::front, other)});
+        ok(nicol_framebuffer_write_exr(target_.get(), path("reference.exr").c_str()));
+    }
+
+    void run_step(const Step& step) {
+        say(step.name);
+        StepResult result{.step = step, .cost = {}};
+        pictures_.push_back(picture(View::front, step.recipe));
+        ok(nicol_framebuffer_write_exr(target_.get(), path(step.file).c_str()));
+        const PhysicalRange range = physical_range(pictures_.back());
+        result.negative = range.negative;
+        result.overpolarized = range.overpolarized;
+        if (truth_) result.errors = relative_errors(pictures_.back(), *truth_, truth_mask());
+        result.cost =
+            measure(stage_, dense_.get(), factored_.get(), step.recipe, options_.frames, target_.get());
+        results_.push_back(result);
+    }
+
+    // Silhouettes are left out: the reference's pixels are means over squares, drawing's are points.
+    [[nodiscard]] std::vector<std::uint8_t> truth_mask() const {
+        return eroded(masks_.at(static_cast<std::size_t>(View::front)), pictures_.back().size);
+    }
+
+    void write_ablation(const Colouring& colours) {
+        Sheet sheet({"s0", "s1", "s2"});
+        const auto add = [&](const char* name, const Picture& picture) {
+            sheet.add_row(
+                name, {colours.s0(picture), colours.polarized(picture, 1), colours.polarized(picture, 2)});
+        };
+        for (std::size_t i = 0; i < pictures_.size(); ++i) add(results_[i].step.name, pictures_[i]);
+        if (truth_) add("reference: rays, all orders of the light", truth_->front());
+        add_notes(sheet);
+        sheet.write(path("fig20_ablation.png"));
+    }
+
+    void write_physical_range(const Colouring& colours) {
+        say("with and without eq. 70");
+        Sheet sheet({"s0", "s1", "s2", "eq. 70 fails"});
+        for (const View view : {View::front, View::side}) {
+            for (const bool physical : {false, true}) {
+                Recipe recipe;
+                recipe.physical = physical;
+                const Picture shown = picture(view, recipe);
+                sheet.add_row(std::string(view == View::front ? "(a) " : "(b) ") +
+                                  (physical ? "moved into the range of eq. 70" : "as computed"),
+                              {colours.s0(shown), colours.polarized(shown, 1), colours.polarized(shown, 2),
+                               colours.unphysical(shown)});
+                if (physical && view == View::front)
+                    ok(nicol_framebuffer_write_exr(target_.get(), path("physical.exr").c_str()));
+            }
+        }
+        add_notes(sheet);
+        sheet.add_note(
+            "eq. 70 fails: red where s0 < 0, yellow where polarization exceeds s0, in some channel");
+        sheet.write(path("fig22_physical_range.png"));
+    }
+
+    static void add_notes(Sheet& sheet) {
+        sheet.add_note("s1, s2: red negative, green positive. one exposure for all panels. black: s0 < 0");
+        sheet.add_note("light cut at order 4 or 9 rings: s0 < 0 and excess polarization are to be expected");
+    }
+
+    void write_tables() {
+        std::string text = stage_.machine() + ", " + std::to_string(options_.size) + " x " +
+                           std::to_string(options_.size) + "\n\n" +
+                           cost_table(results_, stage_.components(), options_.frames > 0) + '\n' +
+                           range_table(results_);
+        if (truth_) text += '\n' + error_table(results_);
+        std::fputs(text.c_str(), stdout);
+        std::ofstream file(path("table4.md"));
+        file << text;
+        file.close();
+        if (!file) throw Failure(path("table4.md") + ": cannot be written");
+    }
+
+    [[nodiscard]] std::string path(const char* name) const { return (options_.out / name).string(); }
+    static void say(const char* what) { std::fprintf(stderr, "nicol-paper: %s\n", what); }
+
+    const Options& options_;
+    Stage stage_;
+    Scene dense_, factored_;
+    Framebuffer target_;
+    std::array<std::vector<std::uint8_t>, 2> masks_;  // of objects, by view
+    std::optional<Truth> truth_;
+    std::vector<Picture> pictures_;
+    std::vector<StepResult> results_;
+};
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Failure("--out: " + folder.string() + ": cannot make the folder: " + error.message());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const Options options = parse_options(argc, argv);
+        if (options.help) {
+            std::fputs(usage, stdout);
+            return 0;
+        }
+        require_data(options.data);
+        make_folder(options.out);
+        Paper(options).run();
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "nicol-paper: %s\n", error.what());
+    }
+    return 2;
+}

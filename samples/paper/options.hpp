@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The command line of nicol-paper.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+/// Ends the program with exit code 2; the message is one line.
+struct Failure : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Options {
+    bool help = false;
+    std::filesystem::path data;  ///< holds buddha.obj, plane.obj, the light and gold
+    std::filesystem::path out = "out/paper";
+    std::uint32_t size = 1024;          ///< of the pictures, in pixels
+    std::uint32_t frames = 21;          ///< of each method that are timed; 0: no table
+    std::int32_t reference = 0;         ///< samples a pixel of each of two pictures; 0: none
+    std::uint32_t bake_directions = 0;  ///< 0: the library's default
+};
+
+/// The text of --help.
+extern const char* const usage;
+
+/// Throws Failure naming the argument and what would be right.
+Options parse_options(int argc, const char* const* argv);

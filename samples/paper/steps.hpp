@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// The rows of figure 20, and what each adds to the light.
+#pragma once
+
+#include <span>
+
+#include "stage.hpp"
+
+struct Step {
+    const char* name;  ///< of its row in pictures, in the letters of font.hpp
+    const char* file;  ///< of its Stokes picture
+    Recipe recipe;
+};
+
+/// The three of the article by its own method, then the library's default.
+std::span<const Step> steps();
