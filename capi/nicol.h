@@ -121,13 +121,14 @@ typedef uint32_t nicol_backend;
 typedef struct nicol_context_options {
     uint32_t struct_size;
     nicol_backend backend;  /* an explicit choice never falls back to another */
-    uint32_t device;        /* 0: choose; n: EGL device n - 1 */
-    uint32_t threads;       /* 0: one a core */
+    uint32_t device;        /* 0: choose; n: EGL device n - 1; at most 1024 */
+    uint32_t threads;       /* 0: one a core, which is also the most that are used; at most 1024 */
     nicol_log_callback log; /* NULL: silent. May be called on any thread. */
     void* log_user;
-    /* Where tables of materials are kept between runs; made where missing. Processes may share it, and it may
-     * be emptied at any time. NULL or "": the environment variable NICOL_CACHE, and where that is not set or
-     * is empty, no cache. A folder that cannot be used is a notice to the log, never an error. */
+    /* Where tables of materials and bakes of shadows are kept between runs; made where missing. Processes may
+     * share it, and it may be emptied at any time. NULL or "": the environment variable NICOL_CACHE, and
+     * where that is not set or is empty, no cache. A folder that cannot be used is a notice to the log, never
+     * an error. */
     const char* cache_folder;
 } nicol_context_options;
 #define NICOL_CONTEXT_OPTIONS_INIT \
@@ -145,7 +146,7 @@ typedef struct nicol_context_info {
 #define NICOL_CONTEXT_INFO_INIT \
     { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0 }
 
-/* options may be NULL: all defaults. */
+/* options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND where OpenGL cannot be opened as asked. */
 NICOL_API nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
 NICOL_API nicol_result nicol_context_retain(nicol_context context);
 NICOL_API nicol_result nicol_context_release(nicol_context context);
@@ -162,7 +163,8 @@ typedef struct nicol_image {
     uint32_t channels;      /* colour channels, 1 to NICOL_MAX_CHANNELS */
     uint32_t components; /* 1: s0 alone; 4: s0..s3 in the frame z = propagation, x = horizontal, along growing
                             u as seen from the scene's centre, y = z cross x */
-    const float* pixels; /* [row][column][channel][component] */
+    /* [row][column][channel][component]; finite, s0 >= 0, sqrt(s1^2 + s2^2 + s3^2) up to s0 (Eq. 70) */
+    const float* pixels;
     uint64_t row_stride; /* bytes from row to row; 0: tightly packed */
     uint64_t byte_size;  /* of all that pixels points to; checked */
     /* NULL, or called once the library no longer reads pixels, on failure too. */
@@ -185,8 +187,8 @@ typedef struct nicol_image {
 typedef struct nicol_sky {
     uint32_t struct_size;
     float dop_max;           /* 0: 0.8; negative: an unpolarized sky; at most 1 */
-    float sun_direction[3];  /* towards the sun; zeros: straight up */
-    nicol_spectrum radiance; /* default 1 in three channels */
+    float sun_direction[3];  /* towards the sun, of any length; zeros: straight up */
+    nicol_spectrum radiance; /* default 1 in three channels; finite, not negative */
     float turbidity;         /* 0, or 1.7 to 10 */
     float ground_albedo;     /* 0: 0.2; negative: black; at most 1; without effect where turbidity is 0 */
 } nicol_sky;
@@ -218,6 +220,7 @@ NICOL_API nicol_result nicol_environment_load(nicol_context context, const char*
                                               nicol_environment* environment);
 NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                                       nicol_environment* environment);
+/* Unpolarized and the same from everywhere; radiance of count 0: 1 in one channel; finite, not negative. */
 NICOL_API nicol_result nicol_environment_create_constant(nicol_context context,
                                                          const nicol_spectrum* radiance,
                                                          nicol_environment* environment);
@@ -366,21 +369,24 @@ NICOL_API nicol_result nicol_material_release(nicol_material material);
 
 /* ---------------------------------------------------------------- mesh */
 
+/* Positions and normals must be finite. A triangle needs three vertices that are there and an area. */
 typedef struct nicol_mesh_data {
     uint32_t struct_size;
-    uint32_t vertex_count;
-    uint32_t triangle_count;
+    uint32_t vertex_count;   /* 1 or more */
+    uint32_t triangle_count; /* 1 or more */
     uint32_t reserved;       /* 0 */
     const float* positions;  /* 3 a vertex */
-    const float* normals;    /* 3 a vertex; NULL: made from the triangles */
+    const float* normals; /* 3 a vertex, of any length but 0, which asks for the smooth one; NULL: made from
+                             the triangles, smooth across edges whose faces share vertices */
     const uint32_t* indices; /* 3 a triangle, counter-clockwise from the front */
 } nicol_mesh_data;
 #define NICOL_MESH_DATA_INIT \
     { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0 }
 
-/* OBJ, PLY, OFF or STL, by the file's suffix. */
+/* OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face that is
+ * at fault. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
-/* Copies the arrays. Shading is per vertex: detail comes from vertices. */
+/* Copies the arrays. Shading and shadows are per vertex: detail comes from vertices. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,
                                          nicol_mesh* mesh);
 /* The unit sphere, finely enough divided for per-vertex shading. */
@@ -402,16 +408,17 @@ typedef uint32_t nicol_projection;
 typedef struct nicol_camera {
     uint32_t struct_size;
     nicol_projection projection;
-    double to_world[16]; /* camera space, as Mitsuba's: +z forward, +y up, +x to the image's LEFT. A scale in
-                            x, y is the half extent of an orthographic picture. */
+    double to_world[16]; /* camera space, as Mitsuba's: +z forward, +y up, +x to the image's LEFT; axes at
+                            right angles, right-handed. A scale in x, y is the half extent of an orthographic
+                            picture. */
     double fov;          /* perspective: the horizontal field of view in degrees, 0: 45; below 180 */
-    double near_clip;    /* 0: 0.01 */
-    double far_clip;     /* 0: 10000 */
+    double near_clip;    /* distance along +z, in the scene's units; 0: 0.01 */
+    double far_clip;     /* 0: 10000; above near_clip */
 } nicol_camera;
 #define NICOL_CAMERA_INIT \
     { sizeof(nicol_camera), 0, {0}, 0, 0, 0 }
 
-/* A camera at `origin` that looks at `target`; sets to_world alone. */
+/* A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view. */
 NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3],
                                             const double target[3], const double up[3]);
 
@@ -422,7 +429,7 @@ typedef struct nicol_instance {
     uint32_t reserved; /* 0 */
     nicol_mesh mesh;
     nicol_material material;
-    double to_world[16]; /* any invertible affine transform */
+    double to_world[16]; /* any invertible affine transform; its last row is 0 0 0 1 */
 } nicol_instance;
 /* clang-format off */
 #define NICOL_INSTANCE_INIT \
@@ -435,12 +442,15 @@ NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* sc
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
-/* id may be NULL; ids count up from 0. */
+/* id may be NULL; ids count up from 0. Materials and environment must have one colour channel or the same
+ * number of them, here and in nicol_scene_set_environment. */
 NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance,
                                                 uint32_t* id);
+/* id as nicol_scene_add_instance gave it; to_world as nicol_instance's. What the instance hides from the
+ * light changes with it: the next render bakes again. */
 NICOL_API nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
 /* environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
- * one), scale multiplies (0: 1). */
+ * one), scale multiplies (0: 1; finite, not negative). */
 NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
                                                    const double to_world[16], double scale);
 /* What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED. */
@@ -510,7 +520,11 @@ NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer,
 NICOL_API nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
 NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 
-/* options may be NULL. On failure or cancellation the framebuffer's content is that of the render before. */
+/* options may be NULL: all defaults. What a change of the scene, the camera or the options does not touch is
+ * kept from the scene's last render; where nothing changed, nothing runs. On failure or cancellation the
+ * framebuffer's content is that of the render before, and its statistics too. NICOL_ERROR_INVALID_ARGUMENT
+ * for options and cameras out of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown
+ * method, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY. */
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
 
