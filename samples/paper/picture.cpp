@@ -6,6 +6,13 @@
 
 #include "handles.hpp"
 
+namespace {
+
+// Drawing interpolates with errors relative to a triangle's brightest corner.
+constexpr float rounding = 1e-4F;
+
+}  // namespace
+
 Picture read_picture(nicol_framebuffer framebuffer) {
     std::uint32_t width = 0, height = 0, channels = 0;
     ok(nicol_framebuffer_get_size(framebuffer, &width, &height, &channels));
@@ -23,8 +30,8 @@ Fault fault_at(const Picture& picture, std::size_t pixel) {
     Fault fault = Fault::none;
     for (const auto& plane : picture.stokes) {
         const float* s = &plane[4 * pixel];
-        if (s[0] < 0) return Fault::negative;
-        if (s[0] * 1.0001F < std::hypot(s[1], s[2], s[3])) fault = Fault::overpolarized;
+        if (s[0] < -rounding) return Fault::negative;
+        if (s[0] * (1 + rounding) + rounding < std::hypot(s[1], s[2], s[3])) fault = Fault::overpolarized;
     }
     return fault;
 }

@@ -25,7 +25,7 @@ struct PhysicalRange {
 };
 PhysicalRange physical_range(const Picture& picture);
 
-/// What a pixel breaks of Eq. 70 in some channel, beyond rounding.
+/// What a pixel breaks of Eq. 70 in some channel, beyond the rounding of light of about 1.
 enum class Fault { none, negative, overpolarized };
 Fault fault_at(const Picture& picture, std::size_t pixel);
 

@@ -1,0 +1,15 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# From a fresh clone to the article's pictures and its table of costs. Takes the arguments of nicol-paper, the folder
+# of its data first; without one, polarsh in the folder that NICOL_TEST_DATA names.
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+
+sh "$root/samples/setup.sh"
+cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release
+cmake --build "$root/build" --target nicol-paper
+
+# Keeps what is traced and tabulated for the next time.
+NICOL_CACHE="${NICOL_CACHE:-$root/build/cache}"
+export NICOL_CACHE
+"$root/build/bin/nicol-paper" "$@"
