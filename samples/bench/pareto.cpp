@@ -2,6 +2,7 @@
 #include "pareto.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
@@ -62,6 +63,35 @@ double linear(const StokesErrors& errors) {
     return std::hypot(errors[1], errors[2]);
 }
 
+double transfer_ms(const FrameTimes& times) {
+    return times.light_relight + times.light_shade;
+}
+
+bool no_worse(const StokesErrors& a, const StokesErrors& b) {
+    return a[0] <= b[0] && a[1] <= b[1] && a[2] <= b[2];
+}
+
+// For each order of the dense method the cheapest factored entry that errs no more in any component.
+void compare_at_equal_error(Report& report, const std::vector<Entry>& list) {
+    for (const Entry& dense : list) {
+        if (dense.recipe.method != NICOL_METHOD_DENSE || std::isnan(dense.times.light)) continue;
+        const Entry* best = nullptr;
+        for (const Entry& e : list) {
+            if (e.recipe.method == NICOL_METHOD_FACTORED && no_worse(e.errors, dense.errors) &&
+                (best == nullptr || transfer_ms(e.times) < transfer_ms(best->times)))
+                best = &e;
+        }
+        if (best == nullptr) continue;
+        char text[200];
+        std::snprintf(text, sizeof text,
+                      "%s errs no more than %s, which takes, in relight + shade as the light turns, %.3g "
+                      "times as long.",
+                      best->recipe.name().c_str(), dense.recipe.name().c_str(),
+                      transfer_ms(dense.times) / transfer_ms(best->times));
+        report.note(text);
+    }
+}
+
 template <class X, class Y>
 Panel panel(const std::vector<Entry>& list, const char* title, const char* y_axis, X x, Y y) {
     Panel out{title, "frame, ms (median)", y_axis, {}};
@@ -116,6 +146,7 @@ Report bench_pareto(const Options& options) {
         const StokesErrors& e = list[i].errors;
         report.add(list[i].recipe.name(), {times[i].light, times[i].camera, e[0], e[1], e[2], e[3]});
     }
+    compare_at_equal_error(report, list);
     report.note(workshop.machine() + "; frames of " + std::to_string(size) + " x " + std::to_string(size) +
                 ", errors relative to the RMS of s0 at " + std::to_string(small) + " x " +
                 std::to_string(small) + ", shadows included.");
