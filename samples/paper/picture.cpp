@@ -81,6 +81,7 @@ std::array<double, 3> relative_errors(const Picture& picture, const std::array<P
         }
     }
     std::array<double, 3> errors{};
+    if (!(power > 0)) return errors;
     for (std::size_t p = 0; p < 3; ++p) errors[p] = std::sqrt(std::max(sums[p], 0.0) / power);
     return errors;
 }

@@ -63,8 +63,10 @@ std::string cost_table(const std::vector<StepResult>& results, unsigned componen
 std::string error_table(const std::vector<StepResult>& results) {
     std::string text = "| relative error to the reference | s0 | s1 | s2 |\n|---|---|---|---|\n";
     for (const StepResult& result : results) {
-        text += format("| %s | %.4f | %.4f | %.4f |\n", result.step.name, result.errors[0], result.errors[1],
-                       result.errors[2]);
+        text += format("| %s |", result.step.name);
+        for (const double error : result.errors)
+            text += error > 0 ? format(" %.4f |", error) : " below the noise |";
+        text += '\n';
     }
     return text;
 }

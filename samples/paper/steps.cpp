@@ -15,7 +15,7 @@ std::span<const Step> steps() {
         {"+ high orders 5-9 by convolution",
          "convolution.exr",
          {.method = NICOL_METHOD_DENSE, .high_orders = NICOL_HIGH_ORDERS_CONVOLUTION}},
-        {"+ high orders 5-9 split, factored", "stokes.exr", {}},
+        {"+ high orders 5-9 split", "stokes.exr", {}},
     };
     return all;
 }

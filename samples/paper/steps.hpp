@@ -12,5 +12,5 @@ struct Step {
     Recipe recipe;
 };
 
-/// The three of the article by its own method, then the library's default.
+/// The three of the article by its own method, then the library's default, which is the factored method.
 std::span<const Step> steps();
