@@ -7,9 +7,21 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 
 sh "$root/samples/setup.sh"
 cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release
-cmake --build "$root/build" --target nicol-paper
+cmake --build "$root/build" --target nicol-paper nicol-render
 
 # Keeps what is traced and tabulated for the next time.
 NICOL_CACHE="${NICOL_CACHE:-$root/build/cache}"
 export NICOL_CACHE
 "$root/build/bin/nicol-paper" "$@"
+
+# The gold itself, without shadows or high orders, at three truncations.
+case "${1:-}" in
+"" | -*) data="${NICOL_TEST_DATA:-.}/polarsh" ;;
+*) data=$1 ;;
+esac
+for order in 4 9 19; do
+    folder=out/paper/gold_$order
+    mkdir -p "$folder"
+    "$root/build/bin/nicol-render" "$root/samples/paper/gold_sphere.xml" -D "data=$(cd "$data" && pwd)" \
+        --order-low $order --high-orders none --no-shadows -o "$folder/stokes.exr" --pictures "$folder"
+done
