@@ -82,6 +82,12 @@ public:
     [[nodiscard]] std::span<float> at(std::size_t vertex) {
         return {data_.get() + vertex * vertex_stride_, vertex_stride_};
     }
+    /// Of vertices first <= v < last.
+    [[nodiscard]] std::span<const float> between(std::size_t first, std::size_t last) const {
+        return {data_.get() + first * vertex_stride_, (last - first) * vertex_stride_};
+    }
+    /// Floats a vertex.
+    [[nodiscard]] std::size_t vertex_stride() const noexcept { return vertex_stride_; }
     [[nodiscard]] std::size_t bytes() const noexcept { return vertices_ * vertex_stride_ * sizeof(float); }
 
     /// relight: the outgoing coefficients of vertices first <= v < last, written to out's vertices

@@ -105,6 +105,14 @@ glm::vec2 HighOrderVisibility::at(std::span<const float> visibility, const glm::
     return {fraction(seen, all), fraction(base_seen, base_all)};
 }
 
+std::vector<float> HighOrderVisibility::constants() const {
+    std::vector<float> all;
+    for (const std::vector<float>* table : {&lobe_, &cosine_, &everything_, &climb_}) {
+        all.insert(all.end(), table->begin(), table->end());
+    }
+    return all;
+}
+
 void HighOrderVisibility::run(const Viewpoint& view, std::span<const glm::vec3> positions,
                               std::span<const glm::vec3> normals, std::span<const std::uint8_t> visible,
                               std::span<const float> visibility, std::size_t first, std::size_t last,

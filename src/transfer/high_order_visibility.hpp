@@ -31,6 +31,9 @@ public:
              std::span<const std::uint8_t> visible, std::span<const float> visibility, std::size_t first,
              std::size_t last, std::span<glm::vec2> out) const;
 
+    /// For glsl/high_order_visibility.glsl: four tables, one after another.
+    [[nodiscard]] std::vector<float> constants() const;
+
 private:
     int order_;
     std::vector<float> lobe_;        // by l, gain

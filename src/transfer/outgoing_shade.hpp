@@ -28,6 +28,9 @@ public:
              std::span<const glm::vec3> normals, std::span<const std::uint8_t> visible, std::size_t first,
              std::size_t last, std::span<const std::span<glm::vec4>> out) const;
 
+    /// [angle from 0 to pi/2][entry of the layout]
+    [[nodiscard]] std::span<const float> harmonics() const noexcept { return table_; }
+
 private:
     static constexpr int kAngles = 4097;
 

@@ -251,6 +251,19 @@ ShadowProduct::Form ShadowProduct::form() const noexcept {
     return blocks_->form;
 }
 
+std::optional<ShadowProduct::Matrices> ShadowProduct::matrices() const {
+    const auto* numbers = std::get_if<std::vector<FixedLanes>>(&blocks_->numbers);
+    if (form() != Form::matrix || numbers == nullptr || blocks_->in.size() != blocks_->out.size()) {
+        return std::nullopt;
+    }
+    static_assert(sizeof(FixedLanes) == kLanes * sizeof(std::int16_t));
+    return Matrices{
+        .basis = blocks_->in,
+        .vertices = blocks_->vertices,
+        .numbers = {reinterpret_cast<const std::int16_t*>(numbers->data()), numbers->size() * kLanes},
+        .numbers_of_vertex = blocks_->stride};
+}
+
 std::size_t ShadowProduct::bytes() const noexcept {
     const std::size_t numbers = std::visit(
         [](const auto& vector) { return vector.size() * sizeof(vector.front()); }, blocks_->numbers);

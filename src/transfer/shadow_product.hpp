@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "nicol/light_layout.hpp"
+#include "transfer/mirror_basis.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_harmonics.hpp"
 
@@ -58,6 +60,16 @@ public:
     void copy(const VertexLight& in, VertexLight& out, std::size_t first, std::size_t last) const;
 
     [[nodiscard]] Form form() const noexcept;
+
+    /// What other processors need to compute the same. Lives as long as the object.
+    struct Matrices {
+        const MirrorBasis& basis;  ///< the light is split before, joined after
+        std::span<const std::uint32_t> vertices;
+        std::span<const std::int16_t> numbers;  ///< [block][number][lane], over kFixedOne: see ShadowMatrices
+        std::size_t numbers_of_vertex;
+    };
+    /// None where the product takes another form, stores 32 bits, or has layouts that differ.
+    [[nodiscard]] std::optional<Matrices> matrices() const;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
 private:
