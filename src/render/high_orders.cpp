@@ -23,18 +23,25 @@ void HighOrderTransfer::update(const TransferInput& input, const DistantLight& l
     }
     if (!same_parts || filtered_ != light.revision) {
         filtered_ = 0;
+        ++parts_revision_;
         filter(input, light, workers);
         filtered_ = light.revision;
     }
     statistics.project_ms += projecting.milliseconds();
 
     const int order = 2 * light.low;
-    if (visibility_revision_ == input.visibility_revision && visibility_order_ == order) return;
+    if (visibility_revision_ == input.visibility_revision && visibility_order_ == order &&
+        visibility_horizon_ == input.horizon) {
+        return;
+    }
     const Stopwatch baking;
     visibility_revision_ = 0;
+    visibility_order_ = -1;
+    ++visibility_count_;
     visibility_.clear();
     if (input.visibility != nullptr) expand_visibility(input, order, workers, progress);
     visibility_order_ = order;
+    visibility_horizon_ = input.horizon;
     visibility_revision_ = input.visibility_revision;
     statistics.bake_ms += baking.milliseconds();
 }

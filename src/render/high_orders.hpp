@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "nicol/render.hpp"
@@ -38,13 +39,22 @@ public:
                VertexStokes& out);
     void count(Statistics& statistics) const;
 
-private:
-    // A material and what it makes of the light.
+    /// A material and what it makes of the light.
     struct Part {
         HighOrderFactors factors;
-        std::optional<LobeMap> convolved;  // of the published form
+        std::optional<LobeMap> convolved;  ///< of the published form
         HighOrderMaps maps;
     };
+    [[nodiscard]] const std::map<MaterialPtr, Part>& parts() const noexcept { return parts_; }
+    /// Counts the changes of parts().
+    [[nodiscard]] std::uint64_t parts_revision() const noexcept { return parts_revision_; }
+    /// [vertex][psh_index(l, m)]; empty where nothing casts shadows.
+    [[nodiscard]] std::span<const float> visibility() const noexcept { return visibility_; }
+    [[nodiscard]] int visibility_order() const noexcept { return visibility_order_; }
+    /// Counts the changes of visibility().
+    [[nodiscard]] std::uint64_t visibility_count() const noexcept { return visibility_count_; }
+
+private:
     // What the parts belong to.
     struct Key {
         HighOrders form = HighOrders::none;
@@ -63,11 +73,14 @@ private:
     std::map<MaterialPtr, Part> parts_;
     std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels_;
     std::optional<HighOrderLight> light_;
+    std::uint64_t parts_revision_ = 0;
     std::uint64_t filtered_ = 0;  // revision of the light that the maps are of
     std::uint64_t fitted_ = 0;    // revision of the geometry, and with it of the materials
 
     std::vector<float> visibility_;  // [vertex][psh_index(l, m)]
     int visibility_order_ = -1;
+    HorizonExtension visibility_horizon_ = HorizonExtension::mirrored;
+    std::uint64_t visibility_count_ = 0;
     std::uint64_t visibility_revision_ = 0;
     std::vector<glm::vec2> fractions_;
 };
