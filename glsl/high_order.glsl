@@ -10,23 +10,8 @@ const int HIGH_ORDER_LAYERS = 2 * CHANNELS;
 #else
 const int HIGH_ORDER_LAYERS = 1;
 #endif
-const float HIGH_ORDER_PI = 3.14159265358979;
 
-// The angle of (x, y), 0 where both are. Drivers' own atan() may miss by 1e-5, a visible part of a texel.
-float high_order_atan(float y, float x) {
-    vec2 size = abs(vec2(x, y));
-    float large = max(size.x, size.y);
-    float ratio = large > 0.0 ? min(size.x, size.y) / large : 0.0;
-    // At most tan(pi/8): the fit of atan(t) / t in t^2 is then good to 2e-8.
-    bool beyond = ratio > 0.41421356;
-    float t = beyond ? (ratio - 1.0) / (ratio + 1.0) : ratio;
-    float z = t * t;
-    float angle = t * (0.99999998 + z * (-0.33332786 + z * (0.19974082 + z * (-0.13848490 + z * 0.07976292))));
-    if (beyond) angle += 0.25 * HIGH_ORDER_PI;
-    if (size.y > size.x) angle = 0.5 * HIGH_ORDER_PI - angle;
-    if (x < 0.0) angle = HIGH_ORDER_PI - angle;
-    return y < 0.0 ? -angle : angle;
-}
+#include "angle.glsl"
 
 // Four texels of a map around a direction.
 struct HighOrderSpot {
@@ -41,9 +26,9 @@ HighOrderSpot high_order_spot(sampler2D map, vec3 direction) {
     HighOrderSpot at;
     at.rows = size.y / HIGH_ORDER_LAYERS;
     float across = length(direction.xy);
-    float turn = high_order_atan(direction.y, direction.x) / (2.0 * HIGH_ORDER_PI);
+    float turn = angle_of(direction.y, direction.x) / (2.0 * PI);
     vec2 place = vec2((turn < 0.0 ? turn + 1.0 : turn) * float(size.x),
-                      high_order_atan(across, direction.z) / HIGH_ORDER_PI * float(at.rows - 1));
+                      angle_of(across, direction.z) / PI * float(at.rows - 1));
     at.low = min(ivec2(place), ivec2(size.x - 1, at.rows - 2));
     at.part = place - vec2(at.low);
     at.high = ivec2(at.low.x + 1 == size.x ? 0 : at.low.x + 1, at.low.y + 1);

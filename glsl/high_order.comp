@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// shade: adds what vertices reflect of light of high orders. One invocation a vertex.
+#version 450 core
+
+// CHANNELS: colour channels at once. SHADOWED: where surfaces hide the light from each other.
+#include "vertex_view.glsl"
+#include "high_order.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
+layout(std430, binding = 1) readonly buffer Normals { float normals[]; };
+layout(std430, binding = 4) buffer StokesVectors { vec4 values[]; } stokes[CHANNELS];
+layout(binding = 0) uniform sampler2D factors;
+layout(binding = 1) uniform sampler2D centre;
+layout(binding = 2) uniform sampler2D around;
+layout(binding = 3) uniform sampler2D base;
+
+uniform int first;  // vertex, in the bound part of the scene
+uniform int count;
+uniform mat3 to_light;
+uniform float spread;
+uniform bool has_base;
+
+#ifdef SHADOWED
+layout(std430, binding = 2) readonly buffer Visibility { float visibility[]; };  // [l l + l + m][vertex]
+uniform int visibility_first;
+uniform int stride;
+int vertex;
+#define VISIBILITY(l, m) visibility[((l) * (l) + (l) + (m)) * stride + vertex]
+#include "high_order_visibility.glsl"
+#endif
+
+void main() {
+    int i = int(gl_GlobalInvocationID.x);
+    if (i >= count) return;
+    int v = first + i;
+    vec3 normal = vec3(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]);
+    vec3 view = towards_camera(vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]));
+    vec2 visible = vec2(1.0);
+#ifdef SHADOWED
+    vertex = visibility_first + i;
+    vec3 local = view * theta_phi_frame(normal);
+    visible = high_order_visible(normalize(vec3(local.xy, -max(local.z, 0.0))));
+#endif
+    if (!has_base) visible.y = 0.0;
+    vec4 added[CHANNELS];
+    high_order(normal, view, camera_x(view), to_light, spread, visible, factors, centre, around, base, added);
+    for (int c = 0; c < CHANNELS; ++c) stokes[c].values[v] += added[c];
+}
