@@ -26,8 +26,16 @@ enum class HighOrders {
     none,         ///< left out
 };
 
+/// Where relight and shade run; the results agree.
+enum class Executor {
+    automatic,  ///< compute, unless the processor rasterises or the driver cannot
+    cpu,        ///< threads
+    compute,    ///< compute shaders
+};
+
 struct RenderOptions {
     Method method = Method::factored;
+    Executor executor = Executor::automatic;
     bool shadows = true;         ///< surfaces hide the environment from each other
     int bake_directions = 2048;  ///< that shadows are traced in from every vertex, 256..65536
     HorizonExtension horizon = HorizonExtension::mirrored;
@@ -48,7 +56,8 @@ struct RenderOptions {
 
 /// Milliseconds are 0 for verbs that did not have to run.
 struct Statistics {
-    int order = 0;  ///< the highest of the light that was rendered
+    int order = 0;         ///< the highest of the light that was rendered
+    bool compute = false;  ///< compute shaders made it
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     double project_ms = 0;

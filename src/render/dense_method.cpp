@@ -9,20 +9,15 @@
 
 namespace nicol {
 
-void DenseMethod::update(const TransferInput& input, Workers& workers, Progress& progress,
-                         Statistics& statistics) {
-    RelightKey bake_key(input);
-    bake_key.light = 0;
-    if (baked_for_ != bake_key) {
-        baked_for_ = lit_for_ = {};
-        bake(input, workers, progress, statistics);
-        baked_for_ = bake_key;
-    }
-    const RelightKey key(input);
-    if (lit_for_ == key) return;
-    lit_for_ = {};
-    relight(input, workers, progress, statistics);
-    lit_for_ = key;
+void DenseMethod::prepare(const TransferInput& input, Workers& workers, Progress& progress,
+                          Statistics& statistics) {
+    RelightKey key(input);
+    key.light = 0;
+    if (baked_for_ == key) return;
+    baked_for_ = lit_for_ = {};
+    ++runs_revision_;
+    bake(input, workers, progress, statistics);
+    baked_for_ = key;
 }
 
 void DenseMethod::bake(const TransferInput& input, Workers& workers, Progress& progress,
@@ -84,6 +79,9 @@ void DenseMethod::bake(const TransferInput& input, Workers& workers, Progress& p
 
 void DenseMethod::relight(const TransferInput& input, Workers& workers, Progress& progress,
                           Statistics& statistics) {
+    const RelightKey key(input);
+    if (lit_for_ == key) return;
+    lit_for_ = {};
     const Stopwatch watch;
     for (Run& run : runs_) {
         const std::size_t count = run.matrices.vertices();
@@ -93,6 +91,7 @@ void DenseMethod::relight(const TransferInput& input, Workers& workers, Progress
             run.matrices.apply(input.light, begin, end, 0, run.light);
         });
     }
+    lit_for_ = key;
     statistics.relight_ms += watch.milliseconds();
 }
 

@@ -10,15 +10,10 @@ void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice)
     notice_ = std::move(notice);
 }
 
-void FactoredMethod::update(const TransferInput& input, Workers& workers, Progress& progress,
-                            Statistics& statistics) {
+void FactoredMethod::prepare(const TransferInput& input, Workers& workers, Progress& progress,
+                             Statistics& statistics) {
     project(input, workers, progress, statistics);
     prepare_shadows(input, workers, statistics);
-    const RelightKey key(input);
-    if (lit_for_ == key) return;
-    lit_for_ = {};
-    relight(input, workers, progress, statistics);
-    lit_for_ = key;
 }
 
 void FactoredMethod::project(const TransferInput& input, Workers& workers, Progress& progress,
@@ -27,6 +22,7 @@ void FactoredMethod::project(const TransferInput& input, Workers& workers, Progr
     if (table_channels_ != input.channels || tables_order_ != input.layout.order() ||
         tables_kind_ != input.layout.kind()) {
         tables_.clear();
+        ++tables_revision_;
     }
     table_channels_ = input.channels;
     tables_order_ = input.layout.order();
@@ -40,11 +36,13 @@ void FactoredMethod::project(const TransferInput& input, Workers& workers, Progr
         }
         progress.report("project", static_cast<double>(tables.size()) /
                                        static_cast<double>(input.geometry.ranges.size()));
+        ++tables_revision_;
         workers.run([&] {
             tables.emplace(range.material,
                            load_or_build(*range.material, input.layout, input.channels, folder_, notice_));
         });
     }
+    if (!tables_.empty()) ++tables_revision_;
     tables_ = std::move(tables);
     statistics.project_ms += watch.milliseconds();
 }
@@ -68,6 +66,9 @@ void FactoredMethod::prepare_shadows(const TransferInput& input, Workers& worker
 
 void FactoredMethod::relight(const TransferInput& input, Workers& workers, Progress& progress,
                              Statistics& statistics) {
+    const RelightKey key(input);
+    if (lit_for_ == key) return;
+    lit_for_ = {};
     const Stopwatch watch;
     const std::size_t vertices = input.geometry.positions.size();
     const std::span normals(input.geometry.normals);
@@ -81,6 +82,7 @@ void FactoredMethod::relight(const TransferInput& input, Workers& workers, Progr
             shadows_->run(vertex_light_, vertex_light_, begin, end);
         });
     }
+    lit_for_ = key;
     statistics.relight_ms += watch.milliseconds();
 }
 

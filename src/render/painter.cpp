@@ -10,8 +10,6 @@
 namespace nicol {
 namespace {
 
-constexpr gl::BufferUse vertex_use = gl::BufferUse::vertex;
-
 int group_size(int channels, std::size_t group) {
     return std::min(Framebuffer::kGroup, channels - static_cast<int>(group) * Framebuffer::kGroup);
 }
@@ -28,19 +26,16 @@ gl::TextureDescription equirect(const EquirectImage& picture) {
 
 Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-void Painter::draw(const Scene& scene, const TransferCache& transfer, const Projection& projection,
-                   Framebuffer& target) {
+void Painter::draw(const Scene& scene, const VertexBuffers& buffers, std::size_t one_sided,
+                   const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();
-    if (geometry_revision_ != transfer.geometry_revision() || channels_ != channels) {
-        upload_geometry(transfer, channels);
-    }
+    if (buffers_revision_ != buffers.revision() || channels_ != channels) bind_vertices(buffers, channels);
     if (environment_ != scene.environment() || channels_ != channels) {
         upload_environment(scene.environment().get(), channels);
     }
-    geometry_revision_ = transfer.geometry_revision();
+    buffers_revision_ = buffers.revision();
     environment_ = scene.environment();
     channels_ = channels;
-    upload_stokes(transfer);
 
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         gl::RenderTarget& picture = target.groups()[g];
@@ -53,10 +48,10 @@ void Painter::draw(const Scene& scene, const TransferCache& transfer, const Proj
         }
         if (!groups_[g].vertices) continue;
         // Materials without a back are drawn black from behind, the others have triangles for each side.
-        const std::size_t one_sided = 3 * transfer.geometry().one_sided;
-        const std::size_t two_sided = groups_[g].vertices->index_count() - one_sided;
-        gl::draw(picture, surface, *groups_[g].vertices, 0, one_sided);
-        gl::draw(picture, surface, *groups_[g].vertices, one_sided, two_sided, {.cull = gl::Cull::back});
+        const std::size_t first = 3 * one_sided;
+        const std::size_t two_sided = groups_[g].vertices->index_count() - first;
+        gl::draw(picture, surface, *groups_[g].vertices, 0, first);
+        gl::draw(picture, surface, *groups_[g].vertices, first, two_sided, {.cull = gl::Cull::back});
     }
     if (environment_) draw_background(scene, projection, target);
     gl::finish(*context_);
@@ -73,41 +68,20 @@ gl::Program& Painter::program(const char* vertex, const char* fragment, int chan
     return found->second;
 }
 
-void Painter::upload_geometry(const TransferCache& transfer, int channels) {
-    const WorldGeometry& world = transfer.geometry();
+void Painter::bind_vertices(const VertexBuffers& buffers, int channels) {
     const auto count = static_cast<std::size_t>((channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
-    std::vector<Group> groups(count);
-    indices_.reset();
-    if (!world.triangles.empty()) {
-        indices_ = std::make_shared<gl::IndexBuffer>(
-            context_, std::span(&world.triangles.front().x, 3 * world.triangles.size()));
-        const auto positions =
-            std::make_shared<gl::Buffer>(context_, vertex_use, std::as_bytes(std::span(world.positions)));
-        for (std::size_t g = 0; g < count; ++g) {
-            std::vector<gl::Attribute> attributes{{.location = 0, .components = 3, .buffer = positions}};
-            for (int c = 0; c < group_size(channels, g); ++c) {
-                groups[g].stokes.push_back(std::make_shared<gl::Buffer>(
-                    context_, vertex_use, world.positions.size() * sizeof(glm::vec4),
-                    gl::BufferUpdate::dynamic));
-                attributes.push_back({.location = static_cast<unsigned>(1 + c),
-                                      .components = 4,
-                                      .buffer = groups[g].stokes.back()});
-            }
-            groups[g].vertices.emplace(context_, attributes, indices_);
+    groups_.resize(count);
+    for (std::size_t g = 0; g < count; ++g) {
+        groups_[g].vertices.reset();
+        if (buffers.empty()) continue;
+        std::vector<gl::Attribute> attributes{
+            {.location = 0, .components = 3, .buffer = buffers.positions()}};
+        for (int c = 0; c < group_size(channels, g); ++c) {
+            attributes.push_back({.location = static_cast<unsigned>(1 + c),
+                                  .components = 4,
+                                  .buffer = buffers.stokes(static_cast<int>(g) * Framebuffer::kGroup + c)});
         }
-    }
-    for (std::size_t g = 0; g < std::min(groups.size(), groups_.size()); ++g) {
-        groups[g].environment = std::move(groups_[g].environment);
-    }
-    groups_ = std::move(groups);
-}
-
-void Painter::upload_stokes(const TransferCache& transfer) {
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-        for (std::size_t c = 0; c < groups_[g].stokes.size(); ++c) {
-            const auto& values = transfer.stokes()[g * Framebuffer::kGroup + c];
-            groups_[g].stokes[c]->update(0, std::as_bytes(std::span(values)));
-        }
+        groups_[g].vertices.emplace(context_, attributes, buffers.indices());
     }
 }
 

@@ -35,14 +35,25 @@ void check(const RenderOptions& options) {
 
 // All but the callback.
 auto values(const RenderOptions& o) {
-    return std::tie(o.method, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
+    return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
                     o.high_orders, o.dering, o.physical);
 }
 
 }  // namespace
 
 Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
-    : context_(context), transfer_(threads), painter_(std::move(context)) {}
+    : context_(context), transfer_(threads), buffers_(context), painter_(std::move(context)) {}
+
+ComputeExecutor* Renderer::device_for(Executor executor) {
+    if (executor == Executor::cpu) return nullptr;
+    const std::string obstacle = ComputeExecutor::obstacle(*context_);
+    if (executor == Executor::automatic && (context_->info().software || !obstacle.empty())) return nullptr;
+    if (!obstacle.empty()) {
+        throw Error(ErrorCode::unsupported, "the executor cannot be compute shaders: " + obstacle);
+    }
+    if (!device_) device_.emplace(context_, buffers_);
+    return &*device_;
+}
 
 bool Renderer::holds(const Framebuffer& target, const Scene& scene, const Camera& camera,
                      const RenderOptions& options) const {
@@ -71,11 +82,17 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
-    transfer_.update(scene, projection, options, progress, statistics);
+    ComputeExecutor* const device = device_for(options.executor);
+    transfer_.update(scene, projection, options, device, progress, statistics);
     progress.report("draw", 0);
 
     const Stopwatch watch;
-    context_->run([&] { painter_.draw(scene, transfer_, projection, target); });
+    context_->run([&] {
+        const WorldGeometry& geometry = transfer_.geometry();
+        buffers_.update(geometry, transfer_.geometry_revision(), target.channels());
+        if (device == nullptr) buffers_.upload(transfer_.stokes());
+        painter_.draw(scene, buffers_, geometry.one_sided, projection, target);
+    });
     statistics.draw_ms = watch.milliseconds();
 
     const gl::MemoryUse memory = context_->memory();

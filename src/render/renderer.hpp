@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "render/compute/compute_executor.hpp"
 #include "render/painter.hpp"
 #include "render/transfer_cache.hpp"
 
@@ -23,12 +24,16 @@ public:
     }
 
     /// The same scene every time. Throws Error(invalid_argument) for options or a camera out of range, a
-    /// framebuffer of another context or with other channels than the scene; Error(cancelled);
-    /// Error(out_of_memory). Then the framebuffer still holds what it held. Where nothing has changed since
-    /// the last call it is left alone, and no verb takes any time.
+    /// framebuffer of another context or with other channels than the scene; Error(unsupported) where the
+    /// driver lacks what the compute shaders asked for need; Error(cancelled); Error(out_of_memory). Then the
+    /// framebuffer still holds what it held. Where nothing has changed since the last call it is left alone,
+    /// and no verb takes any time.
     void render(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
 
 private:
+    // Null for threads.
+    [[nodiscard]] ComputeExecutor* device_for(Executor executor);
+
     // What a picture was made of; where all of it is the same, so is the picture.
     struct Made {
         std::uint64_t content;  // of the framebuffer
@@ -43,6 +48,8 @@ private:
     std::optional<Made> made_;  // last
     std::shared_ptr<gl::Context> context_;
     TransferCache transfer_;
+    VertexBuffers buffers_;
+    std::optional<ComputeExecutor> device_;
     Painter painter_;
 };
 

@@ -13,7 +13,7 @@ void TransferCache::set_cache(const std::filesystem::path& folder, const CacheNo
 }
 
 void TransferCache::update(const Scene& scene, const Projection& projection, const RenderOptions& options,
-                           Progress& progress, Statistics& statistics) {
+                           ComputeExecutor* device, Progress& progress, Statistics& statistics) {
     if (geometry_revision_ != scene.geometry_revision()) {
         geometry_ = world_geometry(scene);
         geometry_revision_ = scene.geometry_revision();
@@ -42,8 +42,8 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
     if (high_orders) {
         high_orders_.update(input, distant, options.high_orders, workers_, progress, statistics);
     }
-    const auto compute = [&](auto& method) {
-        method.update(input, workers_, progress, statistics);
+    const auto on_host = [&](auto& method) {
+        method.relight(input, workers_, progress, statistics);
         const Stopwatch watch;
         workers_.run([&] { statistics.vertices_skipped = find_visible(geometry_, projection, visible_); });
         stokes_.resize(static_cast<std::size_t>(input.channels));
@@ -51,12 +51,21 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
         method.shade(input, projection.view, visible_, workers_, progress, stokes_);
         if (high_orders) {
             high_orders_.shade(input, distant, projection.view, visible_, workers_, progress, stokes_);
-            high_orders_.count(statistics);
         }
         if (options.physical) {
             for (auto& channel : stokes_) statistics.vertices_unphysical += make_physical(channel);
         }
         statistics.shade_ms += watch.milliseconds();
+    };
+    const auto compute = [&](auto& method) {
+        method.prepare(input, workers_, progress, statistics);
+        if (device == nullptr) {
+            on_host(method);
+        } else {
+            device->run(method, high_orders ? &high_orders_ : nullptr, input, distant, projection.view,
+                        options.physical, workers_, progress, statistics);
+        }
+        if (high_orders) high_orders_.count(statistics);
         method.count(input, statistics);
     };
     if (options.method == Method::dense) {

@@ -8,6 +8,7 @@
 
 #include "nicol/render.hpp"
 #include "nicol/scene.hpp"
+#include "render/compute/compute_executor.hpp"
 #include "render/dense_method.hpp"
 #include "render/factored_method.hpp"
 #include "render/geometry.hpp"
@@ -28,10 +29,10 @@ public:
     /// Where to keep what takes long to compute; an empty folder: nowhere.
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
 
-    /// Shades every vertex that can be seen; the result is in stokes(). Adds its times and counts to
-    /// `statistics`.
+    /// Shades every vertex that can be seen; the result is in stokes(), or in the buffers of `device` where
+    /// that is not null. Adds its times and counts to `statistics`.
     void update(const Scene& scene, const Projection& projection, const RenderOptions& options,
-                Progress& progress, Statistics& statistics);
+                ComputeExecutor* device, Progress& progress, Statistics& statistics);
 
     [[nodiscard]] const WorldGeometry& geometry() const noexcept { return geometry_; }
     /// Counts the times geometry() changed.

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Packed light of vertices on the device.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gl/buffer.hpp"
+
+namespace nicol {
+
+/// Work groups and chunks are whole multiples of so many vertices. A chunk then begins where a buffer of any
+/// numbers of vertices can be bound.
+inline constexpr std::size_t kGroupOfVertices = 64;
+
+/// Binds three or four floats a vertex from the largest whole group not above `first`; that group's vertex is
+/// returned.
+[[nodiscard]] inline std::size_t bind_vertices(const gl::Buffer& buffer, unsigned binding, std::size_t floats,
+                                               std::size_t first, std::size_t last) {
+    const std::size_t begin = first / kGroupOfVertices * kGroupOfVertices;
+    const std::size_t bytes = floats * sizeof(float);
+    buffer.bind_storage(binding, begin * bytes, (last - begin) * bytes);
+    return begin;
+}
+
+/// Work groups for so many invocations.
+[[nodiscard]] inline unsigned groups_for(std::size_t invocations) {
+    return static_cast<unsigned>((invocations + kGroupOfVertices - 1) / kGroupOfVertices);
+}
+
+/// Light of the scene's vertices first .. first + count - 1: [channel][real, imaginary][entry][vertex].
+class DeviceLight {
+public:
+    /// The most vertices that one holds: what the context lets a shader reach, and no more than keeps its
+    /// work space small.
+    [[nodiscard]] static std::size_t most_vertices(const gl::Context& context, std::size_t numbers) {
+        const std::size_t fit = context.limits().storage_bytes / (numbers * sizeof(float));
+        return std::clamp(fit / kGroupOfVertices * kGroupOfVertices, kGroupOfVertices, std::size_t{65536});
+    }
+
+    /// numbers: twice the entries.
+    DeviceLight(const std::shared_ptr<gl::Context>& context, std::size_t first, std::size_t count,
+                std::size_t numbers, int channels)
+        : first_(first),
+          count_(count),
+          stride_((count + kGroupOfVertices - 1) / kGroupOfVertices * kGroupOfVertices),
+          numbers_(numbers),
+          channels_(channels),
+          buffer_(context, gl::BufferUse::storage, static_cast<std::size_t>(channels) * channel_bytes(),
+                  gl::BufferUpdate::dynamic) {}
+
+    /// Copies from the host: numbers_of(vertex of the scene, channel) is a span of numbers().
+    template <class NumbersOf>
+    void upload(const NumbersOf& numbers_of) {
+        std::vector<float> data(static_cast<std::size_t>(channels_) * numbers_ * stride_);
+        for (int c = 0; c < channels_; ++c) {
+            float* channel = data.data() + static_cast<std::size_t>(c) * numbers_ * stride_;
+            for (std::size_t v = 0; v < count_; ++v) {
+                const std::span<const float> from = numbers_of(first_ + v, c);
+                for (std::size_t j = 0; j < numbers_; ++j) channel[j * stride_ + v] = from[j];
+            }
+        }
+        buffer_.update(0, std::as_bytes(std::span(data)));
+    }
+
+    void bind(unsigned binding, int channel) const {
+        buffer_.bind_storage(binding, static_cast<std::size_t>(channel) * channel_bytes(), channel_bytes());
+    }
+
+    [[nodiscard]] std::size_t first() const noexcept { return first_; }
+    [[nodiscard]] std::size_t count() const noexcept { return count_; }
+    [[nodiscard]] std::size_t last() const noexcept { return first_ + count_; }
+    /// Vertices from number to number.
+    [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
+    [[nodiscard]] std::size_t numbers() const noexcept { return numbers_; }
+    [[nodiscard]] int channels() const noexcept { return channels_; }
+
+private:
+    [[nodiscard]] std::size_t channel_bytes() const noexcept { return numbers_ * stride_ * sizeof(float); }
+
+    std::size_t first_;
+    std::size_t count_;
+    std::size_t stride_;
+    std::size_t numbers_;
+    int channels_;
+    gl::Buffer buffer_;
+};
+
+}  // namespace nicol

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "render/vertex_buffers.hpp"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+namespace nicol {
+
+void VertexBuffers::update(const WorldGeometry& geometry, std::uint64_t geometry_revision, int channels) {
+    const auto count = static_cast<std::size_t>(channels);
+    const bool same_geometry = geometry_revision_ == geometry_revision;
+    if (same_geometry && (empty() || stokes_.size() == count)) return;
+    ++revision_;
+    stokes_.clear();
+    if (!same_geometry) {
+        geometry_revision_ = 0;
+        indices_.reset();
+        positions_.reset();
+        normals_.reset();
+        if (!geometry.triangles.empty()) {
+            positions_ = std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
+                                                      std::as_bytes(std::span(geometry.positions)));
+            indices_ = std::make_shared<gl::IndexBuffer>(
+                context_, std::span(&geometry.triangles.front().x, 3 * geometry.triangles.size()));
+        }
+        geometry_revision_ = geometry_revision;
+    }
+    while (!empty() && stokes_.size() < count) {
+        stokes_.push_back(std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
+                                                       geometry.positions.size() * sizeof(glm::vec4),
+                                                       gl::BufferUpdate::dynamic));
+    }
+}
+
+void VertexBuffers::upload(const VertexStokes& stokes) {
+    for (std::size_t c = 0; c < stokes_.size(); ++c) {
+        stokes_[c]->update(0, std::as_bytes(std::span(stokes[c])));
+    }
+}
+
+const gl::Buffer& VertexBuffers::normals(const WorldGeometry& geometry) {
+    if (!normals_) {
+        normals_ = std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
+                                                std::as_bytes(std::span(geometry.normals)));
+    }
+    return *normals_;
+}
+
+}  // namespace nicol

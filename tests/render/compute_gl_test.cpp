@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// Compute shaders against threads.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+#include <string>
+
+#include "gl/contexts.hpp"
+#include "nicol/conductor.hpp"
+#include "nicol/stokes.hpp"
+#include "render/renderer.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr double tolerance = 1e-5;  // of the largest value
+
+EnvironmentPtr some_light(LightKind kind, int order, int channels) {
+    PshVector light(order, channels);
+    for (int c = 0; c < channels; ++c) {
+        light.at(c, 0, 0, 0) = 6 + c;
+        for (int l = 0; l <= order; ++l) {
+            for (int m = -l; m <= l; ++m) {
+                for (int p = l == 0 ? 3 : 0; p < static_cast<int>(kind); ++p) {
+                    if (l < 2 && (p == 1 || p == 2)) continue;
+                    light.at(c, l, m, p) = std::sin(7.1 * l + 3.3 * m + 5 * p + 0.2 * c) / (l + 1);
+                }
+            }
+        }
+    }
+    return psh_environment(light);
+}
+
+/// A sphere of few vertices: a cube's, moved out to unit length.
+std::shared_ptr<const Mesh> coarse_sphere() {
+    Mesh mesh = make_cube(4);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        mesh.normals[i] = mesh.positions[i] = glm::normalize(mesh.positions[i]);
+    }
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+/// A coloured sphere that stands on a metal plate, with so many colour channels.
+Scene sphere_on_plate(const EnvironmentPtr& light, int channels) {
+    std::vector<double> colours;
+    for (int c = 0; c < channels; ++c) colours.push_back(0.6 - 0.09 * c);
+    Scene scene;
+    scene.add({.mesh = coarse_sphere(),
+               .material = pplastic({.diffuse_reflectance = colours, .alpha = 0.3}),
+               .to_world = glm::translate(glm::dmat4(1), {0.2, 1, 0.1})});
+    scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(6)),
+               .material = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.3}),
+               .to_world = glm::rotate(glm::dmat4(1), glm::radians(-90.0), glm::dvec3(1, 0, 0)) *
+                           glm::scale(glm::dmat4(1), glm::dvec3(3))});
+    scene.set_environment(light, glm::dmat3(1), 0.7);
+    return scene;
+}
+
+Camera some_camera() {
+    Camera camera;
+    camera.to_world = look_at({2, 4, 6}, {0, 0.5, 0}, {0, 1, 0});
+    return camera;
+}
+
+/// Renders by both executors and compares the pictures.
+struct Comparison {
+    Comparison(const std::shared_ptr<gl::Context>& context, int channels)
+        : renderer(context, 0), by_threads(context, 40, 30, channels), by_shaders(context, 40, 30, channels) {
+        renderer.set_cache(folder(), {});
+    }
+
+    /// What takes long to prepare is shared by the backends.
+    static std::filesystem::path folder() {
+        static const struct Temporary {
+            std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                         ("nicol-compute-" + std::to_string(std::random_device()()));
+            ~Temporary() { std::filesystem::remove_all(path); }
+        } temporary;
+        return temporary.path;
+    }
+
+    void run(const Scene& scene, RenderOptions options, const Camera& camera = some_camera()) {
+        options.bake_directions = 256;
+        options.executor = Executor::cpu;
+        renderer.render(scene, camera, options, by_threads);
+        CHECK_FALSE(by_threads.statistics().compute);
+        options.executor = Executor::compute;
+        renderer.render(scene, camera, options, by_shaders);
+        CHECK(by_shaders.statistics().compute);
+        const std::vector<float>& a = by_threads.image().data;
+        const std::vector<float>& b = by_shaders.image().data;
+        REQUIRE(a.size() == b.size());
+        double largest = 0;
+        double difference = 0;
+        bool finite = true;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            finite = finite && std::isfinite(b[i]);
+            largest = std::max(largest, std::abs(static_cast<double>(a[i])));
+            difference = std::max(difference, std::abs(static_cast<double>(a[i]) - b[i]));
+        }
+        CHECK(finite);
+        CHECK(largest > 0.1);
+        CHECK(difference <= tolerance * largest);
+    }
+
+    Renderer renderer;
+    Framebuffer by_threads;
+    Framebuffer by_shaders;
+};
+
+constexpr std::array kinds{LightKind::unpolarized, LightKind::linear, LightKind::full};
+
+}  // namespace
+
+TEST_CASE("compute shaders make what threads make, of every kind of light, channels, orders and shadows") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        for (const int channels : {1, 3, 6}) {
+            Comparison comparison(context, channels);
+            for (const LightKind kind : kinds) {
+                for (const int order : {0, 4, 9}) {
+                    const Scene scene = sphere_on_plate(some_light(kind, order, channels), channels);
+                    for (const bool shadows : {false, true}) {
+                        CAPTURE(channels);
+                        CAPTURE(static_cast<int>(kind));
+                        CAPTURE(order);
+                        CAPTURE(shadows);
+                        comparison.run(scene, {.shadows = shadows,
+                                               .order_low = order,
+                                               .order_high = order,
+                                               .high_orders = HighOrders::none,
+                                               .progress = {}});
+                    }
+                }
+            }
+        }
+    });
+}
+
+TEST_CASE("compute shaders make what threads make by the dense method") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        for (const int channels : {1, 3, 6}) {
+            Comparison comparison(context, channels);
+            for (const LightKind kind : kinds) {
+                for (const int order : {0, 4}) {
+                    const Scene scene = sphere_on_plate(some_light(kind, order, channels), channels);
+                    CAPTURE(channels);
+                    CAPTURE(static_cast<int>(kind));
+                    CAPTURE(order);
+                    comparison.run(scene, {.method = Method::dense,
+                                           .order_low = order,
+                                           .order_high = order,
+                                           .high_orders = HighOrders::none,
+                                           .progress = {}});
+                }
+            }
+        }
+    });
+}
+
+TEST_CASE("compute shaders make what threads make of high orders") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        for (const int channels : {1, 6}) {
+            Comparison comparison(context, channels);
+            for (const LightKind kind : {LightKind::unpolarized, LightKind::full}) {
+                const Scene scene = sphere_on_plate(some_light(kind, 9, channels), channels);
+                for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
+                    for (const bool shadows : {false, true}) {
+                        CAPTURE(channels);
+                        CAPTURE(static_cast<int>(kind));
+                        CAPTURE(static_cast<int>(form));
+                        CAPTURE(shadows);
+                        comparison.run(scene, {.shadows = shadows,
+                                               .order_low = 3,
+                                               .order_high = 9,
+                                               .high_orders = form,
+                                               .progress = {}});
+                    }
+                }
+            }
+        }
+    });
+}
+
+TEST_CASE("options and changes reach compute shaders") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        const EnvironmentPtr light = some_light(LightKind::linear, 6, 3);
+        Comparison comparison(context, 3);
+        Scene scene = sphere_on_plate(light, 3);
+        for (const Method method : {Method::factored, Method::dense}) {
+            RenderOptions options{.method = method, .order_low = 3, .order_high = 6, .progress = {}};
+            comparison.run(scene, options);
+            options.horizon = HorizonExtension::dark;
+            comparison.run(scene, options);
+            Comparison fresh(context, 3);
+            fresh.run(scene, options);
+            CHECK(fresh.by_threads.image().data == comparison.by_threads.image().data);
+            CHECK(fresh.by_shaders.image().data == comparison.by_shaders.image().data);
+            options.physical = true;
+            options.dering = 1e-3;
+            comparison.run(scene, options);
+            Camera camera = some_camera();
+            camera.orthographic = true;
+            comparison.run(scene, options, camera);
+            CHECK(comparison.by_shaders.statistics().relight_ms == 0);
+
+            scene.set_environment(light, theta_phi_frame(glm::normalize(glm::dvec3(1, 2, -1))), 0.4);
+            comparison.run(scene, options);
+            scene.set_transform(0, glm::translate(glm::dmat4(1), {-0.5, 1.2, 0.3}));
+            comparison.run(scene, options);
+            scene.set_environment(some_light(LightKind::full, 5, 1), glm::dmat3(1), 1);
+            comparison.run(scene, options);
+            scene.set_environment(light, glm::dmat3(1), 0.7);
+        }
+    });
+}
+
+TEST_CASE("compute shaders take more vertices than one buffer of light holds") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    Comparison comparison(context, 3);
+    Scene scene = sphere_on_plate(some_light(LightKind::linear, 2, 3), 3);
+    scene.add(
+        {.mesh = std::make_shared<const Mesh>(make_rectangle(264)),
+         .material = diffuse({0.5}),
+         .to_world = glm::translate(glm::dmat4(1), {0, 0, -2}) * glm::scale(glm::dmat4(1), glm::dvec3(3))});
+    comparison.run(scene, {.order_low = 2, .order_high = 2, .progress = {}});
+    CHECK(comparison.by_shaders.statistics().vertices > 65536 + 1000);
+}
+
+TEST_CASE("an empty scene and the automatic choice of the executor") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Renderer renderer(context, 0);
+        Framebuffer target(context, 8, 8, 3);
+        Scene scene;
+        scene.set_environment(constant_environment({1.0, 1.0, 1.0}), glm::dmat3(1), 1);
+        renderer.render(scene, some_camera(), {.executor = Executor::compute, .progress = {}}, target);
+        CHECK(target.image().at(0, 4, 4)[0] == doctest::Approx(1));
+        renderer.render(scene, some_camera(), {.progress = {}}, target);
+        CHECK(target.statistics().compute == !context->info().software);
+    });
+}
