@@ -18,7 +18,8 @@ using ChannelWeights = std::vector<std::vector<double>>;
 [[nodiscard]] ChannelWeights rgb_weights(std::span<const double> wavelengths);
 
 /// The same colours of an emission, scaled to the luminance: weights of the CIE 1931 observer, divided by the
-/// integral of its y. A constant emission becomes white of equal energy, (1.205, 0.948, 0.909), not (1, 1, 1).
+/// integral of its y. A constant emission becomes white of equal energy, (1.205, 0.948, 0.909), not (1, 1,
+/// 1).
 [[nodiscard]] ChannelWeights rgb_emission_weights(std::span<const double> wavelengths);
 
 /// A channel for each wanted wavelength: linear between the measured ones, constant beyond them.

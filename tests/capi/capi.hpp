@@ -16,11 +16,11 @@
 
 #include "nicol.h"
 
-#define OK(call)                             \
-    do {                                     \
-        const nicol_result result_ = (call); \
+#define OK(call)                               \
+    do {                                       \
+        const nicol_result result_ = (call);   \
         INFO(std::string(nicol_last_error())); \
-        REQUIRE(result_ == NICOL_OK);        \
+        REQUIRE(result_ == NICOL_OK);          \
     } while (false)
 
 // The call must return this code, and the message must contain this text.
