@@ -40,6 +40,6 @@ Mesh make_bumpy_sphere(nicol_context context, std::uint32_t vertices) {
     data.positions = positions.data();
     data.indices = indices.data();
     nicol_mesh mesh = nullptr;
-    ok(nicol_mesh_create(context, &data, &mesh));
+    check(nicol_mesh_create(context, &data, &mesh));
     return Mesh(mesh);
 }

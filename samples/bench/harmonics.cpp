@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "abi.hpp"
+#include "common/handles.hpp"
 #include "contest.hpp"
 #include "peer.hpp"
 
@@ -45,15 +45,15 @@ void bench_transform(Report& report, int order, Parts parts, double seconds) {
     sampling.rows = static_cast<std::uint32_t>(order + 1);
     sampling.columns = static_cast<std::uint32_t>(2 * order + 2);
     nicol_psh_transform transform = nullptr;
-    ok(nicol_psh_transform_create(&sampling, &transform));
+    check(nicol_psh_transform_create(&sampling, &transform));
     const std::vector<double> field = random_field(order, parts);
     std::vector<double> samples(std::size_t{4} * sampling.rows * sampling.columns);
     std::vector<double> back(field.size());
     const auto synthesize = [&] {
-        ok(nicol_psh_synthesize(transform, 1, field.data(), field.size(), samples.data(), samples.size()));
+        check(nicol_psh_synthesize(transform, 1, field.data(), field.size(), samples.data(), samples.size()));
     };
     const auto analyze = [&] {
-        ok(nicol_psh_analyze(transform, 1, samples.data(), samples.size(), back.data(), back.size()));
+        check(nicol_psh_analyze(transform, 1, samples.data(), samples.size(), back.data(), back.size()));
     };
     synthesize();
     analyze();
@@ -78,7 +78,7 @@ void bench_transform(Report& report, int order, Parts parts, double seconds) {
                {peer ? seconds_a_call[0] / seconds_a_call[2] : not_measured, 1e6 * seconds_a_call[0], error});
     report.add(what + ", analysis",
                {peer ? seconds_a_call[1] / seconds_a_call[3] : not_measured, 1e6 * seconds_a_call[1], error});
-    ok(nicol_psh_transform_release(transform));
+    check(nicol_psh_transform_release(transform));
 }
 
 void bench_rotation(Report& report, int order, double seconds) {
@@ -93,8 +93,8 @@ void bench_rotation(Report& report, int order, double seconds) {
     const double inverse[9] = {c * c, s * c, -s, -s, c, 0, c * s, s * s, c};
     std::vector<double> out(many.size());
     const auto rotate = [&](std::uint64_t vectors, const std::vector<double>& from, const double* r) {
-        ok(nicol_psh_rotate(static_cast<std::uint32_t>(order), vectors, from.data(), from.size(), r,
-                            out.data(), from.size()));
+        check(nicol_psh_rotate(static_cast<std::uint32_t>(order), vectors, from.data(), from.size(), r,
+                               out.data(), from.size()));
     };
     rotate(1, field, rotation);
     std::vector<double> turned(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(field.size()));
@@ -124,7 +124,7 @@ void bench_projection(Report& report, double seconds) {
     std::vector<double> coefficients(3 * coefficient_count(9));
     float sum = 0;
     const std::vector<double> seconds_a_call =
-        contest({[&] { ok(nicol_psh_project_image(&image, 9, coefficients.data(), coefficients.size())); },
+        contest({[&] { check(nicol_psh_project_image(&image, 9, coefficients.data(), coefficients.size())); },
                  [&] {
                      float lanes[16] = {};
                      for (std::size_t i = 0; i < pixels.size(); i += 16) {

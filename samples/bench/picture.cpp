@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "abi.hpp"
+#include "common/handles.hpp"
 
 namespace {
 
@@ -30,12 +30,12 @@ StokesErrors relative_roots(const Truth& truth, Term term) {
 
 Picture read_picture(nicol_framebuffer framebuffer) {
     Picture picture;
-    ok(nicol_framebuffer_get_size(framebuffer, &picture.width, &picture.height, &picture.channels));
+    check(nicol_framebuffer_get_size(framebuffer, &picture.width, &picture.height, &picture.channels));
     const std::size_t plane = std::size_t{4} * picture.width * picture.height;
     picture.stokes.resize(plane * picture.channels);
     for (std::uint32_t c = 0; c < picture.channels; ++c) {
-        ok(nicol_framebuffer_read(framebuffer, NICOL_PLANE_STOKES, c, picture.stokes.data() + c * plane, 0,
-                                  plane * sizeof(float)));
+        check(nicol_framebuffer_read(framebuffer, NICOL_PLANE_STOKES, c, picture.stokes.data() + c * plane, 0,
+                                     plane * sizeof(float)));
     }
     return picture;
 }

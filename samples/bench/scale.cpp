@@ -25,7 +25,7 @@ Environment polarized_sky(nicol_context context) {
     sky.radiance.values[1] = 0.65F;
     sky.radiance.values[2] = 0.95F;
     nicol_environment handle = nullptr;
-    ok(nicol_environment_create_sky(context, &sky, &handle));
+    check(nicol_environment_create_sky(context, &sky, &handle));
     return Environment(handle);
 }
 
@@ -34,21 +34,21 @@ class Ball {
 public:
     Ball(nicol_context context, std::uint32_t vertices) : sky_(polarized_sky(context)) {
         nicol_scene scene = nullptr;
-        ok(nicol_scene_create(context, &scene));
+        check(nicol_scene_create(context, &scene));
         scene_.reset(scene);
         nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
         plastic.distribution = NICOL_DISTRIBUTION_GGX;
         plastic.alpha = 0.3F;
         nicol_material handle = nullptr;
-        ok(nicol_material_create_pplastic(context, &plastic, &handle));
+        check(nicol_material_create_pplastic(context, &plastic, &handle));
         const Material material(handle);
         const Mesh mesh = make_bumpy_sphere(context, vertices);
         nicol_instance instance = NICOL_INSTANCE_INIT;
         instance.mesh = mesh.get();
         instance.material = material.get();
-        ok(nicol_scene_add_instance(scene, &instance, nullptr));
+        check(nicol_scene_add_instance(scene, &instance, nullptr));
         const double origin[3] = {0, 0.5, 3.5}, target[3] = {0, 0, 0}, up[3] = {0, 1, 0};
-        ok(nicol_camera_look_at(&camera_, origin, target, up));
+        check(nicol_camera_look_at(&camera_, origin, target, up));
     }
 
     // Medians of frames after turns of the light.
@@ -77,11 +77,11 @@ private:
         angle_ += 0.02;
         const double c = std::cos(angle_), s = std::sin(angle_);
         const double to_world[16] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
-        ok(nicol_scene_set_environment(scene_.get(), sky_.get(), to_world, 1));
+        check(nicol_scene_set_environment(scene_.get(), sky_.get(), to_world, 1));
         const nicol_render_options options = recipe.options();
-        ok(nicol_render(scene_.get(), &camera_, &options, framebuffer));
+        check(nicol_render(scene_.get(), &camera_, &options, framebuffer));
         nicol_statistics statistics = NICOL_STATISTICS_INIT;
-        ok(nicol_framebuffer_get_statistics(framebuffer, &statistics));
+        check(nicol_framebuffer_get_statistics(framebuffer, &statistics));
         return statistics;
     }
 
@@ -121,7 +121,7 @@ Report bench_scale(const Options& options) {
     const std::uint32_t size = options.size == 0 ? 512 : options.size;
     const Context context = make_context(options.backend, options.cache);
     nicol_framebuffer handle = nullptr;
-    ok(nicol_framebuffer_create(context.get(), size, size, 3, &handle));
+    check(nicol_framebuffer_create(context.get(), size, size, 3, &handle));
     const Framebuffer framebuffer(handle);
     Report report({"what", "bake ms", "relight ms", "shade ms", "draw ms", "bytes a vertex"});
 

@@ -17,7 +17,7 @@ void rotation_about_vertical(double degrees, double matrix[16]) {
 
 Environment load_light(nicol_context context, const std::string& path) {
     nicol_environment light = nullptr;
-    ok(nicol_environment_load(context, path.c_str(), nullptr, &light));
+    check(nicol_environment_load(context, path.c_str(), nullptr, &light));
     return Environment(light);
 }
 
@@ -28,7 +28,7 @@ Context make_context(nicol_backend backend, const std::string& cache_folder) {
     wanted.backend = backend;
     wanted.cache_folder = cache_folder.c_str();
     nicol_context context = nullptr;
-    ok(nicol_context_create(&wanted, &context));
+    check(nicol_context_create(&wanted, &context));
     return Context(context);
 }
 
@@ -47,29 +47,29 @@ Scene Workshop::load() const {
     std::vector<const char*> definitions;
     for (const std::string& definition : definitions_) definitions.push_back(definition.c_str());
     nicol_scene scene = nullptr;
-    ok(nicol_scene_load(context_.get(), path_.c_str(), definitions.data(),
-                        static_cast<std::uint32_t>(definitions.size()), &scene));
+    check(nicol_scene_load(context_.get(), path_.c_str(), definitions.data(),
+                           static_cast<std::uint32_t>(definitions.size()), &scene));
     return Scene(scene);
 }
 
 std::string Workshop::machine() const {
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
-    ok(nicol_context_get_info(context_.get(), &info));
+    check(nicol_context_get_info(context_.get(), &info));
     return std::string(info.backend == NICOL_BACKEND_EGL ? "EGL, " : "OSMesa, ") + info.renderer + ", " +
            std::to_string(info.threads) + " threads";
 }
 
 Stage::Stage(const Workshop& workshop)
     : context_(workshop.context()), light_(workshop.light()), scene_(workshop.load()) {
-    ok(nicol_scene_get_camera(scene_.get(), &camera_));
+    check(nicol_scene_get_camera(scene_.get(), &camera_));
     if (light_ != nullptr) turn_light(0);
 }
 
 Framebuffer Stage::framebuffer(std::uint32_t width, std::uint32_t height) const {
     std::uint32_t channels = 0;
-    ok(nicol_scene_get_channels(scene_.get(), &channels));
+    check(nicol_scene_get_channels(scene_.get(), &channels));
     nicol_framebuffer framebuffer = nullptr;
-    ok(nicol_framebuffer_create(context_, width, height, channels, &framebuffer));
+    check(nicol_framebuffer_create(context_, width, height, channels, &framebuffer));
     return Framebuffer(framebuffer);
 }
 
@@ -90,12 +90,12 @@ void Stage::turn_light(double degrees) {
     light_angle_ += degrees;
     double to_world[16];
     rotation_about_vertical(light_angle_, to_world);
-    ok(nicol_scene_set_environment(scene_.get(), light_, to_world, 1));
+    check(nicol_scene_set_environment(scene_.get(), light_, to_world, 1));
 }
 
 nicol_statistics Stage::render(const nicol_render_options& options, nicol_framebuffer framebuffer) const {
-    ok(nicol_render(scene_.get(), &camera_, &options, framebuffer));
+    check(nicol_render(scene_.get(), &camera_, &options, framebuffer));
     nicol_statistics statistics = NICOL_STATISTICS_INIT;
-    ok(nicol_framebuffer_get_statistics(framebuffer, &statistics));
+    check(nicol_framebuffer_get_statistics(framebuffer, &statistics));
     return statistics;
 }

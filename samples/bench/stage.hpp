@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "abi.hpp"
+#include "common/handles.hpp"
 #include "options.hpp"
 #include "recipe.hpp"
 #include "temporary_folder.hpp"

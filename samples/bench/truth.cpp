@@ -12,9 +12,9 @@ Mask wholly_covered(const Workshop& workshop, std::uint32_t size) {
     one.count = 1;
     one.values[0] = 1;
     nicol_environment handle = nullptr;
-    ok(nicol_environment_create_constant(workshop.context(), &one, &handle));
+    check(nicol_environment_create_constant(workshop.context(), &one, &handle));
     const Environment constant(handle);
-    ok(nicol_scene_set_environment(stage.scene(), constant.get(), nullptr, 1));
+    check(nicol_scene_set_environment(stage.scene(), constant.get(), nullptr, 1));
     const Framebuffer framebuffer = stage.framebuffer(kReduction * size, kReduction * size);
     const Recipe plain{.low = 0, .shadows = false};
     stage.render(plain.options(), framebuffer.get());

@@ -7,26 +7,13 @@
 #include <exception>
 #include <filesystem>
 
+#include "common/handles.hpp"
 #include "options.hpp"
 #include "report.hpp"
 
 namespace {
 
-void check(nicol_result result) {
-    if (result != NICOL_OK) throw Failure(nicol_last_error());
-}
-
-// Scripts count on one line; a path may hold a line feed.
-std::string one_line(const char* message) {
-    std::string line;
-    for (const char* p = message; *p; ++p) {
-        const char c = *p == '\n' ? ' ' : *p;
-        if (c != ' ' || line.empty() || line.back() != ' ') line += c;
-    }
-    return line;
-}
-
-// The library renames a finished file over its target, which would replace a device or a pipe.
+// The library never replaces a device or a pipe; here it is said before the work, not after.
 void require_replaceable(const std::string& path) {
     std::error_code error;
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error) &&

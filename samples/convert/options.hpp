@@ -4,13 +4,9 @@
 
 #include <nicol.h>
 
-#include <stdexcept>
 #include <string>
 
-/// Ends the program with exit code 2; the message is one line.
-struct Failure : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+#include "common/failure.hpp"
 
 struct Options {
     enum class Action { convert, info, help, version };

@@ -5,10 +5,6 @@
 #include <cmath>
 #include <stdexcept>
 
-void check(nicol_result result) {
-    if (result != NICOL_OK) throw std::runtime_error(nicol_last_error());
-}
-
 std::size_t vector_size(std::uint32_t order) {
     return 4 * std::size_t{order + 1} * (order + 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Thin C++ clothes for the calls of nicol.h that all experiments use. Failures throw std::runtime_error.
+// Thin C++ clothes for the calls of nicol.h that all experiments use. Failures throw Failure.
 #pragma once
 
 #include <nicol.h>
@@ -13,12 +13,12 @@
 #include <numbers>
 #include <vector>
 
+#include "common/handles.hpp"
+
 using std::numbers::pi;
 using Doubles = std::vector<double>;
 using Vec3 = std::array<double, 3>;
 using Rotation = std::array<double, 9>;  ///< row-major
-
-void check(nicol_result result);
 
 /// Doubles of one vector of coefficients.
 std::size_t vector_size(std::uint32_t order);

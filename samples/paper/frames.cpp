@@ -31,7 +31,7 @@ double milliseconds(Work work) {
 
 nicol_statistics statistics_of(nicol_framebuffer target) {
     nicol_statistics statistics = NICOL_STATISTICS_INIT;
-    ok(nicol_framebuffer_get_statistics(target, &statistics));
+    check(nicol_framebuffer_get_statistics(target, &statistics));
     return statistics;
 }
 

@@ -76,14 +76,14 @@ private:
         const Scene scene = stage_.make_reference_scene(path("light.exr"));
         truth_.emplace(
             Truth{picture(scene.get(), View::front, recipe), picture(scene.get(), View::front, other)});
-        ok(nicol_framebuffer_write_exr(target_.get(), path("reference.exr").c_str()));
+        check(nicol_framebuffer_write_exr(target_.get(), path("reference.exr").c_str()));
     }
 
     void run_step(const Step& step) {
         say(step.name);
         StepResult result{.step = step, .cost = {}};
         pictures_.push_back(picture(View::front, step.recipe));
-        ok(nicol_framebuffer_write_exr(target_.get(), path(step.file).c_str()));
+        check(nicol_framebuffer_write_exr(target_.get(), path(step.file).c_str()));
         const PhysicalRange range = physical_range(pictures_.back());
         result.negative = range.negative;
         result.overpolarized = range.overpolarized;
@@ -123,7 +123,7 @@ private:
                               {colours.s0(shown), colours.polarized(shown, 1), colours.polarized(shown, 2),
                                colours.unphysical(shown)});
                 if (physical && view == View::front)
-                    ok(nicol_framebuffer_write_exr(target_.get(), path("physical.exr").c_str()));
+                    check(nicol_framebuffer_write_exr(target_.get(), path("physical.exr").c_str()));
             }
         }
         add_notes(sheet);

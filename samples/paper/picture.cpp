@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "handles.hpp"
+#include "common/handles.hpp"
 
 namespace {
 
@@ -15,13 +15,13 @@ constexpr float rounding = 1e-4F;
 
 Picture read_picture(nicol_framebuffer framebuffer) {
     std::uint32_t width = 0, height = 0, channels = 0;
-    ok(nicol_framebuffer_get_size(framebuffer, &width, &height, &channels));
+    check(nicol_framebuffer_get_size(framebuffer, &width, &height, &channels));
     Picture picture{.size = width, .stokes = {}, .object = {}};
     for (std::uint32_t c = 0; c < 3; ++c) {
         std::vector<float>& plane = picture.stokes[c];
         plane.resize(4 * picture.size * picture.size);
-        ok(nicol_framebuffer_read(framebuffer, NICOL_PLANE_STOKES, c, plane.data(), 0,
-                                  plane.size() * sizeof(float)));
+        check(nicol_framebuffer_read(framebuffer, NICOL_PLANE_STOKES, c, plane.data(), 0,
+                                     plane.size() * sizeof(float)));
     }
     return picture;
 }

@@ -29,7 +29,7 @@ nicol_camera camera_at(View view, double degrees_beside) {
     const double up[3] = {0, 1, 0};
     nicol_camera camera = NICOL_CAMERA_INIT;
     camera.fov = 34;
-    ok(nicol_camera_look_at(&camera, origin, target, up));
+    check(nicol_camera_look_at(&camera, origin, target, up));
     return camera;
 }
 
@@ -49,47 +49,47 @@ Stage::Stage(const Options& options)
     : data_(options.data), size_(options.size), bake_directions_(options.bake_directions) {
     const auto file = [&](const char* name) { return (options.data / name).string(); };
     nicol_context context = nullptr;
-    ok(nicol_context_create(nullptr, &context));
+    check(nicol_context_create(nullptr, &context));
     context_.reset(context);
 
     nicol_environment light = nullptr;
-    ok(nicol_environment_load(context, file(light_file).c_str(), nullptr, &light));
+    check(nicol_environment_load(context, file(light_file).c_str(), nullptr, &light));
     light_.reset(light);
     nicol_environment_info info = NICOL_ENVIRONMENT_INFO_INIT;
-    ok(nicol_environment_get_info(light, &info));
+    check(nicol_environment_get_info(light, &info));
     components_ = info.circular != 0 ? 4 : 3;
 
     nicol_material material = nullptr;
-    ok(nicol_material_load_psh(context, file(gold_file).c_str(), nullptr, &material));
+    check(nicol_material_load_psh(context, file(gold_file).c_str(), nullptr, &material));
     gold_.reset(material);
     nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
     plastic.distribution = NICOL_DISTRIBUTION_GGX;
     plastic.diffuse_reflectance = {3, {0.1F, 0.1F, 0.11F}};
     plastic.alpha = 0.3F;
-    ok(nicol_material_create_pplastic(context, &plastic, &material));
+    check(nicol_material_create_pplastic(context, &plastic, &material));
     plastic_.reset(material);
 
     nicol_mesh mesh = nullptr;
-    ok(nicol_mesh_load(context, file(buddha_file).c_str(), &mesh));
+    check(nicol_mesh_load(context, file(buddha_file).c_str(), &mesh));
     buddha_.reset(mesh);
-    ok(nicol_mesh_load(context, file(plane_file).c_str(), &mesh));
+    check(nicol_mesh_load(context, file(plane_file).c_str(), &mesh));
     plane_.reset(mesh);
 }
 
 Scene Stage::assemble(nicol_material buddha, nicol_material plane, nicol_environment light) const {
     nicol_scene made = nullptr;
-    ok(nicol_scene_create(context_.get(), &made));
+    check(nicol_scene_create(context_.get(), &made));
     Scene scene(made);
     nicol_instance instance = NICOL_INSTANCE_INIT;
     instance.mesh = buddha_.get();
     instance.material = buddha;
-    ok(nicol_scene_add_instance(made, &instance, nullptr));
+    check(nicol_scene_add_instance(made, &instance, nullptr));
     instance.mesh = plane_.get();
     instance.material = plane;
-    ok(nicol_scene_add_instance(made, &instance, nullptr));
+    check(nicol_scene_add_instance(made, &instance, nullptr));
     double to_world[16];
     turned(0, to_world);
-    ok(nicol_scene_set_environment(made, light, to_world, 1));
+    check(nicol_scene_set_environment(made, light, to_world, 1));
     return scene;
 }
 
@@ -102,9 +102,9 @@ Scene Stage::make_reference_scene(const std::string& picture) const {
     options.flags = NICOL_FILE_PHYSICAL;
     options.width = 1024;
     options.height = 513;
-    ok(nicol_file_convert((data_ / light_file).c_str(), &options, picture.c_str()));
+    check(nicol_file_convert((data_ / light_file).c_str(), &options, picture.c_str()));
     nicol_environment made = nullptr;
-    ok(nicol_environment_load(context_.get(), picture.c_str(), nullptr, &made));
+    check(nicol_environment_load(context_.get(), picture.c_str(), nullptr, &made));
     const Environment light(made);
     return assemble(gold_.get(), plastic_.get(), light.get());
 }
@@ -112,24 +112,24 @@ Scene Stage::make_reference_scene(const std::string& picture) const {
 Scene Stage::make_mask_scene() const {
     const nicol_spectrum black = {1, {0}}, white = {3, {1, 1, 1}};
     nicol_material material = nullptr;
-    ok(nicol_material_create_diffuse(context_.get(), &black, &material));
+    check(nicol_material_create_diffuse(context_.get(), &black, &material));
     const Material absorber(material);
     nicol_environment made = nullptr;
-    ok(nicol_environment_create_constant(context_.get(), &white, &made));
+    check(nicol_environment_create_constant(context_.get(), &white, &made));
     const Environment light(made);
     return assemble(material, material, made);
 }
 
 Framebuffer Stage::make_framebuffer() const {
     nicol_framebuffer made = nullptr;
-    ok(nicol_framebuffer_create(context_.get(), size_, size_, 3, &made));
+    check(nicol_framebuffer_create(context_.get(), size_, size_, 3, &made));
     return Framebuffer(made);
 }
 
 void Stage::turn_light(nicol_scene scene, double degrees) const {
     double to_world[16];
     turned(degrees, to_world);
-    ok(nicol_scene_set_environment(scene, light_.get(), to_world, 1));
+    check(nicol_scene_set_environment(scene, light_.get(), to_world, 1));
 }
 
 void Stage::render(nicol_scene scene, View view, const Recipe& recipe, nicol_framebuffer target) const {
@@ -149,11 +149,11 @@ void Stage::render(nicol_scene scene, View view, double degrees_beside, const Re
     options.physical = recipe.physical ? 1 : 0;
     options.samples = recipe.samples;
     options.seed = recipe.seed;
-    ok(nicol_render(scene, &camera, &options, target));
+    check(nicol_render(scene, &camera, &options, target));
 }
 
 std::string Stage::machine() const {
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
-    ok(nicol_context_get_info(context_.get(), &info));
+    check(nicol_context_get_info(context_.get(), &info));
     return std::string(info.renderer) + ", " + std::to_string(info.threads) + " threads";
 }

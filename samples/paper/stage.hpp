@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "handles.hpp"
+#include "common/handles.hpp"
 #include "options.hpp"
 
 /// Throws Failure where a file of the data is absent from the folder.

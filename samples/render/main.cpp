@@ -5,32 +5,13 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <memory>
-#include <type_traits>
 
+#include "common/handles.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "stats.hpp"
 
 namespace {
-
-template <auto Release>
-struct Releaser {
-    template <typename T>
-    void operator()(T* object) const {
-        Release(object);
-    }
-};
-template <typename Handle, auto Release>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Releaser<Release>>;
-
-using Context = Owned<nicol_context, nicol_context_release>;
-using Scene = Owned<nicol_scene, nicol_scene_release>;
-using Framebuffer = Owned<nicol_framebuffer, nicol_framebuffer_release>;
-
-void check(nicol_result result) {
-    if (result != NICOL_OK) throw Failure(nicol_last_error());
-}
 
 void log(void* user, std::uint32_t severity, nicol_result, const char* message) {
     if (severity < NICOL_LOG_NOTICE) return;
@@ -121,21 +102,11 @@ void write_stats(nicol_context context, nicol_framebuffer framebuffer, const std
     write_file(path, stats_json(info, width, height, channels, statistics));
 }
 
-// The library renames a finished file over its target, which would replace a device or a pipe.
+// The library never replaces a device or a pipe; here it is said before the work, not after.
 void require_replaceable(const std::string& path) {
     std::error_code error;
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
         throw Failure(path + ": cannot write: exists and is not a regular file");
-}
-
-// Scripts count on one line; a path may hold a line feed, and a driver's message more.
-std::string one_line(const char* message) {
-    std::string line;
-    for (const char* p = message; *p; ++p) {
-        const char c = *p == '\n' ? ' ' : *p;
-        if (c != ' ' || line.empty() || line.back() != ' ') line += c;
-    }
-    return line;
 }
 
 void print_version() {

@@ -6,14 +6,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-/// Ends the program with exit code 2; the message is one line.
-struct Failure : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+#include "common/failure.hpp"
 
 struct Options {
     enum class Action { render, help, version };

@@ -5,8 +5,9 @@
 #include <nicol.h>
 
 #include <memory>
-#include <stdexcept>
 #include <type_traits>
+
+#include "common/failure.hpp"
 
 template <auto Release>
 struct Releaser {
@@ -25,6 +26,6 @@ using Mesh = Owned<nicol_mesh, nicol_mesh_release>;
 using Scene = Owned<nicol_scene, nicol_scene_release>;
 using Framebuffer = Owned<nicol_framebuffer, nicol_framebuffer_release>;
 
-inline void ok(nicol_result result) {
-    if (result != NICOL_OK) throw std::runtime_error(nicol_last_error());
+inline void check(nicol_result result) {
+    if (result != NICOL_OK) throw Failure(nicol_last_error());
 }
