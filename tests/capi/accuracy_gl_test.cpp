@@ -112,13 +112,7 @@ std::vector<float> points(nicol_context context, std::uint32_t order, nicol_meth
     nicol_material material = nullptr;
     OK(nicol_material_create_pplastic(context, &plastic, &material));
     const nicol_mesh mesh = touching_plates(context);
-    nicol_scene scene = nullptr;
-    OK(nicol_scene_create(context, &scene));
-    OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
-    nicol_instance instance = NICOL_INSTANCE_INIT;
-    instance.mesh = mesh;
-    instance.material = material;
-    OK(nicol_scene_add_instance(scene, &instance, nullptr));
+    nicol_scene scene = simple_scene(context, environment, mesh, material);
     nicol_framebuffer framebuffer = nullptr;
     OK(nicol_framebuffer_create(context, 1, 1, 2, &framebuffer));
 

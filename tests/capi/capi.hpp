@@ -80,6 +80,19 @@ inline Matrix placed(double x, double y, double z, double scale = 1) {
     return {{scale, 0, 0, x, 0, scale, 0, y, 0, 0, scale, z, 0, 0, 0, 1}};
 }
 
+/// One mesh as it lies, under one light.
+inline nicol_scene simple_scene(nicol_context context, nicol_environment environment, nicol_mesh mesh,
+                                nicol_material material) {
+    nicol_scene scene = nullptr;
+    OK(nicol_scene_create(context, &scene));
+    OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
+    nicol_instance instance = NICOL_INSTANCE_INIT;
+    instance.mesh = mesh;
+    instance.material = material;
+    OK(nicol_scene_add_instance(scene, &instance, nullptr));
+    return scene;
+}
+
 /// A cube under a polarizing sky, and a small framebuffer: something of everything.
 struct Stage {
     nicol_environment environment = nullptr;

@@ -24,13 +24,7 @@ std::vector<float> picture_of(nicol_context context, nicol_material material, bo
     OK(nicol_environment_create_constant(context, &light, &environment));
     nicol_mesh mesh = nullptr;
     OK(nicol_mesh_create_rectangle(context, &mesh));
-    nicol_scene scene = nullptr;
-    OK(nicol_scene_create(context, &scene));
-    OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
-    nicol_instance instance = NICOL_INSTANCE_INIT;
-    instance.mesh = mesh;
-    instance.material = material;
-    OK(nicol_scene_add_instance(scene, &instance, nullptr));
+    nicol_scene scene = simple_scene(context, environment, mesh, material);
     std::uint32_t channels = 0;
     OK(nicol_scene_get_channels(scene, &channels));
     nicol_framebuffer framebuffer = nullptr;

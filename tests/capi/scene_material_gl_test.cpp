@@ -322,13 +322,7 @@ TEST_CASE("measured gold under measured light, from the authors' coefficients") 
             OK(nicol_material_load_psh(context, gold.string().c_str(), nullptr, &material));
             nicol_mesh mesh = nullptr;
             OK(nicol_mesh_create_rectangle(context, &mesh));
-            nicol_scene scene = nullptr;
-            OK(nicol_scene_create(context, &scene));
-            OK(nicol_scene_set_environment(scene, light, nullptr, 0));
-            nicol_instance instance = NICOL_INSTANCE_INIT;
-            instance.mesh = mesh;
-            instance.material = material;
-            OK(nicol_scene_add_instance(scene, &instance, nullptr));
+            nicol_scene scene = simple_scene(context, light, mesh, material);
             nicol_framebuffer framebuffer = nullptr;
             OK(nicol_framebuffer_create(context, 4, 4, 3, &framebuffer));
             const nicol_camera camera = front_camera(1);

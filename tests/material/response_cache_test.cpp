@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <atomic>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,6 +15,9 @@
 #include "scratch.hpp"
 
 using namespace nicol;
+using test::content;
+using test::files_in;
+using test::replace;
 
 namespace {
 
@@ -38,21 +40,6 @@ private:
     std::string key_;
     MaterialPtr base_ = diffuse({0.5});
 };
-
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> out;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) out.push_back(entry.path());
-    return out;
-}
-
-std::string content(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void replace(const std::filesystem::path& file, const std::string& bytes) {
-    std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
-}
 
 const LightLayout layout(2, LightKind::linear);
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A folder of its own for each test, removed afterwards.
+// A folder of its own for each test, removed afterwards, and the files in it.
 #pragma once
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace nicol::test {
 
@@ -28,5 +31,20 @@ public:
 private:
     std::filesystem::path path_;
 };
+
+inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> out;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) out.push_back(entry.path());
+    return out;
+}
+
+inline std::string content(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline void replace(const std::filesystem::path& file, const std::string& bytes) {
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+}
 
 }  // namespace nicol::test

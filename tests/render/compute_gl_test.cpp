@@ -10,6 +10,7 @@
 #include <random>
 #include <string>
 
+#include "coarse_sphere.hpp"
 #include "gl/contexts.hpp"
 #include "nicol/conductor.hpp"
 #include "nicol/stokes.hpp"
@@ -37,21 +38,12 @@ EnvironmentPtr some_light(LightKind kind, int order, int channels) {
     return psh_environment(light);
 }
 
-/// A sphere of few vertices: a cube's, moved out to unit length.
-std::shared_ptr<const Mesh> coarse_sphere() {
-    Mesh mesh = make_cube(4);
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        mesh.normals[i] = mesh.positions[i] = glm::normalize(mesh.positions[i]);
-    }
-    return std::make_shared<const Mesh>(std::move(mesh));
-}
-
 /// A coloured sphere that stands on a metal plate, with so many colour channels.
 Scene sphere_on_plate(const EnvironmentPtr& light, int channels) {
     std::vector<double> colours;
     for (int c = 0; c < channels; ++c) colours.push_back(0.6 - 0.09 * c);
     Scene scene;
-    scene.add({.mesh = coarse_sphere(),
+    scene.add({.mesh = test::coarse_sphere(4),
                .material = pplastic({.diffuse_reflectance = colours, .alpha = 0.3}),
                .to_world = glm::translate(glm::dmat4(1), {0.2, 1, 0.1})});
     scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(6)),

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "coarse_sphere.hpp"
 #include "gl/contexts.hpp"
 #include "nicol/conductor.hpp"
 #include "nicol/material_projection.hpp"
@@ -40,19 +41,10 @@ MaterialPtr truncated(const Material& material, int order) {
     return psh_matrix_material(channels);
 }
 
-/// A sphere of few vertices: a cube's, moved out to unit length.
-Mesh coarse_sphere() {
-    Mesh mesh = make_cube(6);
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        mesh.normals[i] = mesh.positions[i] = glm::normalize(mesh.positions[i]);
-    }
-    return mesh;
-}
-
 /// Close enough to shadow each other.
 Scene two_spheres(const MaterialPtr& first, const MaterialPtr& second, int order) {
     Scene scene;
-    const auto mesh = std::make_shared<const Mesh>(coarse_sphere());
+    const auto mesh = test::coarse_sphere(6);
     scene.add({.mesh = mesh, .material = first, .to_world = glm::translate(glm::dmat4(1), {-1.1, 0, 0})});
     scene.add({.mesh = mesh, .material = second, .to_world = glm::translate(glm::dmat4(1), {1.1, 0, 0})});
     scene.set_environment(some_light(order), glm::dmat3(1), 1);
