@@ -5,12 +5,10 @@ import math
 import os
 import struct
 import subprocess
-import sys
-import tempfile
 import unittest
 import zipfile
 
-PROGRAM = os.path.abspath(sys.argv[1])
+from program_test import PROGRAM, ProgramTest
 
 
 def npy(kind, shape, data):
@@ -44,62 +42,20 @@ def light(order, last=0.0):
     return values
 
 
-class ConvertTest(unittest.TestCase):
+class ConvertTest(ProgramTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        super().setUp()
         os.mkdir(self.path("out"))
         npz(self.path("light.npz"), (1, 9, 4), light(2, 0.5))
         # Two levels: 8 entries; the first is s0 to s0 of order 0.
         npz(self.path("material.npz"), (1, 8, 4, 4), [0.5] + [0.0] * (8 * 16 - 1))
 
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
-    def write(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content if isinstance(content, bytes) else content.encode())
-
-    def run_program(self, *arguments):
-        return subprocess.run(
-            [PROGRAM, *arguments],
-            cwd=self.folder,
-            # No OpenGL is needed, so none may be looked for.
-            env={**os.environ, "NICOL_BACKEND": "none"},
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            timeout=120,
-        )
-
-    def files(self):
-        result = {}
-        for folder, _, names in os.walk(self.folder):
-            for name in names:
-                with open(os.path.join(folder, name), "rb") as file:
-                    result[os.path.join(folder, name)] = file.read()
-        return result
-
-    def assert_succeeds(self, *arguments):
-        run = self.run_program(*arguments)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        return run
+    def run_program(self, *arguments, **environment):
+        # No OpenGL is needed, so none may be looked for.
+        return super().run_program(*arguments, **{"NICOL_BACKEND": "none", **environment})
 
     def info(self, *arguments):
         return json.loads(self.assert_succeeds("--info", "--json", *arguments).stdout)
-
-    def assert_fails(self, words, *arguments):
-        """Exit code 2, one line that says each of the words, and not one file made or changed."""
-        before = self.files()
-        run = self.run_program(*arguments)
-        self.assertEqual(run.returncode, 2, f"{arguments}: {run.stderr}")
-        lines = run.stderr.splitlines()
-        self.assertEqual(len(lines), 1, run.stderr)
-        for word in words:
-            self.assertIn(word, lines[0])
-        self.assertEqual(run.stdout, "")
-        self.assertEqual(before, self.files())
 
 
 class Success(ConvertTest):
@@ -296,4 +252,4 @@ class BadFiles(ConvertTest):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main()

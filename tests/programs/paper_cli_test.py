@@ -4,62 +4,46 @@
 # usage: paper_cli_test.py PROGRAM CommandLine|Results
 import os
 import struct
-import subprocess
 import sys
 import tempfile
 import unittest
 
-PROGRAM = os.path.abspath(sys.argv[1])
+from program_test import ProgramTest, run
+
 DATA = os.path.join(os.environ.get("NICOL_TEST_DATA", ""), "polarsh")
 FILES = ("buddha.obj", "plane.obj", "SHVec_sponza_1024_L100.npz", "SHMat_6_gold_ds1_L20_ISOBI2.npz")
 SKIPPED = 77
 
 
-def run(*arguments, **environment):
-    return subprocess.run([PROGRAM, *arguments], env={**os.environ, **environment}, capture_output=True, text=True)
-
-
-class CommandLine(unittest.TestCase):
-    def refuse(self, words, *arguments, **environment):
-        done = run(*arguments, **environment)
-        self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertEqual(done.stdout, "")
-        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
-        for word in words:
-            self.assertIn(word, done.stderr)
-
+class CommandLine(ProgramTest):
     def test_data_absent(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.refuse(["buddha.obj", folder], folder, "--out", os.path.join(folder, "out"))
-            self.assertFalse(os.path.exists(os.path.join(folder, "out")))
-            self.refuse(["buddha.obj", os.path.join(folder, "polarsh")], NICOL_TEST_DATA=folder)
-        self.refuse(["no folder of data", "NICOL_TEST_DATA"], NICOL_TEST_DATA="")
+        folder = self.folder
+        self.assert_fails(["buddha.obj", folder], folder, "--out", self.path("out"))
+        self.assert_fails(["buddha.obj", self.path("polarsh")], NICOL_TEST_DATA=folder)
+        self.assert_fails(["no folder of data", "NICOL_TEST_DATA"], NICOL_TEST_DATA="")
 
     def test_data_incomplete_or_broken(self):
-        with tempfile.TemporaryDirectory() as folder:
-            for missing in FILES:
-                for name in FILES:
-                    with open(os.path.join(folder, name), "w") as file:
-                        file.write("nothing\n")
-                os.remove(os.path.join(folder, missing))
-                self.refuse([missing], folder)
-            with open(os.path.join(folder, FILES[-1]), "w") as file:
-                file.write("nothing\n")
-            self.refuse([FILES[2]], folder, "--out", os.path.join(folder, "out"))
+        for missing in FILES:
+            for name in FILES:
+                self.write(name, "nothing\n")
+            os.remove(self.path(missing))
+            self.assert_fails([missing], self.folder)
+        self.write(FILES[-1], "nothing\n")
+        self.assert_fails([FILES[2]], self.folder, "--out", self.path("out"))
 
     def test_arguments(self):
-        self.refuse(["--size", "31"], ".", "--size", "31")
-        self.refuse(["--size", "4097"], ".", "--size", "4097")
-        self.refuse(["--frames", "-1"], ".", "--frames", "-1")
-        self.refuse(["--reference", "0"], ".", "--reference", "0")
-        self.refuse(["--directions", "255"], ".", "--directions", "255")
-        self.refuse(["--size", "value"], ".", "--size")
-        self.refuse(["--lights"], ".", "--lights")
-        self.refuse(["two folders"], "a", "b")
+        self.assert_fails(["--size", "31"], ".", "--size", "31")
+        self.assert_fails(["--size", "4097"], ".", "--size", "4097")
+        self.assert_fails(["--frames", "-1"], ".", "--frames", "-1")
+        self.assert_fails(["--reference", "0"], ".", "--reference", "0")
+        self.assert_fails(["--directions", "255"], ".", "--directions", "255")
+        self.assert_fails(["--size", "value"], ".", "--size")
+        self.assert_fails(["--lights"], ".", "--lights")
+        self.assert_fails(["two folders"], "a", "b")
 
     def test_help(self):
-        done = run("--help")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        done = self.assert_succeeds("--help")
+        self.assertEqual(done.stderr, "")
         self.assertIn("--reference", done.stdout)
 
 
@@ -79,8 +63,8 @@ class Results(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
-        cls.done = run(DATA, "--size", "64", "--frames", "1", "--directions", "512", "--reference", "32",
-                       "--out", cls.folder.name)
+        cls.done = run(cls.folder.name, DATA, "--size", "64", "--frames", "1", "--directions", "512",
+                       "--reference", "32", "--out", cls.folder.name, timeout=600)
 
     @classmethod
     def tearDownClass(cls):
@@ -139,7 +123,7 @@ class Results(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if sys.argv[2:3] == ["Results"] and not all(os.path.isfile(os.path.join(DATA, name)) for name in FILES):
+    if sys.argv[1:2] == ["Results"] and not all(os.path.isfile(os.path.join(DATA, name)) for name in FILES):
         print("skipped: the folder polarsh in NICOL_TEST_DATA lacks the article's data")
         sys.exit(SKIPPED)
-    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
+    unittest.main()

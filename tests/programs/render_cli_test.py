@@ -3,12 +3,9 @@
 import json
 import os
 import struct
-import subprocess
-import sys
-import tempfile
 import unittest
 
-PROGRAM = os.path.abspath(sys.argv[1])
+from program_test import ProgramTest
 
 EMITTER = '<emitter type="constant"><rgb name="radiance" value="1,0.5,0.25"/></emitter>'
 SHAPE = '<shape type="rectangle"><bsdf type="pplastic"><float name="alpha" value="0.3"/></bsdf></shape>'
@@ -83,61 +80,14 @@ def exr_channels(path):
     return names
 
 
-class RenderTest(unittest.TestCase):
+class RenderTest(ProgramTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = folder.name
+        super().setUp()
         os.mkdir(self.path("out"))
         self.write("good.xml", scene())
 
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
-    def write(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content if isinstance(content, bytes) else content.encode())
-        return self.path(name)
-
-    def run_program(self, *arguments, **environment):
-        return subprocess.run(
-            [PROGRAM, *arguments],
-            cwd=self.folder,
-            env={**os.environ, **environment},
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            timeout=120,
-        )
-
-    def files(self):
-        result = {}
-        for folder, _, names in os.walk(self.folder):
-            for name in names:
-                with open(os.path.join(folder, name), "rb") as file:
-                    result[os.path.join(folder, name)] = file.read()
-        return result
-
-    def assert_succeeds(self, *arguments, **environment):
-        run = self.run_program(*arguments, **environment)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        return run
-
-    def assert_fails(self, words, *arguments, **environment):
-        """Exit code 2, one line that says each of the words, and not one file made or changed."""
-        before = self.files()
-        run = self.run_program(*arguments, **environment)
-        self.assertEqual(run.returncode, 2, f"{arguments}: {run.stderr}")
-        lines = [line for line in run.stderr.splitlines() if ": notice: " not in line]
-        self.assertEqual(len(lines), 1, run.stderr)
-        for word in words:
-            self.assertIn(word, lines[0])
-        self.assertEqual(run.stdout, "")
-        after = self.files()
-        self.assertEqual(sorted(before), sorted(after))
-        for name in before:
-            self.assertEqual(before[name], after[name], name)
-        return lines[0]
+    def error_lines(self, stderr):
+        return [line for line in stderr.splitlines() if ": notice: " not in line]
 
 
 class Success(RenderTest):
@@ -530,4 +480,4 @@ class NoBackend(RenderTest):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
+    unittest.main()

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""What the tests of programs share: a folder of its own for each test, a program run in it, and what it left there."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+# The command line's first word; unittest reads the others.
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+
+
+def run(folder, *arguments, timeout=120, **environment):
+    """The program's end, in this folder, with these variables beside those of the test."""
+    return subprocess.run(
+        [PROGRAM, *arguments],
+        cwd=folder,
+        env={**os.environ, **environment},
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=timeout,
+    )
+
+
+class ProgramTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return self.path(name)
+
+    def run_program(self, *arguments, **environment):
+        return run(self.folder, *arguments, **environment)
+
+    def files(self):
+        result = {}
+        for folder, _, names in os.walk(self.folder):
+            for name in names:
+                with open(os.path.join(folder, name), "rb") as file:
+                    result[os.path.join(folder, name)] = file.read()
+        return result
+
+    def error_lines(self, stderr):
+        """The lines that an error may have; a program that gives notices beside it leaves them out."""
+        return stderr.splitlines()
+
+    def assert_succeeds(self, *arguments, **environment):
+        ended = self.run_program(*arguments, **environment)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        return ended
+
+    def assert_fails(self, words, *arguments, **environment):
+        """Exit code 2, one line that says each of the words, and not one file made or changed."""
+        before = self.files()
+        ended = self.run_program(*arguments, **environment)
+        self.assertEqual(ended.returncode, 2, f"{arguments}: {ended.stderr}")
+        lines = self.error_lines(ended.stderr)
+        self.assertEqual(len(lines), 1, ended.stderr)
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertEqual(ended.stdout, "")
+        after = self.files()
+        self.assertEqual(sorted(before), sorted(after))
+        for name in before:
+            self.assertEqual(before[name], after[name], name)
+        return lines[0]
