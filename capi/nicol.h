@@ -482,11 +482,18 @@ typedef uint32_t nicol_high_orders;
 #define NICOL_HIGH_ORDERS_CONVOLUTION 1 /* a kernel a material (Eq. 68): no polarization by reflection */
 #define NICOL_HIGH_ORDERS_NONE 2        /* left out */
 
+/* Where light meets shadows and materials: relight and shade. The pictures agree to 1e-5 of their largest
+ * value. */
+typedef uint32_t nicol_executor;
+#define NICOL_EXECUTOR_AUTOMATIC 0 /* compute, unless OpenGL runs on the CPU or lacks what it takes */
+#define NICOL_EXECUTOR_CPU 1       /* threads */
+#define NICOL_EXECUTOR_COMPUTE 2   /* compute shaders, also where OpenGL runs on the CPU and is slow at it */
+
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
-    /* These, up to dering, are of the factored and the dense method. The reference method, whose own are
-     * samples and seed, looks at `shadows` alone. */
+    /* These, but for samples and seed, are of the factored and the dense method. The reference method, whose
+     * own those are, looks at `shadows` alone. */
     int32_t order_low;             /* light up to this order meets the material's full angular detail; 0: 4;
                                       -1: order 0; at most NICOL_MAX_ORDER */
     int32_t order_high;            /* light up to this order is rendered at all, what lies above order_low as
@@ -507,9 +514,11 @@ typedef struct nicol_render_options {
     int32_t samples;   /* reference: camera rays a pixel, 0: 256; up to 2^20. Powers of two are spread best */
     uint32_t reserved; /* 0 */
     uint64_t seed; /* reference: the same gives the same picture whatever the threads, another other noise */
+    nicol_executor executor; /* 0: automatic */
+    uint32_t reserved_2;     /* 0 */
 } nicol_render_options;
 #define NICOL_RENDER_OPTIONS_INIT \
-    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
  * luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */
@@ -524,7 +533,8 @@ NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
  * kept from the scene's last render; where nothing changed, nothing runs. On failure or cancellation the
  * framebuffer's content is that of the render before, and its statistics too. NICOL_ERROR_INVALID_ARGUMENT
  * for options and cameras out of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown
- * method, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY. */
+ * method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
+ * NICOL_ERROR_OUT_OF_MEMORY. */
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
 
@@ -554,15 +564,20 @@ typedef struct nicol_statistics {
     uint64_t response_bytes;        /* material tables */
     uint64_t visibility_bytes;      /* what the bake found: directions in which each vertex sees the environment */
     uint64_t transfer_bytes;        /* per-vertex light, shadows, matrices and geometry kept for relight and shade */
-    uint64_t buffer_bytes;          /* OpenGL vertex and index buffers */
+    uint64_t buffer_bytes;          /* OpenGL buffers: vertices and triangles, and what compute shaders work on */
     uint64_t texture_bytes;         /* OpenGL textures, framebuffer included */
     uint64_t camera_rays;           /* reference: rays from the camera */
     uint64_t shadow_rays;           /* reference: rays towards the light */
     double trace_ms;                /* reference: tracing rays */
+    uint32_t compute;               /* 1: compute shaders relight and shade, 0: threads do */
+    uint32_t reserved;              /* 0 */
 } nicol_statistics;
 /* clang-format on */
-#define NICOL_STATISTICS_INIT \
-    { sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+#define NICOL_STATISTICS_INIT                                                                                \
+    {                                                                                                        \
+        sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
+            0, 0                                                                                             \
+    }
 
 NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer,
                                                         nicol_statistics* statistics);

@@ -58,6 +58,19 @@ Method method_from(nicol_method given) {
                                             "and NICOL_METHOD_REFERENCE");
 }
 
+Executor executor_from(nicol_executor given) {
+    switch (given) {
+        case NICOL_EXECUTOR_AUTOMATIC:
+            return Executor::automatic;
+        case NICOL_EXECUTOR_CPU:
+            return Executor::cpu;
+        case NICOL_EXECUTOR_COMPUTE:
+            return Executor::compute;
+        default:
+            refuse("executor is " + std::to_string(given) + "; it must be one of NICOL_EXECUTOR_...");
+    }
+}
+
 HighOrders high_orders_from(nicol_high_orders given) {
     switch (given) {
         case NICOL_HIGH_ORDERS_SPLIT:
@@ -87,6 +100,7 @@ int bake_directions_from(std::uint32_t given, int fallback) {
 RenderOptions options_from(const nicol_render_options& given) {
     RenderOptions options;
     options.method = method_from(given.method);
+    options.executor = executor_from(given.executor);
     options.shadows = shadows_from(given.shadows);
     options.bake_directions = bake_directions_from(given.bake_directions, options.bake_directions);
     options.order_low = order_from(given.order_low, options.order_low, "order_low");
@@ -186,6 +200,7 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
                                                 ? read_struct(options, "options")
                                                 : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
         if (chosen.reserved != 0) refuse("options->reserved must be 0");
+        if (chosen.reserved_2 != 0) refuse("options->reserved_2 must be 0");
         const Turn turn(self.session);
         render(*self.session, *self.content, from, chosen, *target.content);
     });
@@ -222,6 +237,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.camera_rays = s.camera_rays;
         out.shadow_rays = s.shadow_rays;
         out.trace_ms = s.trace_ms;
+        out.compute = s.compute ? 1 : 0;
         write_struct(statistics, out, "statistics");
     });
 }

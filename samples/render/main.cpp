@@ -59,6 +59,7 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     check(nicol_scene_get_camera(scene, &camera));
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
     wanted.method = options.method;
+    wanted.executor = options.executor;
     wanted.order_low = order(options.order_low);
     wanted.order_high = order(options.order_high);
     wanted.high_orders = options.high_orders;

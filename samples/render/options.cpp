@@ -15,6 +15,8 @@ const char* const usage =
     "      --pictures DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "      --method NAME        factored or dense, in real time, or reference, by rays: slow and noisy\n"
+    "      --executor NAME      where relight and shade run: cpu (threads), compute (shaders) or automatic,\n"
+    "                           which is compute where OpenGL does not run on the CPU; default automatic\n"
     "      --order-low N        order of the light taken with its full angular detail, 0 to 32; default 4\n"
     "      --order-high N       order of the light taken at all, --order-low to 64; default 9\n"
     "      --high-orders NAME   how orders above --order-low are taken: split, convolution or none;\n"
@@ -96,6 +98,13 @@ nicol_method parse_method(std::string_view text) {
                   "' is not a method of this version, which has: factored, dense, reference");
 }
 
+nicol_executor parse_executor(std::string_view text) {
+    if (text == "automatic") return NICOL_EXECUTOR_AUTOMATIC;
+    if (text == "cpu") return NICOL_EXECUTOR_CPU;
+    if (text == "compute") return NICOL_EXECUTOR_COMPUTE;
+    throw Failure("--executor: '" + std::string(text) + "' is none of: automatic, cpu, compute");
+}
+
 nicol_high_orders parse_high_orders(std::string_view text) {
     if (text == "split") return NICOL_HIGH_ORDERS_SPLIT;
     if (text == "convolution") return NICOL_HIGH_ORDERS_CONVOLUTION;
@@ -148,6 +157,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.backend = parse_backend(value());
         else if (name == "--method")
             options.method = parse_method(value());
+        else if (name == "--executor")
+            options.executor = parse_executor(value());
         else if (name == "--order-low")
             options.order_low = parse_order(name, value());
         else if (name == "--order-high")

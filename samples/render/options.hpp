@@ -21,6 +21,7 @@ struct Options {
     std::string stats;                     ///< file, empty: none
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     nicol_method method = NICOL_METHOD_FACTORED;
+    nicol_executor executor = NICOL_EXECUTOR_AUTOMATIC;
     std::optional<std::int32_t> order_low, order_high;
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
     bool shadows = true;

@@ -56,6 +56,7 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
          << "  \"opengl\": " << quoted(context.version) << ",\n"
          << "  \"software\": " << (context.software != 0 ? "true" : "false") << ",\n"
          << "  \"threads\": " << context.threads << ",\n"
+         << "  \"executor\": " << quoted(s.compute != 0 ? "compute" : "cpu") << ",\n"
          << "  \"width\": " << width << ",\n"
          << "  \"height\": " << height << ",\n"
          << "  \"channels\": " << channels << ",\n"

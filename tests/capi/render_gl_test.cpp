@@ -320,6 +320,7 @@ TEST_CASE("options of shadows, high orders and ringing out of range are refused 
         for (const double bad : {-1e-9, static_cast<double>(NAN), static_cast<double>(INFINITY)})
             with([&](auto& o) { o.dering = bad; }, "dering");
         with([](auto& o) { o.reserved = 1; }, "reserved");
+        with([](auto& o) { o.reserved_2 = 1; }, "reserved_2");
         CHECK(read_all(stage.framebuffer) == before);
         // Every default by name.
         nicol_render_options named = NICOL_RENDER_OPTIONS_INIT;

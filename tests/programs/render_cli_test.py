@@ -241,6 +241,20 @@ class Success(RenderTest):
         self.assertEqual(stats["rays"]["bake"], 0)
         self.assertEqual(stats["bytes"]["visibility"], 0)
 
+    def test_executor(self):
+        pictures = {}
+        for name in ("cpu", "compute", "automatic"):
+            self.assert_succeeds("good.xml", "-o", "out/a.exr", "--stats", "out/s.json", "--executor", name)
+            with open(self.path("out/s.json"), encoding="utf-8") as file:
+                stats = json.load(file)
+            if name == "automatic":
+                name = "cpu" if stats["software"] else "compute"
+            self.assertEqual(stats["executor"], name)
+            picture = self.files()[self.path("out", "a.exr")]
+            self.assertEqual(pictures.setdefault(name, picture), picture)
+        self.assert_succeeds("good.xml", "-o", "out/a.exr")
+        self.assertIn(self.files()[self.path("out", "a.exr")], pictures.values())
+
     def test_physical(self):
         # The lowest orders of a bright ring are negative between the ring and its poles, and a metal shows it.
         self.write("ring.exr", exr(16, 8, 1000))
@@ -290,6 +304,7 @@ class CommandLine(RenderTest):
             (["unknown_name"], good + ["-D", "unknown_name=1"]),
             (["--backend", "metal"], good + ["--backend", "metal"]),
             (["--method", "'sparse'"], good + ["--method", "sparse"]),
+            (["--executor", "'gpu'", "automatic, cpu, compute"], good + ["--executor", "gpu"]),
             (["--high-orders", "'some'"], good + ["--high-orders", "some"]),
             (["--no-shadows=1"], good + ["--no-shadows=1"]),
             (["--bake-directions", "255"], good + ["--bake-directions", "255"]),

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Where relight and shade run, as callers choose it.
+#include <algorithm>
+#include <cmath>
+
+#include "capi.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+nicol_statistics statistics_of(nicol_framebuffer framebuffer) {
+    nicol_statistics statistics = NICOL_STATISTICS_INIT;
+    OK(nicol_framebuffer_get_statistics(framebuffer, &statistics));
+    return statistics;
+}
+
+std::vector<float> render_by(const Stage& stage, nicol_executor executor, nicol_render_options options) {
+    options.executor = executor;
+    OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+    return read_all(stage.framebuffer);
+}
+
+}  // namespace
+
+TEST_CASE("threads and compute shaders make the same picture, and statistics tell them apart") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        // A second cube hides the sky from the first.
+        nicol_instance instance = NICOL_INSTANCE_INIT;
+        instance.mesh = stage.mesh;
+        instance.material = stage.material;
+        std::copy_n(placed(0.9, 0.3, 0.2, 0.4).rows, 16, instance.to_world);
+        OK(nicol_scene_add_instance(stage.scene, &instance, nullptr));
+        for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE}) {
+            for (const std::int32_t order_low : {1, 4}) {
+                CAPTURE(method);
+                CAPTURE(order_low);
+                nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+                options.method = method;
+                options.order_low = order_low;
+                options.bake_directions = 256;
+                const std::vector<float> threads = render_by(stage, NICOL_EXECUTOR_CPU, options);
+                CHECK(statistics_of(stage.framebuffer).compute == 0);
+                const std::vector<float> shaders = render_by(stage, NICOL_EXECUTOR_COMPUTE, options);
+                CHECK(statistics_of(stage.framebuffer).compute == 1);
+                float largest = 0, difference = 0;
+                for (std::size_t i = 0; i < threads.size(); ++i) {
+                    largest = std::max(largest, std::abs(threads[i]));
+                    difference = std::max(difference, std::abs(threads[i] - shaders[i]));
+                }
+                CHECK(largest > 0.1F);
+                CHECK(difference <= 1e-5F * largest);
+            }
+        }
+    });
+}
+
+TEST_CASE("the automatic executor is threads where OpenGL runs on the CPU") {
+    on_every_backend([](nicol_context context) {
+        nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
+        OK(nicol_context_get_info(context, &info));
+        const Stage stage(context);
+        stage.render();
+        const std::vector<float> picture = read_all(stage.framebuffer);
+        CHECK(statistics_of(stage.framebuffer).compute == (info.software != 0 ? 0U : 1U));
+        const nicol_executor same = info.software != 0 ? NICOL_EXECUTOR_CPU : NICOL_EXECUTOR_COMPUTE;
+        CHECK(render_by(stage, same, NICOL_RENDER_OPTIONS_INIT) == picture);
+    });
+}
+
+TEST_CASE("executors out of range are refused by name, and callers of older versions get the automatic one") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        stage.render();
+        const std::vector<float> before = read_all(stage.framebuffer);
+        const std::uint32_t compute = statistics_of(stage.framebuffer).compute;
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        for (const std::uint32_t bad : {3U, 77U, UINT32_MAX}) {
+            options.executor = bad;
+            FAILS(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer),
+                  NICOL_ERROR_INVALID_ARGUMENT,
+                  "executor is " + std::to_string(bad) + "; it must be one of NICOL_EXECUTOR_");
+        }
+        CHECK(read_all(stage.framebuffer) == before);
+        // Where the struct ends before it, whatever lies there is not read.
+        options.executor = NICOL_EXECUTOR_COMPUTE;
+        options.struct_size = offsetof(nicol_render_options, executor);
+        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        CHECK(statistics_of(stage.framebuffer).compute == compute);
+        CHECK(read_all(stage.framebuffer) == before);
+    });
+}
