@@ -21,14 +21,6 @@ using std::filesystem::path;
 
 constexpr int default_order = 32;
 
-PshVector with_order(const PshVector& field, int order) {
-    PshVector out(order, field.channels());
-    const std::size_t count = 4 * psh_count(std::min(order, field.order()));
-    for (int c = 0; c < field.channels(); ++c)
-        std::copy_n(field.channel(c).begin(), count, out.channel(c).begin());
-    return out;
-}
-
 std::shared_ptr<const PictureLight> scaled(EquirectImage image, double scale) {
     for (float& value : image.data) {
         value = static_cast<float>(scale * static_cast<double>(value));

@@ -120,9 +120,7 @@ PshVector project_samples_of(const EquirectImage& image, int order) {
 
 EquirectImage synthesize_picture(const PshVector& field, int width, int height) {
     const int order = std::min(field.order(), (std::min(width, height) - 1) / 2);
-    PshVector part(order, field.channels());
-    for (int c = 0; c < field.channels(); ++c)
-        std::copy_n(field.channel(c).begin(), 4 * psh_count(order), part.channel(c).begin());
+    const PshVector part = with_order(field, order);
     EquirectImage image(width, height, field.channels());
     PictureGrid(order, width, height).synthesize(rotated(part, glm::transpose(equirect_axes())), image);
     // Transforms share their work between components, so that rounding errors stand where nothing is.

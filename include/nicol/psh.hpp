@@ -47,4 +47,12 @@ private:
     std::vector<double> data_;
 };
 
+/// The field to this order: orders above it are left out, those that the field lacks are zero. Throws
+/// Error(invalid_argument) unless 0 <= order <= kMaxOrder.
+[[nodiscard]] PshVector with_order(const PshVector& field, int order);
+
+/// Multiplies the coefficients of order l, of all components alike so that degrees of polarization survive,
+/// by gains[l]. Throws Error(invalid_argument) unless there is a gain for each of the field's orders.
+void scale_orders(PshVector& field, std::span<const double> gains);
+
 }  // namespace nicol

@@ -2,6 +2,8 @@
 // Coefficient vectors.
 #include "nicol/psh.hpp"
 
+#include <algorithm>
+
 #include "harmonics/require.hpp"
 
 namespace nicol {
@@ -45,6 +47,27 @@ double& PshVector::at(int c, int l, int m, int p) {
 
 double PshVector::at(int c, int l, int m, int p) const {
     return data_[offset(*this, c, l, m, p)];
+}
+
+PshVector with_order(const PshVector& field, int order) {
+    PshVector out(order, field.channels());
+    const std::size_t count = 4 * psh_count(std::min(order, field.order()));
+    for (int c = 0; c < field.channels(); ++c) {
+        std::ranges::copy(field.channel(c).first(count), out.channel(c).begin());
+    }
+    return out;
+}
+
+void scale_orders(PshVector& field, std::span<const double> gains) {
+    require(gains.size() == static_cast<std::size_t>(field.order()) + 1,
+            std::to_string(gains.size()) + " gains, a field of order " + std::to_string(field.order()) +
+                " needs " + std::to_string(field.order() + 1));
+    for (int c = 0; c < field.channels(); ++c) {
+        auto value = field.channel(c).begin();
+        for (std::size_t l = 0; l < gains.size(); ++l) {
+            for (std::size_t i = 0; i < 4 * (2 * l + 1); ++i) *value++ *= gains[l];
+        }
+    }
 }
 
 }  // namespace nicol

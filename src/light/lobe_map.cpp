@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "nicol/error.hpp"
 #include "nicol/transform.hpp"
@@ -25,16 +26,8 @@ PshVector filtered(const PshVector& light, std::span<const double> gains) {
     }
     int order = std::min(light.order(), static_cast<int>(gains.size()) - 1);
     while (order > 0 && std::abs(gains[static_cast<std::size_t>(order)]) <= 1e-6 * largest) --order;
-    PshVector out(order, light.channels());
-    for (int c = 0; c < light.channels(); ++c) {
-        const std::span<const double> from = light.channel(c);
-        const std::span<double> to = out.channel(c);
-        for (int l = 0; l <= order; ++l) {
-            for (std::size_t i = 4 * psh_count(l) - 4 * static_cast<std::size_t>(2 * l + 1);
-                 i < 4 * psh_count(l); ++i)
-                to[i] = gains[static_cast<std::size_t>(l)] * from[i];
-        }
-    }
+    PshVector out = with_order(light, order);
+    scale_orders(out, gains.first(static_cast<std::size_t>(order) + 1));
     return out;
 }
 
@@ -66,14 +59,9 @@ int rows_for(const PshVector& field, double tolerance) {
 
 // Interpolation blurs a wave of degree l by about (l h)^2 / 12.
 void sharpen(PshVector& field, double spacing) {
-    for (int c = 0; c < field.channels(); ++c) {
-        const std::span<double> f = field.channel(c);
-        std::size_t i = 0;
-        for (int l = 0; l <= field.order(); ++l) {
-            const double gain = 1 + l * (l + 1) * spacing * spacing / 12;
-            for (; i < 4 * psh_count(l); ++i) f[i] *= gain;
-        }
-    }
+    std::vector<double> gains;
+    for (int l = 0; l <= field.order(); ++l) gains.push_back(1 + l * (l + 1) * spacing * spacing / 12);
+    scale_orders(field, gains);
 }
 
 // The angle of (x, y) within a few roundings, 0 where both are 0. The C library's is a third of a look-up.

@@ -20,14 +20,6 @@
 namespace nicol {
 namespace {
 
-PshVector with_order(const PshVector& field, int order) {
-    PshVector result(order, field.channels());
-    const std::size_t count = 4 * psh_count(std::min(order, field.order()));
-    for (int c = 0; c < field.channels(); ++c)
-        std::copy_n(field.channel(c).begin(), count, result.channel(c).begin());
-    return result;
-}
-
 class PshEnvironment final : public Environment {
 public:
     PshEnvironment(PshVector field, std::vector<double> wavelengths)

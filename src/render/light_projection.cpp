@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "nicol/rotation.hpp"
 #include "render/stopwatch.hpp"
@@ -26,24 +27,13 @@ PshVector without_repeats(PshVector light) {
     return single;
 }
 
-PshVector cut(const PshVector& light, int order) {
-    PshVector low(order, light.channels());
-    for (int c = 0; c < light.channels(); ++c) {
-        std::ranges::copy(light.channel(c).first(4 * psh_count(order)), low.channel(c).begin());
-    }
-    return low;
-}
-
-// Each order of all components times the same number, so that degrees of polarization survive.
 void suppress_ringing(PshVector& light, double strength) {
-    for (int l = 1; l <= light.order(); ++l) {
+    std::vector<double> gains;
+    for (int l = 0; l <= light.order(); ++l) {
         const double curvature = l * (l + 1.0);
-        const double gain = 1 / (1 + strength * curvature * curvature);
-        for (int c = 0; c < light.channels(); ++c) {
-            const std::size_t first = 4 * psh_count(l - 1);
-            for (double& value : light.channel(c).subspan(first, 4 * psh_count(l) - first)) value *= gain;
-        }
+        gains.push_back(1 / (1 + strength * curvature * curvature));
     }
+    scale_orders(light, gains);
 }
 
 // The last order with anything in it but rounding.
@@ -92,7 +82,7 @@ void LightProjection::update(const Scene& scene, const RenderOptions& options, S
         scale_ = scene.light_scale();
         ++distant_revision_;
     }
-    turned_ = rotated(cut(distant_, options.order_low), scene.light_rotation());
+    turned_ = rotated(with_order(distant_, options.order_low), scene.light_rotation());
     ++turned_revision_;
     scene_light_revision_ = scene.light_revision();
     statistics.relight_ms += turning.milliseconds();

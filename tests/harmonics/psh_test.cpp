@@ -30,3 +30,35 @@ TEST_CASE("coefficient vectors refuse what they cannot hold") {
     CHECK_THROWS_AS((void)v.at(0, 1, 2, 0), Error);
     CHECK_THROWS_AS((void)v.at(0, 1, 0, 4), Error);
 }
+
+TEST_CASE("another order keeps what both have") {
+    PshVector v(2, 2);
+    for (std::size_t i = 0; i < v.data().size(); ++i) v.data()[i] = static_cast<double>(i + 1);
+    for (const int order : {0, 1, 2, 3}) {
+        CAPTURE(order);
+        const PshVector other = with_order(v, order);
+        REQUIRE(other.order() == order);
+        REQUIRE(other.channels() == 2);
+        for (int c = 0; c < 2; ++c)
+            for (int l = 0; l <= order; ++l)
+                for (int m = -l; m <= l; ++m)
+                    for (int p = 0; p < 4; ++p)
+                        CHECK(other.at(c, l, m, p) == (l <= 2 ? v.at(c, l, m, p) : 0));
+    }
+    CHECK_THROWS_AS((void)with_order(v, -1), Error);
+    CHECK_THROWS_AS((void)with_order(v, kMaxOrder + 1), Error);
+}
+
+TEST_CASE("a gain scales its order in every channel and component") {
+    PshVector v(2, 2);
+    for (std::size_t i = 0; i < v.data().size(); ++i) v.data()[i] = static_cast<double>(i + 1);
+    PshVector scaled = v;
+    const double gains[] = {2, -3, 0.5};
+    scale_orders(scaled, gains);
+    for (int c = 0; c < 2; ++c)
+        for (int l = 0; l <= 2; ++l)
+            for (int m = -l; m <= l; ++m)
+                for (int p = 0; p < 4; ++p) CHECK(scaled.at(c, l, m, p) == gains[l] * v.at(c, l, m, p));
+    CHECK_THROWS_AS(scale_orders(scaled, std::span(gains).first(2)), Error);
+    CHECK_THROWS_AS(scale_orders(scaled, {}), Error);
+}
