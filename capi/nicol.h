@@ -453,6 +453,11 @@ NICOL_API nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id,
  * one), scale multiplies (0: 1; finite, not negative). */
 NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
                                                    const double to_world[16], double scale);
+/* What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is turned
+ * and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment
+ * is NULL, to_world the identity and scale 1. */
+NICOL_API nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment,
+                                                   double to_world[16], double* scale);
 /* What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);

@@ -97,6 +97,22 @@ nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment en
     });
 }
 
+nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment,
+                                         double to_world[16], double* scale) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(environment, "environment");
+        const Turn turn(self.session);
+        const Scene& content = self.content->scene;
+        const bool lit = content.environment() != nullptr && content.light_scale() != 0;
+        *environment =
+            lit ? make_handle<nicol_environment_impl>(self.session, content.environment()) : nullptr;
+        if (to_world != nullptr)
+            write_matrix(lit ? glm::dmat4(content.light_rotation()) : glm::dmat4(1.0), to_world);
+        if (scale != nullptr) *scale = lit ? content.light_scale() : 1;
+    });
+}
+
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);

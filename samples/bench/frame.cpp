@@ -75,7 +75,5 @@ Report bench_frame(const Options& options) {
             compare(report, medians[i + 1], medians[i], list[i - 1].name().substr(9));
     }
     report.note(workshop.machine() + "; " + std::to_string(size) + " x " + std::to_string(size) + ".");
-    if (workshop.light() == nullptr)
-        report.note("Without --light the scene keeps its light, which cannot be turned then.");
     return report;
 }

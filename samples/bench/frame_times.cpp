@@ -28,7 +28,7 @@ Contestant::Frame Contestant::frame() {
 void Contestant::run_round() {
     stage_.orbit(camera_step);
     camera_.push_back(frame());
-    if (stage_.can_turn_light()) {
+    if (stage_.has_light()) {
         stage_.turn_light(light_step);
         light_.push_back(frame());
     }

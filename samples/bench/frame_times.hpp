@@ -9,7 +9,7 @@
 /// Median milliseconds. A frame is the whole call, whatever else the statistics leave out.
 struct FrameTimes {
     double camera = 0;  ///< frame after a move of the camera
-    double light = 0;   ///< frame after a turn of the light; NaN where it cannot be turned
+    double light = 0;   ///< frame after a turn of the light; NaN in darkness
     double still = 0;   ///< frame after no change at all
     double camera_shade = 0, camera_draw = 0;
     double light_relight = 0, light_shade = 0, light_draw = 0;

@@ -69,7 +69,7 @@ struct Help {
 const Help option_help[] = {
     {"SCENE.xml", "SCENE.xml       a scene for nicol-render; default the bunny of samples/assets"},
     {"-D", "-D NAME=VALUE   replaces a default of the scene; may be repeated"},
-    {"--light", "--light FILE    replaces the scene's light; needed for the light to turn"},
+    {"--light", "--light FILE    replaces the scene's light"},
     {"--backend", "--backend NAME  egl or osmesa; default as the library chooses"},
     {"--cache", "--cache DIR     keeps tables there; default a folder that is removed at the end"},
     {"--size", "--size N        pictures of N x N, 8 to 4096"},

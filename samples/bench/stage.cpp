@@ -6,13 +6,17 @@
 
 namespace {
 
-// Row-major, about y.
-void rotation_about_vertical(double degrees, double matrix[16]) {
+// Turns what a row-major matrix places, about the world's y.
+void turn_about_vertical(double degrees, double (&matrix)[16]) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    const double rows[16] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
-    for (int i = 0; i < 16; ++i) matrix[i] = rows[i];
+    for (int column = 0; column < 4; ++column) {
+        const double x = matrix[column];
+        const double z = matrix[8 + column];
+        matrix[column] = c * x + s * z;
+        matrix[8 + column] = c * z - s * x;
+    }
 }
 
 Environment load_light(nicol_context context, const std::string& path) {
@@ -35,12 +39,8 @@ Context make_context(nicol_backend backend, const std::string& cache_folder) {
 Workshop::Workshop(const Options& options) : path_(options.scene), definitions_(options.definitions) {
     if (options.cache.empty()) folder_.emplace();
     context_ = make_context(options.backend, folder_ ? folder_->path().string() : options.cache);
-    std::string light = options.light;
-    if (path_.empty()) {
-        path_ = NICOL_BENCH_ASSETS "/bunny_hdr.xml";
-        if (light.empty()) light = NICOL_BENCH_ASSETS "/forest.exr";
-    }
-    if (!light.empty()) light_ = load_light(context_.get(), light);
+    if (path_.empty()) path_ = NICOL_BENCH_ASSETS "/bunny_hdr.xml";
+    if (!options.light.empty()) light_ = load_light(context_.get(), options.light);
 }
 
 Scene Workshop::load() const {
@@ -59,10 +59,13 @@ std::string Workshop::machine() const {
            std::to_string(info.threads) + " threads";
 }
 
-Stage::Stage(const Workshop& workshop)
-    : context_(workshop.context()), light_(workshop.light()), scene_(workshop.load()) {
+Stage::Stage(const Workshop& workshop) : context_(workshop.context()), scene_(workshop.load()) {
     check(nicol_scene_get_camera(scene_.get(), &camera_));
-    if (light_ != nullptr) turn_light(0);
+    if (workshop.light() != nullptr)
+        check(nicol_scene_set_environment(scene_.get(), workshop.light(), nullptr, 1));
+    nicol_environment light = nullptr;
+    check(nicol_scene_get_environment(scene_.get(), &light, light_to_world_, &light_scale_));
+    light_.reset(light);
 }
 
 Framebuffer Stage::framebuffer(std::uint32_t width, std::uint32_t height) const {
@@ -74,23 +77,12 @@ Framebuffer Stage::framebuffer(std::uint32_t width, std::uint32_t height) const 
 }
 
 void Stage::orbit(double degrees) {
-    double turn[16];
-    rotation_about_vertical(degrees, turn);
-    double turned[16] = {};
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            for (int k = 0; k < 4; ++k)
-                turned[4 * row + column] += turn[4 * row + k] * camera_.to_world[4 * k + column];
-        }
-    }
-    for (int i = 0; i < 16; ++i) camera_.to_world[i] = turned[i];
+    turn_about_vertical(degrees, camera_.to_world);
 }
 
 void Stage::turn_light(double degrees) {
-    light_angle_ += degrees;
-    double to_world[16];
-    rotation_about_vertical(light_angle_, to_world);
-    check(nicol_scene_set_environment(scene_.get(), light_, to_world, 1));
+    turn_about_vertical(degrees, light_to_world_);
+    check(nicol_scene_set_environment(scene_.get(), light_.get(), light_to_world_, light_scale_));
 }
 
 nicol_statistics Stage::render(const nicol_render_options& options, nicol_framebuffer framebuffer) const {

@@ -15,7 +15,7 @@ public:
     explicit Workshop(const Options& options);
 
     [[nodiscard]] nicol_context context() const { return context_.get(); }
-    /// NULL: scenes keep their own light.
+    /// NULL: scenes keep the light of their file.
     [[nodiscard]] nicol_environment light() const { return light_.get(); }
     [[nodiscard]] Scene load() const;
     /// "llvmpipe ..., 2 threads" for the notes of a report.
@@ -40,15 +40,17 @@ public:
     [[nodiscard]] Framebuffer framebuffer(std::uint32_t width, std::uint32_t height) const;
     /// Turns the camera about the world's vertical axis, further by `degrees`.
     void orbit(double degrees);
-    [[nodiscard]] bool can_turn_light() const { return light_ != nullptr; }
-    /// Turns the light about the vertical axis, further by `degrees`.
+    /// False in darkness.
+    [[nodiscard]] bool has_light() const { return light_ != nullptr; }
+    /// Turns the light about the world's vertical axis, further by `degrees`.
     void turn_light(double degrees);
     nicol_statistics render(const nicol_render_options& options, nicol_framebuffer framebuffer) const;
 
 private:
     nicol_context context_;
-    nicol_environment light_;
-    double light_angle_ = 0;
     Scene scene_;
+    Environment light_;
+    double light_to_world_[16] = {};
+    double light_scale_ = 1;
     nicol_camera camera_ = NICOL_CAMERA_INIT;
 };

@@ -189,6 +189,16 @@ std::vector<NamedCall> calls(nicol_scene handle, const Everything& with) {
          }},
         {"scene_set_transform", [=] { return nicol_scene_set_transform(handle, 0, placed(0, 0, 0).rows); }},
         {"scene_set_environment", [=] { return nicol_scene_set_environment(handle, nullptr, nullptr, 0); }},
+        {"scene_get_environment",
+         [=] {
+             nicol_environment environment = marker<nicol_environment>();
+             const nicol_result result = nicol_scene_get_environment(handle, &environment, nullptr, nullptr);
+             if (result != NICOL_OK)
+                 CHECK(environment == marker<nicol_environment>());
+             else
+                 CHECK(nicol_environment_release(environment) == NICOL_OK);
+             return result;
+         }},
         {"scene_get_camera",
          [=] {
              nicol_camera camera = NICOL_CAMERA_INIT;

@@ -126,6 +126,79 @@ TEST_CASE("an environment is turned and scaled, nothing else") {
     });
 }
 
+TEST_CASE("a scene's environment comes back as it was set") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        const double turned[16] = {0, 0, 2, 0, 0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 0, 1};
+        OK(nicol_scene_set_environment(stage.scene, stage.environment, turned, 0.25));
+        stage.render();
+        const std::vector<float> before = read_all(stage.framebuffer);
+
+        nicol_environment light = nullptr;
+        double to_world[16] = {}, scale = 0;
+        OK(nicol_scene_get_environment(stage.scene, &light, to_world, &scale));
+        CHECK(scale == 0.25);
+        // The rotation alone: what else is in a matrix does not concern light.
+        for (std::size_t i = 0; i < 16; ++i) CHECK(to_world[i] == (i < 12 ? turned[i] / 2 : turned[i]));
+        nicol_environment_info info = NICOL_ENVIRONMENT_INFO_INIT;
+        OK(nicol_environment_get_info(light, &info));
+        CHECK(info.polarized == 1);
+
+        // The handle outlives the scene's own use of the light.
+        OK(nicol_scene_set_environment(stage.scene, nullptr, nullptr, 0));
+        nicol_environment none = marker<nicol_environment>();
+        double identity[16] = {};
+        OK(nicol_scene_get_environment(stage.scene, &none, identity, &scale));
+        CHECK(none == nullptr);
+        CHECK(scale == 1);
+        for (std::size_t i = 0; i < 16; ++i) CHECK(identity[i] == (i % 5 == 0 ? 1 : 0));
+        OK(nicol_scene_get_environment(stage.scene, &none, nullptr, nullptr));
+
+        OK(nicol_scene_set_environment(stage.scene, light, to_world, 0.25));
+        OK(nicol_environment_release(light));
+        stage.render();
+        CHECK(read_all(stage.framebuffer) == before);
+
+        FAILS(nicol_scene_get_environment(stage.scene, nullptr, to_world, &scale),
+              NICOL_ERROR_INVALID_ARGUMENT, "environment");
+        FAILS(nicol_scene_get_environment(reinterpret_cast<nicol_scene>(stage.mesh), &none, nullptr, nullptr),
+              NICOL_ERROR_INVALID_HANDLE, "");
+    });
+}
+
+TEST_CASE("a file's light comes back with its turn and scale, a scale of 0 as darkness") {
+    const Folder folder;
+    std::string text = scene_text;
+    const std::string constant =
+        R"(<emitter type="constant"><rgb name="radiance" value="1, 2, 3"/></emitter>)";
+    text.replace(text.find(constant), constant.size(),
+                 R"(<emitter type="envmap"><string name="filename" value="light.exr"/>
+        <float name="scale" value="$scale"/>
+        <transform name="to_world"><rotate y="1" angle="90"/></transform></emitter>)");
+    const std::string path = folder.write("scene.xml", text);
+    on_every_backend([&](nicol_context context) {
+        nicol_environment light = nullptr;
+        const nicol_spectrum one = spectrum({1});
+        OK(nicol_environment_create_constant(context, &one, &light));
+        OK(nicol_environment_write(light, nullptr, folder.file("light.exr").c_str()));
+        OK(nicol_environment_release(light));
+        for (const bool dark : {false, true}) {
+            const char* definition = dark ? "scale=0" : "scale=2.5";
+            nicol_scene scene = nullptr;
+            OK(nicol_scene_load(context, path.c_str(), &definition, 1, &scene));
+            double to_world[16] = {}, scale = 0;
+            OK(nicol_scene_get_environment(scene, &light, to_world, &scale));
+            CHECK((light == nullptr) == dark);
+            CHECK(scale == (dark ? 1 : 2.5));
+            const double turned[16] = {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1};
+            for (std::size_t i = 0; i < 16; ++i)
+                CHECK(to_world[i] == doctest::Approx(dark ? (i % 5 == 0 ? 1 : 0) : turned[i]));
+            OK(nicol_environment_release(light));
+            OK(nicol_scene_release(scene));
+        }
+    });
+}
+
 TEST_CASE("a scene has the channels of its parts, and they must fit") {
     on_every_backend([](nicol_context context) {
         nicol_scene scene = nullptr;
