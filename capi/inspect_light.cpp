@@ -13,6 +13,7 @@
 #include "nicol/light_report.hpp"
 #include "nicol/psh_file.hpp"
 #include "nicol/rotation.hpp"
+#include "transfer/physical_range.hpp"
 
 namespace nicol::capi {
 namespace {
@@ -82,7 +83,7 @@ EquirectImage LightSource::draw(const FileOptions& options, int least_width) con
         out = synthesize_picture(field, w, options.height != 0 ? options.height : w / 2 + 1);
         if (picture) out.wavelengths = picture->wavelengths();
     }
-    if (options.physical) make_physical(out);
+    if (options.physical) make_physical({reinterpret_cast<glm::vec4*>(out.data.data()), out.data.size() / 4});
     return out;
 }
 

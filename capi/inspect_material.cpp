@@ -87,7 +87,11 @@ MaterialSource read_material(const path& file, nicol_file_kind kind, const FileO
         refuse(file.string() + ": wavelengths can be chosen from measured materials only");
     std::vector<IsotropicMatrix> matrices;
     if (kind == NICOL_FILE_MATERIAL_TABLE) {
-        const ResponseFile table = read_response_file(file);
+        const StoredResponse table = read_response_table(file);
+        if (table.table.channels() > NICOL_MAX_CHANNELS)
+            throw Error(ErrorCode::unsupported,
+                        file.string() + ": has " + std::to_string(table.table.channels()) +
+                            " channels; it must have at most " + std::to_string(NICOL_MAX_CHANNELS));
         if (table.layout.order() > NICOL_PSH_MAX_MATRIX_ORDER)
             throw Error(ErrorCode::unsupported,
                         file.string() + ": has order " + std::to_string(table.layout.order()) +

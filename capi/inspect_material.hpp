@@ -9,7 +9,7 @@
 
 #include "inspect_options.hpp"
 #include "nicol/material.hpp"
-#include "nicol/response_table.hpp"
+#include "nicol/response_cache.hpp"
 
 namespace nicol::capi {
 
@@ -39,18 +39,9 @@ void write_material(const MaterialSource& source, const FileOptions& options,
 void report_material(const MaterialSource& source, const FileOptions& options, nicol_material_report& report,
                      std::span<double> energy);
 
-/// A table of Nicol's cache as it is in its file.
-struct ResponseFile {
-    LightLayout layout;
-    ResponseTable table;
-};
-/// Throws Error(file_not_found), Error(invalid_file) naming the file for one that is damaged,
-/// Error(unsupported) for another version.
-[[nodiscard]] ResponseFile read_response_file(const std::filesystem::path& path);
-
 /// The matrices of a table's channels: the light that leaves upwards (Eq. 40). Columns that the table does
 /// not have are zero.
-[[nodiscard]] std::vector<IsotropicMatrix> matrices_of(const ResponseFile& file);
+[[nodiscard]] std::vector<IsotropicMatrix> matrices_of(const StoredResponse& file);
 
 /// What a coefficient matrix says about its material.
 struct MatrixNumbers {

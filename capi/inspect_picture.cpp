@@ -163,16 +163,4 @@ EquirectImage resample_picture(const Environment& light, const glm::dmat3& rotat
     return image;
 }
 
-void make_physical(StokesImage& image) {
-    for (std::size_t i = 0; i < image.data.size(); i += 4) {
-        float* s = image.data.data() + i;
-        const float polarized = std::hypot(s[1], s[2], s[3]);
-        if (s[0] <= 0)
-            std::fill_n(s, 4, 0.0F);
-        else if (polarized > s[0])
-            // A little less, so that rounding does not put it back above.
-            std::for_each(s + 1, s + 4, [scale = 0.999999F * s[0] / polarized](float& v) { v *= scale; });
-    }
-}
-
 }  // namespace nicol::capi

@@ -40,7 +40,4 @@ private:
 [[nodiscard]] EquirectImage resample_picture(const Environment& light, const glm::dmat3& rotation,
                                              int source_width, int width, int height);
 
-/// Makes every pixel obey Eq. 70: s0 below 0 becomes black, polarization beyond s0 is cut to s0.
-void make_physical(StokesImage& image);
-
 }  // namespace nicol::capi

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Response tables kept on disk between runs.
+// Response tables kept on disk between runs: magic, version, length of the key, key, the table's numbers, and
+// the hash of all that.
 #pragma once
 
 #include <filesystem>
@@ -24,5 +25,16 @@ using CacheNotice = std::function<void(const std::string&)>;
 [[nodiscard]] ResponseTable load_or_build(const Material& material, const LightLayout& layout, int channels,
                                           const std::filesystem::path& folder = {},
                                           const CacheNotice& notice = {});
+
+/// A table as a file of the cache has it, with what it was made for.
+struct StoredResponse {
+    LightLayout layout;
+    ResponseTable table;
+};
+
+/// Reads any file that load_or_build() keeps, whatever its name. Throws Error(file_not_found),
+/// Error(unsupported) for another format version, and Error(invalid_file) for all that is damaged or was
+/// never such a file; each names the file.
+[[nodiscard]] StoredResponse read_response_table(const std::filesystem::path& file);
 
 }  // namespace nicol

@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <cstring>
+#include <fstream>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "files/cache_file.hpp"
+#include "files/content_hash.hpp"
 #include "material/key.hpp"
+#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {
@@ -18,6 +23,106 @@ constexpr std::string_view magic("NICOLRT\0", 8);
 // Raise it whenever the numbers of any table change.
 constexpr std::uint32_t version = 1;
 
+// What describes the table stands behind the material's own key.
+std::string key_of(const std::string& content, const LightLayout& layout, int channels) {
+    return Key(content)
+        .add("order", layout.order())
+        .add("kind", static_cast<double>(layout.kind()))
+        .add("channels", channels)
+        .add("angles", ResponseTable::kAngles)
+        .text();
+}
+
+bool all_finite(std::span<const float> data) {
+    return std::ranges::all_of(data, [](float value) { return std::isfinite(value); });
+}
+
+class StoredTable {
+public:
+    explicit StoredTable(const std::filesystem::path& file)
+        : name_(file.string()), in_(file, std::ios::binary) {
+        if (!in_) throw Error(ErrorCode::file_not_found, name_ + ": cannot be opened");
+        size_ = std::filesystem::file_size(file);
+    }
+
+    StoredResponse read() {
+        const std::string header = read_header();
+        const int order = number("order", 0, kMaxOrder);
+        const int kind = number("kind", 1, 4);
+        const int channels = number("channels", 1, 99999);
+        if (kind == 2) invalid("has the kind of light 2; it must be 1, 3 or 4");
+        (void)number("angles", ResponseTable::kAngles, ResponseTable::kAngles);
+
+        // The length is checked before anything of that size is allocated.
+        const auto pairs = static_cast<std::uint64_t>(order + 1) * static_cast<std::uint64_t>(order + 2) / 2;
+        check_size(size_ >= pairs * row_bytes, order);
+        const LightLayout layout(order, static_cast<LightKind>(kind));
+        const std::uint64_t bytes = layout.size() * row_bytes * static_cast<std::uint64_t>(channels);
+        check_size(size_ == header.size() + bytes + hash_size, order);
+        std::vector<float> data(bytes / sizeof(float));
+        in_.read(reinterpret_cast<char*>(data.data()), static_cast<std::streamsize>(bytes));
+        const std::string hash = take(hash_size);
+        if (hash != ContentHash().add(header).add(bytes_of(std::span<const float>(data))).text())
+            invalid("is damaged: its checksum differs");
+        if (!all_finite(data)) invalid("has a value that is not finite");
+        return {layout, ResponseTable(layout, channels, std::move(data))};
+    }
+
+private:
+    static constexpr std::size_t hash_size = 32;
+    static constexpr std::uint32_t longest_key = 1 << 16;
+    // Of one entry of the layout, in one channel.
+    static constexpr std::uint64_t row_bytes = ResponseTable::kAngles * 4 * sizeof(float);
+
+    [[noreturn]] void invalid(const std::string& what) const {
+        throw Error(ErrorCode::invalid_file, name_ + ": " + what);
+    }
+
+    void check_size(bool right, int order) const {
+        if (!right)
+            invalid("has " + std::to_string(size_) + " bytes, another length than a table of order " +
+                    std::to_string(order) + " has");
+    }
+
+    std::string take(std::size_t bytes) {
+        std::string out(bytes, '\0');
+        in_.read(out.data(), static_cast<std::streamsize>(bytes));
+        if (!in_) invalid("is truncated");
+        return out;
+    }
+
+    std::string read_header() {
+        std::string header = take(magic.size() + 8);
+        if (!header.starts_with(magic)) invalid("is no response table of Nicol");
+        std::uint32_t found = 0;
+        std::uint32_t key_size = 0;
+        std::memcpy(&found, header.data() + magic.size(), 4);
+        std::memcpy(&key_size, header.data() + magic.size() + 4, 4);
+        if (found != version)
+            throw Error(ErrorCode::unsupported, name_ + ": has format version " + std::to_string(found) +
+                                                    "; this build reads " + std::to_string(version));
+        if (key_size > longest_key) invalid("claims a key of " + std::to_string(key_size) + " bytes");
+        key_ = take(key_size);
+        return header + key_;
+    }
+
+    // " name=value" of the key.
+    int number(const std::string& name, int low, int high) const {
+        const std::size_t at = key_.rfind(" " + name + "=");
+        if (at == std::string::npos) invalid("does not say its " + name);
+        const std::string digits = key_.substr(at + name.size() + 2, 6);
+        int value = low - 1;
+        std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        if (value < low || value > high) invalid("says " + name + "=" + digits + ", which is out of range");
+        return value;
+    }
+
+    std::string name_;
+    std::ifstream in_;
+    std::uint64_t size_ = 0;
+    std::string key_;
+};
+
 }  // namespace
 
 ResponseTable load_or_build(const Material& material, const LightLayout& layout, int channels,
@@ -25,20 +130,12 @@ ResponseTable load_or_build(const Material& material, const LightLayout& layout,
     const std::string content = folder.empty() ? std::string() : material.content_key();
     if (content.empty()) return ResponseTable(material, layout, channels);
     const int table_channels = ResponseTable::channels_for(material, channels);
-    const CacheFile file(folder, magic, version,
-                         Key(content)
-                             .add("order", layout.order())
-                             .add("kind", static_cast<double>(layout.kind()))
-                             .add("channels", table_channels)
-                             .add("angles", ResponseTable::kAngles)
-                             .text(),
-                         ".response");
+    const CacheFile file(folder, magic, version, key_of(content, layout, table_channels), ".response");
     std::vector<float> data(ResponseTable::kAngles * 4 * layout.size() *
                             static_cast<std::size_t>(table_channels));
     const std::array parts{writable_bytes_of(std::span(data))};
     CacheFile::Outcome outcome = file.read(parts);
-    if (outcome.state == CacheFile::State::complete &&
-        !std::ranges::all_of(data, [](float value) { return std::isfinite(value); })) {
+    if (outcome.state == CacheFile::State::complete && !all_finite(data)) {
         outcome = {CacheFile::State::unfit, "is damaged"};
     }
     if (outcome.state == CacheFile::State::complete) {
@@ -51,6 +148,10 @@ ResponseTable load_or_build(const Material& material, const LightLayout& layout,
     const std::string failure = file.write(std::array{bytes_of(table.data())});
     if (!failure.empty() && notice) notice(failure);
     return table;
+}
+
+StoredResponse read_response_table(const std::filesystem::path& file) {
+    return StoredTable(file).read();
 }
 
 }  // namespace nicol

@@ -36,7 +36,7 @@ std::string key_of(const BakeGeometry& geometry, const DirectionSet& directions)
 
 // What the file holds, if it can be used.
 std::optional<Visibility> read(const CacheFile& file, std::size_t directions, std::size_t vertices,
-                               const BakeNotice& notice) {
+                               const CacheNotice& notice) {
     std::vector<std::uint64_t> bits((directions + 63) / 64 * vertices);
     std::vector<std::uint8_t> open(vertices);
     const CacheFile::Outcome outcome =
@@ -53,7 +53,7 @@ std::optional<Visibility> read(const CacheFile& file, std::size_t directions, st
 }  // namespace
 
 Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& directions,
-                        const std::filesystem::path& folder, const BakeNotice& notice,
+                        const std::filesystem::path& folder, const CacheNotice& notice,
                         const BakeProgress& progress, BakeStatistics* statistics) {
     if (folder.empty()) return bake(geometry, directions, progress, statistics);
     const CacheFile file(folder, magic, version, key_of(geometry, directions), ".visibility");

@@ -3,15 +3,11 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <string>
 
+#include "nicol/response_cache.hpp"
 #include "transfer/bake.hpp"
 
 namespace nicol {
-
-/// Told in one line, for people, when a cache file had to be passed over or could not be written.
-using BakeNotice = std::function<void(const std::string&)>;
 
 /// bake(), or its result from `folder` if it is there; else it is kept there (as a file named after the
 /// geometry). The folder is made if it is missing; an empty path means no cache.
@@ -21,7 +17,7 @@ using BakeNotice = std::function<void(const std::string&)>;
 /// or not at all, so processes may share a folder. A folder that cannot be written is a notice, never an
 /// error. Throws what bake() throws.
 [[nodiscard]] Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& directions,
-                                      const std::filesystem::path& folder, const BakeNotice& notice = {},
+                                      const std::filesystem::path& folder, const CacheNotice& notice = {},
                                       const BakeProgress& progress = {},
                                       BakeStatistics* statistics = nullptr);
 

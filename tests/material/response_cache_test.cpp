@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "nicol/conductor.hpp"
+#include "nicol/error.hpp"
 #include "nicol/psh_matrix_file.hpp"
 #include "scratch.hpp"
 
@@ -165,4 +166,48 @@ TEST_CASE("every parameter is in the key") {
             static_cast<void>(load_or_build(material, LightLayout(order, kind), 1, scratch.path()));
     }
     CHECK(files_in(scratch.path()).size() == 4);
+}
+
+TEST_CASE("a file of the cache is read by its name alone") {
+    const test::ScratchFolder scratch;
+    const ResponseTable built = load_or_build(Counting(), layout, 1, scratch.path());
+    const std::string good = content(files_in(scratch.path()).front());
+    const auto file = scratch / "renamed";
+    replace(file, good);
+    const StoredResponse stored = read_response_table(file);
+    CHECK(stored.layout.order() == 2);
+    CHECK(stored.layout.kind() == LightKind::linear);
+    CHECK(stored.table.channels() == 1);
+    CHECK(std::ranges::equal(stored.table.data(), built.data()));
+
+    const auto refuse = [&](const std::string& bytes, ErrorCode code) {
+        replace(file, bytes);
+        try {
+            (void)read_response_table(file);
+            FAIL("read");
+        } catch (const Error& error) {
+            CHECK(error.code() == code);
+            CHECK(std::string(error.what()).find("renamed") != std::string::npos);
+        }
+    };
+    const auto with = [&](const std::string& old, const std::string& now) {
+        std::string bytes = good;
+        return bytes.replace(bytes.find(old), old.size(), now);
+    };
+    for (const std::size_t size : {std::size_t{0}, std::size_t{15}, std::size_t{40}, good.size() / 2})
+        refuse(good.substr(0, size), ErrorCode::invalid_file);
+    refuse(good + "x", ErrorCode::invalid_file);
+    refuse(with(" order=2", " order=9"), ErrorCode::invalid_file);
+    refuse(with(" order=2", " order=x"), ErrorCode::invalid_file);
+    refuse(with(" kind=3", " kind=2"), ErrorCode::invalid_file);
+    refuse(with(" channels=1", " channels=0"), ErrorCode::invalid_file);
+    refuse(with(" angles=1021", " angles=1020"), ErrorCode::invalid_file);
+    std::string bytes = good;
+    bytes[8] = 2;
+    refuse(bytes, ErrorCode::unsupported);
+    bytes = good;
+    bytes[good.size() / 2] = static_cast<char>(bytes[good.size() / 2] ^ 1);
+    refuse(bytes, ErrorCode::invalid_file);
+    std::filesystem::remove(file);
+    CHECK_THROWS_AS((void)read_response_table(file), Error);
 }
