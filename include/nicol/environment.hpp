@@ -68,6 +68,10 @@ public:
     /// For drawing the background; of an image, its own pixels times the scale.
     [[nodiscard]] virtual EquirectImage picture() const = 0;
 
+    /// The light made ready for millions of look-ups where radiance() takes long, see psh_environment(); null
+    /// where it does not.
+    [[nodiscard]] virtual std::unique_ptr<const Environment> tabulated() const { return nullptr; }
+
 protected:
     Environment() = default;
 };
@@ -107,9 +111,11 @@ void write_environment(const std::filesystem::path& path, const Environment& env
 [[nodiscard]] PshVector project_image(const EquirectView& view, int order);
 
 /// Light given by its coefficients in the world's axes: radiance() evaluates them, project() truncates or
-/// fills up with zeros, picture() synthesizes (orders above 1023 are left out of it). Truncated light rings:
-/// s0 may be negative and Eq. 70 violated. Throws Error(invalid_argument) unless all coefficients are finite,
-/// there is a channel, p = 1, 2 vanish below l = 2, and `wavelengths` is empty or has one value a channel.
+/// fills up with zeros, picture() synthesizes (orders above 1023 are left out of it). tabulated() is a
+/// picture with 16 columns an order, 512 to 4096 in all, bilinear in between: random light up to order 255
+/// has an RMS error of 0.8 % in it, smoother light less. Truncated light rings: s0 may be negative and Eq. 70
+/// violated. Throws Error(invalid_argument) unless all coefficients are finite, there is a channel, p = 1, 2
+/// vanish below l = 2, and `wavelengths` is empty or has one value a channel.
 [[nodiscard]] EnvironmentPtr psh_environment(PshVector coefficients, std::vector<double> wavelengths = {});
 
 /// Unpolarized, the same from everywhere: one radiance a channel, finite and >= 0, at least one.

@@ -3,14 +3,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "light/environment_checks.hpp"
-#include "light/equirect.hpp"
 #include "light/equirect_projection.hpp"
+#include "light/picture_light.hpp"
 #include "nicol/error.hpp"
 
 namespace nicol {
@@ -39,19 +38,7 @@ public:
 
     Stokes radiance(int channel, const glm::dvec3& towards_light) const override {
         check_look_up(*this, channel, towards_light);
-        const glm::dvec2 uv = equirect_coordinates(towards_light);
-        const double column = uv.x * width_ - 0.5;
-        const double row = uv.y * (height_ - 1);
-        const int left = static_cast<int>(std::floor(column));
-        const int top = std::min(static_cast<int>(row), height_ - 2);
-        const double a = column - left;
-        const double b = row - top;
-        const int x0 = left < 0 ? width_ - 1 : left;
-        const int x1 = left + 1 < width_ ? left + 1 : 0;
-        const Stokes s = (1 - b) * ((1 - a) * pixel(channel, top, x0) + a * pixel(channel, top, x1)) +
-                         b * ((1 - a) * pixel(channel, top + 1, x0) + a * pixel(channel, top + 1, x1));
-        if (components_ == 1) return s;
-        return turned(s, angle_between(equirect_frame(uv.x, uv.y), theta_phi_frame(-towards_light)));
+        return look_up(view(), channel, towards_light);
     }
 
     PshVector project(int order) const override {
@@ -100,11 +87,6 @@ private:
             for (int p = 0; p < components_; ++p) to[p] = static_cast<float>(scale * from[p]);
             to[0] = std::max(to[0], 0.0F);
         }
-    }
-
-    [[nodiscard]] Stokes pixel(int channel, int y, int x) const {
-        const float* v = values_.get() + offset(channel, y, x);
-        return components_ == 1 ? Stokes(v[0], 0, 0, 0) : Stokes(v[0], v[1], v[2], v[3]);
     }
 
     int width_, height_, channels_, components_;

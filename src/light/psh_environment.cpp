@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Light from coefficients.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
-#include <glm/matrix.hpp>
-
 #include "light/environment_checks.hpp"
-#include "light/equirect.hpp"
+#include "light/picture_grid.hpp"
+#include "light/picture_light.hpp"
 #include "nicol/error.hpp"
 #include "nicol/evaluate.hpp"
-#include "nicol/grid.hpp"
-#include "nicol/rotation.hpp"
-#include "nicol/transform.hpp"
 
 namespace nicol {
 namespace {
@@ -51,32 +45,22 @@ public:
         const int order = std::min(field_.order(), most_order);
         int width = 512;
         while (width < 4 * (order + 1)) width *= 2;
-        const int height = width / 2 + 1;
+        return picture(order, width);
+    }
 
-        // About the picture's axes, its rows are circles of latitude from south to north: theta = pi (1 - v),
-        // phi = pi - 2 pi u; its frames are the theta-phi frames turned by a quarter.
-        const PshVector turned_field = rotated(with_order(field_, order), glm::transpose(equirect_axes()));
-        const double first_phi = -std::numbers::pi + std::numbers::pi / width;
-        PshTransform transform(order, clenshaw_curtis_rows(height), width, first_phi);
-        EquirectImage image(width, height, channels());
-        image.wavelengths = wavelengths_;
-        const auto columns = static_cast<std::size_t>(width);
-        std::vector<double> samples(4 * columns * static_cast<std::size_t>(height));
-        const std::array<double, 4> sign = {1, -1, -1, 1};
-        for (int c = 0; c < channels(); ++c) {
-            transform.synthesize(turned_field.channel(c), samples);
-            for (int y = 0; y < height; ++y) {
-                const double* row = samples.data() + 4 * columns * static_cast<std::size_t>(height - 1 - y);
-                float* out = image.at(c, y, 0).data();
-                for (std::size_t x = 0; x < columns; ++x)
-                    for (std::size_t p = 0; p < 4; ++p)
-                        out[4 * x + p] = static_cast<float>(sign[p] * row[4 * (columns - 1 - x) + p]);
-            }
-        }
-        return image;
+    std::unique_ptr<const Environment> tabulated() const override {
+        constexpr int columns_an_order = 16;
+        return std::make_unique<const PictureLight>(
+            picture(field_.order(), std::clamp(columns_an_order * (field_.order() + 1), 512, 4096)));
     }
 
 private:
+    EquirectImage picture(int order, int width) const {
+        EquirectImage image = synthesize_picture(with_order(field_, order), width, width / 2 + 1);
+        image.wavelengths = wavelengths_;
+        return image;
+    }
+
     PshVector field_;
     std::vector<double> wavelengths_;
     bool polarized_ = false;

@@ -24,6 +24,8 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     if (environment_ != nullptr) {
         channels_ = environment_->channels();
         light_sampler_ = std::make_unique<LightSampler>(*environment_);
+        table_ = environment_->tabulated();
+        if (table_) environment_ = table_.get();
     }
     std::vector<RaySurface> triangles;
     surfaces_.reserve(scene.instances().size());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 
 #include "files/npz.hpp"
 #include "image/temporary_folder.hpp"
@@ -46,6 +47,41 @@ TEST_CASE("look-up, projection and picture are of one field") {
     const PshVector back = image_environment(picture)->project(5);
     for (std::size_t i = 0; i < back.data().size(); ++i)
         CHECK(std::abs(back.data()[i] - field.data()[i]) < 2e-3);
+}
+
+TEST_CASE("the table of coefficients is the light to 0.8 % of what varies in it, at the poles too") {
+    for (const int order : {2, 31, 100}) {
+        CAPTURE(order);
+        const PshVector field = random_field(order, 2, 3);
+        const auto light = psh_environment(field, {500, 600});
+        const std::unique_ptr<const Environment> table = light->tabulated();
+        REQUIRE(table);
+        CHECK(table->wavelengths() == light->wavelengths());
+        CHECK(table->polarized());
+        CHECK(table->circular());
+        CHECK_FALSE(table->tabulated());
+        std::vector<glm::dvec3> around = random_directions(400), poles;
+        for (const glm::dvec3& d : random_directions(200, 2))
+            poles.push_back(glm::normalize(glm::dvec3(0.01 * d.x, d.y, 0.01 * d.z)));
+        poles.insert(poles.end(), {{0, 1, 0}, {0, -1, 0}});
+        for (const std::vector<glm::dvec3>& directions : {around, poles}) {
+            Stokes error(0), size(0);
+            for (const glm::dvec3& w : directions) {
+                Stokes exact = light->radiance(1, w);
+                const Stokes difference = table->radiance(1, w) - exact;
+                exact[0] -= field.at(1, 0, 0, 0) / std::sqrt(4 * std::numbers::pi);
+                error += difference * difference;
+                size += exact * exact;
+            }
+            for (int p = 0; p < 4; ++p) CHECK(std::sqrt(error[p] / size[p]) < 0.008);
+        }
+    }
+}
+
+TEST_CASE("light that is quick to look up has no table") {
+    CHECK_FALSE(image_environment(random_picture(8, 5, 1, 1))->tabulated());
+    CHECK_FALSE(constant_environment({1})->tabulated());
+    CHECK_FALSE(rayleigh_sky({})->tabulated());
 }
 
 TEST_CASE("what light of coefficients claims about itself is true") {

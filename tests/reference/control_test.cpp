@@ -2,6 +2,7 @@
 // Options, threads, progress and errors.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 #include <thread>
 #include <vector>
@@ -46,6 +47,47 @@ ErrorCode code_of(const Scene& scene, int w, int h, const ReferenceOptions& opti
 }
 
 }  // namespace
+
+TEST_CASE("light with a table is looked up there, and light of coefficients has one") {
+    // The same light twice; neither's radiance() may be needed where there is a table.
+    class Watched final : public Environment {
+    public:
+        Watched(EnvironmentPtr light, bool table) : light_(std::move(light)), table_(table) {}
+        int channels() const noexcept override { return light_->channels(); }
+        bool polarized() const noexcept override { return light_->polarized(); }
+        bool circular() const noexcept override { return light_->circular(); }
+        Stokes radiance(int channel, const glm::dvec3& towards_light) const override {
+            if (table_) throw Error(ErrorCode::unsupported, "slow");
+            return light_->radiance(channel, towards_light);
+        }
+        PshVector project(int order) const override { return light_->project(order); }
+        EquirectImage picture() const override { return light_->picture(); }
+        std::unique_ptr<const Environment> tabulated() const override {
+            return table_ ? light_->tabulated() : nullptr;
+        }
+
+    private:
+        EnvironmentPtr light_;
+        bool table_;
+    };
+    // Polarized, to order 12.
+    const EnvironmentPtr sky = psh_environment(
+        rayleigh_sky({.sun_direction = {1, 0.4, 1}, .radiance = {1}, .turbidity = 3})->project(12));
+    std::vector<StokesImage> pictures;
+    for (const bool table : {false, true}) {
+        Scene scene = ball_on_floor();
+        scene.set_environment(std::make_shared<const Watched>(sky, table), glm::dmat3(1.0), 1);
+        pictures.push_back(render(scene, camera(), width, height, {.samples = 16, .progress = {}}));
+    }
+    double difference = 0, size = 0;
+    for (std::size_t i = 0; i < pictures[0].data.size(); ++i) {
+        difference += std::pow(static_cast<double>(pictures[0].data[i] - pictures[1].data[i]), 2);
+        size += std::pow(static_cast<double>(pictures[0].data[i]), 2);
+    }
+    // Same samples: nothing but the table's error remains.
+    CHECK(std::sqrt(difference / size) < 1e-3);
+    CHECK(difference > 0);
+}
 
 TEST_CASE("a seed gives the same picture with any number of threads; another seed another") {
     const Scene scene = ball_on_floor();
