@@ -67,7 +67,8 @@ Energy caught(const SplitFit& fit, const SplitProbes& probes) {
         const std::vector<SplitFactors> factors = fit.at(std::acos(cosine), probes);
         sum.resize(factors.size());
         for (std::size_t c = 0; c < factors.size(); ++c)
-            for (std::size_t p = 0; p < 3; ++p) sum[c][p] += factors[c].energy[p];
+            for (std::size_t p = 0; p < 3; ++p)
+                for (const double energy : factors[c].energy[p]) sum[c][p] += energy;
     }
     return sum;
 }

@@ -62,6 +62,9 @@ void add_other_side(std::array<SplitVector, 4>& moments) {
 // The s-frame x of outgoing light is phi-hat: a quarter turn from theta-hat.
 constexpr std::array<double, 4> quarter_turn{1, -1, -1, 1};
 
+// Of incident components: s0, (s1, s2), s3. Probes of one part know nothing of the others.
+constexpr std::array<std::size_t, 4> parts{0, 1, 1, 2};
+
 }  // namespace
 
 std::array<Probe, SplitProbes::kCount> SplitProbes::at(double theta_out) const {
@@ -86,10 +89,9 @@ SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels
     std::vector<std::vector<double>> lobes;
     for (const double width : kLobeWidths) lobes.push_back(gaussian_gains(width, l_low + 1, l_high));
     lobes.push_back(cosine_gains(l_low + 1, l_high));
-    const auto prior = [](std::size_t l) { return l == 0 ? 0.0 : 1 / static_cast<double>(l * (l + 1)); };
     for (const auto& lobe : lobes) {
         std::vector<double>& gain = gains_.emplace_back(lobe);
-        for (std::size_t l = 0; l < gain.size(); ++l) gain[l] *= prior(l);
+        for (std::size_t l = 0; l < gain.size(); ++l) gain[l] *= prior(static_cast<int>(l));
         kernels_.emplace_back(gain);
     }
     for (const auto& lobe : gains_) {
@@ -146,7 +148,8 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& prob
         std::vector<double> matrix = normal;
         solve(matrix, factors.of);
         for (std::size_t p = 0; p < 4; ++p)
-            for (std::size_t u = 0; u < n; ++u) factors.energy[p] += factors.of[p][u] * of_channels[c][p][u];
+            for (std::size_t u = 0; u < n; ++u)
+                factors.energy[p][parts[u % 4]] += factors.of[p][u] * of_channels[c][p][u];
         out.push_back(factors);
     }
     return out;

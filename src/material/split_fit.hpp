@@ -27,16 +27,19 @@ inline constexpr std::size_t kSplitUnknowns = 21;
 using SplitVector = std::array<double, kSplitUnknowns>;
 
 /// Factors for the four components of outgoing light, in the s-frame (x = n x v), and how much of the
-/// response's energy they catch.
+/// response's energy they catch: [outgoing component][incident s0, (s1, s2), s3].
 struct SplitFactors {
     std::array<SplitVector, 4> of{};
-    std::array<double, 4> energy{};
+    std::array<std::array<double, 3>, 4> energy{};
 };
 
 /// The fit for materials at outgoing angles. The response is weighted by 1 / (l (l + 1)), as the power of
 /// natural light is.
 class SplitFit {
 public:
+    /// The weight of an order's energy.
+    [[nodiscard]] static double prior(int l) { return l == 0 ? 0 : 1 / (l * (l + 1.0)); }
+
     /// `material` must outlive the object.
     SplitFit(const Material& material, int l_low, int l_high, int channels);
 

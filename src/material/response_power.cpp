@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "material/response_power.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+#include "material/matrix_rows.hpp"
+#include "material/row_integral.hpp"
+#include "nicol/response_table.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr std::size_t kAngles = 6;
+
+std::size_t part_of(LightKind kind) {
+    return kind == LightKind::unpolarized ? 0 : kind == LightKind::linear ? 1 : 2;
+}
+
+// Rows [channel][p][j] at an outgoing angle.
+std::vector<double> rows_at(const Material& material, const LightLayout& layout, int channels, double theta) {
+    const std::size_t set = 4 * layout.size();
+    std::vector<double> rows(set * static_cast<std::size_t>(channels));
+    const auto of_channel = [&](int c) {
+        return std::span(rows).subspan(set * static_cast<std::size_t>(c), set);
+    };
+    if (material.matrix(0) != nullptr) {
+        for (int c = 0; c < channels; ++c)
+            rows_from_matrix(*material.matrix(c), theta, layout, of_channel(c));
+        return rows;
+    }
+    RowIntegral integral(material, layout);
+    const std::span<const double> terms = integral.integrate(theta);
+    for (int c = 0; c < channels; ++c) {
+        const std::span<double> out = of_channel(c);
+        for (int t = 0; t < material.terms(); ++t) {
+            const double weight = material.weight(t, c);
+            const std::span<const double> term = terms.subspan(set * static_cast<std::size_t>(t), set);
+            for (std::size_t i = 0; i < set; ++i) out[i] += weight * term[i];
+        }
+    }
+    return rows;
+}
+
+}  // namespace
+
+ResponsePower::ResponsePower(const Material& material, int order, LightKind kind, int channels)
+    : of_(static_cast<std::size_t>(ResponseTable::channels_for(material, channels))) {
+    for (Channel& channel : of_)
+        for (auto& output : channel) output.fill(Spectrum(static_cast<std::size_t>(order) + 1));
+    const LightLayout layout(order, kind);
+    std::array<std::vector<double>, kAngles> rows;
+    tbb::parallel_for(std::size_t{0}, kAngles, [&](std::size_t k) {
+        const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / kAngles);
+        rows[k] = rows_at(material, layout, this->channels(), std::acos(cosine));
+    });
+    for (const std::vector<double>& angle : rows) {
+        const double* row = angle.data();
+        for (Channel& channel : of_) {
+            for (std::size_t p = 0; p < 4; ++p, row += layout.size()) {
+                if (p == 3) continue;
+                for (std::size_t j = 0; j < layout.size(); ++j) {
+                    const LightLayout::Entry& entry = layout.entries()[j];
+                    channel[p == 0 ? 0 : 1][part_of(entry.part)][static_cast<std::size_t>(entry.l)] +=
+                        row[j] * row[j] / kAngles;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace nicol

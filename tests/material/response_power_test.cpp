@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// Energies of responses against what turned light really gives.
+#include "material/response_power.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+#include <glm/gtc/quaternion.hpp>
+#include <random>
+
+#include "nicol/response_table.hpp"
+#include "nicol/rotation.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr int order = 4;
+
+PshVector light_of(int l, int component) {
+    PshVector light(order, 1);
+    for (int m = -l; m <= l; ++m) {
+        light.at(0, l, m, component) = std::cos(3 * m + 1.0);
+        if (component == 1) light.at(0, l, m, 2) = std::sin(2 * m + 0.5);
+    }
+    return light;
+}
+
+double energy(const PshVector& light) {
+    double sum = 0;
+    for (const double value : light.data()) sum += value * value;
+    return sum;
+}
+
+// Mean squares of s0 and of s1 and s2 over turns of the light and over outgoing angles by projected area.
+std::array<double, 2> mean_squares(const ResponseTable& table, const LightLayout& layout,
+                                   const PshVector& light) {
+    constexpr int turns = 4000;
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform;
+    std::array<double, 2> sum{};
+    for (int i = 0; i < turns; ++i) {
+        const glm::dquat q =
+            glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random)));
+        const auto z = layout.pack(rotated(light, glm::mat3_cast(q)).channel(0));
+        const double theta = std::acos(std::sqrt(uniform(random)));
+        const auto angle = static_cast<int>(theta / std::acos(0.0) * (ResponseTable::kAngles - 1));
+        const auto rows = table.rows(angle, 0);
+        for (std::size_t p = 0; p < 3; ++p) {
+            double s = 0;
+            for (std::size_t j = 0; j < z.size(); ++j)
+                s += static_cast<double>(rows[p * z.size() + j]) * (p < 2 ? z[j].real() : z[j].imag());
+            sum[p == 0 ? 0 : 1] += s * s / turns;
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("turned light gives the mean square that the energies say") {
+    const MaterialPtr material = pplastic({.diffuse_reflectance = {0.2}, .alpha = 0.3});
+    const LightLayout layout(order, LightKind::full);
+    const ResponseTable table(*material, layout, 1);
+    const ResponsePower power(*material, order, LightKind::full, 1);
+    const auto check = [&](int l, int component, std::size_t part, double half) {
+        const PshVector light = light_of(l, component);
+        const auto measured = mean_squares(table, layout, light);
+        CAPTURE(l);
+        CAPTURE(component);
+        for (std::size_t output = 0; output < 2; ++output) {
+            const double predicted =
+                half * energy(light) * power.of(0, output, part)[static_cast<std::size_t>(l)] / (2 * l + 1);
+            CHECK(measured[output] == doctest::Approx(predicted).epsilon(0.15));
+        }
+    };
+    for (const int l : {1, 2, 4}) check(l, 0, 0, 1.0);
+    for (const int l : {2, 3, 4}) check(l, 1, 1, 0.5);
+}
+
+TEST_CASE("energies of what a light lacks are zero, and channels have their own") {
+    const MaterialPtr material = pplastic({.diffuse_reflectance = {0.8, 0.2, 0.0}, .alpha = 0.2});
+    const ResponsePower power(*material, 6, LightKind::unpolarized, 3);
+    REQUIRE(power.channels() == 3);
+    CHECK(power.of(0, 0, 0)[1] > 2 * power.of(2, 0, 0)[1]);
+    CHECK(power.of(0, 1, 0)[3] ==
+          doctest::Approx(power.of(2, 1, 0)[3]).epsilon(0.05));  // gloss has no colour
+    for (const std::size_t part : {1, 2})
+        for (const double value : power.of(1, 0, part)) CHECK(value == 0);
+    CHECK(ResponsePower(*diffuse({0.5}), 6, LightKind::unpolarized, 3).channels() == 1);
+}
