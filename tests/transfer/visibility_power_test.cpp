@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What shadows do to spectra, in the mean over all orientations.
+#include "transfer/visibility_power.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "nicol/psh.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const glm::vec3 up(0, 1, 0);
+
+// One vertex that sees what lies within a cone about a direction, of that cosine, above its horizon.
+Visibility cone(const DirectionSet& directions, const glm::vec3& axis, float cosine) {
+    Visibility visibility(directions.size(), 1);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const glm::vec3& d = directions.directions()[i];
+        if (glm::dot(d, up) > 0 && glm::dot(d, axis) > cosine)
+            visibility.at(0)[i / 64] |= std::uint64_t{1} << (i % 64);
+    }
+    return visibility;
+}
+
+double sum(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+}  // namespace
+
+TEST_CASE("a vertex that sees everything changes no spectrum") {
+    const DirectionSet directions(2048);
+    Visibility open(directions.size(), 1);
+    open.set_unoccluded(0, true);
+    const VisibilityPower power(open, directions, std::span(&up, 1), HorizonExtension::mirrored);
+    const std::vector<double> response{0, 0, 3, 0.5, 0.25};
+    for (const int spin : {0, 2}) {
+        const std::vector<double> same = power.shadowed(response, spin);
+        for (std::size_t l = 0; l < response.size(); ++l)
+            CHECK(same[l] == doctest::Approx(response[l]).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("the energy that is left is the visible part") {
+    const DirectionSet directions(8192);
+    const VisibilityPower power(cone(directions, glm::normalize(glm::vec3(1, 2, 0)), 0.3F), directions,
+                                std::span(&up, 1), HorizonExtension::mirrored);
+    CHECK(power.fraction() > 0.4);
+    CHECK(power.fraction() < 0.8);
+    std::vector<double> response(120, 0.0);
+    response[2] = 1;
+    response[3] = 2;
+    for (const int spin : {0, 2}) {
+        const std::vector<double> left = power.shadowed(response, spin);
+        CHECK(sum(left) == doctest::Approx(3 * power.fraction()).epsilon(0.03));
+        CHECK(left[2] < 1);
+        CHECK(left[10] > 0);
+    }
+}
+
+TEST_CASE("a response of order 1 leaves in order 0 what the visibility has in order 1") {
+    const DirectionSet directions(4096);
+    const Visibility visibility = cone(directions, glm::normalize(glm::vec3(1, 1, 0)), 0.5F);
+    const VisibilityPower power(visibility, directions, std::span(&up, 1), HorizonExtension::dark);
+    const VisibilityHarmonics harmonics(directions, 1, HorizonExtension::dark);
+    std::vector<float> v(psh_count(1));
+    harmonics.project(visibility, 0, up, v);
+    double first = 0;
+    for (std::size_t k = 1; k < v.size(); ++k) first += static_cast<double>(v[k]) * static_cast<double>(v[k]);
+    const std::vector<double> response{0, 5};
+    CHECK(power.shadowed(response, 0)[0] == doctest::Approx(5 * first / 3 / (4 * pi)).epsilon(1e-5));
+}
