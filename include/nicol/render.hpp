@@ -42,6 +42,10 @@ struct RenderOptions {
     int order_low = 4;   ///< 0..kMaxRenderOrder: light up to here with its full angular detail
     int order_high = 9;  ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
+    /// Above 0: the largest relative RMSE of s0, s1 and s2 (over the RMS of s0) that the orders left out may
+    /// be predicted to cause; order_low and order_high are then chosen for it. Only with Method::factored and
+    /// HighOrders::split or none. 0: order_low and order_high as given.
+    double tolerance = 0;
     /// Against ringing: all components of the light's order l times 1 / (1 + dering (l (l + 1))^2), the
     /// window that trades the least smoothing for the least curvature (Sloan 2017). 0 and up; 0: off. 1e-4 to
     /// 1e-2 are of use.
@@ -56,8 +60,10 @@ struct RenderOptions {
 
 /// Milliseconds are 0 for verbs that did not have to run.
 struct Statistics {
-    int order = 0;         ///< the highest of the light that was rendered
-    bool compute = false;  ///< compute shaders made it
+    int order_low = 0;           ///< of the light that was rendered
+    int order = 0;               ///< the highest of it
+    double predicted_error = 0;  ///< where a tolerance was given
+    bool compute = false;        ///< compute shaders made it
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     double project_ms = 0;

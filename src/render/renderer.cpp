@@ -31,12 +31,21 @@ void check(const RenderOptions& options) {
     if (!(options.dering >= 0 && std::isfinite(options.dering))) {
         refuse("dering is " + std::to_string(options.dering) + "; it must be finite and not negative");
     }
+    if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
+        refuse("tolerance is " + std::to_string(options.tolerance) + "; it must be finite and not negative");
+    }
+    if (options.tolerance > 0 &&
+        (options.method != Method::factored || options.high_orders == HighOrders::convolution)) {
+        refuse(
+            "a tolerance is for the factored method with high orders split or left out: the error of others "
+            "is not predicted");
+    }
 }
 
 // All but the callback.
 auto values(const RenderOptions& o) {
     return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
-                    o.high_orders, o.dering, o.physical);
+                    o.high_orders, o.tolerance, o.dering, o.physical);
 }
 
 }  // namespace

@@ -12,16 +12,17 @@ void TransferCache::set_cache(const std::filesystem::path& folder, const CacheNo
     factored_.set_cache(folder, notice);
 }
 
-void TransferCache::update(const Scene& scene, const Projection& projection, const RenderOptions& options,
+void TransferCache::update(const Scene& scene, const Projection& projection, const RenderOptions& asked,
                            ComputeExecutor* device, Progress& progress, Statistics& statistics) {
     if (geometry_revision_ != scene.geometry_revision()) {
         geometry_ = world_geometry(scene);
         geometry_revision_ = scene.geometry_revision();
     }
-    light_.update(scene, options, statistics);
-    if (options.shadows) bake(scene, options, progress, statistics);
-    const bool shadowed = options.shadows && baked_geometry_ == geometry_revision_ &&
+    if (asked.shadows) bake(scene, asked, progress, statistics);
+    const bool shadowed = asked.shadows && baked_geometry_ == geometry_revision_ &&
                           visibility_.unoccluded_count() < visibility_.vertices();
+    const RenderOptions options = choose_orders(scene, asked, shadowed, statistics);
+    light_.update(scene, options, statistics);
     const TransferInput input{.geometry = geometry_,
                               .geometry_revision = geometry_revision_,
                               .layout = light_.layout(),
@@ -74,6 +75,7 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
         compute(factored_);
     }
 
+    statistics.order_low = distant.low;
     statistics.order = distant.high;
     statistics.vertices = geometry_.positions.size();
     statistics.triangles = geometry_.triangles.size();
@@ -85,6 +87,27 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
     statistics.visibility_bytes = options.shadows ? visibility_.bytes() : 0;
     statistics.transfer_bytes +=
         geometry_.bytes() + visible_.size() + stokes_.size() * geometry_.positions.size() * sizeof(glm::vec4);
+}
+
+RenderOptions TransferCache::choose_orders(const Scene& scene, const RenderOptions& options, bool shadowed,
+                                           Statistics& statistics) {
+    RenderOptions chosen = options;
+    if (!(options.tolerance > 0)) return chosen;
+    const Stopwatch watch;
+    workers_.run([&] {
+        const ErrorBudget::Orders orders =
+            budget_.choose(scene, geometry_,
+                           {.visibility = shadowed ? &visibility_ : nullptr,
+                            .directions = shadowed ? &*directions_ : nullptr,
+                            .revision = visibility_revision_,
+                            .horizon = options.horizon},
+                           options.tolerance, options.high_orders == HighOrders::split);
+        chosen.order_low = orders.low;
+        chosen.order_high = orders.high;
+        statistics.predicted_error = orders.error;
+    });
+    statistics.project_ms += watch.milliseconds();
+    return chosen;
 }
 
 void TransferCache::bake(const Scene& scene, const RenderOptions& options, Progress& progress,

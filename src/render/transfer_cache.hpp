@@ -10,6 +10,7 @@
 #include "nicol/scene.hpp"
 #include "render/compute/compute_executor.hpp"
 #include "render/dense_method.hpp"
+#include "render/error_budget.hpp"
 #include "render/factored_method.hpp"
 #include "render/geometry.hpp"
 #include "render/high_orders.hpp"
@@ -40,6 +41,9 @@ public:
     [[nodiscard]] const VertexStokes& stokes() const noexcept { return stokes_; }
 
 private:
+    /// The options with the orders that their tolerance allows.
+    RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, bool shadowed,
+                                Statistics& statistics);
     void bake(const Scene& scene, const RenderOptions& options, Progress& progress, Statistics& statistics);
 
     Workers workers_;
@@ -54,6 +58,7 @@ private:
     std::uint64_t baked_geometry_ = 0;       // geometry_revision_ that visibility_ belongs to
     std::uint64_t visibility_revision_ = 0;  // counts the bakes
 
+    ErrorBudget budget_;
     LightProjection light_;
 
     FactoredMethod factored_;
