@@ -1,0 +1,70 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# What is installed can be moved, and then serves projects of CMake, users of pkg-config, and its own programs.
+# usage: install_test.sh CMAKE BUILD_FOLDER SAMPLES_FOLDER C_COMPILER
+set -eu
+cmake=$1
+build=$2
+samples=$3
+compiler=$4
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+unset LD_LIBRARY_PATH CPATH LIBRARY_PATH PKG_CONFIG_PATH CMAKE_PREFIX_PATH
+
+fail() {
+    echo "failed: $*" >&2
+    exit 1
+}
+
+# Each component has its files and no other's.
+for component in runtime development tools; do
+    "$cmake" --install "$build" --prefix "$folder/$component" --component $component >"$folder/log"
+    (cd "$folder/$component" && find . -type f -o -type l) | sed 's|.*/||' | sort >"$folder/$component.list"
+done
+grep -qx 'libnicol.so.0' "$folder/runtime.list" || fail "no library in the component runtime"
+grep -vx 'libnicol\.so\.[0-9.]*' "$folder/runtime.list" && fail "more than the library in the component runtime"
+printf '%s\n' libnicol.so nicol.h nicol.pc nicolConfig-release.cmake nicolConfig.cmake nicolConfigVersion.cmake |
+    sort | sed "s/-release/$(grep -o -- '-[a-z]*\.cmake' "$folder/development.list" | sed 's/\.cmake//')/" |
+    diff - "$folder/development.list" || fail "the files of the component development"
+printf '%s\n' nicol-convert nicol-render | diff - "$folder/tools.list" || fail "the files of the component tools"
+
+# All of them, in a folder that is moved afterwards and whose name has a space.
+"$cmake" --install "$build" --prefix "$folder/first" >"$folder/log"
+mv "$folder/first" "$folder/at last"
+prefix="$folder/at last"
+libraries=$(dirname "$(find "$prefix" -name libnicol.so)")
+if grep -rlF -e "$build" -e "$folder/first" "$prefix" --include='*.cmake' --include='*.pc'; then
+    fail "these name folders of the build"
+fi
+"$prefix/bin/nicol-render" --version >/dev/null || fail "the installed nicol-render"
+"$prefix/bin/nicol-convert" --version >/dev/null || fail "the installed nicol-convert"
+
+"$build/bin/hello_stokes" >"$folder/expected"
+
+# A project of CMake's.
+configure() { "$cmake" -S "$1" -B "$2" -DCMAKE_BUILD_TYPE=Release -DCMAKE_C_COMPILER="$compiler" \
+    -DCMAKE_PREFIX_PATH="$prefix" >"$folder/log" 2>&1; }
+configure "$samples/embed_cmake" "$folder/embed" || { cat "$folder/log"; fail "find_package(nicol)"; }
+"$cmake" --build "$folder/embed" >"$folder/log" || { cat "$folder/log"; fail "the CMake project"; }
+"$folder/embed/hello_stokes" | diff "$folder/expected" - || fail "hello_stokes of the CMake project"
+
+# Versions that this one cannot stand for are not found.
+for version in 0.0 0.2 1.0; do
+    mkdir "$folder/wants$version"
+    sed "s/nicol 0\.1 /nicol $version /; s|\.\./|$samples/|" "$samples/embed_cmake/CMakeLists.txt" \
+        >"$folder/wants$version/CMakeLists.txt"
+    configure "$folder/wants$version" "$folder/wants$version/build" && fail "version $version was found"
+done
+
+# One line with pkg-config.
+if ! command -v pkg-config >/dev/null; then
+    echo "skipped: pkg-config is absent"
+    exit 77
+fi
+PKG_CONFIG_PATH=$libraries/pkgconfig
+export PKG_CONFIG_PATH
+[ "$(pkg-config --modversion nicol)" = "$("$prefix/bin/nicol-render" --version | grep -o '[0-9]*\.[0-9]*\.[0-9]*' | head -n 1)" ] ||
+    fail "the version in nicol.pc"
+eval "$compiler" -std=c99 "$samples/embed_c/hello_stokes.c" "$(pkg-config --cflags --libs nicol)" -o "$folder/plain"
+LD_LIBRARY_PATH=$libraries "$folder/plain" | diff "$folder/expected" - || fail "hello_stokes by pkg-config"
+echo "installed, moved, found by CMake and pkg-config"
