@@ -57,7 +57,7 @@ void FactoredMethod::prepare_shadows(const TransferInput& input, Workers& worker
         const Stopwatch watch;
         workers.run([&] {
             shadows_.emplace(*input.visibility, *input.directions, input.geometry.normals, input.layout,
-                             input.layout, input.horizon);
+                             input.horizon);
         });
         statistics.bake_ms += watch.milliseconds();
     }
@@ -74,14 +74,10 @@ void FactoredMethod::relight(const TransferInput& input, Workers& workers, Progr
     const std::span normals(input.geometry.normals);
     const Relight turn(input.layout, input.light);
     vertex_light_.resize(input.layout, input.light.channels(), vertices);
-    workers.for_vertices(0, vertices, vertices, "relight", progress, [&](std::size_t begin, std::size_t end) {
-        turn.run(normals.subspan(begin, end - begin), begin, vertex_light_);
+    workers.for_blocks(vertex_light_.blocks(), "relight", progress, [&](std::size_t begin, std::size_t end) {
+        turn.run(normals, begin, end, vertex_light_);
+        if (shadows_) shadows_->run(vertex_light_, begin, end);
     });
-    if (shadows_) {
-        workers.for_blocks(shadows_->blocks(), "relight", progress, [&](std::size_t begin, std::size_t end) {
-            shadows_->run(vertex_light_, vertex_light_, begin, end);
-        });
-    }
     lit_for_ = key;
     statistics.relight_ms += watch.milliseconds();
 }

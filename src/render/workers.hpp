@@ -27,28 +27,34 @@ public:
     }
 
     /// Calls body(begin, end) for pieces that cover first <= i < last, side by side, and reports progress as
-    /// fractions of `all` between chunks of them. Throws Error(cancelled).
+    /// fractions of `all` between chunks of them. Pieces part at multiples of sixteen. Throws
+    /// Error(cancelled).
     template <class Body>
     void for_vertices(std::size_t first, std::size_t last, std::size_t all, const char* verb,
                       Progress& progress, const Body& body) {
-        for_chunks(first, last, all, chunk, grain, verb, progress, body);
+        if (first >= last) return;
+        for_chunks(first / lanes, (last + lanes - 1) / lanes, (all + lanes - 1) / lanes, verb, progress,
+                   [&](std::size_t begin, std::size_t end) {
+                       body(std::max(first, begin * lanes), std::min(last, end * lanes));
+                   });
     }
     /// The same for blocks of sixteen vertices.
     template <class Body>
     void for_blocks(std::size_t count, const char* verb, Progress& progress, const Body& body) {
-        for_chunks(0, count, count, chunk / 16, grain / 16, verb, progress, body);
+        for_chunks(0, count, count, verb, progress, body);
     }
 
 private:
-    static constexpr std::size_t chunk = 16384;  // vertices between two looks at the progress callback
-    static constexpr std::size_t grain = 256;    // vertices of one task
+    static constexpr std::size_t lanes = 16;
+    static constexpr std::size_t chunk = 1024;  // blocks between two looks at the progress callback
+    static constexpr std::size_t grain = 16;    // blocks of one task
 
     template <class Body>
-    void for_chunks(std::size_t first, std::size_t last, std::size_t all, std::size_t step,
-                    std::size_t smallest, const char* verb, Progress& progress, const Body& body) {
-        for (std::size_t begin = first; begin < last; begin += step) {
+    void for_chunks(std::size_t first, std::size_t last, std::size_t all, const char* verb,
+                    Progress& progress, const Body& body) {
+        for (std::size_t begin = first; begin < last; begin += chunk) {
             progress.report(verb, static_cast<double>(begin) / static_cast<double>(all));
-            const tbb::blocked_range<std::size_t> part(begin, std::min(begin + step, last), smallest);
+            const tbb::blocked_range<std::size_t> part(begin, std::min(begin + chunk, last), grain);
             arena_.execute([&] {
                 tbb::parallel_for(part, [&body](const tbb::blocked_range<std::size_t>& range) {
                     body(range.begin(), range.end());

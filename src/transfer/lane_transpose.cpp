@@ -46,13 +46,20 @@ void gather(const float* const* rows, std::size_t count, Lanes* lanes) {
 }
 
 NICOL_MULTIVERSION
-void scatter(const Lanes* lanes, std::size_t count, float* const* rows) {
+void gather_between(const float* const* rows, std::size_t step, const float* fraction, std::size_t count,
+                    Lanes* lanes) {
     for (std::size_t at = 0; at < count; at += kLanes) {
         const std::size_t j = std::min(at, count - kLanes);
         LaneVector square[kLanes];
-        for (std::size_t i = 0; i < kLanes; ++i) load(lanes + j + i, square[i]);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            LaneVector low;
+            LaneVector high;
+            std::memcpy(&low, rows[i] + j, sizeof low);
+            std::memcpy(&high, rows[i] + step + j, sizeof high);
+            square[i] = low + fraction[i] * (high - low);
+        }
         transpose(square);
-        for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(rows[i] + j, &square[i], sizeof(LaneVector));
+        for (std::size_t i = 0; i < kLanes; ++i) store(lanes + j + i, square[i]);
     }
 }
 
@@ -68,14 +75,15 @@ void to_lanes(const std::array<const float*, kLanes>& rows, std::size_t count, L
     }
 }
 
-void from_lanes(const Lanes* lanes, std::size_t count, std::size_t used,
-                const std::array<float*, kLanes>& rows) {
-    if (count >= kLanes && used == kLanes) {
-        scatter(lanes, count, rows.data());
+void to_lanes_between(const std::array<const float*, kLanes>& rows, std::size_t step, const Lanes& fraction,
+                      std::size_t count, Lanes* lanes) {
+    if (count >= kLanes) {
+        gather_between(rows.data(), step, fraction.value.data(), count, lanes);
         return;
     }
-    for (std::size_t i = 0; i < used; ++i) {
-        for (std::size_t j = 0; j < count; ++j) rows[i][j] = lanes[j][i];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        for (std::size_t j = 0; j < count; ++j)
+            lanes[j][i] = rows[i][j] + fraction[i] * (rows[i][step + j] - rows[i][j]);
     }
 }
 

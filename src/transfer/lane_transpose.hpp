@@ -12,8 +12,9 @@ namespace nicol {
 /// lanes[j][i] = rows[i][j] for j < count.
 void to_lanes(const std::array<const float*, kLanes>& rows, std::size_t count, Lanes* lanes);
 
-/// rows[i][j] = lanes[j][i] for i < used and j < count.
-void from_lanes(const Lanes* lanes, std::size_t count, std::size_t used,
-                const std::array<float*, kLanes>& rows);
+/// Between each row and the one `step` floats further:
+/// lanes[j][i] = rows[i][j] + fraction[i] (rows[i][step + j] - rows[i][j]) for j < count.
+void to_lanes_between(const std::array<const float*, kLanes>& rows, std::size_t step, const Lanes& fraction,
+                      std::size_t count, Lanes* lanes);
 
 }  // namespace nicol

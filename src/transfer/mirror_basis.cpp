@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "transfer/lane_vector.hpp"
 #include "transfer/simd.hpp"
 
 namespace nicol {
@@ -28,51 +29,11 @@ Harmonics harmonics(int order, int lowest, Member member) {
     return out;
 }
 
-std::size_t position(const Harmonics& in, int l, int m) {
-    const auto same = [&](const MirrorBasis::Harmonic& h) { return h.l == l && h.m == m; };
-    return static_cast<std::size_t>(std::ranges::find_if(in, same) - in.begin());
-}
-
-std::size_t entry(const LightLayout& layout, LightKind part, int l, int m) {
-    const auto same = [&](const LightLayout::Entry& e) { return e.part == part && e.l == l && e.m == m; };
-    return static_cast<std::size_t>(std::ranges::find_if(layout.entries(), same) - layout.entries().begin());
-}
-
-// e = (f + its mirror image) / 2 and o = (f - its mirror image) / 2i over their real harmonics, times sqrt 2,
-// which join() divides by.
-NICOL_MULTIVERSION
-void split_pair(const Lanes& re_plus, const Lanes& im_plus, const Lanes& re_minus, const Lanes& im_minus,
-                float sign, Lanes& e_cosine, Lanes& e_sine, Lanes& o_cosine, Lanes& o_sine) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float a = re_plus.value[i];
-        const float b = im_plus.value[i];
-        const float c = sign * re_minus.value[i];
-        const float d = sign * im_minus.value[i];
-        e_cosine.value[i] = a + c;
-        e_sine.value[i] = b - d;
-        o_cosine.value[i] = b + d;
-        o_sine.value[i] = c - a;
-    }
-}
-
-NICOL_MULTIVERSION
-void join_pair(const Lanes& e_cosine, const Lanes& e_sine, const Lanes& o_cosine, const Lanes& o_sine,
-               float sign, Lanes& re_plus, Lanes& im_plus, Lanes& re_minus, Lanes& im_minus) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float a = 0.5F * e_cosine.value[i];
-        const float b = 0.5F * e_sine.value[i];
-        const float c = 0.5F * o_cosine.value[i];
-        const float d = 0.5F * o_sine.value[i];
-        re_plus.value[i] = a - d;
-        im_plus.value[i] = b + c;
-        re_minus.value[i] = sign * (a + d);
-        im_minus.value[i] = sign * (c - b);
-    }
-}
-
-NICOL_MULTIVERSION
-void scale(const Lanes& in, float factor, Lanes& out) {
-    for (std::size_t i = 0; i < kLanes; ++i) out.value[i] = factor * in.value[i];
+// Where a harmonic stands in a group, by psh_index.
+std::vector<std::size_t> positions(const Harmonics& in, int order) {
+    std::vector<std::size_t> out(psh_count(order));
+    for (std::size_t i = 0; i < in.size(); ++i) out[psh_index(in[i].l, in[i].m)] = i;
+    return out;
 }
 
 }  // namespace
@@ -84,72 +45,135 @@ MirrorBasis::MirrorBasis(const LightLayout& layout) : kind_(layout.kind()), pack
         spin_ = harmonics(layout.order(), 2, [](int, int) { return true; });
     }
     size_ = s3_begin() + (kind_ == LightKind::full ? spin_begin() : 0);
-    add_scalars(layout, LightKind::unpolarized, 0);
+    add_scalars(layout);
     add_spins(layout);
-    if (kind_ == LightKind::full) add_scalars(layout, LightKind::full, s3_begin());
 }
 
-void MirrorBasis::add_scalars(const LightLayout& layout, LightKind part, std::size_t first) {
-    // s0 keeps the coefficients of m >= 0 as real parts and s3 as imaginary ones; those of m < 0 the other
-    // way round.
-    const std::size_t not_negative = part == LightKind::unpolarized ? 0 : layout.size();
-    std::size_t slot = first;
-    for (const Harmonics* group : {&even_, &odd_}) {
-        for (const Harmonic& h : *group) {
-            const std::size_t at = entry(layout, part, h.l, std::abs(h.m));
-            scalars_.push_back({at + (h.m >= 0 ? not_negative : layout.size() - not_negative), slot++});
-            if (h.m == 0) zeros_.push_back(at + layout.size() - not_negative);
-        }
+void MirrorBasis::add_scalars(const LightLayout& layout) {
+    const std::vector<std::size_t> even = positions(even_, layout.order());
+    const std::vector<std::size_t> odd = positions(odd_, layout.order());
+    const auto& entries = layout.entries();
+    for (std::size_t j = 0; j < entries.size() && entries[j].part == LightKind::unpolarized; ++j) {
+        const auto [part, l, m] = entries[j];
+        const bool is_even = (l + m) % 2 == 0;
+        const std::vector<std::size_t>& group = is_even ? even : odd;
+        const std::size_t first = is_even ? 0 : even_.size();
+        scalars_.push_back({.m = m,
+                            .cosine = first + group[psh_index(l, m)],
+                            .sine = first + group[psh_index(l, -m)],
+                            .entry = j});
     }
+    s3_entry_ = layout.size() - (kind_ == LightKind::full ? scalars_.size() : 0);
 }
 
 void MirrorBasis::add_spins(const LightLayout& layout) {
-    for (const Harmonic& h : spin_) {
-        if (h.m < 0) continue;
-        spins_.push_back({.plus = entry(layout, LightKind::linear, h.l, h.m),
-                          .minus = entry(layout, LightKind::linear, h.l, -h.m),
-                          .cosine = spin_begin() + position(spin_, h.l, h.m),
-                          .sine = spin_begin() + position(spin_, h.l, -h.m),
-                          .zonal = h.m == 0,
-                          .odd = h.l % 2 != 0});
+    const std::vector<std::size_t> slots = positions(spin_, layout.order());
+    std::vector<std::size_t> of_entry(psh_count(layout.order()));
+    for (std::size_t j = scalars_.size(); j < s3_entry_; ++j) {
+        of_entry[psh_index(layout.entries()[j].l, layout.entries()[j].m)] = j;
+    }
+    for (const auto& [l, m] : spin_) {
+        if (m < 0) continue;
+        spins_.push_back({.l = l,
+                          .m = m,
+                          .cosine = spin_begin() + slots[psh_index(l, m)],
+                          .sine = spin_begin() + slots[psh_index(l, -m)],
+                          .plus = of_entry[psh_index(l, m)],
+                          .minus = of_entry[psh_index(l, -m)]});
     }
 }
 
+template <class Number>
+[[gnu::always_inline]] inline void MirrorBasis::split_scalars(const Number* cosines, const Number* sines,
+                                                              Number* out) const {
+    for (const ScalarPair& s : scalars_) {
+        out[s.cosine] = cosines[s.entry];
+        if (s.m > 0) out[s.sine] = sines[s.entry];
+    }
+}
+
+template <class Number>
+[[gnu::always_inline]] inline void MirrorBasis::join_scalars(const Number* in, Number* cosines,
+                                                             Number* sines) const {
+    for (const ScalarPair& s : scalars_) {
+        cosines[s.entry] = in[s.cosine];
+        sines[s.entry] = s.m > 0 ? in[s.sine] : Number{};
+    }
+}
+
+// e = (f + its mirror image) / 2 and o = (f - its mirror image) / 2i over their real harmonics, times sqrt 2,
+// which join() divides by.
+template <class Number>
+[[gnu::always_inline]] inline void MirrorBasis::split_numbers(const Number* packed, Number* out) const {
+    const Number* imaginary = packed + packed_size_ / 2;
+    split_scalars(packed, imaginary, out);
+    // s3 keeps the coefficients of m >= 0 as imaginary parts.
+    if (kind_ == LightKind::full) split_scalars(imaginary + s3_entry_, packed + s3_entry_, out + s3_begin());
+    Number* odd = out + spin_.size();
+    for (const SpinPair& s : spins_) {
+        if (s.m > 0) {
+            const float sign = s.l % 2 != 0 ? -1.0F : 1.0F;
+            const Number a = packed[s.plus];
+            const Number b = imaginary[s.plus];
+            const Number c = sign * packed[s.minus];
+            const Number d = sign * imaginary[s.minus];
+            out[s.cosine] = a + c;
+            out[s.sine] = b - d;
+            odd[s.cosine] = b + d;
+            odd[s.sine] = c - a;
+        } else if (s.l % 2 != 0) {  // f = i e - o
+            out[s.cosine] = root2 * imaginary[s.plus];
+            odd[s.cosine] = -root2 * packed[s.plus];
+        } else {
+            out[s.cosine] = root2 * packed[s.plus];
+            odd[s.cosine] = root2 * imaginary[s.plus];
+        }
+    }
+}
+
+template <class Number>
+[[gnu::always_inline]] inline void MirrorBasis::join_numbers(const Number* in, Number* packed) const {
+    Number* imaginary = packed + packed_size_ / 2;
+    join_scalars(in, packed, imaginary);
+    if (kind_ == LightKind::full) join_scalars(in + s3_begin(), imaginary + s3_entry_, packed + s3_entry_);
+    const Number* odd = in + spin_.size();
+    for (const SpinPair& s : spins_) {
+        if (s.m > 0) {
+            const float sign = s.l % 2 != 0 ? -1.0F : 1.0F;
+            const Number a = 0.5F * in[s.cosine];
+            const Number b = 0.5F * in[s.sine];
+            const Number c = 0.5F * odd[s.cosine];
+            const Number d = 0.5F * odd[s.sine];
+            packed[s.plus] = a - d;
+            imaginary[s.plus] = b + c;
+            packed[s.minus] = sign * (a + d);
+            imaginary[s.minus] = sign * (c - b);
+        } else if (s.l % 2 != 0) {
+            imaginary[s.plus] = (1 / root2) * in[s.cosine];
+            packed[s.plus] = (-1 / root2) * odd[s.cosine];
+        } else {
+            packed[s.plus] = (1 / root2) * in[s.cosine];
+            imaginary[s.plus] = (1 / root2) * odd[s.cosine];
+        }
+    }
+}
+
+NICOL_MULTIVERSION
 void MirrorBasis::split(const Lanes* packed, Lanes* out) const {
-    for (const Scalar& s : scalars_) out[s.split] = packed[s.packed];
-    const Lanes* imaginary = packed + packed_size_ / 2;
-    Lanes* odd = out + spin_.size();
-    for (const Spin& s : spins_) {
-        if (!s.zonal) {
-            split_pair(packed[s.plus], imaginary[s.plus], packed[s.minus], imaginary[s.minus],
-                       s.odd ? -1.0F : 1.0F, out[s.cosine], out[s.sine], odd[s.cosine], odd[s.sine]);
-        } else if (s.odd) {  // f = i e - o
-            scale(imaginary[s.plus], root2, out[s.cosine]);
-            scale(packed[s.plus], -root2, odd[s.cosine]);
-        } else {
-            scale(packed[s.plus], root2, out[s.cosine]);
-            scale(imaginary[s.plus], root2, odd[s.cosine]);
-        }
-    }
+    split_numbers(reinterpret_cast<const LaneVector*>(packed), reinterpret_cast<LaneVector*>(out));
 }
 
+NICOL_MULTIVERSION
 void MirrorBasis::join(const Lanes* in, Lanes* packed) const {
-    for (const Scalar& s : scalars_) packed[s.packed] = in[s.split];
-    for (const std::size_t zero : zeros_) packed[zero] = Lanes{};
-    Lanes* imaginary = packed + packed_size_ / 2;
-    const Lanes* odd = in + spin_.size();
-    for (const Spin& s : spins_) {
-        if (!s.zonal) {
-            join_pair(in[s.cosine], in[s.sine], odd[s.cosine], odd[s.sine], s.odd ? -1.0F : 1.0F,
-                      packed[s.plus], imaginary[s.plus], packed[s.minus], imaginary[s.minus]);
-        } else if (s.odd) {
-            scale(in[s.cosine], 1 / root2, imaginary[s.plus]);
-            scale(odd[s.cosine], -1 / root2, packed[s.plus]);
-        } else {
-            scale(in[s.cosine], 1 / root2, packed[s.plus]);
-            scale(odd[s.cosine], 1 / root2, imaginary[s.plus]);
-        }
-    }
+    join_numbers(reinterpret_cast<const LaneVector*>(in), reinterpret_cast<LaneVector*>(packed));
+}
+
+void MirrorBasis::split(const float* packed, float* out) const {
+    split_numbers(packed, out);
+}
+
+void MirrorBasis::join(const float* in, float* packed) const {
+    join_numbers(in, packed);
 }
 
 }  // namespace nicol

@@ -40,27 +40,44 @@ public:
     /// Numbers of a packed light: real, then imaginary parts.
     [[nodiscard]] std::size_t packed_size() const noexcept { return packed_size_; }
 
-    /// From a packed light and back; the lanes must not overlap.
+    /// From a packed light and back; the numbers must not overlap.
     void split(const Lanes* packed, Lanes* out) const;
     void join(const Lanes* in, Lanes* packed) const;
+    void split(const float* packed, float* out) const;
+    void join(const float* in, float* packed) const;
+
+    /// The coefficients of (l, m) and (l, -m) of s0, m >= 0; those of s3 are s3_begin() further.
+    struct ScalarPair {
+        int m;
+        std::size_t cosine;  ///< where a split light has them
+        std::size_t sine;    ///< of m = 0: there is none, and this equals cosine
+        std::size_t entry;   ///< of the layout; of s3, s3_entry() further
+    };
+    /// The coefficients of (l, m) and (l, -m) of e, m >= 0; those of o are spin().size() further.
+    struct SpinPair {
+        int l;
+        int m;
+        std::size_t cosine;
+        std::size_t sine;   ///< of m = 0: there is none, and this equals cosine
+        std::size_t plus;   ///< entry of the layout of (l, m)
+        std::size_t minus;  ///< and of (l, -m)
+    };
+    /// Both by ascending m.
+    [[nodiscard]] const std::vector<ScalarPair>& scalar_pairs() const noexcept { return scalars_; }
+    [[nodiscard]] const std::vector<SpinPair>& spin_pairs() const noexcept { return spins_; }
+    [[nodiscard]] std::size_t s3_entry() const noexcept { return s3_entry_; }
 
 private:
-    struct Scalar {
-        std::size_t packed;
-        std::size_t split;
-    };
-    // The four numbers of (l, m) and (l, -m), or the two of (l, 0).
-    struct Spin {
-        std::size_t plus;    // of (l, m) in the packed light; the imaginary part is half its size further
-        std::size_t minus;   // of (l, -m)
-        std::size_t cosine;  // of (l, m) in e; in o it is spin().size() further
-        std::size_t sine;    // of (l, -m)
-        bool zonal;
-        bool odd;  // l
-    };
-
-    void add_scalars(const LightLayout& layout, LightKind part, std::size_t first);
+    void add_scalars(const LightLayout& layout);
     void add_spins(const LightLayout& layout);
+    template <class Number>
+    void split_scalars(const Number* first, const Number* second, Number* out) const;
+    template <class Number>
+    void join_scalars(const Number* in, Number* first, Number* second) const;
+    template <class Number>
+    void split_numbers(const Number* packed, Number* out) const;
+    template <class Number>
+    void join_numbers(const Number* in, Number* packed) const;
 
     LightKind kind_;
     std::vector<Harmonic> even_;
@@ -68,9 +85,9 @@ private:
     std::vector<Harmonic> spin_;
     std::size_t size_;
     std::size_t packed_size_;
-    std::vector<Scalar> scalars_;
-    std::vector<Spin> spins_;
-    std::vector<std::size_t> zeros_;  // in a packed light
+    std::size_t s3_entry_ = 0;
+    std::vector<ScalarPair> scalars_;
+    std::vector<SpinPair> spins_;
 };
 
 }  // namespace nicol

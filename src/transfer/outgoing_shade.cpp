@@ -1,45 +1,68 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/outgoing_shade.hpp"
 
-#include <glm/vec2.hpp>
+#include <algorithm>
+#include <cstdlib>
 #include <numbers>
 
 #include "nicol/spin_harmonics.hpp"
+#include "transfer/lane_transpose.hpp"
+#include "transfer/lane_vector.hpp"
+#include "transfer/lane_view.hpp"
 #include "transfer/simd.hpp"
-#include "transfer/vertex_view.hpp"
 
 namespace nicol {
 namespace {
 
-// sum over begin <= j < end of row[j] z_j exp(i k_j phi)
-struct Sum {
-    float re;
-    float im;
-};
-
+// parts[p] = the sum over the entries of part p of row z exp(i k phi).
 NICOL_MULTIVERSION
-Sum evaluate(std::size_t begin, std::size_t end, const float* low, const float* high, float fraction,
-             const float* z_re, const float* z_im, const float* cosine, const float* sine) {
-    float re = 0;
-    float im = 0;
-#pragma omp simd reduction(+ : re, im)
-    for (std::size_t j = begin; j < end; ++j) {
-        const float row = low[j] + fraction * (high[j] - low[j]);
-        re += row * (z_re[j] * cosine[j] - z_im[j] * sine[j]);
-        im += row * (z_im[j] * cosine[j] + z_re[j] * sine[j]);
+void evaluate(const std::vector<OutgoingShade::Run>& runs, const Lanes* row, const Lanes* z_re,
+              const Lanes* z_im, const Lanes* cosine, const Lanes* sine, Lanes* re_out, Lanes* im_out) {
+    LaneVector re[3] = {};
+    LaneVector im[3] = {};
+    for (const OutgoingShade::Run& run : runs) {
+        LaneVector a{};
+        LaneVector b{};
+        for (std::size_t j = run.first; j < run.last; ++j) {
+            LaneVector r;
+            LaneVector x;
+            LaneVector y;
+            load(row + j, r);
+            load(z_re + j, x);
+            load(z_im + j, y);
+            a += r * x;
+            b += r * y;
+        }
+        LaneVector c;
+        LaneVector s;
+        load(cosine + run.degree, c);
+        load(sine + run.degree, s);
+        s *= run.sign;
+        re[run.part] += a * c - b * s;
+        im[run.part] += b * c + a * s;
     }
-    return {re, im};
+    for (std::size_t p = 0; p < 3; ++p) {
+        store(re_out + p, re[p]);
+        store(im_out + p, im[p]);
+    }
 }
 
 }  // namespace
 
 OutgoingShade::OutgoingShade(const LightLayout& layout) : layout_(layout) {
     const std::size_t n = layout.size();
-    for (const LightLayout::Entry& e : layout.entries()) {
-        const std::size_t part = e.part == LightKind::unpolarized ? 1 : e.part == LightKind::linear ? 2 : 3;
-        ++part_[part];
+    for (std::size_t j = 0; j < n; ++j) {
+        const LightLayout::Entry& e = layout.entries()[j];
+        const std::size_t part = e.part == LightKind::unpolarized ? 0 : e.part == LightKind::linear ? 1 : 2;
+        const int k = e.azimuthal_frequency();
+        const auto degree = static_cast<std::size_t>(std::abs(k));
+        const float sign = k < 0 ? -1.0F : 1.0F;
+        if (runs_.empty() || runs_.back().part != part || runs_.back().degree != degree ||
+            runs_.back().sign != sign) {
+            runs_.push_back({.part = part, .degree = degree, .sign = sign, .first = j, .last = j});
+        }
+        runs_.back().last = j + 1;
     }
-    for (std::size_t p = 1; p < 4; ++p) part_[p] += part_[p - 1];
 
     std::vector<double> scalar(psh_count(layout.order()));
     std::vector<double> spin2(psh_count(layout.order()));
@@ -64,30 +87,43 @@ void OutgoingShade::run(const OutgoingLight& light, const Viewpoint& view,
                         std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
                         std::span<const std::span<glm::vec4>> out) const {
     const std::size_t n = layout_.size();
-    VertexView seen(layout_);
-    for (std::size_t v = first; v < last; ++v) {
-        if (visible[v] == 0) continue;
-        seen.look(view, positions[v], normals[v]);
-        const VertexView::TablePosition at = seen.position_in(kAngles);
-        const float* low = table_.data() + static_cast<std::size_t>(at.angle) * n;
+    LaneView seen(layout_.order());
+    std::vector<Lanes> row(n);
+    std::vector<Lanes> z(light.stride());
+    for (std::size_t begin = first; begin < last; begin += kLanes) {
+        const std::size_t count = std::min(kLanes, last - begin);
+        if (std::ranges::none_of(visible.subspan(begin, count), [](std::uint8_t v) { return v != 0; }))
+            continue;
+        seen.look(view, positions.subspan(begin, count), normals.subspan(begin, count));
+        const LaneView::TablePositions at = seen.positions_in(kAngles);
+        std::array<const float*, kLanes> from;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            from[i] = table_.data() + static_cast<std::size_t>(at.angle[i]) * n;
+        }
+        to_lanes_between(from, n, at.fraction, n, row.data());
         for (std::size_t channel = 0; channel < out.size(); ++channel) {
-            if (light.channels() == 1 && channel > 0) {
-                out[channel][v] = out[0][v];
-                continue;
+            const bool repeated = light.channels() == 1 && channel > 0;
+            std::array<Lanes, 3> re;
+            std::array<Lanes, 3> im;
+            if (!repeated) {
+                for (std::size_t i = 0; i < kLanes; ++i) {
+                    from[i] = light.at(begin + (i < count ? i : 0), static_cast<int>(channel)).data();
+                }
+                to_lanes(from, light.stride(), z.data());
+                evaluate(runs_, row.data(), z.data(), z.data() + n, seen.cosines(), seen.sines(), re.data(),
+                         im.data());
             }
-            const float* z = light.at(v, static_cast<int>(channel)).data();
-            const auto part = [&](std::size_t p) {
-                return evaluate(part_[p], part_[p + 1], low, low + n, at.fraction, z, z + n,
-                                seen.cosine().data(), seen.sine().data());
-            };
-            glm::vec4& stokes = out[channel][v];
-            stokes = {part(0).re, 0, 0, 0};
-            if (layout_.kind() == LightKind::unpolarized) continue;
-            const Sum linear = part(1);
-            const glm::vec2 turned = seen.in_camera_frame(linear.re, linear.im);
-            stokes.y = turned.x;
-            stokes.z = turned.y;
-            if (layout_.kind() == LightKind::full) stokes.w = part(2).im;
+            for (std::size_t i = 0; i < count; ++i) {
+                if (visible[begin + i] == 0) continue;
+                glm::vec4& stokes = out[channel][begin + i];
+                if (repeated) {
+                    stokes = out[0][begin + i];
+                    continue;
+                }
+                const float c = seen.frame_cosine()[i];
+                const float s = seen.frame_sine()[i];
+                stokes = {re[0][i], c * re[1][i] + s * im[1][i], c * im[1][i] - s * re[1][i], im[2][i]};
+            }
         }
     }
 }

@@ -2,7 +2,6 @@
 // shade of the dense method: outgoing coefficients at the view direction.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -28,6 +27,16 @@ public:
              std::span<const glm::vec3> normals, std::span<const std::uint8_t> visible, std::size_t first,
              std::size_t last, std::span<const std::span<glm::vec4>> out) const;
 
+    /// Entries first <= j < last of the layout, of one part (0: s0, 1: s1 and s2, 2: s3) and one frequency,
+    /// sign * degree.
+    struct Run {
+        std::size_t part;
+        std::size_t degree;
+        float sign;
+        std::size_t first;
+        std::size_t last;
+    };
+
     /// [angle from 0 to pi/2][entry of the layout]
     [[nodiscard]] std::span<const float> harmonics() const noexcept { return table_; }
 
@@ -35,8 +44,8 @@ private:
     static constexpr int kAngles = 4097;
 
     LightLayout layout_;
-    std::array<std::size_t, 4> part_{};  // where s0, (s1, s2) and s3 begin in the layout, and its end
-    std::vector<float> table_;           // [angle][j]
+    std::vector<Run> runs_;
+    std::vector<float> table_;  // [angle][j]
 };
 
 }  // namespace nicol

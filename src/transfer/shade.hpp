@@ -9,6 +9,7 @@
 
 #include "nicol/light_layout.hpp"
 #include "nicol/response_table.hpp"
+#include "transfer/shade_kernel.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/viewpoint.hpp"
 
@@ -20,15 +21,17 @@ public:
     explicit Shade(const LightLayout& layout);
 
     /// For every vertex `first` <= v < `last` with visible[v] != 0, writes channel c's Stokes vector to
-    /// out[c][v]; others are left alone. A light of one channel serves all. Calls for different vertices may
-    /// run side by side.
+    /// out[c][v]; others are left alone. A light of one channel serves all. Sixteen vertices that share a
+    /// block of `light` cost hardly more than one. Calls for different vertices may run side by side.
     void run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
              std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
              std::span<const std::span<glm::vec4>> out) const;
 
 private:
-    LightLayout layout_;
+    int order_;
+    std::size_t row_size_;
+    ShadeTerms terms_;
 };
 
 }  // namespace nicol

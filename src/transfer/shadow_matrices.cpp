@@ -2,7 +2,6 @@
 #include "transfer/shadow_matrices.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "transfer/shadow_matrix_kernel.hpp"
 
@@ -10,39 +9,27 @@ namespace nicol {
 
 using Group = ShadowTriples::Group;
 
-ShadowMatrices::ShadowMatrices(int order_in, const MirrorBasis& in, int order_out, const MirrorBasis& out)
-    : blocks_{Block{{Group::even, out, in, order_in + order_out},
-                    {0, in.s3_begin()},
-                    {0, out.s3_begin()},
-                    in.kind() == LightKind::full ? 2U : 1U},
-              Block{{Group::odd, out, in, order_in + order_out},
-                    {in.even().size(), in.s3_begin() + in.even().size()},
-                    {out.even().size(), out.s3_begin() + out.even().size()},
-                    in.kind() == LightKind::full ? 2U : 1U},
-              Block{{Group::spin, out, in, order_in + order_out},
-                    {in.spin_begin(), in.spin_begin() + in.spin().size()},
-                    {out.spin_begin(), out.spin_begin() + out.spin().size()},
+ShadowMatrices::ShadowMatrices(const MirrorBasis& basis, int visibility_order)
+    : blocks_{Block{{Group::even, basis, visibility_order},
+                    {0, basis.s3_begin()},
+                    basis.kind() == LightKind::full ? 2U : 1U},
+              Block{{Group::odd, basis, visibility_order},
+                    {basis.even().size(), basis.s3_begin() + basis.even().size()},
+                    basis.kind() == LightKind::full ? 2U : 1U},
+              Block{{Group::spin, basis, visibility_order},
+                    {basis.spin_begin(), basis.spin_begin() + basis.spin().size()},
                     2U}} {}
 
 std::size_t ShadowMatrices::size() const noexcept {
     std::size_t size = 0;
-    for (const Block& block : blocks_) size += block.triples.rows() * block.triples.columns();
+    for (const Block& block : blocks_) size += block.triples.elements();
     return size;
 }
 
 void ShadowMatrices::make(const Lanes* visibility, Lanes* numbers) const {
-    std::vector<Lanes> matrix;
     for (const Block& block : blocks_) {
-        const std::size_t rows = block.triples.rows();
-        const std::size_t columns = block.triples.columns();
-        matrix.resize(rows * columns);
-        block.triples.expand(visibility, matrix.data());
-        for (std::size_t first = 0; first < rows; first += kShadowTile) {
-            const std::size_t last = std::min(first + kShadowTile, rows);
-            for (std::size_t c = 0; c < columns; ++c) {
-                for (std::size_t r = first; r < last; ++r) *numbers++ = matrix[r * columns + c];
-            }
-        }
+        block.triples.make(visibility, numbers);
+        numbers += block.triples.elements();
     }
 }
 
@@ -55,14 +42,12 @@ void ShadowMatrices::multiply_blocks(const Number* numbers, std::span<const Lane
         std::size_t count = 0;
         for (std::size_t c = 0; c < in.size(); ++c) {
             for (std::size_t part = 0; part < block.parts; ++part, ++count) {
-                from[count] = in[c] + block.in[part];
-                to[count] = out[c] + block.out[part];
+                from[count] = in[c] + block.begin[part];
+                to[count] = out[c] + block.begin[part];
             }
         }
-        const std::size_t rows = block.triples.rows();
-        const std::size_t columns = block.triples.columns();
-        multiply_shadows(numbers, rows, columns, from.data(), to.data(), count);
-        numbers += rows * columns * kLanes;
+        multiply_shadows(numbers, block.triples.size(), from.data(), to.data(), count);
+        numbers += block.triples.elements() * kLanes;
     }
 }
 
@@ -74,6 +59,26 @@ void ShadowMatrices::multiply(const float* numbers, std::span<const Lanes* const
 void ShadowMatrices::multiply(const std::int16_t* numbers, std::span<const Lanes* const> in,
                               std::span<Lanes* const> out) const {
     multiply_blocks(numbers, in, out);
+}
+
+std::vector<std::size_t> ShadowMatrices::whole() const {
+    std::vector<std::size_t> places;
+    std::size_t number = 0;
+    for (const Block& block : blocks_) {
+        const std::size_t size = block.triples.size();
+        std::vector<std::size_t> position(size * size);
+        for (const auto& [row, column] : shadow_elements(size)) {
+            position[row * size + column] = position[column * size + row] = number++;
+        }
+        for (std::size_t first = 0; first < size; first += kShadowTile) {
+            for (std::size_t column = 0; column < size; ++column) {
+                for (std::size_t row = first; row < std::min(first + kShadowTile, size); ++row) {
+                    places.push_back(position[row * size + column]);
+                }
+            }
+        }
+    }
+    return places;
 }
 
 }  // namespace nicol

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "transfer/lanes.hpp"
 #include "transfer/mirror_basis.hpp"
@@ -13,19 +14,18 @@
 
 namespace nicol {
 
-/// The shadow matrix (Eq. 54) of mirrored visibility falls into three blocks over MirrorBasis: even to even,
-/// odd to odd, and one of spin harmonics that serves e and o. Sixteen vertices at once.
+/// The shadow matrix (Eq. 54) of mirrored visibility falls into three symmetric blocks over MirrorBasis: even
+/// to even, odd to odd, and one of spin harmonics that serves e and o. Sixteen vertices at once.
 class ShadowMatrices {
 public:
     /// Light that is multiplied at once.
     static constexpr std::size_t kMostChannels = 3;
 
-    /// The bases, of one kind, must outlive the object.
-    ShadowMatrices(int order_in, const MirrorBasis& in, int order_out, const MirrorBasis& out);
+    explicit ShadowMatrices(const MirrorBasis& basis, int visibility_order);
 
-    /// Numbers of one vertex.
+    /// Numbers of one vertex: each element of the blocks once.
     [[nodiscard]] std::size_t size() const noexcept;
-    /// From coefficients by psh_index, of order_in + order_out.
+    /// From coefficients by psh_index, of the visibility's order.
     void make(const Lanes* visibility, Lanes* numbers) const;
 
     /// out[c] = matrix in[c], split lights of at most kMostChannels channels.
@@ -34,12 +34,15 @@ public:
     void multiply(const std::int16_t* numbers, std::span<const Lanes* const> in,
                   std::span<Lanes* const> out) const;
 
+    /// Which of one vertex's numbers stands where in whole blocks, one after another: tiles of kShadowTile
+    /// rows, in them column after column.
+    [[nodiscard]] std::vector<std::size_t> whole() const;
+
 private:
     // A block of the matrix and where the two parts of a light begin that it multiplies.
     struct Block {
         ShadowTriples triples;
-        std::array<std::size_t, 2> in;
-        std::array<std::size_t, 2> out;
+        std::array<std::size_t, 2> begin;
         std::size_t parts;
     };
 

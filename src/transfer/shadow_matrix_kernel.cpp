@@ -1,93 +1,127 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/shadow_matrix_kernel.hpp"
 
+#include <algorithm>
+
 #include "transfer/lane_vector.hpp"
 #include "transfer/simd.hpp"
 
 namespace nicol {
 namespace {
 
-// Rows of one tile times Count vectors: each number of the matrix is loaded once for all of them.
+// Rows of one tile times Count vectors, and the columns that they are as well. Each number is loaded once for
+// all. Results of the tile's own rows are done with it; those of columns beyond are added to in memory.
+// Returns the end of the tile's numbers.
 template <std::size_t Rows, std::size_t Count, class Number>
-[[gnu::always_inline]] inline void multiply_tile(const Number* matrix, std::size_t columns,
-                                                 const Lanes* const* in, Lanes* const* out, std::size_t row,
-                                                 float scale) {
-    LaneVector sum[Rows][Count] = {};
-    for (std::size_t c = 0; c < columns; ++c) {
+[[gnu::always_inline]] inline const Number* multiply_tile(const Number* matrix, std::size_t size,
+                                                          const Lanes* const* in, Lanes* const* out,
+                                                          std::size_t row, float scale) {
+    LaneVector sum[Rows][Count];
+    LaneVector own[Rows][Count];
+    for (std::size_t n = 0; n < Count; ++n) {
+        for (std::size_t r = 0; r < Rows; ++r) {
+            load(out[n] + row + r, sum[r][n]);
+            load(in[n] + row + r, own[r][n]);
+        }
+    }
+    for (std::size_t c = 0; c < Rows; ++c) {
+        for (std::size_t r = 0; r <= c; ++r, matrix += kLanes) {
+            LaneVector k;
+            load(matrix, k);
+            for (std::size_t n = 0; n < Count; ++n) {
+                sum[r][n] += k * own[c][n];
+                if (r != c) sum[c][n] += k * own[r][n];
+            }
+        }
+    }
+    for (std::size_t c = row + Rows; c < size; ++c, matrix += Rows * kLanes) {
         LaneVector k[Rows];
-        for (std::size_t r = 0; r < Rows; ++r) load(matrix + (c * Rows + r) * kLanes, k[r]);
+        for (std::size_t r = 0; r < Rows; ++r) load(matrix + r * kLanes, k[r]);
         for (std::size_t n = 0; n < Count; ++n) {
             LaneVector x;
+            LaneVector beyond;
             load(in[n] + c, x);
-            for (std::size_t r = 0; r < Rows; ++r) sum[r][n] += k[r] * x;
+            load(out[n] + c, beyond);
+            for (std::size_t r = 0; r < Rows; ++r) {
+                sum[r][n] += k[r] * x;
+                beyond += k[r] * own[r][n];
+            }
+            store(out[n] + c, beyond);
         }
     }
     for (std::size_t n = 0; n < Count; ++n) {
-        for (std::size_t r = 0; r < Rows; ++r) {
-            store(out[n] + row + r, sum[r][n] * scale);
-        }
+        for (std::size_t r = 0; r < Rows; ++r) store(out[n] + row + r, sum[r][n] * scale);
     }
+    return matrix;
 }
 
 template <std::size_t Count, class Number>
-[[gnu::always_inline]] inline void multiply_all(const Number* matrix, std::size_t rows, std::size_t columns,
+[[gnu::always_inline]] inline void multiply_all(const Number* matrix, std::size_t size,
                                                 const Lanes* const* in, Lanes* const* out, float scale) {
+    for (std::size_t n = 0; n < Count; ++n) std::fill_n(out[n], size, Lanes{});
     std::size_t row = 0;
-    for (; row + kShadowTile <= rows; row += kShadowTile) {
-        multiply_tile<kShadowTile, Count>(matrix + row * columns * kLanes, columns, in, out, row, scale);
+    for (; row + kShadowTile <= size; row += kShadowTile) {
+        matrix = multiply_tile<kShadowTile, Count>(matrix, size, in, out, row, scale);
     }
-    const Number* rest = matrix + row * columns * kLanes;
     static_assert(kShadowTile == 4);
-    if (rows - row == 3) multiply_tile<3, Count>(rest, columns, in, out, row, scale);
-    if (rows - row == 2) multiply_tile<2, Count>(rest, columns, in, out, row, scale);
-    if (rows - row == 1) multiply_tile<1, Count>(rest, columns, in, out, row, scale);
+    if (size - row == 3) multiply_tile<3, Count>(matrix, size, in, out, row, scale);
+    if (size - row == 2) multiply_tile<2, Count>(matrix, size, in, out, row, scale);
+    if (size - row == 1) multiply_tile<1, Count>(matrix, size, in, out, row, scale);
 }
 
-// As many vectors at once as there are, six at most.
+// As many vectors at once as there are registers for: three at most.
 template <class Number>
-[[gnu::always_inline]] inline void multiply_groups(const Number* matrix, std::size_t rows,
-                                                   std::size_t columns, const Lanes* const* in,
-                                                   Lanes* const* out, std::size_t count, float scale) {
+[[gnu::always_inline]] inline void multiply_groups(const Number* matrix, std::size_t size,
+                                                   const Lanes* const* in, Lanes* const* out,
+                                                   std::size_t count, float scale) {
     for (std::size_t n = 0; n < count;) {
         const std::size_t left = count - n;
-        if (left >= 6) {
-            multiply_all<6>(matrix, rows, columns, in + n, out + n, scale);
-            n += 6;
-        } else if (left >= 3) {
-            multiply_all<3>(matrix, rows, columns, in + n, out + n, scale);
+        if (left >= 3) {
+            multiply_all<3>(matrix, size, in + n, out + n, scale);
             n += 3;
         } else if (left == 2) {
-            multiply_all<2>(matrix, rows, columns, in + n, out + n, scale);
+            multiply_all<2>(matrix, size, in + n, out + n, scale);
             n += 2;
         } else {
-            multiply_all<1>(matrix, rows, columns, in + n, out + n, scale);
+            multiply_all<1>(matrix, size, in + n, out + n, scale);
             n += 1;
         }
     }
 }
 
 NICOL_MULTIVERSION
-void multiply_floats(const float* matrix, std::size_t rows, std::size_t columns, const Lanes* const* in,
-                     Lanes* const* out, std::size_t count) {
-    multiply_groups(matrix, rows, columns, in, out, count, 1.0F);
+void multiply_floats(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                     std::size_t count) {
+    multiply_groups(matrix, size, in, out, count, 1.0F);
 }
 
 NICOL_MULTIVERSION
-void multiply_fixed(const std::int16_t* matrix, std::size_t rows, std::size_t columns, const Lanes* const* in,
-                    Lanes* const* out, std::size_t count) {
-    multiply_groups(matrix, rows, columns, in, out, count, 1.0F / kFixedOne);
+void multiply_fixed(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                    std::size_t count) {
+    multiply_groups(matrix, size, in, out, count, 1.0F / kFixedOne);
 }
 
 }  // namespace
 
-void multiply_shadows(const float* matrix, std::size_t rows, std::size_t columns, const Lanes* const* in,
-                      Lanes* const* out, std::size_t count) {
-    multiply_floats(matrix, rows, columns, in, out, count);
+std::vector<ShadowElement> shadow_elements(std::size_t size) {
+    std::vector<ShadowElement> elements;
+    for (std::size_t row = 0; row < size; row += kShadowTile) {
+        for (std::size_t column = row; column < size; ++column) {
+            const std::size_t end = std::min(row + kShadowTile, column + 1);
+            for (std::size_t r = row; r < end; ++r) elements.push_back({r, column});
+        }
+    }
+    return elements;
 }
 
-void multiply_shadows(const std::int16_t* matrix, std::size_t rows, std::size_t columns,
-                      const Lanes* const* in, Lanes* const* out, std::size_t count) {
-    multiply_fixed(matrix, rows, columns, in, out, count);
+void multiply_shadows(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                      std::size_t count) {
+    multiply_floats(matrix, size, in, out, count);
+}
+
+void multiply_shadows(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                      std::size_t count) {
+    multiply_fixed(matrix, size, in, out, count);
 }
 
 }  // namespace nicol

@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: MIT
-// Sixteen matrices times several vectors each.
+// Sixteen symmetric matrices times several vectors each.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "transfer/lanes.hpp"
 
 namespace nicol {
 
-/// Rows of a matrix that are kept side by side.
+/// Rows of a matrix that are read together.
 inline constexpr std::size_t kShadowTile = 4;
 
-/// out[r] = matrix in[r] for `count` vectors. The matrices of sixteen vertices are interleaved:
-/// [tile of kShadowTile rows][column][row of the tile][lane], fewer rows in the last tile. Numbers of 16 bits
-/// are those of lane_vector.hpp.
-void multiply_shadows(const float* matrix, std::size_t rows, std::size_t columns, const Lanes* const* in,
-                      Lanes* const* out, std::size_t count);
-void multiply_shadows(const std::int16_t* matrix, std::size_t rows, std::size_t columns,
-                      const Lanes* const* in, Lanes* const* out, std::size_t count);
+/// An element of a matrix, row <= column; that of column and row is the same.
+struct ShadowElement {
+    std::size_t row;
+    std::size_t column;
+};
+/// The elements of a matrix of `size` rows in the sequence that their numbers are kept in: by tiles of
+/// kShadowTile rows, in them by columns, then rows.
+[[nodiscard]] std::vector<ShadowElement> shadow_elements(std::size_t size);
+
+/// out[n] = matrix in[n] for `count` vectors. The matrices of sixteen vertices are interleaved:
+/// [shadow_elements()][lane]. Numbers of 16 bits are those of lane_vector.hpp.
+void multiply_shadows(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                      std::size_t count);
+void multiply_shadows(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                      std::size_t count);
 
 }  // namespace nicol

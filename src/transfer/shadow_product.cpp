@@ -13,7 +13,6 @@
 
 #include "nicol/error.hpp"
 #include "nicol/psh.hpp"
-#include "transfer/lane_transpose.hpp"
 #include "transfer/lane_vector.hpp"
 #include "transfer/mirror_basis.hpp"
 #include "transfer/shadow_grid.hpp"
@@ -26,6 +25,9 @@ struct alignas(32) FixedLanes {
     std::array<std::int16_t, kLanes> value;
 };
 
+// No shadow falls on sixteen vertices.
+constexpr std::uint32_t open = ~std::uint32_t{0};
+
 using Numbers = std::variant<std::vector<FixedLanes>, std::vector<Lanes>>;
 
 FixedLanes fixed(const Lanes& in) {
@@ -37,17 +39,12 @@ FixedLanes fixed(const Lanes& in) {
     return out;
 }
 
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorCode::invalid_argument, message);
-}
+// Up to this order matrices serve. Beyond they are the faster still, but take much more memory.
+constexpr int most_for_matrix = 6;
 
-// Up to this sum of orders matrices serve. Beyond they are the faster still, 1.4 times at 8 + 8, but take 28
-// times the memory there.
-constexpr int most_for_matrix = 12;
-
-ShadowProduct::Form choose(ShadowProduct::Form form, HorizonExtension extension, int visibility_order) {
+ShadowProduct::Form choose(ShadowProduct::Form form, HorizonExtension extension, int order) {
     if (form == ShadowProduct::Form::best) {
-        return extension == HorizonExtension::mirrored && visibility_order <= most_for_matrix
+        return extension == HorizonExtension::mirrored && order <= most_for_matrix
                    ? ShadowProduct::Form::matrix
                    : ShadowProduct::Form::grid;
     }
@@ -61,33 +58,46 @@ ShadowProduct::Form choose(ShadowProduct::Form form, HorizonExtension extension,
 }  // namespace
 
 struct ShadowProduct::Blocks {
-    Blocks(const LightLayout& layout_in, const LightLayout& layout_out, Form form_)
-        : in(layout_in),
-          out(layout_out),
+    Blocks(const LightLayout& layout, Form form_)
+        : basis(layout),
           form(form_),
-          product(form == Form::matrix ? Product(std::in_place_type<ShadowMatrices>, layout_in.order(), in,
-                                                 layout_out.order(), out)
-                                       : Product(std::in_place_type<ShadowGrid>, layout_in.order(), in,
-                                                 layout_out.order(), out)) {}
+          product(
+              form == Form::matrix
+                  ? Product(std::in_place_type<ShadowMatrices>, basis, 2 * layout.order())
+                  : Product(std::in_place_type<ShadowGrid>, layout.order(), basis, layout.order(), basis)) {}
 
     using Product = std::variant<ShadowMatrices, ShadowGrid>;
 
-    MirrorBasis in;
-    MirrorBasis out;
+    MirrorBasis basis;
     Form form;
     Product product;
     bool dark = false;
     std::vector<std::uint32_t> vertices;
-    std::size_t stride = 0;  // lanes of one block
+    std::vector<std::uint32_t> shadow_of;  // for each sixteen vertices, their block of numbers or `open`
+    std::size_t stride = 0;                // lanes of one block
     Numbers numbers;
-    std::vector<std::size_t> position;  // of each packed number of `in` in a packed light of `out`
 
+    void find_vertices(const Visibility& visibility);
     void make(std::size_t block, const Visibility& visibility, const VisibilityHarmonics& harmonics,
               std::span<const glm::vec3> normals);
     template <class Number>
-    void multiply(const Number* from, std::span<const Lanes* const> lights, std::span<Lanes* const> products,
-                  std::size_t product_size) const;
+    void multiply(const Number* from, std::span<const Lanes* const> lights,
+                  std::span<Lanes* const> products) const;
 };
+
+void ShadowProduct::Blocks::find_vertices(const Visibility& visibility) {
+    std::uint32_t count = 0;
+    for (std::size_t begin = 0; begin < visibility.vertices(); begin += kLanes) {
+        const std::size_t end = std::min(begin + kLanes, visibility.vertices());
+        // Half of a dark surrounding is dark even where all above the horizon is seen.
+        bool shadowed = dark;
+        for (std::size_t v = begin; v < end; ++v) shadowed = shadowed || !visibility.unoccluded(v);
+        shadow_of.push_back(shadowed ? count++ : open);
+        for (std::size_t v = begin; shadowed && v < end; ++v) {
+            vertices.push_back(static_cast<std::uint32_t>(v));
+        }
+    }
+}
 
 // The last block repeats its last vertex.
 void ShadowProduct::Blocks::make(std::size_t block, const Visibility& visibility,
@@ -118,40 +128,33 @@ void ShadowProduct::Blocks::make(std::size_t block, const Visibility& visibility
 
 template <class Number>
 void ShadowProduct::Blocks::multiply(const Number* from, std::span<const Lanes* const> lights,
-                                     std::span<Lanes* const> products, std::size_t product_size) const {
+                                     std::span<Lanes* const> products) const {
     if (const auto* matrices = std::get_if<ShadowMatrices>(&product)) {
         matrices->multiply(from, lights, products);
         return;
     }
     const Number* odd = dark ? from + stride / 2 * kLanes : nullptr;
     for (std::size_t c = 0; c < lights.size(); ++c) {
-        std::fill_n(products[c], product_size, Lanes{});
+        std::fill_n(products[c], basis.size(), Lanes{});
         std::get<ShadowGrid>(product).multiply(from, odd, lights[c], products[c]);
     }
 }
 
 ShadowProduct::ShadowProduct(const Visibility& visibility, const DirectionSet& directions,
-                             std::span<const glm::vec3> normals, const LightLayout& in,
-                             const LightLayout& out, HorizonExtension extension, Form form,
-                             ShadowStorage storage) {
-    if (in.kind() != out.kind() || in.order() > out.order()) {
-        refuse("the product must have the kind of the light and at least its order");
-    }
+                             std::span<const glm::vec3> normals, const LightLayout& layout,
+                             HorizonExtension extension, Form form, ShadowStorage storage) {
     if (normals.size() != visibility.vertices() || directions.size() != visibility.directions()) {
-        refuse("visibility of " + std::to_string(visibility.vertices()) + " vertices and " +
-               std::to_string(visibility.directions()) + " directions does not go with " +
-               std::to_string(normals.size()) + " normals and " + std::to_string(directions.size()) +
-               " directions");
+        throw Error(ErrorCode::invalid_argument,
+                    "visibility of " + std::to_string(visibility.vertices()) + " vertices and " +
+                        std::to_string(visibility.directions()) + " directions does not go with " +
+                        std::to_string(normals.size()) + " normals and " + std::to_string(directions.size()) +
+                        " directions");
     }
-    const int visibility_order = in.order() + out.order();
-    const VisibilityHarmonics harmonics(directions, visibility_order, extension);
-    blocks_ = std::make_unique<Blocks>(in, out, choose(form, extension, visibility_order));
+    const VisibilityHarmonics harmonics(directions, 2 * layout.order(), extension);
+    blocks_ = std::make_unique<Blocks>(layout, choose(form, extension, layout.order()));
     Blocks& b = *blocks_;
     b.dark = extension == HorizonExtension::dark;
-    for (std::size_t v = 0; v < visibility.vertices(); ++v) {
-        // Half of a dark surrounding is dark even where all above the horizon is seen.
-        if (b.dark || !visibility.unoccluded(v)) b.vertices.push_back(static_cast<std::uint32_t>(v));
-    }
+    b.find_vertices(visibility);
     if (const auto* matrices = std::get_if<ShadowMatrices>(&b.product)) {
         b.stride = matrices->size();
     } else {
@@ -161,13 +164,6 @@ ShadowProduct::ShadowProduct(const Visibility& visibility, const DirectionSet& d
         b.numbers = std::vector<FixedLanes>(blocks() * b.stride);
     } else {
         b.numbers = std::vector<Lanes>(blocks() * b.stride);
-    }
-    for (const LightLayout::Entry& e : in.entries()) {
-        const auto same = [&](const LightLayout::Entry& x) {
-            return x.part == e.part && x.l == e.l && x.m == e.m;
-        };
-        b.position.push_back(
-            static_cast<std::size_t>(std::ranges::find_if(out.entries(), same) - out.entries().begin()));
     }
     tbb::parallel_for(std::size_t{0}, blocks(),
                       [&](std::size_t block) { b.make(block, visibility, harmonics, normals); });
@@ -181,67 +177,36 @@ std::size_t ShadowProduct::blocks() const noexcept {
     return (blocks_->vertices.size() + kLanes - 1) / kLanes;
 }
 
-std::span<const std::uint32_t> ShadowProduct::vertices(std::size_t block) const {
-    const std::span<const std::uint32_t> all(blocks_->vertices);
-    return all.subspan(block * kLanes, std::min(kLanes, all.size() - block * kLanes));
-}
-
-void ShadowProduct::run(const VertexLight& in, VertexLight& out, std::size_t first, std::size_t last) const {
+void ShadowProduct::run(VertexLight& light, std::size_t first, std::size_t last) const {
     const Blocks& b = *blocks_;
-    const auto channels = static_cast<std::size_t>(in.channels());
-    std::vector<Lanes> packed(std::max(b.in.packed_size(), b.out.packed_size()));
-    std::vector<Lanes> light(b.in.size() * ShadowMatrices::kMostChannels);
-    std::vector<Lanes> product(b.out.size() * ShadowMatrices::kMostChannels);
+    const int channels = light.channels();
+    const std::size_t size = b.basis.size();
+    std::vector<Lanes> product(size * ShadowMatrices::kMostChannels);
     std::array<const Lanes*, ShadowMatrices::kMostChannels> lights{};
     std::array<Lanes*, ShadowMatrices::kMostChannels> products{};
-    for (std::size_t c = 0; c < lights.size(); ++c) {
-        lights[c] = light.data() + c * b.in.size();
-        products[c] = product.data() + c * b.out.size();
-    }
+    for (std::size_t c = 0; c < lights.size(); ++c) products[c] = product.data() + c * size;
     for (std::size_t block = first; block < last; ++block) {
-        const std::span<const std::uint32_t> here = vertices(block);
-        for (std::size_t begin = 0; begin < channels; begin += lights.size()) {
-            const std::size_t count = std::min(lights.size(), channels - begin);
-            for (std::size_t c = 0; c < count; ++c) {
-                std::array<const float*, kLanes> from{};
-                for (std::size_t i = 0; i < kLanes; ++i) {
-                    from[i] = in.at(here[std::min(i, here.size() - 1)], static_cast<int>(begin + c)).data();
-                }
-                to_lanes(from, b.in.packed_size(), packed.data());
-                b.in.split(packed.data(), light.data() + c * b.in.size());
+        const std::size_t shadow = b.shadow_of[block];
+        if (shadow == open) continue;
+        for (int begin = 0; begin < channels; begin += static_cast<int>(lights.size())) {
+            const int end = std::min(begin + static_cast<int>(lights.size()), channels);
+            const auto count = static_cast<std::size_t>(end - begin);
+            for (int c = begin; c < end; ++c) {
+                lights[static_cast<std::size_t>(c - begin)] = light.block(block, c).data();
             }
             const auto some_lights = std::span(lights).first(count);
             const auto some_products = std::span(products).first(count);
             if (const auto* numbers = std::get_if<std::vector<FixedLanes>>(&b.numbers)) {
-                b.multiply(reinterpret_cast<const std::int16_t*>(numbers->data() + block * b.stride),
-                           some_lights, some_products, b.out.size());
+                b.multiply(reinterpret_cast<const std::int16_t*>(numbers->data() + shadow * b.stride),
+                           some_lights, some_products);
             } else {
                 b.multiply(reinterpret_cast<const float*>(std::get<std::vector<Lanes>>(b.numbers).data() +
-                                                          block * b.stride),
-                           some_lights, some_products, b.out.size());
+                                                          shadow * b.stride),
+                           some_lights, some_products);
             }
-            for (std::size_t c = 0; c < count; ++c) {
-                b.out.join(product.data() + c * b.out.size(), packed.data());
-                std::array<float*, kLanes> to{};
-                for (std::size_t i = 0; i < here.size(); ++i) {
-                    to[i] = out.at(here[i], static_cast<int>(begin + c)).data();
-                }
-                from_lanes(packed.data(), b.out.packed_size(), here.size(), to);
-            }
-        }
-    }
-}
-
-void ShadowProduct::copy(const VertexLight& in, VertexLight& out, std::size_t first, std::size_t last) const {
-    const std::vector<std::size_t>& position = blocks_->position;
-    for (std::size_t v = first; v < last; ++v) {
-        for (int c = 0; c < in.channels(); ++c) {
-            const std::span<const float> from = in.at(v, c);
-            const std::span<float> to = out.at(v, c);
-            std::ranges::fill(to, 0.0F);
-            for (std::size_t j = 0; j < position.size(); ++j) {
-                to[position[j]] = from[j];
-                to[out.row_size() + position[j]] = from[in.row_size() + j];
+            for (int c = begin; c < end; ++c) {
+                std::copy_n(products[static_cast<std::size_t>(c - begin)], size,
+                            light.block(block, c).begin());
             }
         }
     }
@@ -253,21 +218,26 @@ ShadowProduct::Form ShadowProduct::form() const noexcept {
 
 std::optional<ShadowProduct::Matrices> ShadowProduct::matrices() const {
     const auto* numbers = std::get_if<std::vector<FixedLanes>>(&blocks_->numbers);
-    if (form() != Form::matrix || numbers == nullptr || blocks_->in.size() != blocks_->out.size()) {
-        return std::nullopt;
+    const auto* matrices = std::get_if<ShadowMatrices>(&blocks_->product);
+    if (matrices == nullptr || numbers == nullptr) return std::nullopt;
+    const std::vector<std::size_t> whole = matrices->whole();
+    Matrices out{.basis = blocks_->basis,
+                 .vertices = blocks_->vertices,
+                 .numbers = std::vector<std::int16_t>(blocks() * whole.size() * kLanes),
+                 .numbers_of_vertex = whole.size()};
+    auto to = out.numbers.begin();
+    for (std::size_t block = 0; block < blocks(); ++block) {
+        for (const std::size_t number : whole) {
+            to = std::ranges::copy((*numbers)[block * blocks_->stride + number].value, to).out;
+        }
     }
-    static_assert(sizeof(FixedLanes) == kLanes * sizeof(std::int16_t));
-    return Matrices{
-        .basis = blocks_->in,
-        .vertices = blocks_->vertices,
-        .numbers = {reinterpret_cast<const std::int16_t*>(numbers->data()), numbers->size() * kLanes},
-        .numbers_of_vertex = blocks_->stride};
+    return out;
 }
 
 std::size_t ShadowProduct::bytes() const noexcept {
     const std::size_t numbers = std::visit(
         [](const auto& vector) { return vector.size() * sizeof(vector.front()); }, blocks_->numbers);
-    return numbers + blocks_->vertices.size() * sizeof(std::uint32_t);
+    return numbers + (blocks_->vertices.size() + blocks_->shadow_of.size()) * sizeof(std::uint32_t);
 }
 
 }  // namespace nicol

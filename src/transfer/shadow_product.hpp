@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "nicol/light_layout.hpp"
 #include "transfer/mirror_basis.hpp"
@@ -22,53 +23,47 @@ enum class ShadowStorage {
 };
 
 /// The product V f (Eq. 54) of visibility and Stokes vector field at every vertex, in the vertices' frames,
-/// exact for visibility of order in + out: V is what VisibilityHarmonics makes. Vertices that see all above
-/// their horizon cost nothing. Immutable once made.
+/// cut at the order of f and exact for visibility of twice that: V is what VisibilityHarmonics makes. Sixteen
+/// consecutive vertices that see all above their horizon cost nothing. Immutable once made.
 class ShadowProduct {
 public:
     /// Which form the product takes; the same result.
     enum class Form {
         best,    ///< whichever is faster at these orders, as measured
-        matrix,  ///< a matrix a vertex, of which mirrored visibility leaves a third; O(order^4)
+        matrix,  ///< a symmetric matrix a vertex, of which mirrored visibility leaves a third; O(order^4)
         grid,    ///< samples on a small grid; O(order^3)
     };
 
-    /// Light of layout `in` becomes light of layout `out`, which has the same kind and at least the same
-    /// order. `normals`: one for each vertex of `visibility`. Runs on the calling thread's TBB arena. Throws
-    /// Error(invalid_argument) for layouts that do not fit or orders whose sum is beyond
+    /// For light of this layout. `normals`: one for each vertex of `visibility`. Runs on the calling thread's
+    /// TBB arena. Throws Error(invalid_argument) for sizes that do not fit or an order beyond half of
     /// VisibilityHarmonics::kHighestOrder; Error(unsupported) for the matrix with dark visibility.
     ShadowProduct(const Visibility& visibility, const DirectionSet& directions,
-                  std::span<const glm::vec3> normals, const LightLayout& in, const LightLayout& out,
+                  std::span<const glm::vec3> normals, const LightLayout& layout,
                   HorizonExtension extension = HorizonExtension::mirrored, Form form = Form::best,
                   ShadowStorage storage = ShadowStorage::fixed16);
     ~ShadowProduct();
     ShadowProduct(ShadowProduct&&) noexcept;
     ShadowProduct& operator=(ShadowProduct&&) noexcept;
 
-    /// Vertices that do not see all are taken sixteen at a time: how many such blocks there are.
+    /// How many blocks of sixteen consecutive vertices, as VertexLight has them, shadows fall on.
     [[nodiscard]] std::size_t blocks() const noexcept;
-    /// The vertices of a block, ascending; sixteen, but for the last.
-    [[nodiscard]] std::span<const std::uint32_t> vertices(std::size_t block) const;
 
-    /// out = V in for the vertices of blocks `first` <= b < `last`; others are left alone: where `out` is
-    /// another object, see copy(). `in` and `out` may be the same object where the layouts are equal. Calls
-    /// for different blocks may run side by side.
-    void run(const VertexLight& in, VertexLight& out, std::size_t first, std::size_t last) const;
-
-    /// out = in for the vertices `first` <= v < `last`, with zeros above the order of `in`: the product of
-    /// vertices that see all.
-    void copy(const VertexLight& in, VertexLight& out, std::size_t first, std::size_t last) const;
+    /// light = V light for the vertices of VertexLight's blocks `first` <= b < `last`; blocks on which no
+    /// shadow falls are left alone. Calls for different blocks may run side by side.
+    void run(VertexLight& light, std::size_t first, std::size_t last) const;
 
     [[nodiscard]] Form form() const noexcept;
 
-    /// What other processors need to compute the same. Lives as long as the object.
+    /// What other processors need to compute the same. Lives no longer than the object.
     struct Matrices {
-        const MirrorBasis& basis;  ///< the light is split before, joined after
-        std::span<const std::uint32_t> vertices;
-        std::span<const std::int16_t> numbers;  ///< [block][number][lane], over kFixedOne: see ShadowMatrices
+        const MirrorBasis& basis;                 ///< the light is split before, joined after
+        std::span<const std::uint32_t> vertices;  ///< of all blocks, ascending
+        /// Over kFixedOne, [block][number][lane]. The numbers are three square matrices, even to even, odd to
+        /// odd and spin, each by tiles of kShadowTile rows, in them column after column.
+        std::vector<std::int16_t> numbers;
         std::size_t numbers_of_vertex;
     };
-    /// None where the product takes another form, stores 32 bits, or has layouts that differ.
+    /// None where the product takes another form or stores 32 bits.
     [[nodiscard]] std::optional<Matrices> matrices() const;
     [[nodiscard]] std::size_t bytes() const noexcept;
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "transfer/mirror_harmonics.hpp"
+#include "transfer/shadow_matrix_kernel.hpp"
 #include "transfer/simd.hpp"
 
 namespace nicol {
@@ -73,47 +74,39 @@ double triple(const UpperRows& rows, const SeparatedHarmonic& a, const Separated
 
 }  // namespace
 
-ShadowTriples::ShadowTriples(Group group, const MirrorBasis& out, const MirrorBasis& in,
-                             int visibility_order) {
-    const std::vector<Harmonic>& row_harmonics = harmonics_of(out, group);
-    const std::vector<Harmonic>& column_harmonics = harmonics_of(in, group);
-    rows_ = row_harmonics.size();
-    columns_ = column_harmonics.size();
-    const int order_out = highest_order(row_harmonics);
-    const int order_in = highest_order(column_harmonics);
-    const UpperRows grid((order_out + order_in + visibility_order) / 2 + 1);
+ShadowTriples::ShadowTriples(Group group, const MirrorBasis& basis, int visibility_order) {
+    const std::vector<Harmonic>& harmonics = harmonics_of(basis, group);
+    size_ = harmonics.size();
+    const UpperRows grid((2 * highest_order(harmonics) + visibility_order) / 2 + 1);
     const auto separate = group == Group::spin ? separate_spins : separate_scalars;
-    const std::vector<SeparatedHarmonic> row = separate(row_harmonics, grid);
-    const std::vector<SeparatedHarmonic> column = separate(column_harmonics, grid);
+    const std::vector<SeparatedHarmonic> factors = separate(harmonics, grid);
     std::vector<Harmonic> all;
     for (int l = 0; l <= visibility_order; ++l) {
         for (int m = -l; m <= l; ++m) all.push_back({l, m});
     }
     const std::vector<SeparatedHarmonic> visibility = separate_scalars(all, grid);
 
-    for (std::size_t a = 0; a < rows_; ++a) {
-        for (std::size_t b = 0; b < columns_; ++b) {
-            first_.push_back(static_cast<std::uint32_t>(value_.size()));
-            const Harmonic& x = row_harmonics[a];
-            const Harmonic& y = column_harmonics[b];
-            for (std::size_t c = 0; c < all.size(); ++c) {
-                const Harmonic& z = all[c];
-                const int degree = std::abs(z.m);
-                const bool meets = degree == std::abs(x.m) + std::abs(y.m) ||
-                                   degree == std::abs(std::abs(x.m) - std::abs(y.m));
-                if (!meets || (z.l + z.m) % 2 != 0 || z.l < std::abs(x.l - y.l) || z.l > x.l + y.l) continue;
-                const double value = triple(grid, row[a], column[b], visibility[c]);
-                if (std::abs(value) < 1e-13) continue;
-                coefficient_.push_back(static_cast<std::uint32_t>(c));
-                value_.push_back(static_cast<float>(value));
-            }
+    for (const auto& [row, column] : shadow_elements(size_)) {
+        first_.push_back(static_cast<std::uint32_t>(value_.size()));
+        const Harmonic& x = harmonics[row];
+        const Harmonic& y = harmonics[column];
+        for (std::size_t c = 0; c < all.size(); ++c) {
+            const Harmonic& z = all[c];
+            const int degree = std::abs(z.m);
+            const bool meets =
+                degree == std::abs(x.m) + std::abs(y.m) || degree == std::abs(std::abs(x.m) - std::abs(y.m));
+            if (!meets || (z.l + z.m) % 2 != 0 || z.l < std::abs(x.l - y.l) || z.l > x.l + y.l) continue;
+            const double value = triple(grid, factors[row], factors[column], visibility[c]);
+            if (std::abs(value) < 1e-13) continue;
+            coefficient_.push_back(static_cast<std::uint32_t>(c));
+            value_.push_back(static_cast<float>(value));
         }
     }
     first_.push_back(static_cast<std::uint32_t>(value_.size()));
 }
 
-void ShadowTriples::expand(const Lanes* visibility, Lanes* matrix) const {
-    sum_terms(first_.data(), rows_ * columns_, coefficient_.data(), value_.data(), visibility, matrix);
+void ShadowTriples::make(const Lanes* visibility, Lanes* matrix) const {
+    sum_terms(first_.data(), elements(), coefficient_.data(), value_.data(), visibility, matrix);
 }
 
 }  // namespace nicol

@@ -10,25 +10,24 @@
 
 namespace nicol {
 
-/// One matrix between groups of MirrorBasis harmonics as a sparse function of visibility's coefficients
-/// v_lm: element (row, column) is a sum of value * v[coefficient] (Eqs. 55 and 56).
+/// The matrix between the MirrorBasis harmonics of one group as a sparse function of visibility's
+/// coefficients v_lm: each element is a sum of value * v[coefficient] (Eqs. 55 and 56). It is symmetric.
 class ShadowTriples {
 public:
     enum class Group { even, odd, spin };
 
-    /// Rows are of `out`, columns of `in`.
-    ShadowTriples(Group group, const MirrorBasis& out, const MirrorBasis& in, int visibility_order);
+    ShadowTriples(Group group, const MirrorBasis& basis, int visibility_order);
 
-    [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
-    [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
-    [[nodiscard]] std::size_t terms() const noexcept { return value_.size(); }
+    /// Rows, and columns.
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    /// Numbers that make() makes.
+    [[nodiscard]] std::size_t elements() const noexcept { return first_.size() - 1; }
 
-    /// visibility: by psh_index; matrix: [row][column]. Sixteen vertices at once.
-    void expand(const Lanes* visibility, Lanes* matrix) const;
+    /// visibility: by psh_index; matrix: [shadow_elements()]. Sixteen vertices at once.
+    void make(const Lanes* visibility, Lanes* matrix) const;
 
 private:
-    std::size_t rows_;
-    std::size_t columns_;
+    std::size_t size_;
     std::vector<std::uint32_t> first_;  // of each element's terms; one more than there are elements
     std::vector<std::uint32_t> coefficient_;
     std::vector<float> value_;

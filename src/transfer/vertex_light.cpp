@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "transfer/lane_rotation.hpp"
+#include "transfer/lane_vector.hpp"
+#include "transfer/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -22,14 +23,14 @@ std::vector<std::complex<float>> complex_half(std::span<const double> channel, i
     return half;
 }
 
-// How (-i)^m times a result, and what the layout makes of it, picks and signs the result's two parts.
-struct Pick {
-    bool exchange;  // the real part comes from the imaginary one
+// Of (-i)^m (x + i y): whether the real part comes from y, and the signs of both parts.
+struct Turned {
+    bool exchange;
     float re;
     float im;
 };
 
-Pick quarter_turns(int m) {  // (-i)^m (x + i y)
+Turned quarter_turns(int m) {
     switch (((m % 4) + 4) % 4) {
         case 0:
             return {false, 1, 1};
@@ -42,15 +43,80 @@ Pick quarter_turns(int m) {  // (-i)^m (x + i y)
     }
 }
 
+std::vector<Relight::Pick> picks(const LightLayout& layout) {
+    const std::size_t size = layout.size();
+    std::vector<Relight::Pick> out(2 * size);
+    for (std::size_t j = 0; j < size; ++j) {
+        const LightLayout::Entry& e = layout.entries()[j];
+        Turned turned = quarter_turns(e.m);
+        std::size_t position = psh_index(e.l, e.m);
+        if (e.part != LightKind::linear) {
+            position = static_cast<std::size_t>(e.l * (e.l + 1) / 2 + e.m);
+            const float norm = e.m > 0 ? std::numbers::sqrt2_v<float> : 1.0F;
+            turned.re *= norm;
+            turned.im *= norm;
+            if (e.part == LightKind::unpolarized) {  // conj
+                turned.im = -turned.im;
+            } else {  // i times
+                turned = {!turned.exchange, -turned.im, turned.re};
+            }
+        }
+        out[j] = {position, turned.exchange, turned.re};
+        out[size + j] = {position, !turned.exchange, turned.im};
+    }
+    return out;
+}
+
+NICOL_MULTIVERSION
+void pick_numbers(const Relight::Pick* picks, std::size_t count, const Lanes* re, const Lanes* im,
+                  Lanes* out) {
+    for (std::size_t j = 0; j < count; ++j) {
+        LaneVector value;
+        load((picks[j].imaginary ? im : re) + picks[j].position, value);
+        store(out + j, picks[j].factor * value);
+    }
+}
+
+std::size_t part_begin(const LightLayout& layout, LightKind part) {
+    const auto& entries = layout.entries();
+    return static_cast<std::size_t>(std::ranges::find(entries, part, &LightLayout::Entry::part) -
+                                    entries.begin());
+}
+
 }  // namespace
 
 void VertexLight::resize(const LightLayout& layout, int channels, std::size_t vertices) {
-    row_size_ = layout.size();
+    if (!basis_ || order_ != layout.order() || basis_->kind() != layout.kind()) {
+        basis_ = std::make_shared<const MirrorBasis>(layout);
+        order_ = layout.order();
+    }
     channels_ = channels;
-    data_.resize(vertices * static_cast<std::size_t>(channels) * 2 * row_size_);
+    blocks_ = (vertices + kLanes - 1) / kLanes;
+    data_.resize(blocks_ * static_cast<std::size_t>(channels) * basis_->size());
 }
 
-Relight::Relight(const LightLayout& layout, const PshVector& light) : layout_(layout) {
+std::vector<float> VertexLight::packed(std::size_t vertex, int channel) const {
+    const std::span<const Lanes> lanes = block(vertex / kLanes, channel);
+    std::vector<float> split;
+    for (const Lanes& number : lanes) split.push_back(number[vertex % kLanes]);
+    std::vector<float> out(basis_->packed_size());
+    basis_->join(split.data(), out.data());
+    return out;
+}
+
+void VertexLight::set_packed(std::size_t vertex, int channel, std::span<const float> numbers) {
+    std::vector<float> split(basis_->size());
+    basis_->split(numbers.data(), split.data());
+    const std::span<Lanes> lanes = block(vertex / kLanes, channel);
+    for (std::size_t k = 0; k < split.size(); ++k) lanes[k][vertex % kLanes] = split[k];
+}
+
+Relight::Relight(const LightLayout& layout, const PshVector& light)
+    : rotation_(layout.order()),
+      linear_(part_begin(layout, LightKind::linear)),
+      full_(part_begin(layout, LightKind::full)),
+      picks_(picks(layout)) {
+    linear_ = std::min(linear_, full_);
     for (int c = 0; c < light.channels(); ++c) {
         const std::span<const double> from = light.channel(c);
         Channel& channel = channels_.emplace_back();
@@ -64,59 +130,34 @@ Relight::Relight(const LightLayout& layout, const PshVector& light) : layout_(la
     }
 }
 
-void Relight::run(std::span<const glm::vec3> normals, std::size_t first, VertexLight& out) const {
-    LaneRotation rotation(layout_.order());
-    const std::size_t size = layout_.size();
-
-    // Writes the entries [begin, end) of the layout for all lanes.
-    const auto store = [&](std::size_t begin, std::size_t end, std::size_t vertex, std::size_t used, int c) {
-        for (std::size_t j = begin; j < end; ++j) {
-            const LightLayout::Entry& e = layout_.entries()[j];
-            Pick pick = quarter_turns(e.m);
-            std::size_t position = psh_index(e.l, e.m);
-            if (e.part != LightKind::linear) {
-                position = static_cast<std::size_t>(e.l * (e.l + 1) / 2 + e.m);
-                const float norm = e.m > 0 ? std::numbers::sqrt2_v<float> : 1.0F;
-                pick.re *= norm;
-                pick.im *= norm;
-                if (e.part == LightKind::unpolarized) {  // conj
-                    pick.im = -pick.im;
-                } else {  // i times
-                    pick = {!pick.exchange, -pick.im, pick.re};
-                }
-            }
-            const Lanes& re = pick.exchange ? rotation.im(position) : rotation.re(position);
-            const Lanes& im = pick.exchange ? rotation.re(position) : rotation.im(position);
-            for (std::size_t i = 0; i < used; ++i) {
-                const std::span<float> packed = out.at(vertex + i, c);
-                packed[j] = pick.re * re[i];
-                packed[size + j] = pick.im * im[i];
-            }
+void Relight::run(std::span<const glm::vec3> normals, std::size_t first, std::size_t last,
+                  VertexLight& out) const {
+    LaneRotation::Work work = rotation_.work();
+    const std::size_t size = picks_.size() / 2;
+    std::vector<Lanes> packed(picks_.size());
+    // Entries [begin, end) of the layout, from what was turned last.
+    const auto pick = [&](std::size_t begin, std::size_t end) {
+        for (const std::size_t part : {std::size_t{0}, size}) {
+            pick_numbers(picks_.data() + part + begin, end - begin, &work.re(0), &work.im(0),
+                         packed.data() + part + begin);
         }
     };
-    const auto part_begin = [&](LightKind part) {
-        const auto& entries = layout_.entries();
-        return static_cast<std::size_t>(std::ranges::find(entries, part, &LightLayout::Entry::part) -
-                                        entries.begin());
-    };
-    const std::size_t linear = part_begin(LightKind::linear);
-    const std::size_t full = part_begin(LightKind::full);
-
-    for (std::size_t block = 0; block < normals.size(); block += kLanes) {
-        const std::size_t used = std::min(kLanes, normals.size() - block);
-        rotation.set_normals(normals.subspan(block, used));
+    for (std::size_t block = first; block < last; ++block) {
+        const std::size_t begin = block * kLanes;
+        rotation_.set_normals(normals.subspan(begin, std::min(kLanes, normals.size() - begin)), work);
         for (int c = 0; c < out.channels(); ++c) {
             const Channel& channel = channels_[static_cast<std::size_t>(c)];
-            rotation.turn_real(channel.s0);
-            store(0, std::min(linear, full), first + block, used, c);
+            rotation_.turn_real(channel.s0, work);
+            pick(0, linear_);
             if (!channel.spin.empty()) {
-                rotation.turn_complex(channel.spin);
-                store(linear, full, first + block, used, c);
+                rotation_.turn_complex(channel.spin, work);
+                pick(linear_, full_);
             }
             if (!channel.s3.empty()) {
-                rotation.turn_real(channel.s3);
-                store(full, size, first + block, used, c);
+                rotation_.turn_real(channel.s3, work);
+                pick(full_, size);
             }
+            out.basis().split(packed.data(), out.block(block, c).data());
         }
     }
 }

@@ -4,15 +4,20 @@
 
 #include <complex>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "nicol/light_layout.hpp"
+#include "transfer/lane_rotation.hpp"
+#include "transfer/lanes.hpp"
+#include "transfer/mirror_basis.hpp"
 
 namespace nicol {
 
-/// Packed coefficients (LightLayout) of the light arriving at vertices, in each vertex's own frame: z along
-/// the normal, x and y along theta-hat and phi-hat at the normal (theta_phi_frame). 32-bit floats.
+/// Coefficients of the light arriving at vertices, in each vertex's own frame: z along the normal, x and y
+/// along theta-hat and phi-hat at the normal (theta_phi_frame). 32-bit floats, split as MirrorBasis says,
+/// sixteen consecutive vertices side by side; the last block may have lanes to spare.
 class VertexLight {
 public:
     VertexLight() = default;
@@ -22,26 +27,34 @@ public:
     /// Without allocating where the size is the same; what it holds afterwards is unspecified.
     void resize(const LightLayout& layout, int channels, std::size_t vertices);
 
-    /// Real, then imaginary parts of the packed coefficients, row_size() each.
-    [[nodiscard]] std::span<const float> at(std::size_t vertex, int channel) const {
-        return {data_.data() + offset(vertex, channel), 2 * row_size_};
-    }
-    [[nodiscard]] std::span<float> at(std::size_t vertex, int channel) {
-        return {data_.data() + offset(vertex, channel), 2 * row_size_};
-    }
+    [[nodiscard]] const MirrorBasis& basis() const { return *basis_; }
     [[nodiscard]] int channels() const noexcept { return channels_; }
-    [[nodiscard]] std::size_t row_size() const noexcept { return row_size_; }
-    [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(float); }
+    [[nodiscard]] std::size_t blocks() const noexcept { return blocks_; }
+    /// The split light of vertices 16 block to 16 block + 15.
+    [[nodiscard]] std::span<const Lanes> block(std::size_t block, int channel) const {
+        return {data_.data() + offset(block, channel), basis_->size()};
+    }
+    [[nodiscard]] std::span<Lanes> block(std::size_t block, int channel) {
+        return {data_.data() + offset(block, channel), basis_->size()};
+    }
+
+    /// One vertex: real, then imaginary parts of its packed coefficients (LightLayout).
+    [[nodiscard]] std::vector<float> packed(std::size_t vertex, int channel) const;
+    void set_packed(std::size_t vertex, int channel, std::span<const float> numbers);
+
+    [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(Lanes); }
 
 private:
-    [[nodiscard]] std::size_t offset(std::size_t vertex, int channel) const {
-        return (vertex * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel)) * 2 *
-               row_size_;
+    [[nodiscard]] std::size_t offset(std::size_t block, int channel) const {
+        return (block * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel)) *
+               basis_->size();
     }
 
-    std::size_t row_size_ = 0;
+    std::shared_ptr<const MirrorBasis> basis_;
+    int order_ = -1;
     int channels_ = 0;
-    std::vector<float> data_;
+    std::size_t blocks_ = 0;
+    std::vector<Lanes> data_;
 };
 
 /// A distant light ready to be turned into many vertices' frames.
@@ -50,9 +63,17 @@ public:
     /// `light`: coefficients in the world's axes, of at least the layout's order.
     Relight(const LightLayout& layout, const PshVector& light);
 
-    /// `normals`: unit vectors, one for each vertex of `out` from `first` on. Runs on the calling thread;
-    /// calls for different vertices may run side by side.
-    void run(std::span<const glm::vec3> normals, std::size_t first, VertexLight& out) const;
+    /// Writes blocks first <= b < last of `out`, which has the layout's kind and order. `normals`: unit
+    /// vectors, one for each vertex. Runs on the calling thread; calls for different blocks may run side by
+    /// side.
+    void run(std::span<const glm::vec3> normals, std::size_t first, std::size_t last, VertexLight& out) const;
+
+    /// How (-i)^m times a result of LaneRotation, and what the layout makes of it, picks and signs a number.
+    struct Pick {
+        std::size_t position;
+        bool imaginary;
+        float factor;
+    };
 
 private:
     struct Channel {
@@ -61,8 +82,11 @@ private:
         std::vector<std::complex<float>> spin;  // s1 + i s2, all m, or empty
     };
 
-    LightLayout layout_;
+    LaneRotation rotation_;
     std::vector<Channel> channels_;
+    std::size_t linear_;       // where the entries of s1 and s2 begin in the layout
+    std::size_t full_;         // and those of s3
+    std::vector<Pick> picks_;  // for each packed number
 };
 
 }  // namespace nicol

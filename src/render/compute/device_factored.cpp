@@ -17,7 +17,11 @@ void DeviceFactored::relight(FactoredMethod& method, const TransferInput& input,
         method.relight(input, workers, progress, statistics);
         const Stopwatch watch;
         for (DeviceLight& light : light_) {
-            light.upload([&](std::size_t v, int c) { return method.light().at(v, c); });
+            std::vector<float> packed;
+            light.upload([&](std::size_t v, int c) {
+                packed = method.light().packed(v, c);
+                return std::span<const float>(packed);
+            });
         }
         statistics.relight_ms += watch.milliseconds();
     } else {

@@ -109,7 +109,8 @@ DeviceShadows::DeviceShadows(const std::shared_ptr<gl::Context>& context,
         const std::size_t last = std::min(blocks, first + most);
         pieces_.push_back(
             {first, last,
-             storage(context, matrices.numbers.subspan(first * of_block, (last - first) * of_block))});
+             storage(context,
+                     std::span(matrices.numbers).subspan(first * of_block, (last - first) * of_block))});
     }
     multiply_.set("numbers_of_block", static_cast<int>(numbers_of_block_));
     multiply_.set("scale", 1 / kFixedOne);
