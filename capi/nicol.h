@@ -487,6 +487,13 @@ typedef uint32_t nicol_high_orders;
 #define NICOL_HIGH_ORDERS_CONVOLUTION 1 /* a kernel a material (Eq. 68): no polarization by reflection */
 #define NICOL_HIGH_ORDERS_NONE 2        /* left out */
 
+/* Where these orders are looked up; at pixels with the normal and what shadows leave of the lobe, both
+ * interpolated. */
+typedef uint32_t nicol_high_orders_at;
+#define NICOL_HIGH_ORDERS_AT_AUTOMATIC 0 /* pixels, or vertices where OpenGL runs on the CPU */
+#define NICOL_HIGH_ORDERS_AT_VERTICES 1  /* and interpolated in between, as all else */
+#define NICOL_HIGH_ORDERS_AT_PIXELS 2    /* smooth highlights on coarse meshes too */
+
 /* Where light meets shadows and materials: relight and shade. The pictures agree to 1e-5 of their largest
  * value. */
 typedef uint32_t nicol_executor;
@@ -509,8 +516,9 @@ typedef struct nicol_render_options {
                                  default, which is on; 1: on; -1: off */
     uint32_t bake_directions; /* that each vertex looks for the environment in; 0: 2048; 256 to 65536. Time
                                  and memory of baking grow with it, noise in the shadows falls */
-    uint32_t physical;        /* 1: Stokes vectors of vertices are moved into the physical range (Eq. 70), s0
-                                 >= 0 and no more polarized than s0, which truncated light may leave; 0: not */
+    uint32_t physical;        /* 1: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0 and no
+                                 more polarized than s0, which truncated light may leave: those of vertices,
+                                 or of pixels where high orders are looked up there; 0: not */
     double dering;            /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
                                  1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
     nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
@@ -519,8 +527,8 @@ typedef struct nicol_render_options {
     int32_t samples;   /* reference: camera rays a pixel, 0: 256; up to 2^20. Powers of two are spread best */
     uint32_t reserved; /* 0 */
     uint64_t seed; /* reference: the same gives the same picture whatever the threads, another other noise */
-    nicol_executor executor; /* 0: automatic */
-    uint32_t reserved_2;     /* 0 */
+    nicol_executor executor;             /* 0: automatic */
+    nicol_high_orders_at high_orders_at; /* 0: automatic */
 } nicol_render_options;
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
@@ -562,7 +570,7 @@ typedef struct nicol_statistics {
     uint64_t bake_rays;             /* traced by the bake; 0 likewise */
     uint64_t vertices_skipped;      /* not shaded: facing away or outside the view */
     uint64_t vertices_unoccluded;   /* that nothing hides the environment from: no shadow to compute */
-    uint64_t vertices_unphysical;   /* that `physical` moved into the physical range, times channels */
+    uint64_t vertices_unphysical;   /* that `physical` moved into the physical range, times channels; pixels are not counted */
     uint64_t light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
     uint64_t response_rows_skipped; /* Stokes components that no material can make, times channels */
     uint64_t channels_shared;       /* colour channels of light that equal another and are not computed again */
@@ -575,7 +583,7 @@ typedef struct nicol_statistics {
     uint64_t shadow_rays;           /* reference: rays towards the light */
     double trace_ms;                /* reference: tracing rays */
     uint32_t compute;               /* 1: compute shaders relight and shade, 0: threads do */
-    uint32_t reserved;              /* 0 */
+    nicol_high_orders_at high_orders_at; /* where they were looked up; 0: there were none */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \

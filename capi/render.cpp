@@ -84,6 +84,31 @@ HighOrders high_orders_from(nicol_high_orders given) {
     }
 }
 
+HighOrdersAt high_orders_at_from(nicol_high_orders_at given) {
+    switch (given) {
+        case NICOL_HIGH_ORDERS_AT_AUTOMATIC:
+            return HighOrdersAt::automatic;
+        case NICOL_HIGH_ORDERS_AT_VERTICES:
+            return HighOrdersAt::vertices;
+        case NICOL_HIGH_ORDERS_AT_PIXELS:
+            return HighOrdersAt::pixels;
+        default:
+            refuse("high_orders_at is " + std::to_string(given) +
+                   "; it must be one of NICOL_HIGH_ORDERS_AT_...");
+    }
+}
+
+nicol_high_orders_at high_orders_at_of(HighOrdersAt where) {
+    switch (where) {
+        case HighOrdersAt::vertices:
+            return NICOL_HIGH_ORDERS_AT_VERTICES;
+        case HighOrdersAt::pixels:
+            return NICOL_HIGH_ORDERS_AT_PIXELS;
+        default:
+            return NICOL_HIGH_ORDERS_AT_AUTOMATIC;
+    }
+}
+
 bool shadows_from(std::int32_t given) {
     if (given < -1 || given > 1) {
         refuse("shadows is " + std::to_string(given) +
@@ -107,6 +132,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.order_high =
         order_from(given.order_high, std::max(options.order_high, options.order_low), "order_high");
     options.high_orders = high_orders_from(given.high_orders);
+    options.high_orders_at = high_orders_at_from(given.high_orders_at);
     options.dering = given.dering;
     if (given.physical > 1) {
         refuse("physical is " + std::to_string(given.physical) + "; it must be 0 or 1");
@@ -200,7 +226,6 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
                                                 ? read_struct(options, "options")
                                                 : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
         if (chosen.reserved != 0) refuse("options->reserved must be 0");
-        if (chosen.reserved_2 != 0) refuse("options->reserved_2 must be 0");
         const Turn turn(self.session);
         render(*self.session, *self.content, from, chosen, *target.content);
     });
@@ -238,6 +263,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.shadow_rays = s.shadow_rays;
         out.trace_ms = s.trace_ms;
         out.compute = s.compute ? 1 : 0;
+        out.high_orders_at = high_orders_at_of(s.high_orders_at);
         write_struct(statistics, out, "statistics");
     });
 }

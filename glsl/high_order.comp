@@ -23,12 +23,7 @@ uniform float spread;
 uniform bool has_base;
 
 #ifdef SHADOWED
-layout(std430, binding = 2) readonly buffer Visibility { float visibility[]; };  // [l l + l + m][vertex]
-uniform int visibility_first;
-uniform int stride;
-int vertex;
-#define VISIBILITY(l, m) visibility[((l) * (l) + (l) + (m)) * stride + vertex]
-#include "high_order_visibility.glsl"
+layout(std430, binding = 2) readonly buffer Fractions { vec2 fractions[]; };
 #endif
 
 void main() {
@@ -39,9 +34,7 @@ void main() {
     vec3 view = towards_camera(vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]));
     vec2 visible = vec2(1.0);
 #ifdef SHADOWED
-    vertex = visibility_first + i;
-    vec3 local = view * theta_phi_frame(normal);
-    visible = high_order_visible(normalize(vec3(local.xy, -max(local.z, 0.0))));
+    visible = fractions[v];
 #endif
     if (!has_base) visible.y = 0.0;
     vec4 added[CHANNELS];

@@ -2,6 +2,8 @@
 // Stokes vectors moved into the physical range (Eq. 70). One invocation a vector.
 #version 450 core
 
+#include "physical.glsl"
+
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) buffer StokesVectors { vec4 stokes[]; };
@@ -12,11 +14,7 @@ uniform int count;
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= count) return;
-    vec4 s = stokes[i];
-    float polarized2 = dot(s.yzw, s.yzw);
-    if (s.x >= 0.0 && polarized2 <= s.x * s.x) return;
+    if (is_physical(stokes[i])) return;
     atomicAdd(moved, 1u);
-    s.x = max(s.x, 0.0);
-    s.yzw *= polarized2 > 0.0 ? min(s.x / sqrt(polarized2), 1.0) : 1.0;
-    stokes[i] = s;
+    stokes[i] = made_physical(stokes[i]);
 }

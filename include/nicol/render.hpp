@@ -26,6 +26,13 @@ enum class HighOrders {
     none,         ///< left out
 };
 
+/// Where the orders above order_low are looked up.
+enum class HighOrdersAt {
+    automatic,  ///< pixels, unless the processor rasterises
+    vertices,   ///< and interpolated in between, as all else
+    pixels,     ///< with the normal and the visible fraction of the lobe interpolated
+};
+
 /// Where relight and shade run; the results agree.
 enum class Executor {
     automatic,  ///< compute, unless the processor rasterises or the driver cannot
@@ -42,6 +49,7 @@ struct RenderOptions {
     int order_low = 4;   ///< 0..kMaxRenderOrder: light up to here with its full angular detail
     int order_high = 9;  ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
+    HighOrdersAt high_orders_at = HighOrdersAt::automatic;
     /// Above 0: the largest relative RMSE of s0, s1 and s2 (over the RMS of s0) that the orders left out may
     /// be predicted to cause; order_low and order_high are then chosen for it. Only with Method::factored and
     /// HighOrders::split or none. 0: order_low and order_high as given.
@@ -50,8 +58,8 @@ struct RenderOptions {
     /// window that trades the least smoothing for the least curvature (Sloan 2017). 0 and up; 0: off. 1e-4 to
     /// 1e-2 are of use.
     double dering = 0;
-    /// Moves the Stokes vectors of vertices into the physical range (Eq. 70): s0 >= 0, no more polarized than
-    /// s0.
+    /// Moves Stokes vectors into the physical range (Eq. 70): s0 >= 0, no more polarized than s0. Those of
+    /// vertices, or of pixels where high orders are looked up there.
     bool physical = false;
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
     /// false stops the render with Error(cancelled).
@@ -64,6 +72,7 @@ struct Statistics {
     int order = 0;               ///< the highest of it
     double predicted_error = 0;  ///< where a tolerance was given
     bool compute = false;        ///< compute shaders made it
+    HighOrdersAt high_orders_at = HighOrdersAt::automatic;  ///< automatic: there were none
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     double project_ms = 0;
@@ -74,7 +83,7 @@ struct Statistics {
     double observe_ms = 0;
     std::uint64_t vertices_skipped = 0;       ///< of no triangle that faces the camera inside the view
     std::uint64_t vertices_unoccluded = 0;    ///< nothing hides the environment from them
-    std::uint64_t vertices_unphysical = 0;    ///< moved into the physical range, times channels
+    std::uint64_t vertices_unphysical = 0;    ///< moved into the physical range, times channels; not pixels
     std::uint64_t light_columns_skipped = 0;  ///< Stokes components that the light lacks, times its channels
     std::uint64_t response_rows_skipped =
         0;                              ///< Stokes components that a material cannot make, times channels

@@ -63,6 +63,7 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.order_low = order(options.order_low);
     wanted.order_high = order(options.order_high);
     wanted.high_orders = options.high_orders;
+    wanted.high_orders_at = options.high_orders_at;
     wanted.shadows = options.shadows ? 1 : -1;
     wanted.bake_directions = options.bake_directions;
     wanted.dering = options.dering;

@@ -21,6 +21,8 @@ const char* const usage =
     "      --order-high N       order of the light taken at all, --order-low to 64; default 9\n"
     "      --high-orders NAME   how orders above --order-low are taken: split, convolution or none;\n"
     "                           default split\n"
+    "      --high-orders-at NAME  where they are looked up: vertices, pixels or automatic, which is pixels\n"
+    "                           where OpenGL does not run on the CPU; default automatic\n"
     "      --no-shadows         lets every surface see all of the light\n"
     "      --bake-directions N  directions that shadows are traced in from each vertex, 256 to 65536;\n"
     "                           default 2048\n"
@@ -112,6 +114,13 @@ nicol_high_orders parse_high_orders(std::string_view text) {
     throw Failure("--high-orders: '" + std::string(text) + "' is none of: split, convolution, none");
 }
 
+nicol_high_orders_at parse_high_orders_at(std::string_view text) {
+    if (text == "automatic") return NICOL_HIGH_ORDERS_AT_AUTOMATIC;
+    if (text == "vertices") return NICOL_HIGH_ORDERS_AT_VERTICES;
+    if (text == "pixels") return NICOL_HIGH_ORDERS_AT_PIXELS;
+    throw Failure("--high-orders-at: '" + std::string(text) + "' is none of: automatic, vertices, pixels");
+}
+
 std::string parse_definition(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos || equals == 0)
@@ -165,6 +174,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.order_high = parse_order(name, value());
         else if (name == "--high-orders")
             options.high_orders = parse_high_orders(value());
+        else if (name == "--high-orders-at")
+            options.high_orders_at = parse_high_orders_at(value());
         else if (name == "--no-shadows" && !attached)
             options.shadows = false;
         else if (name == "--bake-directions")

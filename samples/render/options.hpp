@@ -24,6 +24,7 @@ struct Options {
     nicol_executor executor = NICOL_EXECUTOR_AUTOMATIC;
     std::optional<std::int32_t> order_low, order_high;
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
+    nicol_high_orders_at high_orders_at = NICOL_HIGH_ORDERS_AT_AUTOMATIC;
     bool shadows = true;
     bool physical = false;
     double dering = 0;

@@ -114,25 +114,32 @@ void HighOrderTransfer::expand_visibility(const TransferInput& input, int order,
     });
 }
 
+void HighOrderTransfer::see(const TransferInput& input, const Viewpoint& view,
+                            std::span<const std::uint8_t> visible, Workers& workers, Progress& progress) {
+    const WorldGeometry& geometry = input.geometry;
+    const std::size_t vertices = geometry.positions.size();
+    fractions_.resize(visibility_.empty() ? 0 : vertices);
+    if (visibility_.empty()) return;
+    for (const VertexRange& range : geometry.ranges) {
+        const HighOrderVisibility seen(visibility_order_, lobe_width(range.material), input.horizon);
+        workers.for_vertices(range.first, range.last, vertices, "shade", progress,
+                             [&](std::size_t begin, std::size_t end) {
+                                 seen.run(view, geometry.positions, geometry.normals, visible, visibility_,
+                                          begin, end, fractions_);
+                             });
+    }
+}
+
 void HighOrderTransfer::shade(const TransferInput& input, const DistantLight& light, const Viewpoint& view,
                               std::span<const std::uint8_t> visible, Workers& workers, Progress& progress,
                               VertexStokes& out) {
     const WorldGeometry& geometry = input.geometry;
-    const std::size_t vertices = geometry.positions.size();
     const std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
-    fractions_.resize(visibility_.empty() ? 0 : vertices);
     for (const VertexRange& range : geometry.ranges) {
         const Part& part = parts_.at(range.material);
         const HighOrder high(part.factors, part.maps, light.to_world);
-        const double width = kLobeWidths[static_cast<std::size_t>(part.factors.centre())];
-        std::optional<HighOrderVisibility> seen;
-        if (!visibility_.empty()) seen.emplace(visibility_order_, width, input.horizon);
-        workers.for_vertices(range.first, range.last, vertices, "shade", progress,
+        workers.for_vertices(range.first, range.last, geometry.positions.size(), "shade", progress,
                              [&](std::size_t begin, std::size_t end) {
-                                 if (seen) {
-                                     seen->run(view, geometry.positions, geometry.normals, visible,
-                                               visibility_, begin, end, fractions_);
-                                 }
                                  high.run(view, geometry.positions, geometry.normals, visible, fractions_,
                                           begin, end, channels);
                              });

@@ -33,7 +33,11 @@ public:
     /// project: filters the light and fits the materials, as far as changes make it necessary.
     void update(const TransferInput& input, const DistantLight& light, HighOrders form, Workers& workers,
                 Progress& progress, Statistics& statistics);
-    /// shade: adds to the vertices with visible[v] != 0. Only after update() with the same arguments.
+    /// shade, first half: what the vertices with visible[v] != 0 see of what they reflect to the viewer, into
+    /// fractions(). Only after update() with the same input.
+    void see(const TransferInput& input, const Viewpoint& view, std::span<const std::uint8_t> visible,
+             Workers& workers, Progress& progress);
+    /// shade: adds to the vertices with visible[v] != 0. Only after see() with the same arguments.
     void shade(const TransferInput& input, const DistantLight& light, const Viewpoint& view,
                std::span<const std::uint8_t> visible, Workers& workers, Progress& progress,
                VertexStokes& out);
@@ -53,6 +57,13 @@ public:
     [[nodiscard]] int visibility_order() const noexcept { return visibility_order_; }
     /// Counts the changes of visibility().
     [[nodiscard]] std::uint64_t visibility_count() const noexcept { return visibility_count_; }
+    /// Of the last see(), of the lobe about the mirror direction and of the hemisphere; empty where nothing
+    /// casts shadows.
+    [[nodiscard]] std::span<const glm::vec2> fractions() const noexcept { return fractions_; }
+    /// Of the lobe that the first of them is of, radians.
+    [[nodiscard]] double lobe_width(const MaterialPtr& material) const {
+        return kLobeWidths[static_cast<std::size_t>(parts_.at(material).factors.centre())];
+    }
 
 private:
     // What the parts belong to.

@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "render/view_uniforms.hpp"
+
 namespace nicol {
 namespace {
 
@@ -24,62 +26,127 @@ gl::TextureDescription equirect(const EquirectImage& picture) {
 
 }  // namespace
 
+std::vector<Painter::Batch> Painter::batches_by_side(const WorldGeometry& geometry) {
+    std::vector<Batch> batches;
+    const std::size_t all = geometry.triangles.size();
+    for (const auto& [first, last] :
+         {std::pair(std::size_t{0}, geometry.one_sided), std::pair(geometry.one_sided, all)}) {
+        if (first < last) {
+            batches.push_back({.material = {},
+                               .two_sided = first == geometry.one_sided,
+                               .first = 3 * first,
+                               .last = 3 * last});
+        }
+    }
+    return batches;
+}
+
+std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& geometry) {
+    std::vector<Batch> batches;
+    for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
+        const auto above =
+            std::ranges::upper_bound(geometry.ranges, geometry.triangles[i].x, {}, &VertexRange::last);
+        const bool two_sided = i >= geometry.one_sided;
+        if (batches.empty() || batches.back().material != above->material ||
+            batches.back().two_sided != two_sided) {
+            batches.push_back(
+                {.material = above->material, .two_sided = two_sided, .first = 3 * i, .last = 3 * i});
+        }
+        batches.back().last = 3 * (i + 1);
+    }
+    return batches;
+}
+
 Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-void Painter::draw(const Scene& scene, const VertexBuffers& buffers, std::size_t one_sided,
-                   const Projection& projection, Framebuffer& target) {
+void Painter::draw(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
+                   const HighOrdersOfPixels& high_orders, const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();
-    if (buffers_revision_ != buffers.revision() || channels_ != channels) bind_vertices(buffers, channels);
+    const Binding binding{.buffers = buffers.revision(),
+                          .channels = channels,
+                          .high_orders = high_orders.textures != nullptr,
+                          .shadowed = high_orders.shadowed};
+    if (bound_ != binding) {
+        bound_ = {};
+        bind_vertices(geometry, buffers, binding);
+        bound_ = binding;
+    }
     if (environment_ != scene.environment() || channels_ != channels) {
         upload_environment(scene.environment().get(), channels);
     }
-    buffers_revision_ = buffers.revision();
     environment_ = scene.environment();
     channels_ = channels;
 
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-        gl::RenderTarget& picture = target.groups()[g];
-        gl::Program& surface = program("surface.vert", "surface.frag", group_size(channels, g), false);
-        surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
-        if (environment_) {
-            picture.clear_depth();
-        } else {
-            picture.clear();
-        }
-        if (!groups_[g].vertices) continue;
-        // Materials without a back are drawn black from behind, the others have triangles for each side.
-        const std::size_t first = 3 * one_sided;
-        const std::size_t two_sided = groups_[g].vertices->index_count() - first;
-        gl::draw(picture, surface, *groups_[g].vertices, 0, first);
-        gl::draw(picture, surface, *groups_[g].vertices, first, two_sided, {.cull = gl::Cull::back});
-    }
+    for (std::size_t g = 0; g < groups_.size(); ++g) draw_surface(scene, high_orders, projection, g, target);
     if (environment_) draw_background(scene, projection, target);
     gl::finish(*context_);
 }
 
-gl::Program& Painter::program(const char* vertex, const char* fragment, int channels, bool polarized) {
-    const auto key = std::make_tuple(std::string(fragment), channels, polarized);
+void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders,
+                           const Projection& projection, std::size_t group, Framebuffer& target) {
+    gl::RenderTarget& picture = target.groups()[group];
+    std::set<std::string> features;
+    if (high_orders.textures != nullptr) {
+        features.insert("HIGH_ORDERS");
+        if (high_orders.textures->polarized()) features.insert("HIGH_ORDER_POLARIZED");
+        if (high_orders.shadowed) features.insert("SHADOWED");
+    }
+    gl::Program& surface =
+        program("surface.vert", "surface.frag", group_size(target.channels(), group), features);
+    surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
+    if (high_orders.textures != nullptr) {
+        set_view_uniforms(surface, projection.view);
+        surface.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
+        surface.set("physical", high_orders.physical ? 1 : 0);
+    }
+    if (environment_) {
+        picture.clear_depth();
+    } else {
+        picture.clear();
+    }
+    for (const Batch& batch : batches_) {
+        if (high_orders.textures != nullptr) {
+            HighOrderTextures::bind(surface, high_orders.textures->part(batch.material), group);
+        }
+        // Materials without a back are drawn black from behind, the others have triangles for each side.
+        gl::draw(picture, surface, *groups_[group].vertices, batch.first, batch.last - batch.first,
+                 {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
+    }
+}
+
+gl::Program& Painter::program(const char* vertex, const char* fragment, int channels,
+                              const std::set<std::string>& features) {
+    const auto key = std::make_tuple(std::string(fragment), channels, features);
     auto found = programs_.find(key);
     if (found == programs_.end()) {
         std::vector<gl::Define> defines{{.name = "CHANNELS", .value = std::to_string(channels)}};
-        if (polarized) defines.push_back({.name = "POLARIZED"});
+        for (const std::string& feature : features) defines.push_back({.name = feature});
         found = programs_.emplace(key, gl::Program::graphics(context_, vertex, fragment, defines)).first;
     }
     return found->second;
 }
 
-void Painter::bind_vertices(const VertexBuffers& buffers, int channels) {
-    const auto count = static_cast<std::size_t>((channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
+void Painter::bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers, const Binding& binding) {
+    const auto count =
+        static_cast<std::size_t>((binding.channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
     groups_.resize(count);
+    for (Group& group : groups_) group.vertices.reset();
+    batches_.clear();
+    if (buffers.empty()) return;
+    batches_ = binding.high_orders ? batches_by_material(geometry) : batches_by_side(geometry);
     for (std::size_t g = 0; g < count; ++g) {
-        groups_[g].vertices.reset();
-        if (buffers.empty()) continue;
         std::vector<gl::Attribute> attributes{
             {.location = 0, .components = 3, .buffer = buffers.positions()}};
-        for (int c = 0; c < group_size(channels, g); ++c) {
+        for (int c = 0; c < group_size(binding.channels, g); ++c) {
             attributes.push_back({.location = static_cast<unsigned>(1 + c),
                                   .components = 4,
                                   .buffer = buffers.stokes(static_cast<int>(g) * Framebuffer::kGroup + c)});
+        }
+        if (binding.high_orders) {
+            attributes.push_back({.location = 5, .components = 3, .buffer = buffers.normals(geometry)});
+            if (binding.shadowed) {
+                attributes.push_back({.location = 6, .components = 2, .buffer = buffers.fractions()});
+            }
         }
         groups_[g].vertices.emplace(context_, attributes, buffers.indices());
     }
@@ -117,8 +184,8 @@ void Painter::draw_background(const Scene& scene, const Projection& projection, 
     const bool polarized = scene.environment()->polarized();
     const Viewpoint& view = projection.view;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-        gl::Program& sky =
-            program("fullscreen.vert", "background.frag", group_size(target.channels(), g), polarized);
+        gl::Program& sky = program("fullscreen.vert", "background.frag", group_size(target.channels(), g),
+                                   polarized ? std::set<std::string>{"POLARIZED"} : std::set<std::string>{});
         sky.set("camera", glm::mat3(view.right, view.up, view.forward));
         sky.set("half_size", glm::vec2(projection.half_width, projection.half_height));
         sky.set("orthographic", view.orthographic ? 1 : 0);

@@ -5,11 +5,14 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "gl/draw.hpp"
 #include "nicol/scene.hpp"
 #include "render/framebuffer.hpp"
+#include "render/high_order_textures.hpp"
 #include "render/projection.hpp"
 #include "render/vertex_buffers.hpp"
 
@@ -20,10 +23,17 @@ class Painter {
 public:
     explicit Painter(std::shared_ptr<gl::Context> context);
 
-    /// one_sided: how many of the triangles are. Everything that can fail for want of memory happens before
-    /// the framebuffer is touched.
-    void draw(const Scene& scene, const VertexBuffers& buffers, std::size_t one_sided,
-              const Projection& projection, Framebuffer& target);
+    /// High orders that pixels add to what vertices have.
+    struct HighOrdersOfPixels {
+        const HighOrderTextures* textures = nullptr;  ///< of all materials; null: none are added
+        bool shadowed = false;                        ///< the buffers have fractions
+        bool physical = false;                        ///< sums are moved into the physical range
+    };
+
+    /// `buffers` are of `geometry`. Everything that can fail for want of memory happens before the
+    /// framebuffer is touched.
+    void draw(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
+              const HighOrdersOfPixels& high_orders, const Projection& projection, Framebuffer& target);
 
 private:
     // Channels that are drawn at once.
@@ -32,15 +42,37 @@ private:
         std::vector<gl::Texture2D> environment;  // one of all s0, or one Stokes texture a channel
     };
 
-    gl::Program& program(const char* vertex, const char* fragment, int channels, bool polarized);
-    void bind_vertices(const VertexBuffers& buffers, int channels);
+    // What vertex arrays are bound for.
+    struct Binding {
+        std::uint64_t buffers = 0;  // revision
+        int channels = 0;
+        bool high_orders = false;
+        bool shadowed = false;
+        bool operator==(const Binding&) const = default;
+    };
+    // Consecutive triangles that are drawn alike.
+    struct Batch {
+        MaterialPtr material;  // null: any
+        bool two_sided;
+        std::size_t first;  // index
+        std::size_t last;
+    };
+
+    static std::vector<Batch> batches_by_side(const WorldGeometry& geometry);
+    static std::vector<Batch> batches_by_material(const WorldGeometry& geometry);
+    gl::Program& program(const char* vertex, const char* fragment, int channels,
+                         const std::set<std::string>& features);
+    void bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers, const Binding& binding);
+    void draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, const Projection& projection,
+                      std::size_t group, Framebuffer& target);
     void upload_environment(const Environment* environment, int channels);
     void draw_background(const Scene& scene, const Projection& projection, Framebuffer& target);
 
     std::shared_ptr<gl::Context> context_;
-    std::map<std::tuple<std::string, int, bool>, gl::Program> programs_;
+    std::map<std::tuple<std::string, int, std::set<std::string>>, gl::Program> programs_;
     std::vector<Group> groups_;
-    std::uint64_t buffers_revision_ = 0;
+    std::vector<Batch> batches_;
+    Binding bound_;
     int channels_ = 0;
     EnvironmentPtr environment_;  // that the textures show
 };

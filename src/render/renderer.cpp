@@ -45,13 +45,17 @@ void check(const RenderOptions& options) {
 // All but the callback.
 auto values(const RenderOptions& o) {
     return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
-                    o.high_orders, o.tolerance, o.dering, o.physical);
+                    o.high_orders, o.high_orders_at, o.tolerance, o.dering, o.physical);
 }
 
 }  // namespace
 
 Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
-    : context_(context), transfer_(threads), buffers_(context), painter_(std::move(context)) {}
+    : context_(context),
+      transfer_(threads),
+      buffers_(context),
+      textures_(context),
+      painter_(std::move(context)) {}
 
 ComputeExecutor* Renderer::device_for(Executor executor) {
     if (executor == Executor::cpu) return nullptr;
@@ -60,7 +64,7 @@ ComputeExecutor* Renderer::device_for(Executor executor) {
     if (!obstacle.empty()) {
         throw Error(ErrorCode::unsupported, "the executor cannot be compute shaders: " + obstacle);
     }
-    if (!device_) device_.emplace(context_, buffers_);
+    if (!device_) device_.emplace(context_, buffers_, textures_);
     return &*device_;
 }
 
@@ -92,7 +96,12 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     Progress progress(options.progress);
     Statistics statistics;
     ComputeExecutor* const device = device_for(options.executor);
-    transfer_.update(scene, projection, options, device, progress, statistics);
+    RenderOptions chosen = options;
+    if (chosen.high_orders_at == HighOrdersAt::automatic) {
+        // Look-ups are dear where the processor rasterises.
+        chosen.high_orders_at = context_->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
+    }
+    transfer_.update(scene, projection, chosen, device, progress, statistics);
     progress.report("draw", 0);
 
     const Stopwatch watch;
@@ -100,7 +109,16 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
         const WorldGeometry& geometry = transfer_.geometry();
         buffers_.update(geometry, transfer_.geometry_revision(), target.channels());
         if (device == nullptr) buffers_.upload(transfer_.stokes());
-        painter_.draw(scene, buffers_, geometry.one_sided, projection, target);
+        const HighOrderTransfer* const high_orders = transfer_.pixel_high_orders();
+        if (high_orders != nullptr) {
+            textures_.update(*high_orders, target.channels());
+            if (device == nullptr) buffers_.upload(high_orders->fractions());
+        }
+        painter_.draw(scene, geometry, buffers_,
+                      {.textures = high_orders != nullptr ? &textures_ : nullptr,
+                       .shadowed = high_orders != nullptr && !high_orders->visibility().empty(),
+                       .physical = options.physical},
+                      projection, target);
     });
     statistics.draw_ms = watch.milliseconds();
 

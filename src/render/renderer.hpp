@@ -49,6 +49,7 @@ private:
     std::shared_ptr<gl::Context> context_;
     TransferCache transfer_;
     VertexBuffers buffers_;
+    HighOrderTextures textures_;
     std::optional<ComputeExecutor> device_;
     Painter painter_;
 };

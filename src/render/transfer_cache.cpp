@@ -40,6 +40,8 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
                                .high = light_.last_order(),
                                .polarized = input.layout.kind() != LightKind::unpolarized};
     const bool high_orders = distant.high > distant.low;
+    at_pixels_ = high_orders && options.high_orders_at == HighOrdersAt::pixels;
+    const bool physical = options.physical && !at_pixels_;  // else it comes once all orders are there
     if (high_orders) {
         high_orders_.update(input, distant, options.high_orders, workers_, progress, statistics);
     }
@@ -51,9 +53,12 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
         for (auto& channel : stokes_) channel.resize(geometry_.positions.size());
         method.shade(input, projection.view, visible_, workers_, progress, stokes_);
         if (high_orders) {
-            high_orders_.shade(input, distant, projection.view, visible_, workers_, progress, stokes_);
+            high_orders_.see(input, projection.view, visible_, workers_, progress);
+            if (!at_pixels_) {
+                high_orders_.shade(input, distant, projection.view, visible_, workers_, progress, stokes_);
+            }
         }
-        if (options.physical) {
+        if (physical) {
             for (auto& channel : stokes_) statistics.vertices_unphysical += make_physical(channel);
         }
         statistics.shade_ms += watch.milliseconds();
@@ -63,8 +68,11 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
         if (device == nullptr) {
             on_host(method);
         } else {
-            device->run(method, high_orders ? &high_orders_ : nullptr, input, distant, projection.view,
-                        options.physical, workers_, progress, statistics);
+            device->run(method,
+                        {.high_orders = high_orders ? &high_orders_ : nullptr,
+                         .at_pixels = at_pixels_,
+                         .physical = physical},
+                        input, distant, projection.view, workers_, progress, statistics);
         }
         if (high_orders) high_orders_.count(statistics);
         method.count(input, statistics);
@@ -77,6 +85,9 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
 
     statistics.order_low = distant.low;
     statistics.order = distant.high;
+    if (high_orders) {
+        statistics.high_orders_at = at_pixels_ ? HighOrdersAt::pixels : HighOrdersAt::vertices;
+    }
     statistics.vertices = geometry_.positions.size();
     statistics.triangles = geometry_.triangles.size();
     const int light_channels = input.light.channels();

@@ -31,7 +31,8 @@ public:
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
 
     /// Shades every vertex that can be seen; the result is in stokes(), or in the buffers of `device` where
-    /// that is not null. Adds its times and counts to `statistics`.
+    /// that is not null. High orders are at vertices where `options` leaves that open. Adds its times and
+    /// counts to `statistics`.
     void update(const Scene& scene, const Projection& projection, const RenderOptions& options,
                 ComputeExecutor* device, Progress& progress, Statistics& statistics);
 
@@ -39,6 +40,10 @@ public:
     /// Counts the times geometry() changed.
     [[nodiscard]] std::uint64_t geometry_revision() const noexcept { return geometry_revision_; }
     [[nodiscard]] const VertexStokes& stokes() const noexcept { return stokes_; }
+    /// What the last update() left for pixels to add; null where nothing.
+    [[nodiscard]] const HighOrderTransfer* pixel_high_orders() const noexcept {
+        return at_pixels_ ? &high_orders_ : nullptr;
+    }
 
 private:
     /// The options with the orders that their tolerance allows.
@@ -64,6 +69,7 @@ private:
     FactoredMethod factored_;
     DenseMethod dense_;
     HighOrderTransfer high_orders_;
+    bool at_pixels_ = false;
 
     std::vector<std::uint8_t> visible_;
     VertexStokes stokes_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/vertex_buffers.hpp"
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -18,6 +19,7 @@ void VertexBuffers::update(const WorldGeometry& geometry, std::uint64_t geometry
         indices_.reset();
         positions_.reset();
         normals_.reset();
+        fractions_.reset();
         if (!geometry.triangles.empty()) {
             positions_ = std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
                                                       std::as_bytes(std::span(geometry.positions)));
@@ -39,12 +41,25 @@ void VertexBuffers::upload(const VertexStokes& stokes) {
     }
 }
 
-const gl::Buffer& VertexBuffers::normals(const WorldGeometry& geometry) {
+void VertexBuffers::upload(std::span<const glm::vec2> fractions) {
+    if (!fractions.empty() && !empty()) this->fractions()->update(0, std::as_bytes(fractions));
+}
+
+const std::shared_ptr<const gl::Buffer>& VertexBuffers::normals(const WorldGeometry& geometry) {
     if (!normals_) {
         normals_ = std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
                                                 std::as_bytes(std::span(geometry.normals)));
     }
-    return *normals_;
+    return normals_;
+}
+
+const std::shared_ptr<gl::Buffer>& VertexBuffers::fractions() {
+    if (!fractions_) {
+        const std::size_t vertices = positions_->size() / sizeof(glm::vec3);
+        fractions_ = std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
+                                                  vertices * sizeof(glm::vec2), gl::BufferUpdate::dynamic);
+    }
+    return fractions_;
 }
 
 }  // namespace nicol

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "gl/buffer.hpp"
@@ -20,6 +22,8 @@ public:
     void update(const WorldGeometry& geometry, std::uint64_t geometry_revision, int channels);
     /// Stokes vectors made on the host.
     void upload(const VertexStokes& stokes);
+    /// Fractions made on the host; empty where there are none.
+    void upload(std::span<const glm::vec2> fractions);
 
     /// Whether there is nothing to draw; then the buffers below do not exist.
     [[nodiscard]] bool empty() const noexcept { return indices_ == nullptr; }
@@ -30,11 +34,13 @@ public:
     /// Three floats a vertex.
     [[nodiscard]] const std::shared_ptr<const gl::Buffer>& positions() const noexcept { return positions_; }
     /// Likewise; uploaded when first asked for.
-    [[nodiscard]] const gl::Buffer& normals(const WorldGeometry& geometry);
+    [[nodiscard]] const std::shared_ptr<const gl::Buffer>& normals(const WorldGeometry& geometry);
     /// A vec4 a vertex.
     [[nodiscard]] const std::shared_ptr<gl::Buffer>& stokes(int channel) const {
         return stokes_[static_cast<std::size_t>(channel)];
     }
+    /// A vec2 a vertex: what it sees of what it reflects of high orders. Made when first asked for.
+    [[nodiscard]] const std::shared_ptr<gl::Buffer>& fractions();
 
 private:
     std::shared_ptr<gl::Context> context_;
@@ -44,6 +50,7 @@ private:
     std::shared_ptr<const gl::Buffer> positions_;
     std::shared_ptr<const gl::Buffer> normals_;
     std::vector<std::shared_ptr<gl::Buffer>> stokes_;
+    std::shared_ptr<gl::Buffer> fractions_;
 };
 
 }  // namespace nicol

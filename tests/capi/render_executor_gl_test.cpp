@@ -91,3 +91,31 @@ TEST_CASE("executors out of range are refused by name, and callers of older vers
         CHECK(read_all(stage.framebuffer) == before);
     });
 }
+
+TEST_CASE("high orders are looked up where callers ask for it") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        const auto render_at = [&](nicol_high_orders_at where, nicol_high_orders form) {
+            nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+            options.order_low = -1;  // the sky has orders 1 and 2 above that
+            options.bake_directions = 256;
+            options.high_orders = form;
+            options.high_orders_at = where;
+            OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+            return read_all(stage.framebuffer);
+        };
+        const std::vector<float> vertices = render_at(NICOL_HIGH_ORDERS_AT_VERTICES, NICOL_HIGH_ORDERS_SPLIT);
+        CHECK(statistics_of(stage.framebuffer).high_orders_at == NICOL_HIGH_ORDERS_AT_VERTICES);
+        const std::vector<float> pixels = render_at(NICOL_HIGH_ORDERS_AT_PIXELS, NICOL_HIGH_ORDERS_SPLIT);
+        CHECK(statistics_of(stage.framebuffer).high_orders_at == NICOL_HIGH_ORDERS_AT_PIXELS);
+        CHECK(pixels != vertices);
+        float largest = 0, difference = 0;
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            largest = std::max(largest, std::abs(vertices[i]));
+            difference = std::max(difference, std::abs(vertices[i] - pixels[i]));
+        }
+        CHECK(difference < 0.01F * largest);  // a cube of many vertices
+        render_at(NICOL_HIGH_ORDERS_AT_PIXELS, NICOL_HIGH_ORDERS_NONE);
+        CHECK(statistics_of(stage.framebuffer).high_orders_at == NICOL_HIGH_ORDERS_AT_AUTOMATIC);
+    });
+}

@@ -255,6 +255,29 @@ class Success(RenderTest):
         self.assert_succeeds("good.xml", "-o", "out/a.exr")
         self.assertIn(self.files()[self.path("out", "a.exr")], pictures.values())
 
+    def test_high_orders_at(self):
+        # A ring of light on a smooth metal ball: its highlight has high orders.
+        self.write("ring.exr", exr(16, 8, 100))
+        emitter = '<emitter type="envmap"><string name="filename" value="ring.exr"/></emitter>'
+        ball = '<shape type="sphere"><bsdf type="roughconductor"><string name="material" value="Al"/></bsdf></shape>'
+        self.write("ring.xml", scene(emitter=emitter, shape=ball))
+
+        def picture(*arguments):
+            self.assert_succeeds("ring.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
+            with open(self.path("out/s.json"), encoding="utf-8") as file:
+                stats = json.load(file)
+            return self.files()[self.path("out", "a.exr")], stats
+
+        vertices, stats = picture("--high-orders-at", "vertices")
+        self.assertEqual(stats["high_orders_at"], "vertices")
+        pixels, stats = picture("--high-orders-at", "pixels")
+        self.assertEqual(stats["high_orders_at"], "pixels")
+        self.assertNotEqual(vertices, pixels)
+        same, stats = picture("--high-orders-at=automatic")
+        self.assertEqual(stats["high_orders_at"], "vertices" if stats["software"] else "pixels")
+        self.assertEqual(same, vertices if stats["software"] else pixels)
+        self.assertEqual(picture("--high-orders", "none", "--high-orders-at", "pixels")[1]["high_orders_at"], "none")
+
     def test_physical(self):
         # The lowest orders of a bright ring are negative between the ring and its poles, and a metal shows it.
         self.write("ring.exr", exr(16, 8, 1000))
@@ -305,6 +328,7 @@ class CommandLine(RenderTest):
             (["--backend", "metal"], good + ["--backend", "metal"]),
             (["--method", "'sparse'"], good + ["--method", "sparse"]),
             (["--executor", "'gpu'", "automatic, cpu, compute"], good + ["--executor", "gpu"]),
+            (["--high-orders-at", "'edges'", "automatic, vertices, pixels"], good + ["--high-orders-at", "edges"]),
             (["--high-orders", "'some'"], good + ["--high-orders", "some"]),
             (["--no-shadows=1"], good + ["--no-shadows=1"]),
             (["--bake-directions", "255"], good + ["--bake-directions", "255"]),

@@ -22,29 +22,30 @@ std::string ComputeExecutor::obstacle(const gl::Context& context) {
     return {};
 }
 
-ComputeExecutor::ComputeExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers)
+ComputeExecutor::ComputeExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers,
+                                 HighOrderTextures& textures)
     : context_(context),
       buffers_(buffers),
       factored_(context),
       dense_(context),
-      high_orders_(std::move(context)) {}
+      high_orders_(std::move(context), textures) {}
 
-void ComputeExecutor::run(FactoredMethod& method, const HighOrderTransfer* high_orders,
-                          const TransferInput& input, const DistantLight& light, const Viewpoint& view,
-                          bool physical, Workers& workers, Progress& progress, Statistics& statistics) {
-    run_on(factored_, method, high_orders, input, light, view, physical, workers, progress, statistics);
+void ComputeExecutor::run(FactoredMethod& method, const Extras& extras, const TransferInput& input,
+                          const DistantLight& light, const Viewpoint& view, Workers& workers,
+                          Progress& progress, Statistics& statistics) {
+    run_on(factored_, method, extras, input, light, view, workers, progress, statistics);
 }
 
-void ComputeExecutor::run(DenseMethod& method, const HighOrderTransfer* high_orders,
-                          const TransferInput& input, const DistantLight& light, const Viewpoint& view,
-                          bool physical, Workers& workers, Progress& progress, Statistics& statistics) {
-    run_on(dense_, method, high_orders, input, light, view, physical, workers, progress, statistics);
+void ComputeExecutor::run(DenseMethod& method, const Extras& extras, const TransferInput& input,
+                          const DistantLight& light, const Viewpoint& view, Workers& workers,
+                          Progress& progress, Statistics& statistics) {
+    run_on(dense_, method, extras, input, light, view, workers, progress, statistics);
 }
 
 template <class Device, class Method>
-void ComputeExecutor::run_on(Device& device, Method& method, const HighOrderTransfer* high_orders,
-                             const TransferInput& input, const DistantLight& light, const Viewpoint& view,
-                             bool physical, Workers& workers, Progress& progress, Statistics& statistics) {
+void ComputeExecutor::run_on(Device& device, Method& method, const Extras& extras, const TransferInput& input,
+                             const DistantLight& light, const Viewpoint& view, Workers& workers,
+                             Progress& progress, Statistics& statistics) {
     context_->run([&] {
         buffers_.update(input.geometry, input.geometry_revision, input.channels);
         if (buffers_.empty()) return;
@@ -54,8 +55,11 @@ void ComputeExecutor::run_on(Device& device, Method& method, const HighOrderTran
         if (!shade_) shade_.emplace(context_);
         shade_->set_view(view);
         device.shade(input, *shade_, buffers_);
-        if (high_orders != nullptr) high_orders_.shade(*high_orders, input, light, view, buffers_);
-        if (physical) statistics.vertices_unphysical += make_physical(input);
+        if (extras.high_orders != nullptr) {
+            high_orders_.see(*extras.high_orders, input, view, buffers_);
+            if (!extras.at_pixels) high_orders_.shade(*extras.high_orders, input, light, view, buffers_);
+        }
+        if (extras.physical) statistics.vertices_unphysical += make_physical(input);
         gl::finish(*context_);
         statistics.shade_ms += watch.milliseconds();
     });

@@ -19,25 +19,32 @@ public:
     /// Why a context cannot; empty where it can.
     [[nodiscard]] static std::string obstacle(const gl::Context& context);
 
-    /// Stokes vectors go into `buffers`, which must outlive the object.
-    ComputeExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers);
+    /// Stokes vectors go into `buffers`; both must outlive the object.
+    ComputeExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers,
+                    HighOrderTextures& textures);
 
-    /// relight and shade of every vertex, as far as changes make it necessary, of what the method, and the
-    /// high orders unless they are null, have prepared. Adds its times and counts to `statistics`.
-    void run(FactoredMethod& method, const HighOrderTransfer* high_orders, const TransferInput& input,
-             const DistantLight& light, const Viewpoint& view, bool physical, Workers& workers,
-             Progress& progress, Statistics& statistics);
-    void run(DenseMethod& method, const HighOrderTransfer* high_orders, const TransferInput& input,
-             const DistantLight& light, const Viewpoint& view, bool physical, Workers& workers,
-             Progress& progress, Statistics& statistics);
+    /// Of shade, what need not be.
+    struct Extras {
+        const HighOrderTransfer* high_orders = nullptr;
+        bool at_pixels = false;  ///< draw adds the high orders: only the fractions of them are computed
+        bool physical = false;   ///< vertices are moved into the physical range
+    };
+
+    /// relight and shade of every vertex, as far as changes make it necessary, of what the method and the
+    /// high orders have prepared. Adds its times and counts to `statistics`.
+    void run(FactoredMethod& method, const Extras& extras, const TransferInput& input,
+             const DistantLight& light, const Viewpoint& view, Workers& workers, Progress& progress,
+             Statistics& statistics);
+    void run(DenseMethod& method, const Extras& extras, const TransferInput& input, const DistantLight& light,
+             const Viewpoint& view, Workers& workers, Progress& progress, Statistics& statistics);
 
 private:
     std::uint64_t make_physical(const TransferInput& input);
 
     template <class Device, class Method>
-    void run_on(Device& device, Method& method, const HighOrderTransfer* high_orders,
-                const TransferInput& input, const DistantLight& light, const Viewpoint& view, bool physical,
-                Workers& workers, Progress& progress, Statistics& statistics);
+    void run_on(Device& device, Method& method, const Extras& extras, const TransferInput& input,
+                const DistantLight& light, const Viewpoint& view, Workers& workers, Progress& progress,
+                Statistics& statistics);
 
     std::shared_ptr<gl::Context> context_;
     VertexBuffers& buffers_;

@@ -16,7 +16,7 @@ namespace nicol {
 /// numbers of vertices can be bound.
 inline constexpr std::size_t kGroupOfVertices = 64;
 
-/// Binds three or four floats a vertex from the largest whole group not above `first`; that group's vertex is
+/// Binds two to four floats a vertex from the largest whole group not above `first`; that group's vertex is
 /// returned.
 [[nodiscard]] inline std::size_t bind_vertices(const gl::Buffer& buffer, unsigned binding, std::size_t floats,
                                                std::size_t first, std::size_t last) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gl/draw.hpp"
+#include "render/view_uniforms.hpp"
 
 namespace nicol {
 
@@ -59,7 +60,7 @@ void DeviceShade::set_view(const Viewpoint& view) {
 void DeviceShade::run(const DeviceTable& table, const DeviceLight& light, std::size_t first, std::size_t last,
                       const WorldGeometry& geometry, int channels, VertexBuffers& buffers) {
     const std::size_t begin = bind_vertices(*buffers.positions(), 0, 3, first, last);
-    std::ignore = bind_vertices(buffers.normals(geometry), 1, 3, first, last);
+    std::ignore = bind_vertices(*buffers.normals(geometry), 1, 3, first, last);
     program_.set("first", static_cast<int>(first - begin));
     program_.set("light_first", static_cast<int>(first - light.first()));
     program_.set("count", static_cast<int>(last - first));
@@ -77,16 +78,6 @@ void DeviceShade::run(const DeviceTable& table, const DeviceLight& light, std::s
         std::ignore = bind_vertices(*buffers.stokes(c), 4, 4, first, last);
         gl::dispatch(program_, groups_for(last - first));
     }
-}
-
-void set_view_uniforms(gl::Program& program, const Viewpoint& view) {
-    const glm::vec3 eye(view.eye);
-    program.set("eye", eye);
-    program.set("eye_rest", glm::vec3(view.eye - glm::dvec3(eye)));
-    program.set("forward", glm::vec3(view.forward));
-    program.set("up", glm::vec3(view.up));
-    program.set("right", glm::vec3(view.right));
-    program.set("orthographic", view.orthographic ? 1 : 0);
 }
 
 }  // namespace nicol

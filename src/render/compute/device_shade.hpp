@@ -49,7 +49,4 @@ private:
     gl::Program program_;
 };
 
-/// Sets the uniforms of glsl/vertex_view.glsl.
-void set_view_uniforms(gl::Program& program, const Viewpoint& view);
-
 }  // namespace nicol

@@ -89,7 +89,7 @@ void DeviceTurn::run(const WorldGeometry& geometry, VertexBuffers& buffers, Devi
     }
     for (int c = 0; c < out.channels(); ++c) {
         quarter_turn_->bind_storage(0);
-        std::ignore = bind_vertices(buffers.normals(geometry), 1, 3, out.first(), out.last());
+        std::ignore = bind_vertices(*buffers.normals(geometry), 1, 3, out.first(), out.last());
         fields_[static_cast<std::size_t>(c)].bind_storage(2);
         work_->bind_storage(3, 0, bytes);
         gl::dispatch(azimuth_, groups_for(out.count()), static_cast<unsigned>(fields));

@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: MIT
+// High orders looked up at pixels.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+#include "gl/contexts.hpp"
+#include "nicol/conductor.hpp"
+#include "nicol/stokes.hpp"
+#include "render/renderer.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr int width = 64;
+constexpr int height = 48;
+
+/// Light of all orders up to the last, falling as that of pictures does.
+EnvironmentPtr some_light(int order, bool polarized, int channels = 3) {
+    PshVector light(order, channels);
+    for (int c = 0; c < channels; ++c) {
+        light.at(c, 0, 0, 0) = 6 + c;
+        for (int l = 1; l <= order; ++l) {
+            for (int m = -l; m <= l; ++m) {
+                for (int p = 0; p < (polarized ? 4 : 1); ++p) {
+                    if (l < 2 && (p == 1 || p == 2)) continue;
+                    light.at(c, l, m, p) = std::sin(7.1 * l + 3.3 * m + 5 * p + 0.2 * c) / (l + 1);
+                }
+            }
+        }
+    }
+    return psh_environment(light);
+}
+
+/// A unit sphere of rows x columns quadrangles about y, with exact normals.
+std::shared_ptr<const Mesh> coarse_sphere(int rows, int columns) {
+    Mesh mesh;
+    for (int r = 0; r <= rows; ++r) {
+        for (int c = 0; c <= columns; ++c) {
+            const double theta = std::numbers::pi * r / rows;
+            const double phi = 2 * std::numbers::pi * c / columns;
+            mesh.positions.emplace_back(std::sin(theta) * std::sin(phi), std::cos(theta),
+                                        std::sin(theta) * std::cos(phi));
+        }
+    }
+    mesh.normals = mesh.positions;
+    const auto at = [&](int r, int c) { return static_cast<std::uint32_t>(r * (columns + 1) + c); };
+    for (int r = 0; r < rows; ++r) {
+        for (int c = 0; c < columns; ++c) {
+            if (r > 0) mesh.triangles.emplace_back(at(r, c), at(r + 1, c), at(r, c + 1));
+            if (r < rows - 1) mesh.triangles.emplace_back(at(r, c + 1), at(r + 1, c), at(r + 1, c + 1));
+        }
+    }
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+std::shared_ptr<const Mesh> fine_sphere() {
+    return std::make_shared<const Mesh>(make_sphere());
+}
+
+MaterialPtr metal() {
+    static const MaterialPtr material = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.1});
+    return material;
+}
+
+Scene lone(const std::shared_ptr<const Mesh>& mesh, const EnvironmentPtr& light,
+           const MaterialPtr& material = metal()) {
+    Scene scene;
+    scene.add({.mesh = mesh, .material = material});
+    scene.set_environment(light, theta_phi_frame(glm::normalize(glm::dvec3(1, -2, 0.7))), 0.7);
+    return scene;
+}
+
+/// A metal sphere over a plastic plate that has two sides.
+Scene sphere_on_plate(const EnvironmentPtr& light, const std::shared_ptr<const Mesh>& sphere, int cells) {
+    static const MaterialPtr plastic = twosided(pplastic({.diffuse_reflectance = {0.4}, .alpha = 0.3}));
+    Scene scene = lone(sphere, light);
+    scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(cells)),
+               .material = plastic,
+               .to_world = glm::translate(glm::dmat4(1), {0, -1, 0}) *
+                           glm::rotate(glm::dmat4(1), glm::radians(-90.0), glm::dvec3(1, 0, 0)) *
+                           glm::scale(glm::dmat4(1), glm::dvec3(3))});
+    return scene;
+}
+
+Camera some_camera() {
+    Camera camera;
+    camera.to_world = look_at({2, 3, 4}, {0, 0, 0}, {0, 1, 0});
+    camera.fov = 40;
+    return camera;
+}
+
+RenderOptions at(HighOrdersAt where, HighOrders form = HighOrders::split, bool shadows = false) {
+    return {.shadows = shadows,
+            .bake_directions = 256,
+            .order_low = 2,
+            .order_high = 9,
+            .high_orders = form,
+            .high_orders_at = where,
+            .progress = {}};
+}
+
+/// Renders one geometry under any light, keeping what its materials need.
+class Studio {
+public:
+    explicit Studio(const std::shared_ptr<gl::Context>& context) : context_(context), renderer_(context, 0) {}
+
+    StokesImage operator()(const Scene& scene, const RenderOptions& options,
+                           const Camera& camera = some_camera()) {
+        Framebuffer target(context_, width, height, scene.channels());
+        renderer_.render(scene, camera, options, target);
+        statistics = target.statistics();
+        return target.image();
+    }
+
+    Statistics statistics;
+
+private:
+    std::shared_ptr<gl::Context> context_;
+    Renderer renderer_;
+};
+
+double largest(const StokesImage& image) {
+    double most = 0;
+    for (const float value : image.data) most = std::max(most, std::abs(static_cast<double>(value)));
+    return most;
+}
+
+double largest_difference(const StokesImage& a, const StokesImage& b) {
+    REQUIRE(a.data.size() == b.data.size());
+    double most = 0;
+    for (std::size_t i = 0; i < a.data.size(); ++i) {
+        most = std::max(most, std::abs(static_cast<double>(a.data[i]) - b.data[i]));
+    }
+    return most;
+}
+
+/// Root mean square of the difference where `part` is true of the pixel, of Stokes component p.
+template <class Part>
+double difference(const StokesImage& a, const StokesImage& b, std::size_t p, Part part) {
+    double sum = 0;
+    int count = 0;
+    for (int c = 0; c < a.channels; ++c) {
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                if (!part(x, y)) continue;
+                sum += std::pow(a.at(c, y, x)[p] - b.at(c, y, x)[p], 2);
+                ++count;
+            }
+        }
+    }
+    REQUIRE(count > 100);
+    return std::sqrt(sum / count);
+}
+
+/// Of s0.
+double rms(const StokesImage& image) {
+    return difference(image, StokesImage(width, height, image.channels), 0, [](int, int) { return true; });
+}
+
+/// Well inside the unit sphere's picture.
+bool inside_sphere(int x, int y) {
+    // It covers asin(1 / sqrt(29)) of half of 40 degrees across.
+    const double radius =
+        width / 2.0 * std::tan(std::asin(1 / std::sqrt(29.0))) / std::tan(glm::radians(20.0));
+    return std::hypot(x + 0.5 - width / 2.0, y + 0.5 - height / 2.0) < 0.85 * radius;
+}
+
+}  // namespace
+
+TEST_CASE("where vertices are dense, pixels make what they make") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Studio render(context);
+        for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
+            for (const auto& [channels, polarized] : {std::pair(1, true), {3, false}, {6, true}}) {
+                CAPTURE(channels);
+                CAPTURE(polarized);
+                CAPTURE(static_cast<int>(form));
+                const Scene scene = lone(fine_sphere(), some_light(9, polarized, channels));
+                const StokesImage pixels = render(scene, at(HighOrdersAt::pixels, form));
+                CHECK(render.statistics.high_orders_at == HighOrdersAt::pixels);
+                const StokesImage vertices = render(scene, at(HighOrdersAt::vertices, form));
+                CHECK(render.statistics.high_orders_at == HighOrdersAt::vertices);
+                const StokesImage none = render(scene, at(HighOrdersAt::pixels, HighOrders::none));
+                CHECK(render.statistics.high_orders_at == HighOrdersAt::automatic);
+                for (std::size_t p = 0; p < (polarized ? 4U : 3U); ++p) {
+                    if (p > 0 && !polarized && form == HighOrders::convolution) continue;  // all zero
+                    CAPTURE(p);
+                    const double all = difference(pixels, none, p, inside_sphere);
+                    CHECK(all > 1e-3);
+                    CHECK(difference(pixels, vertices, p, inside_sphere) < 0.02 * all);
+                }
+            }
+        }
+    });
+}
+
+TEST_CASE("where vertices are far apart, pixels come much nearer to the smooth surface") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Studio render(context);
+        Studio render_smooth(context);
+        for (const bool polarized : {false, true}) {
+            const EnvironmentPtr light = some_light(9, polarized);
+            const Scene smooth = lone(fine_sphere(), light);
+            const Scene coarse = lone(coarse_sphere(10, 20), light);
+            for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
+                CAPTURE(polarized);
+                CAPTURE(static_cast<int>(form));
+                // What lies below, interpolated between vertices in any case, is kept smooth.
+                const auto options = [&](HighOrdersAt where) {
+                    RenderOptions some = at(where, form);
+                    some.order_low = 1;
+                    return some;
+                };
+                const StokesImage wanted = render_smooth(smooth, options(HighOrdersAt::pixels));
+                const StokesImage pixels = render(coarse, options(HighOrdersAt::pixels));
+                const StokesImage vertices = render(coarse, options(HighOrdersAt::vertices));
+                for (std::size_t p = 0; p < (polarized ? 4U : 1U); ++p) {
+                    CAPTURE(p);
+                    CHECK(difference(pixels, wanted, p, inside_sphere) <
+                          0.5 * difference(vertices, wanted, p, inside_sphere));
+                }
+            }
+        }
+    });
+}
+
+TEST_CASE("both executors make the same at pixels, of every kind of light, shadows and channels") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Studio render(context);
+        for (const auto& [channels, polarized] : {std::pair(1, true), {3, false}, {6, true}}) {
+            const Scene scene = sphere_on_plate(some_light(9, polarized, channels), coarse_sphere(12, 24), 6);
+            for (const bool shadows : {false, true}) {
+                CAPTURE(channels);
+                CAPTURE(polarized);
+                CAPTURE(shadows);
+                RenderOptions options = at(HighOrdersAt::pixels, HighOrders::split, shadows);
+                options.executor = Executor::cpu;
+                const StokesImage by_threads = render(scene, options);
+                CHECK_FALSE(render.statistics.compute);
+                options.executor = Executor::compute;
+                const StokesImage by_shaders = render(scene, options);
+                CHECK(render.statistics.compute);
+                CHECK(render.statistics.high_orders_at == HighOrdersAt::pixels);
+                CHECK(largest_difference(by_threads, by_shaders) <= 1e-5 * largest(by_threads));
+            }
+        }
+    });
+}
+
+TEST_CASE("shadows dim what pixels look up as they dim it at vertices") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Studio render(context);
+        const Scene scene = sphere_on_plate(some_light(9, false), coarse_sphere(40, 80), 40);
+        const auto minus = [](StokesImage a, const StokesImage& b) {
+            for (std::size_t i = 0; i < a.data.size(); ++i) a.data[i] -= b.data[i];
+            return a;
+        };
+        // What the high orders add, with and without shadows.
+        const auto high = [&](HighOrdersAt where, bool shadows) {
+            return minus(render(scene, at(where, HighOrders::split, shadows)),
+                         render(scene, at(where, HighOrders::none, shadows)));
+        };
+        const StokesImage shadowed = high(HighOrdersAt::pixels, true);
+        const StokesImage plain = high(HighOrdersAt::pixels, false);
+        const StokesImage shadow = minus(plain, shadowed);
+        const StokesImage at_vertices =
+            minus(high(HighOrdersAt::vertices, false), high(HighOrdersAt::vertices, true));
+        CHECK(rms(shadow) > 0.2 * rms(plain));
+        CHECK(rms(minus(shadow, at_vertices)) < 0.1 * rms(shadow));
+        // A fraction takes away and never adds.
+        const double most = largest(plain);
+        for (std::size_t i = 0; i < plain.data.size(); i += 4) {
+            REQUIRE(std::abs(shadowed.data[i]) <= std::abs(plain.data[i]) + 0.02 * most);
+        }
+    });
+}
+
+TEST_CASE("unpolarized light costs one look-up a level, whatever the channels") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        // Grey light, so that its maps are of one size.
+        const auto bytes = [&](int channels, bool polarized) {
+            const PshVector grey = some_light(9, polarized, 1)->project(9);
+            PshVector light(9, channels);
+            for (int c = 0; c < channels; ++c) std::ranges::copy(grey.channel(0), light.channel(c).begin());
+            const Scene scene = lone(coarse_sphere(10, 20), psh_environment(light));
+            std::uint64_t of[2];
+            for (const HighOrders form : {HighOrders::split, HighOrders::none}) {
+                Studio render(context);
+                std::ignore = render(scene, at(HighOrdersAt::pixels, form));
+                of[form == HighOrders::none ? 1 : 0] = render.statistics.texture_bytes;
+            }
+            REQUIRE(of[0] > of[1]);
+            return of[0] - of[1];
+        };
+        // A texel has up to four channels of s0, or half a Stokes vector of one.
+        const std::uint64_t one = bytes(1, false);
+        CHECK(bytes(4, false) == one);
+        CHECK(bytes(5, false) == 2 * one);
+        CHECK(bytes(3, true) > 3 * one);
+    });
+}
+
+TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Studio render(context);
+        EquirectImage image(64, 33, 3);  // a lamp in the dark
+        for (int c = 0; c < 3; ++c) image.at(c, 8, 20)[0] = 500;
+        const Scene scene = lone(coarse_sphere(24, 48), image_environment(image));
+        const auto unphysical = [](const StokesImage& picture) {
+            int count = 0;
+            for (std::size_t i = 0; i < picture.data.size(); i += 4) {
+                const float* s = &picture.data[i];
+                count += s[0] < 0 || std::hypot(s[1], s[2], s[3]) > s[0] * 1.00001F + 1e-6F ? 1 : 0;
+            }
+            return count;
+        };
+        for (const Executor executor : {Executor::cpu, Executor::compute}) {
+            RenderOptions options = at(HighOrdersAt::pixels);
+            options.executor = executor;
+            const StokesImage plain = render(scene, options);
+            CHECK(unphysical(plain) > 100);
+            options.physical = true;
+            const StokesImage physical = render(scene, options);
+            CHECK(unphysical(physical) == 0);
+            CHECK(render.statistics.vertices_unphysical == 0);
+            // What was physical is as it was: vertices were left alone.
+            for (std::size_t i = 0; i < plain.data.size(); i += 4) {
+                const float* s = &plain.data[i];
+                if (s[0] < 0 || std::hypot(s[1], s[2], s[3]) > 0.999F * s[0]) continue;
+                for (std::size_t p = 0; p < 4; ++p) REQUIRE(physical.data[i + p] == s[p]);
+            }
+        }
+    });
+}
+
+TEST_CASE("backs of one-sided surfaces stay black at pixels, and two-sided ones shine") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        for (const bool both : {false, true}) {
+            Studio render(context);
+            const Scene scene = lone(std::make_shared<const Mesh>(make_rectangle(4)), some_light(9, true),
+                                     both ? twosided(metal()) : metal());
+            Camera behind;
+            behind.to_world = look_at({0.3, 0.2, -2}, {0, 0, 0}, {0, 1, 0});
+            const StokesImage picture = render(scene, at(HighOrdersAt::pixels), behind);
+            const float centre = picture.at(1, height / 2, width / 2)[0];
+            if (both) {
+                CHECK(centre > 0.5F);
+            } else {
+                CHECK(centre == 0);
+            }
+        }
+    });
+}
+
+TEST_CASE("changes reach pixels") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        const EnvironmentPtr light = some_light(9, true);
+        Scene scene = sphere_on_plate(light, coarse_sphere(10, 20), 6);
+        Studio render(context);
+        RenderOptions options = at(HighOrdersAt::pixels, HighOrders::split, true);
+        options.order_high = 6;
+        const auto compare = [&](const Camera& camera = some_camera()) {
+            Studio fresh(context);
+            CHECK(render(scene, options, camera).data == fresh(scene, options, camera).data);
+        };
+        compare();
+        options.high_orders_at = HighOrdersAt::vertices;
+        compare();
+        options.high_orders_at = HighOrdersAt::pixels;
+        options.shadows = false;
+        compare();
+        options.high_orders = HighOrders::convolution;
+        compare();
+        options.high_orders = HighOrders::split;
+        options.shadows = true;
+        scene.set_environment(some_light(5, false), glm::dmat3(1), 0.3);
+        compare();
+        scene.set_transform(0, glm::translate(glm::dmat4(1), {0.3, 0.2, 0}));
+        scene.add({.mesh = coarse_sphere(6, 12),
+                   .material = pplastic({.alpha = 0.4}),
+                   .to_world = glm::translate(glm::dmat4(1), {-1, 0.5, 1})});
+        compare();
+        Camera camera = some_camera();
+        camera.orthographic = true;
+        compare(camera);
+        scene.set_environment(some_light(2, false), glm::dmat3(1), 1);  // no high orders
+        compare();
+    });
+}
+
+TEST_CASE("high orders are at vertices where OpenGL runs on the CPU, unless asked otherwise") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Studio render(context);
+        const Scene scene = lone(coarse_sphere(10, 20), some_light(9, true));
+        const StokesImage automatic = render(scene, at(HighOrdersAt::automatic));
+        const HighOrdersAt same = context->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
+        CHECK(render.statistics.high_orders_at == same);
+        CHECK(automatic.data == render(scene, at(same)).data);
+    });
+}
