@@ -27,6 +27,5 @@ void main() {
     vertex = visibility_first + i;
     vec3 normal = vec3(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]);
     vec3 view = towards_camera(vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]));
-    vec3 local = view * theta_phi_frame(normal);
-    fractions[v] = high_order_visible(normalize(vec3(local.xy, -max(local.z, 0.0))));
+    fractions[v] = high_order_visible(mirrored_view(view, theta_phi_frame(normal)));
 }

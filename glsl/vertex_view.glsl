@@ -17,11 +17,11 @@ mat3 theta_phi_frame(vec3 direction) {
     return mat3(direction.z * phi, -rho, -phi.y, phi.x, 0.0, direction);
 }
 
-// The unit vector from a point to the camera.
+// The unit vector from a point to the camera; a point at the camera itself counts as one straight ahead.
 vec3 towards_camera(vec3 position) {
     if (orthographic) return -forward;
     precise vec3 way = (eye - position) + eye_rest;
-    return normalize(way);
+    return way == vec3(0.0) ? -forward : normalize(way);
 }
 
 // The x axis of the camera's frame field for light of that propagation.
@@ -29,6 +29,14 @@ vec3 camera_x(vec3 propagation) {
     vec3 x = cross(up, propagation);
     if (dot(x, x) <= 1e-12) x = right - dot(right, propagation) * propagation;
     return normalize(x);
+}
+
+// The mirrored view direction in the frame about a normal, which view faces or is taken to see at 90 degrees. Straight
+// from behind every direction along the surface serves.
+vec3 mirrored_view(vec3 view, mat3 surface) {
+    vec3 local = view * surface;
+    vec3 d = vec3(local.xy, -max(local.z, 0.0));
+    return dot(d, d) > 1e-10 ? normalize(d) : camera_x(view) * surface;
 }
 
 struct VertexView {

@@ -121,8 +121,11 @@ void HighOrderVisibility::run(const Viewpoint& view, std::span<const glm::vec3> 
     for (std::size_t i = first; i < last; ++i) {
         if (visible[i] == 0) continue;
         const Frame frame = theta_phi_frame(glm::dvec3(normals[i]));
-        const glm::dvec3 v = view.towards(glm::dvec3(positions[i])) * frame;
-        const glm::dvec3 d(v.x, v.y, -std::max(v.z, 0.0));
+        const glm::dvec3 world = view.towards(glm::dvec3(positions[i]));
+        const glm::dvec3 v = world * frame;
+        glm::dvec3 d(v.x, v.y, -std::max(v.z, 0.0));
+        // Straight from behind any direction along the surface serves, as in HighOrder.
+        if (glm::dot(d, d) <= 1e-10) d = view.frame(world)[0] * frame;
         out[i] = at(visibility.subspan(i * size, size), glm::vec3(glm::normalize(d)));
     }
 }

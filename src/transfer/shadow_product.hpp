@@ -18,7 +18,9 @@ namespace nicol {
 
 /// How finely a shadow is kept.
 enum class ShadowStorage {
-    fixed16,  ///< 16 bits a number; each is off by at most 3.1e-5
+    /// 16 bits a number; each is off by at most 3.1e-5. Numbers beyond 2 count as 2; only visibility of more
+    /// orders than its directions resolve has them.
+    fixed16,
     float32,
 };
 

@@ -17,9 +17,9 @@ struct Viewpoint {
     glm::dvec3 right{-1, 0, 0};   ///< unit, to the picture's right
 
     /// Unit vector from a point of the scene to the camera: the propagation of the light that makes its
-    /// pixel.
+    /// pixel. A point at the camera itself counts as one straight ahead.
     [[nodiscard]] glm::dvec3 towards(const glm::dvec3& point) const {
-        return orthographic ? -forward : glm::normalize(eye - point);
+        return orthographic || point == eye ? -forward : glm::normalize(eye - point);
     }
 
     /// The camera's frame field (Eq. 83): z = propagation, x = ray x up, which is the picture's right, as in
