@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The look-ups of high orders.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "material/high_order_gains.hpp"
+#include "nicol/evaluate.hpp"
+#include "stability/double_transfer.hpp"
+
+namespace nicol::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double mix(double low, double high, double fraction) {
+    return low + fraction * (high - low);
+}
+
+// The map's field at a direction, with x for the frame.
+Stokes probe(const LobeMap& map, int channel, const glm::dvec3& d, const glm::dvec3& x) {
+    const double phi = std::atan2(d.y, d.x);
+    const double u = (phi < 0 ? phi + 2 * pi : phi) / (2 * pi) * map.columns();
+    const double v = std::atan2(std::hypot(d.x, d.y), d.z) / pi * (map.rows() - 1);
+    const auto width = static_cast<std::size_t>(map.columns());
+    const auto left = static_cast<std::size_t>(u) % width;
+    const auto top = std::min(static_cast<std::size_t>(v), static_cast<std::size_t>(map.rows() - 2));
+    const double a = u - std::floor(u);
+    const double b = v - static_cast<double>(top);
+    const auto texel = [&](int layer) {
+        const std::span<const float> texels = map.texels(layer, 1);
+        const auto at = [&](std::size_t row, std::size_t column) {
+            const float* t = &texels[4 * (row * width + column)];
+            return glm::dvec4(t[0], t[1], t[2], t[3]);
+        };
+        const std::size_t right = (left + 1) % width;
+        return (1 - b) * ((1 - a) * at(top, left) + a * at(top, right)) +
+               b * ((1 - a) * at(top + 1, left) + a * at(top + 1, right));
+    };
+    if (!map.polarized()) return {texel(channel / 4)[channel % 4], 0, 0, 0};
+    const glm::dvec4 p = texel(2 * channel);
+    const glm::dvec4 q = texel(2 * channel + 1);
+    const glm::dmat3 tensor(p[2], q[0], q[1], q[0], p[3], q[2], q[1], q[2], -p[2] - p[3]);
+    const glm::dvec3 y = glm::cross(d, x);
+    return {p[0], (glm::dot(x, tensor * x) - glm::dot(y, tensor * y)) / 2, glm::dot(x, tensor * y), p[1]};
+}
+
+// The elements of the factors as they are stored, between two angles.
+class Elements {
+public:
+    Elements(const HighOrderFactors& factors, int channel, double cosine) {
+        const double x = std::clamp(cosine, 0.0, 1.0) * (HighOrderFactors::kAngles - 1);
+        const int angle = std::min(static_cast<int>(x), HighOrderFactors::kAngles - 2);
+        const auto at = [&](int a, std::size_t e) {
+            const int own = factors.channels() == 1 ? 0 : channel;
+            const auto row = static_cast<std::size_t>(a * factors.channels() + own);
+            return static_cast<double>(factors.data()[row * HighOrderFactors::kElements + e]);
+        };
+        for (std::size_t e = 0; e < elements_.size(); ++e)
+            elements_[e] = mix(at(angle, e), at(angle + 1, e), x - angle);
+    }
+    // Of centre, up, down and sum.
+    [[nodiscard]] Stokes even(std::size_t probe, const Stokes& s) const {
+        const double* a = &elements_[2 * probe];
+        const double* b = &elements_[HighOrderFactors::kUnpolarized + 6 * probe];
+        return {a[0] * s[0] + b[0] * s[1], a[1] * s[0] + b[1] * s[1], b[2] * s[2] + b[4] * s[3],
+                b[3] * s[2] + b[5] * s[3]};
+    }
+    [[nodiscard]] Stokes difference(const Stokes& s) const {
+        const double* a = &elements_[8];
+        const double* b = &elements_[HighOrderFactors::kUnpolarized + 24];
+        return {b[0] * s[2] + b[4] * s[3], b[1] * s[2] + b[5] * s[3], a[0] * s[0] + b[2] * s[1],
+                a[1] * s[0] + b[3] * s[1]};
+    }
+    [[nodiscard]] Stokes normal(const Stokes& s) const {
+        return {elements_[10] * s[0], elements_[11] * s[0], 0, 0};
+    }
+
+private:
+    std::array<double, HighOrderFactors::kElements> elements_{};
+};
+
+}  // namespace
+
+Picture high_orders_in_double(const Vertices& vertices, const HighOrderFactors& factors,
+                              const HighOrderMaps& maps, const glm::dmat3& light_to_world,
+                              std::span<const glm::dvec2> fractions, int channels) {
+    Picture out(static_cast<std::size_t>(channels), std::vector<Stokes>(vertices.normals.size()));
+    const glm::dmat3 to_light = glm::transpose(light_to_world);
+    const double cos_spread = std::cos(factors.spread());
+    const double sin_spread = std::sin(factors.spread());
+    for (std::size_t i = 0; i < vertices.normals.size(); ++i) {
+        const glm::dvec3 n(vertices.normals[i]);
+        const glm::dvec3 v = vertices.view.towards(glm::dvec3(vertices.positions[i]));
+        const Frame camera = vertices.view.frame(v);
+        const double cosine = glm::dot(n, v);
+        // From behind a vertex counts as seen at 90 degrees; straight from behind or in front, any plane
+        // serves.
+        glm::dvec3 seen = v;
+        if (cosine < 0) {
+            const glm::dvec3 flat = v - cosine * n;
+            seen = glm::length(flat) > 1e-5 ? glm::normalize(flat) : camera[0];
+        }
+        const glm::dvec3 d = seen - 2 * std::max(cosine, 0.0) * n;
+        const glm::dvec3 side = glm::cross(n, seen);
+        const glm::dvec3 x = glm::length(side) > 1e-5 ? glm::normalize(side) : camera[0];
+        const glm::dvec3 y = glm::cross(d, x);
+        const double turn = angle_between(Frame(x, glm::cross(v, x), v), camera);
+        for (int c = 0; c < channels; ++c) {
+            const auto look = [&](const LobeMap& map, const glm::dvec3& direction, const glm::dvec3& axis) {
+                return probe(map, map.channels() == 1 ? 0 : c, to_light * direction, to_light * axis);
+            };
+            const Elements f(factors, c, cosine);
+            Stokes sum = f.even(0, look(*maps.centre, d, x));
+            if (factors.spread() > 0) {
+                sum += f.even(1, look(*maps.around, cos_spread * d + sin_spread * y, x));
+                sum += f.even(2, look(*maps.around, cos_spread * d - sin_spread * y, x));
+                const Stokes right =
+                    look(*maps.around, cos_spread * d + sin_spread * x, cos_spread * x - sin_spread * d);
+                const Stokes left =
+                    look(*maps.around, cos_spread * d - sin_spread * x, cos_spread * x + sin_spread * d);
+                sum += f.even(3, right + left) + f.difference(right - left);
+            }
+            const glm::dvec2 fraction = fractions.empty() ? glm::dvec2(1) : fractions[i];
+            sum *= fraction[0];
+            if (factors.normal()) sum += fraction[1] * f.normal(look(*maps.normal, -n, x));
+            out[static_cast<std::size_t>(c)][i] = turned(sum, turn);
+        }
+    }
+    return out;
+}
+
+glm::dvec2 fractions_in_double(const Vertices& vertices, std::size_t vertex,
+                               std::span<const double> visibility, int order, double width) {
+    const Frame frame = theta_phi_frame(glm::dvec3(vertices.normals[vertex]));
+    const glm::dvec3 world = vertices.view.towards(glm::dvec3(vertices.positions[vertex]));
+    const glm::dvec3 v = world * frame;
+    glm::dvec3 d(v.x, v.y, -std::max(v.z, 0.0));
+    if (glm::length(d) <= 1e-5) d = vertices.view.frame(world)[0] * frame;
+    d = glm::normalize(d);
+    const OrderGains lobe = gaussian_gains(std::max(width, 1.7 / (order + 1)), 0, order);
+    const OrderGains cosine = cosine_gains(0, order);
+    const auto sum = [&](const OrderGains& gains, const glm::dvec3& direction) {
+        std::vector<double> scalar(psh_count(order));
+        std::vector<std::complex<double>> spin2(psh_count(order));
+        harmonics_at(order, direction, scalar, spin2);
+        double seen = 0;
+        for (int l = 0; l <= order; ++l)
+            for (int m = -l; m <= l; ++m)
+                seen += gains[static_cast<std::size_t>(l)] * visibility[psh_index(l, m)] *
+                        scalar[psh_index(l, m)];
+        // Over what nothing hides, which is 1 everywhere.
+        return std::clamp(seen / gains[0], 0.0, 1.0);
+    };
+    return {sum(lobe, d), sum(cosine, {0, 0, -1})};
+}
+
+}  // namespace nicol::test

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "stability/double_transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <utility>
+
+#include "nicol/evaluate.hpp"
+#include "nicol/product.hpp"
+#include "nicol/rotation.hpp"
+
+namespace nicol::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+glm::dvec3 across(const glm::dvec3& n) {
+    return glm::normalize(glm::cross(n, std::abs(n.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0)));
+}
+
+glm::dvec3 towards_at(const glm::dvec3& n, double zenith, double azimuth) {
+    const glm::dvec3 x = across(n);
+    const glm::dvec3 y = glm::cross(n, x);
+    return std::cos(zenith) * n + std::sin(zenith) * (std::cos(azimuth) * x + std::sin(azimuth) * y);
+}
+
+// V f for one V after another.
+class Product {
+public:
+    explicit Product(int order) : order_(order) {
+        // From triple products where a table of them is affordable, else through a grid.
+        if (order <= 9) {
+            triples_.emplace(2 * order, order, order);
+        } else {
+            grid_.emplace(2 * order, order, order);
+        }
+    }
+    void set(std::vector<double> visibility) {
+        visibility_ = std::move(visibility);
+        if (triples_) matrix_ = triples_->expand(visibility_);
+    }
+    [[nodiscard]] std::vector<double> times(std::span<const double> light) {
+        std::vector<double> out(4 * psh_count(order_));
+        if (triples_) {
+            matrix_.apply(light, out);
+        } else {
+            grid_->multiply(visibility_, light, out);
+        }
+        return out;
+    }
+
+private:
+    int order_;
+    std::optional<ShadowMatrix> triples_;
+    std::optional<PshProduct> grid_;
+    std::vector<double> visibility_;
+    CoefficientMatrix matrix_;
+};
+
+double mix(double low, double high, double fraction) {
+    return low + fraction * (high - low);
+}
+
+}  // namespace
+
+Vertices::Vertices(const DirectionSet& directions, double unit, std::size_t normals_anywhere) {
+    view.eye = unit * glm::dvec3(4, 3, 2);
+    view.forward = glm::normalize(glm::dvec3(-4, -3, -2));
+    view.right = glm::normalize(glm::cross(view.forward, glm::dvec3(0, 1, 0)));
+    view.up = glm::cross(view.right, view.forward);
+
+    std::mt19937 random(17);
+    std::normal_distribution<double> gauss;
+    const auto anywhere = [&] {
+        return glm::normalize(glm::dvec3(gauss(random), gauss(random), gauss(random)));
+    };
+    std::vector<glm::dvec3> axes{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (const double tilt : {1e-3, 1e-6, 1e-9})
+        for (const double side : {1.0, -1.0})
+            axes.push_back(glm::normalize(glm::dvec3(tilt * 0.6, -tilt * 0.8, side)));
+    for (std::size_t i = 0; i < normals_anywhere; ++i) axes.push_back(anywhere());
+
+    const auto add = [&](const glm::dvec3& normal, const glm::dvec3& towards) {
+        normals.emplace_back(normal);
+        positions.emplace_back(view.eye -
+                               unit * (2 + 0.5 * std::sin(static_cast<double>(positions.size()))) * towards);
+    };
+    for (const glm::dvec3& n : axes) {
+        for (const double zenith : {0.0, 1e-6, 1e-3, pi / 3, pi / 2 - 1e-5, pi / 2, pi / 2 + 1e-5, 2.5, pi})
+            add(n, towards_at(n, zenith, 7 * gauss(random)));
+        add(n, view.up);
+        add(n, -view.up);
+        normals.emplace_back(n);
+        positions.emplace_back(view.eye);
+    }
+    visible.assign(normals.size(), 1);
+    visibility = Visibility(directions.size(), normals.size());
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+        const bool open = v % 5 == 2;
+        const glm::vec3 plane(anywhere());
+        const float least = open ? -2.0F : static_cast<float>(0.3 * gauss(random));
+        visibility.set_unoccluded(v, open);
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const glm::vec3& d = directions.directions()[i];
+            if (glm::dot(d, normals[v]) > 0 && glm::dot(d, plane) > least)
+                visibility.at(v)[i / 64] |= std::uint64_t{1} << (i % 64);
+        }
+    }
+}
+
+std::vector<double> visibility_in_double(const Vertices& vertices, const DirectionSet& directions,
+                                         std::size_t vertex, int order) {
+    std::vector<double> out(psh_count(order));
+    out[0] = std::sqrt(4 * pi);
+    if (vertices.visibility.unoccluded(vertex)) return out;
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(vertices.normals[vertex]));
+    const Frame frame = theta_phi_frame(normal);
+    double seen = 0;
+    double all = 0;
+    std::vector<std::size_t> above;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        if (glm::dot(glm::dvec3(directions.directions()[i]), normal) <= 0) continue;
+        above.push_back(i);
+        const double weight = static_cast<double>(directions.weights()[i]);
+        all += weight;
+        if (vertices.visibility.seen(vertex, i)) seen += weight;
+    }
+    const double fraction = all > 0 ? seen / all : 0;
+    out[0] *= fraction;
+    std::vector<double> scalar(out.size());
+    std::vector<std::complex<double>> spin2(out.size());
+    for (const std::size_t i : above) {
+        const glm::dvec3 propagation = -(glm::dvec3(directions.directions()[i]) * frame);
+        harmonics_at(order, propagation, scalar, spin2);
+        const double weight = static_cast<double>(directions.weights()[i]) *
+                              (vertices.visibility.seen(vertex, i) ? 1 - fraction : -fraction);
+        for (int l = 0; l <= order; ++l)
+            for (int m = -l; m <= l; ++m)
+                if ((l + m) % 2 == 0) out[psh_index(l, m)] += 2 * weight * scalar[psh_index(l, m)];
+    }
+    return out;
+}
+
+namespace {
+
+// How a vertex is seen.
+struct Sight {
+    Sight(const Viewpoint& view, const glm::vec3& position, const Frame& surface) {
+        const glm::dvec3 world = view.towards(glm::dvec3(position));
+        const glm::dvec3 towards = world * surface;
+        const double rho = std::hypot(towards.x, towards.y);
+        zenith = std::atan2(rho, towards.z);
+        azimuth = rho > 0 ? std::atan2(towards.y, towards.x) : 0;
+        turn = angle_between(surface * theta_phi_frame(towards), view.frame(world));
+    }
+    double zenith;
+    double azimuth;
+    double turn;  // to the camera's frame
+};
+
+Stokes respond(const ResponseTable& response, int channel, const LightLayout& layout,
+               std::span<const std::complex<double>> light, const Sight& sight) {
+    const double position = std::min(sight.zenith / (pi / 2), 1.0) * (ResponseTable::kAngles - 1);
+    const int angle = std::min(static_cast<int>(position), ResponseTable::kAngles - 2);
+    const int row = response.channels() == 1 ? 0 : channel;
+    const std::span<const float> low = response.rows(angle, row);
+    const std::span<const float> high = response.rows(angle + 1, row);
+    Stokes sum(0.0);
+    for (std::size_t j = 0; j < light.size(); ++j) {
+        const auto z = light[j] * std::polar(1.0, layout.entries()[j].azimuthal_frequency() * sight.azimuth);
+        for (std::size_t p = 0; p < 4; ++p) {
+            const std::size_t k = p * light.size() + j;
+            sum[static_cast<int>(p)] +=
+                mix(static_cast<double>(low[k]), static_cast<double>(high[k]), position - angle) *
+                (p < 2 ? z.real() : z.imag());
+        }
+    }
+    return turned(sum, sight.turn);
+}
+
+}  // namespace
+
+std::vector<Picture> shaded_in_double(const Vertices& vertices, const DirectionSet& directions,
+                                      const LightLayout& layout, std::span<const PshVector> lights,
+                                      std::span<const ResponseTable> responses) {
+    const int order = layout.order();
+    const int channels = lights.front().channels();
+    Product product(order);
+    std::vector<Picture> out(
+        lights.size() * responses.size(),
+        Picture(static_cast<std::size_t>(channels), std::vector<Stokes>(vertices.normals.size())));
+    for (std::size_t v = 0; v < vertices.normals.size(); ++v) {
+        const Frame surface = theta_phi_frame(glm::dvec3(vertices.normals[v]));
+        const Sight sight(vertices.view, vertices.positions[v], surface);
+        product.set(visibility_in_double(vertices, directions, v, 2 * order));
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            const PshVector local = rotated(lights[i], glm::transpose(surface));
+            for (int c = 0; c < channels; ++c) {
+                const auto z = layout.pack(product.times(local.channel(c)));
+                for (std::size_t r = 0; r < responses.size(); ++r)
+                    out[i * responses.size() + r][static_cast<std::size_t>(c)][v] =
+                        respond(responses[r], c, layout, z, sight);
+            }
+        }
+    }
+    return out;
+}
+
+Deviation deviation(const std::vector<std::vector<glm::vec4>>& found, const Picture& truth,
+                    double tolerance) {
+    Deviation out;
+    for (const auto& channel : truth)
+        for (const Stokes& s : channel)
+            for (int p = 0; p < 4; ++p) out.largest = std::max(out.largest, std::abs(s[p]));
+    for (std::size_t c = 0; c < truth.size(); ++c) {
+        for (std::size_t v = 0; v < truth[c].size(); ++v) {
+            const Stokes got(found[c][v]);
+            for (int p = 0; p < 4; ++p) {
+                out.finite = out.finite && std::isfinite(got[p]);
+                out.worst = std::max(out.worst, std::abs(got[p] - truth[c][v][p]) / out.largest);
+            }
+            if (got[0] < 0 && truth[c][v][0] > tolerance * out.largest) ++out.negative;
+        }
+    }
+    return out;
+}
+
+}  // namespace nicol::test

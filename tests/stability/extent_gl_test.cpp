@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The size of the scene changes nothing.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <memory>
+#include <utility>
+
+#include "gl/contexts.hpp"
+#include "nicol/conductor.hpp"
+#include "render/coarse_sphere.hpp"
+#include "render/renderer.hpp"
+#include "stability/lights.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr int size = 64;
+
+StokesImage rendered(const std::shared_ptr<gl::Context>& context, const Scene& scene, const Camera& camera,
+                     Executor executor) {
+    Framebuffer target(context, size, size, 3);
+    Renderer renderer(context, 0);
+    renderer.render(scene, camera, {.executor = executor, .bake_directions = 512, .progress = {}}, target);
+    return target.image();
+}
+
+EnvironmentPtr light() {
+    return psh_environment(test::random_light(9, 3, 4, 1));
+}
+
+// A sphere over a plate with shadows, low and high orders, all lengths times `unit`.
+StokesImage picture(const std::shared_ptr<gl::Context>& context, double unit, Executor executor) {
+    const glm::dmat4 grow = glm::scale(glm::dmat4(1), glm::dvec3(unit));
+    Scene scene;
+    scene.add({.mesh = test::coarse_sphere(12),
+               .material = pplastic({.diffuse_reflectance = {0.3, 0.2, 0.1}, .alpha = 0.2}),
+               .to_world = grow * glm::translate(glm::dmat4(1), {0.2, 1, 0.1})});
+    scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(24)),
+               .material = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.3}),
+               .to_world = grow * glm::rotate(glm::dmat4(1), glm::radians(-90.0), glm::dvec3(1, 0, 0)) *
+                           glm::scale(glm::dmat4(1), glm::dvec3(3))});
+    scene.set_environment(light(), glm::dmat3(1), 1);
+    Camera camera;
+    camera.to_world = look_at(unit * glm::dvec3(2, 4, 6), unit * glm::dvec3(0, 0.5, 0), {0, 1, 0});
+    camera.near_clip *= unit;
+    camera.far_clip *= unit;
+    return rendered(context, scene, camera, executor);
+}
+
+bool finite(const StokesImage& image) {
+    return std::ranges::all_of(image.data, [](float value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+TEST_CASE("a scene of a millionth or a million of its size looks the same") {
+    const auto context = gl::make_context(gl::Backend::automatic);
+    const StokesImage truth = picture(context, 1, Executor::cpu);
+    float largest = 0;
+    for (const float value : truth.data) largest = std::max(largest, std::abs(value));
+    REQUIRE(largest > 0);
+    for (const Executor executor : {Executor::cpu, Executor::compute}) {
+        for (const double unit : {1e-7, 1e-6, 1e6, 1e7}) {
+            CAPTURE(unit);
+            CAPTURE(static_cast<int>(executor));
+            const StokesImage found = picture(context, unit, executor);
+            CHECK(finite(found));
+            std::size_t apart = 0;
+            for (std::size_t i = 0; i < truth.data.size(); ++i)
+                apart += std::abs(found.data[i] - truth.data[i]) > 1e-4F * largest ? 1 : 0;
+            // Rays and edges that just miss may go either way.
+            CHECK(static_cast<double>(apart) < 0.002 * static_cast<double>(truth.data.size()));
+        }
+    }
+}
+
+TEST_CASE("normals that point straight away from the camera make no holes in the picture") {
+    const auto context = gl::make_context(gl::Backend::automatic);
+    Mesh plate = make_rectangle(8);
+    for (glm::vec3& normal : plate.normals) normal = -normal;
+    Scene scene;
+    scene.add({.mesh = std::make_shared<const Mesh>(std::move(plate)), .material = pplastic({.alpha = 0.2})});
+    scene.add({.mesh = test::coarse_sphere(4),
+               .material = diffuse({0.5}),
+               .to_world = glm::translate(glm::dmat4(1), {0.3, 0.2, -1.5})});
+    scene.set_environment(light(), glm::dmat3(1), 1);
+    Camera camera;
+    camera.orthographic = true;
+    camera.to_world = look_at({0, 0, 3}, {0, 0, 0}, {0, 1, 0});
+    const StokesImage threads = rendered(context, scene, camera, Executor::cpu);
+    const StokesImage shaders = rendered(context, scene, camera, Executor::compute);
+    CHECK(finite(threads));
+    CHECK(finite(shaders));
+    float largest = 0;
+    float apart = 0;
+    for (std::size_t i = 0; i < threads.data.size(); ++i) {
+        largest = std::max(largest, std::abs(threads.data[i]));
+        apart = std::max(apart, std::abs(threads.data[i] - shaders.data[i]));
+    }
+    CHECK(largest > 0);
+    CHECK(apart < 1e-3F * largest);
+}

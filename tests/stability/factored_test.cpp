@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Low orders: relight and shade in floats against doubles.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <vector>
+
+#include "nicol/conductor.hpp"
+#include "stability/double_transfer.hpp"
+#include "stability/lights.hpp"
+#include "transfer/shade.hpp"
+#include "transfer/shadow_product.hpp"
+#include "transfer/vertex_light.hpp"
+
+using namespace nicol;
+
+namespace {
+
+const DirectionSet& directions() {
+    static const DirectionSet set(512);
+    return set;
+}
+
+std::vector<std::vector<glm::vec4>> shaded(const test::Vertices& vertices, const PshVector& light,
+                                           const LightLayout& layout, const ResponseTable& response,
+                                           ShadowStorage storage) {
+    const std::size_t count = vertices.normals.size();
+    VertexLight local(layout, light.channels(), count);
+    Relight(layout, light).run(vertices.normals, 0, local);
+    const ShadowProduct shadows(vertices.visibility, directions(), vertices.normals, layout, layout,
+                                HorizonExtension::mirrored, ShadowProduct::Form::best, storage);
+    shadows.run(local, local, 0, shadows.blocks());
+    std::vector<std::vector<glm::vec4>> out(static_cast<std::size_t>(light.channels()),
+                                            std::vector<glm::vec4>(count));
+    const std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
+    Shade(layout).run(response, local, vertices.view, vertices.positions, vertices.normals, vertices.visible,
+                      0, count, channels);
+    return out;
+}
+
+// Sums of some hundred products, each term rounded a few times to 2^-24 of itself: ten thousand times less
+// than what the truncation to low orders costs.
+constexpr double bound = 2e-6;
+// Numbers of the shadow's matrix are off by up to 3.1e-5 where 16 bits keep them, 25 in a row of order 4.
+constexpr double fixed_bound = 4e-4;
+
+struct Worst {
+    double floats = 0;
+    double fixed = 0;  // with shadows as the renderer keeps them, in 16 bits
+};
+
+Worst compare(const test::Vertices& vertices, const LightLayout& layout, const test::Lights& lights,
+              const std::vector<MaterialPtr>& materials, std::initializer_list<ShadowStorage> storages) {
+    std::vector<PshVector> fields;
+    std::vector<ResponseTable> responses;
+    for (const auto& [name, light] : lights) fields.push_back(light);
+    for (const MaterialPtr& material : materials)
+        responses.emplace_back(*material, layout, fields[0].channels());
+    const auto truth = test::shaded_in_double(vertices, directions(), layout, fields, responses);
+    Worst worst;
+    std::size_t picture = 0;
+    for (const auto& [name, light] : lights) {
+        CAPTURE(name);
+        for (const ResponseTable& response : responses) {
+            for (const ShadowStorage storage : storages) {
+                const bool fixed = storage == ShadowStorage::fixed16;
+                const double allowed = fixed ? fixed_bound : bound;
+                const test::Deviation d = test::deviation(shaded(vertices, light, layout, response, storage),
+                                                          truth[picture], allowed);
+                CHECK(d.finite);
+                CHECK(d.largest > 0);
+                CHECK(d.worst < allowed);
+                CHECK(d.negative == 0);
+                double& most = fixed ? worst.fixed : worst.floats;
+                most = std::max(most, d.worst);
+            }
+            ++picture;
+        }
+    }
+    return worst;
+}
+
+constexpr auto both = {ShadowStorage::float32, ShadowStorage::fixed16};
+
+const std::vector<MaterialPtr>& materials() {
+    static const std::vector<MaterialPtr> some{
+        pplastic({.alpha = 0.05, .distribution = Distribution::ggx}),
+        rough_conductor({.eta = metal_index("Au"), .alpha = 0.2, .distribution = Distribution::ggx}),
+        diffuse({0.5})};
+    return some;
+}
+
+}  // namespace
+
+TEST_CASE("low orders: floats stay with doubles") {
+    const test::Vertices vertices(directions());
+    for (const int order : {4, 9}) {
+        const LightLayout layout(order, LightKind::full);
+        const Worst worst = compare(vertices, layout, test::usual_lights(order), materials(), both);
+        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value, " << worst.fixed
+                         << " with shadows of 16 bits");
+    }
+}
+
+TEST_CASE("low orders: floats stay with doubles under light and at sizes no one would choose") {
+    const LightLayout layout(4, LightKind::full);
+    Worst worst = compare(test::Vertices(directions()), layout, test::stress_lights(4), materials(), both);
+    for (const double unit : {1e-6, 1e6}) {
+        CAPTURE(unit);
+        const Worst here = compare(test::Vertices(directions(), unit, 0), layout,
+                                   {{"random light", test::random_light(4, 3, 4, 1)}}, materials(), both);
+        worst.floats = std::max(worst.floats, here.floats);
+        worst.fixed = std::max(worst.fixed, here.fixed);
+    }
+    MESSAGE("order 4, stress: worst " << worst.floats << " of the largest value, " << worst.fixed
+                                      << " with shadows of 16 bits");
+}
+
+TEST_CASE("the highest orders that are rendered with their full detail stay with doubles, too") {
+    const test::Vertices vertices(directions(), 1, 0);
+    for (const int order : {16, 32}) {
+        const LightLayout layout(order, LightKind::linear);
+        const Worst worst = compare(vertices, layout, {{"random light", test::random_light(order, 1, 3, 5)}},
+                                    {pplastic({.alpha = 0.3})}, {ShadowStorage::float32});
+        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value");
+    }
+}

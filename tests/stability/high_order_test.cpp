@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// High orders: look-ups in floats against doubles.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "nicol/conductor.hpp"
+#include "stability/double_transfer.hpp"
+#include "stability/lights.hpp"
+#include "transfer/high_order_light.hpp"
+#include "transfer/high_order_visibility.hpp"
+#include "transfer/visibility_harmonics.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr int low = 4;
+constexpr int visibility_order = 9;
+
+const DirectionSet& directions() {
+    static const DirectionSet set(512);
+    return set;
+}
+
+// The texture coordinate of a float is off by 2^-24 of the map's width, 1e-4 texels of the largest map, times
+// the field's change from texel to texel, a tenth of its size.
+constexpr double bound = 2e-5;
+
+test::Deviation compare(const test::Vertices& vertices, const Material& material, const PshVector& light,
+                        int high) {
+    const std::size_t count = vertices.normals.size();
+    const HighOrderFactors factors(material, low, high, 3);
+    HighOrderLight filtered(light, low, high, true);
+    const HighOrderMaps maps = filtered.maps(factors);
+    const glm::dmat3 turn = frame_with_x(glm::normalize(glm::dvec3(1, -2, 0.5)), {0.3, 0.1, 1});
+    const double width = kLobeWidths[static_cast<std::size_t>(factors.centre())];
+
+    const VisibilityHarmonics harmonics(directions(), visibility_order, HorizonExtension::mirrored);
+    std::vector<float> seen(count * psh_count(visibility_order));
+    std::vector<glm::dvec2> fractions_truth;
+    for (std::size_t v = 0; v < count; ++v) {
+        harmonics.project(
+            vertices.visibility, v, vertices.normals[v],
+            std::span(seen).subspan(v * psh_count(visibility_order), psh_count(visibility_order)));
+        fractions_truth.push_back(test::fractions_in_double(
+            vertices, v, test::visibility_in_double(vertices, directions(), v, visibility_order),
+            visibility_order, width));
+    }
+    std::vector<glm::vec2> fractions(count);
+    HighOrderVisibility(visibility_order, width, HorizonExtension::mirrored)
+        .run(vertices.view, vertices.positions, vertices.normals, vertices.visible, seen, 0, count,
+             fractions);
+
+    std::vector<std::vector<glm::vec4>> found(3, std::vector<glm::vec4>(count, glm::vec4(0)));
+    const std::vector<std::span<glm::vec4>> channels(found.begin(), found.end());
+    HighOrder(factors, maps, turn)
+        .run(vertices.view, vertices.positions, vertices.normals, vertices.visible, fractions, 0, count,
+             channels);
+    return test::deviation(
+        found, test::high_orders_in_double(vertices, factors, maps, turn, fractions_truth, 3), bound);
+}
+
+}  // namespace
+
+TEST_CASE("high orders: floats stay with doubles") {
+    const test::Vertices vertices(directions());
+    const std::vector<MaterialPtr> materials{
+        pplastic({.alpha = 0.1, .distribution = Distribution::ggx}),
+        rough_conductor({.eta = metal_index("Au"), .alpha = 0.2, .distribution = Distribution::ggx})};
+    for (const int high : {9, 32}) {
+        double worst = 0;
+        for (const MaterialPtr& material : materials) {
+            for (const auto& [name, light] : test::usual_lights(high)) {
+                if (name == "even light") continue;  // has no high orders
+                CAPTURE(name);
+                const test::Deviation d = compare(vertices, *material, light, high);
+                CHECK(d.finite);
+                CHECK(d.largest > 0);
+                CHECK(d.worst < bound);
+                CHECK(d.negative == 0);
+                worst = std::max(worst, d.worst);
+            }
+        }
+        MESSAGE("orders 5 to " << high << ": worst " << worst << " of the largest value");
+    }
+}
+
+TEST_CASE("high orders: floats stay with doubles under light and at sizes no one would choose") {
+    const MaterialPtr material = pplastic({.alpha = 0.1, .distribution = Distribution::ggx});
+    const auto check = [&](const std::string& name, const test::Vertices& vertices, const PshVector& light) {
+        CAPTURE(name);
+        const test::Deviation d = compare(vertices, *material, light, 9);
+        CHECK(d.finite);
+        CHECK(d.worst < bound);
+        CHECK(d.negative == 0);
+        return d.worst;
+    };
+    double worst = 0;
+    const test::Vertices vertices(directions());
+    for (const auto& [name, light] : test::stress_lights(9)) {
+        worst = std::max(worst, check(name, vertices, light));
+    }
+    for (const double unit : {1e-6, 1e6}) {
+        worst = std::max(worst, check("unit " + std::to_string(unit), test::Vertices(directions(), unit),
+                                      test::random_light(9, 3, 4, 1)));
+    }
+    MESSAGE("orders 5 to 9, stress: worst " << worst << " of the largest value");
+}
