@@ -27,10 +27,10 @@ std::vector<std::vector<glm::vec4>> shaded(const test::Vertices& vertices, const
                                            ShadowStorage storage) {
     const std::size_t count = vertices.normals.size();
     VertexLight local(layout, light.channels(), count);
-    Relight(layout, light).run(vertices.normals, 0, local);
-    const ShadowProduct shadows(vertices.visibility, directions(), vertices.normals, layout, layout,
+    Relight(layout, light).run(vertices.normals, 0, local.blocks(), local);
+    const ShadowProduct shadows(vertices.visibility, directions(), vertices.normals, layout,
                                 HorizonExtension::mirrored, ShadowProduct::Form::best, storage);
-    shadows.run(local, local, 0, shadows.blocks());
+    shadows.run(local, 0, shadows.blocks());
     std::vector<std::vector<glm::vec4>> out(static_cast<std::size_t>(light.channels()),
                                             std::vector<glm::vec4>(count));
     const std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
