@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Makes the bindings of other languages from nicol.h.
+
+usage: generate.py            writes them
+       generate.py --check    ends with 1 where a file is not what nicol.h would make it
+"""
+
+import difflib
+import os
+import sys
+
+import header
+import to_python
+
+SAMPLES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+TARGETS = {
+    "python/nicol/_abi.py": to_python,
+}
+
+
+def main():
+    if sys.argv[1:] not in ([], ["--check"]):
+        sys.exit(__doc__)
+    model = header.read(os.path.join(os.path.dirname(SAMPLES), "capi", "nicol.h"))
+    stale = False
+    for name, target in TARGETS.items():
+        path, made = os.path.join(SAMPLES, name), target.generate(model)
+        found = ""
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as file:
+                found = file.read()
+        if found == made:
+            continue
+        if sys.argv[1:]:
+            stale = True
+            difference = difflib.unified_diff(found.splitlines(), made.splitlines(), name, "as nicol.h has it", lineterm="", n=1)
+            print("\n".join(list(difference)[:40]))
+        else:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(made)
+            print("wrote", os.path.join("samples", name))
+    if stale:
+        sys.exit("nicol.h has changed: run python3 samples/bindings/generate.py and commit what it writes")
+
+
+if __name__ == "__main__":
+    main()

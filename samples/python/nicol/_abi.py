@@ -1,0 +1,1164 @@
+# SPDX-License-Identifier: MIT
+"""nicol.h 0.1.0 for Python. Made by samples/bindings/generate.py: change the header, not this file."""
+
+from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_uint32, c_uint64, c_void_p
+
+from ._runtime import (
+    Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, lend, pointee, text, texts,
+)  # fmt: skip
+
+VERSION_MAJOR = 0
+VERSION_MINOR = 1
+VERSION_PATCH = 0
+VERSION = 100
+OK = 0
+ERROR_INVALID_ARGUMENT = 1
+ERROR_INVALID_HANDLE = 2
+ERROR_OUT_OF_MEMORY = 3
+ERROR_FILE_NOT_FOUND = 4
+ERROR_INVALID_FILE = 5
+ERROR_WRITE_FAILED = 6
+ERROR_UNSUPPORTED = 7
+ERROR_NO_BACKEND = 8
+ERROR_CANCELLED = 9
+ERROR_OPENGL = 10
+ERROR_INTERNAL = 11
+LOG_INFO = 0
+LOG_NOTICE = 1
+LOG_WARNING = 2
+MAX_CHANNELS = 16
+MAX_ORDER = 32
+MAX_SIZE = 16384
+BACKEND_AUTOMATIC = 0
+BACKEND_EGL = 1
+BACKEND_OSMESA = 2
+DISTRIBUTION_BECKMANN = 0
+DISTRIBUTION_GGX = 1
+WAVELENGTH_LINEAR = 0
+WAVELENGTH_NEAREST = 1
+PROJECTION_PERSPECTIVE = 0
+PROJECTION_ORTHOGRAPHIC = 1
+METHOD_FACTORED = 0
+METHOD_DENSE = 1
+METHOD_REFERENCE = 2
+HIGH_ORDERS_SPLIT = 0
+HIGH_ORDERS_CONVOLUTION = 1
+HIGH_ORDERS_NONE = 2
+HIGH_ORDERS_AT_AUTOMATIC = 0
+HIGH_ORDERS_AT_VERTICES = 1
+HIGH_ORDERS_AT_PIXELS = 2
+EXECUTOR_AUTOMATIC = 0
+EXECUTOR_CPU = 1
+EXECUTOR_COMPUTE = 2
+PLANE_S0 = 0
+PLANE_S1 = 1
+PLANE_S2 = 2
+PLANE_S3 = 3
+PLANE_STOKES = 4
+PLANE_DOLP = 5
+PLANE_AOLP = 6
+PICTURE_S0 = 0
+PICTURE_S1 = 1
+PICTURE_S2 = 2
+PICTURE_S3 = 3
+PICTURE_DOLP = 4
+PICTURE_AOLP = 5
+PICTURE_POLARIZER = 6
+PSH_MAX_ORDER = 4096
+PSH_MAX_MATRIX_ORDER = 64
+PSH_GRID_FEJER = 0
+PSH_GRID_CLENSHAW_CURTIS = 1
+PSH_GRID_GAUSS_LEGENDRE = 2
+PSH_BAND_SIZE = 16
+FILE_LIGHT_PICTURE = 1
+FILE_LIGHT_CROSS = 2
+FILE_LIGHT_PSH = 3
+FILE_MATERIAL_PSH = 4
+FILE_MATERIAL_MEASURED = 5
+FILE_MATERIAL_TABLE = 6
+FILE_BAND_LIMITED = 1
+FILE_PHYSICAL = 2
+
+LogCallback = Callback(None, (c_void_p, None), (c_uint32, as_is), (c_int32, as_is), (c_char_p, decoded))
+ProgressCallback = Callback(c_int32, (c_void_p, None), (c_char_p, decoded), (c_double, as_is))
+ReleaseCallback = Callback(None, (c_void_p, None))
+MuellerCallback = Callback(c_int32, (c_void_p, None), (c_uint32, as_is), (POINTER(c_double * 3), pointee), (POINTER(c_double * 3), pointee), (POINTER(c_double * 16), pointee))
+PshMuellerCallback = Callback(c_int32, (c_void_p, None), (POINTER(c_double * 3), pointee), (POINTER(c_double * 3), pointee), (POINTER(c_double * 16), pointee))
+PshKernelCallback = Callback(c_int32, (c_void_p, None), (c_double, as_is), (POINTER(c_double * 16), pointee))
+
+
+class Spectrum(Struct):
+    """One value a colour channel. count 0: the default; 1: the same in every channel; else the scene's channel
+    count."""
+    _fields_ = [
+        ("count", c_uint32),
+        ("values", c_float * 16),
+    ]
+
+
+class ContextOptions(Struct):
+    _callbacks_ = {"log": LogCallback}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("backend", c_uint32),
+        ("device", c_uint32),
+        ("threads", c_uint32),
+        ("log", LogCallback.type),
+        ("log_user", c_void_p),
+        ("cache_folder", c_char_p),
+    ]
+
+
+class ContextInfo(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("backend", c_uint32),
+        ("software", c_uint32),
+        ("threads", c_uint32),
+        ("renderer", c_char_p),
+        ("vendor", c_char_p),
+        ("version", c_char_p),
+    ]
+
+
+class Image(Struct):
+    """An equirectangular picture over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
+    -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole)."""
+    _callbacks_ = {"release": ReleaseCallback}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("channels", c_uint32),
+        ("components", c_uint32),
+        ("pixels", POINTER(c_float)),
+        ("row_stride", c_uint64),
+        ("byte_size", c_uint64),
+        ("release", ReleaseCallback.type),
+        ("release_user", c_void_p),
+    ]
+
+
+class Sky(Struct):
+    """A clear sky; the sun's own disc is not part of it. At the angle g from the sun its degree of polarization
+    is dop_max sin^2 g / (1 + cos^2 g), the E-vector along sun x view, without s3.
+
+    With turbidity 0 light is scattered once: radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
+    horizon too.
+
+    With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
+    formula, mean luminance over the upper half 1, times radiance. Below the horizon lies an unpolarized
+    ground, alike all over, that reflects ground_albedo of the irradiance of each channel. The sun must not
+    stand below the horizon."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("dop_max", c_float),
+        ("sun_direction", c_float * 3),
+        ("radiance", Spectrum),
+        ("turbidity", c_float),
+        ("ground_albedo", c_float),
+    ]
+
+
+class EnvironmentLoadOptions(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("scale", c_double),
+        ("wavelengths", Spectrum),
+    ]
+
+
+class EnvironmentInfo(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("channels", c_uint32),
+        ("polarized", c_uint32),
+        ("circular", c_uint32),
+        ("wavelength_count", c_uint32),
+        ("reserved", c_uint32),
+        ("wavelengths", c_double * 16),
+    ]
+
+
+class Pplastic(Struct):
+    """Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Front side only."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("distribution", c_uint32),
+        ("diffuse_reflectance", Spectrum),
+        ("specular_reflectance", Spectrum),
+        ("int_ior", c_float),
+        ("ext_ior", c_float),
+        ("alpha", c_float),
+    ]
+
+
+class Conductor(Struct):
+    """Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
+    index is eta - i k, relative to air. Front side only."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("distribution", c_uint32),
+        ("alpha", c_float),
+        ("reserved", c_uint32),
+        ("metal", c_char_p),
+        ("eta", Spectrum),
+        ("k", Spectrum),
+        ("wavelengths", Spectrum),
+        ("specular_reflectance", Spectrum),
+    ]
+
+
+class Measured(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("sampling", c_uint32),
+        ("wavelengths", Spectrum),
+    ]
+
+
+class CallbackMaterial(Struct):
+    _callbacks_ = {"mueller": MuellerCallback, "release": ReleaseCallback}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("channels", c_uint32),
+        ("mueller", MuellerCallback.type),
+        ("user", c_void_p),
+        ("release", ReleaseCallback.type),
+        ("lobe_width", c_float),
+        ("reserved", c_uint32),
+    ]
+
+
+class MeshData(Struct):
+    """Positions and normals must be finite. A triangle needs three vertices that are there and an area."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("vertex_count", c_uint32),
+        ("triangle_count", c_uint32),
+        ("reserved", c_uint32),
+        ("positions", POINTER(c_float)),
+        ("normals", POINTER(c_float)),
+        ("indices", POINTER(c_uint32)),
+    ]
+
+
+class Camera(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("projection", c_uint32),
+        ("to_world", c_double * 16),
+        ("fov", c_double),
+        ("near_clip", c_double),
+        ("far_clip", c_double),
+    ]
+
+    def look_at(self, origin, target, up):
+        """A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view."""
+        check(_camera_look_at(byref(self), array(origin, c_double, 3), array(target, c_double, 3), array(up, c_double, 3)))
+
+
+class Instance(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("mesh", c_void_p),
+        ("material", c_void_p),
+        ("to_world", c_double * 16),
+    ]
+
+
+class RenderOptions(Struct):
+    _callbacks_ = {"progress": ProgressCallback}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("method", c_uint32),
+        ("order_low", c_int32),
+        ("order_high", c_int32),
+        ("high_orders", c_uint32),
+        ("shadows", c_int32),
+        ("bake_directions", c_uint32),
+        ("physical", c_uint32),
+        ("dering", c_double),
+        ("progress", ProgressCallback.type),
+        ("progress_user", c_void_p),
+        ("samples", c_int32),
+        ("reserved", c_uint32),
+        ("seed", c_uint64),
+        ("executor", c_uint32),
+        ("high_orders_at", c_uint32),
+    ]
+
+
+class Statistics(Struct):
+    """What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("order", c_uint32),
+        ("vertices", c_uint64),
+        ("triangles", c_uint64),
+        ("project_ms", c_double),
+        ("bake_ms", c_double),
+        ("relight_ms", c_double),
+        ("shade_ms", c_double),
+        ("draw_ms", c_double),
+        ("observe_ms", c_double),
+        ("bake_trace_ms", c_double),
+        ("bake_rays", c_uint64),
+        ("vertices_skipped", c_uint64),
+        ("vertices_unoccluded", c_uint64),
+        ("vertices_unphysical", c_uint64),
+        ("light_columns_skipped", c_uint64),
+        ("response_rows_skipped", c_uint64),
+        ("channels_shared", c_uint64),
+        ("response_bytes", c_uint64),
+        ("visibility_bytes", c_uint64),
+        ("transfer_bytes", c_uint64),
+        ("buffer_bytes", c_uint64),
+        ("texture_bytes", c_uint64),
+        ("camera_rays", c_uint64),
+        ("shadow_rays", c_uint64),
+        ("trace_ms", c_double),
+        ("compute", c_uint32),
+        ("high_orders_at", c_uint32),
+    ]
+
+
+class Picture(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_uint32),
+        ("exposure", c_float),
+        ("scale", c_float),
+        ("polarizer_angle", c_float),
+    ]
+
+
+class PshSampling(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("grid", c_uint32),
+        ("order", c_uint32),
+        ("rows", c_uint32),
+        ("columns", c_uint32),
+        ("reserved", c_uint32),
+        ("phi0", c_double),
+    ]
+
+
+class PshMuellerField(Struct):
+    _callbacks_ = {"callback": PshMuellerCallback}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("isotropic", c_uint32),
+        ("order_out", c_uint32),
+        ("order_in", c_uint32),
+        ("rows_out", c_uint32),
+        ("columns_out", c_uint32),
+        ("rows_in", c_uint32),
+        ("columns_in", c_uint32),
+        ("callback", PshMuellerCallback.type),
+        ("user", c_void_p),
+    ]
+
+
+class FileOptions(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("order", c_int32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("edge", c_uint32),
+        ("flags", c_uint32),
+        ("scale", c_double),
+        ("rotation", c_double * 9),
+        ("wavelengths", Spectrum),
+        ("reserved", c_uint32),
+    ]
+
+
+class LightReport(Struct):
+    """What a light is, by channel; means and parts are over the sphere by solid angle, of the picture that would
+    be written."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_uint32),
+        ("channels", c_uint32),
+        ("order", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("polarized", c_uint32),
+        ("circular", c_uint32),
+        ("wavelengths", c_double * 16),
+        ("mean", c_double * 16),
+        ("smallest", c_double * 16),
+        ("largest", c_double * 16),
+        ("direction", c_double * 48),
+        ("mean_dolp", c_double * 16),
+        ("largest_dolp", c_double * 16),
+        ("largest_circular", c_double * 16),
+        ("unphysical", c_double * 16),
+        ("largest_excess", c_double * 16),
+    ]
+
+
+class MaterialReport(Struct):
+    """What a material is, by channel, as far as coefficients up to `order` tell."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_uint32),
+        ("channels", c_uint32),
+        ("order", c_uint32),
+        ("file_order", c_uint32),
+        ("stokes_columns", c_uint32),
+        ("measured_wavelengths", c_uint32),
+        ("reserved", c_uint32),
+        ("measured_range", c_double * 2),
+        ("wavelengths", c_double * 16),
+        ("albedo", c_double * 16),
+        ("largest_albedo", c_double * 16),
+        ("norms", c_double * 144),
+        ("asymmetry", c_double * 16),
+        ("unphysical", c_double * 16),
+        ("excess", c_double * 16),
+    ]
+
+
+class Context(Handle):
+    """an OpenGL context on a thread of its own"""
+
+    @classmethod
+    def create(cls, options=None):
+        """options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND where OpenGL cannot be opened as asked."""
+        options = lend(options)
+        context = cls()
+        check(_context_create(byref(options) if options is not None else None, byref(context)))
+        return context
+
+    def get_info(self):
+        info = ContextInfo()
+        check(_context_get_info(self, byref(info)))
+        return info
+
+
+class Environment(Handle):
+    """light from infinitely far; immutable"""
+
+    @classmethod
+    def load(cls, context, path, options=None):
+        """By the path:
+          NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
+                        S3.<colour> are polarized, in nicol_image's frames; spectral files (S0.550,000000nm and so on)
+                        have a channel a wavelength.
+          NAME_s0.exr   to NAME_s3.exr, any of them, or NAME alone: a cube map as a cross of 4 x 3 faces, a file for
+                        each Stokes component, as the Python package polarsh has them.
+          NAME.npz      PSH coefficients as polarsh writes them (SHVec).
+        options may be NULL: all defaults."""
+        environment = cls()
+        check(_environment_load(context, text(path), byref(options) if options is not None else None, byref(environment)))
+        return environment
+
+    @classmethod
+    def create_image(cls, context, image):
+        image = lend(image)
+        environment = cls()
+        check(_environment_create_image(context, byref(image) if image is not None else None, byref(environment)))
+        return environment
+
+    @classmethod
+    def create_constant(cls, context, radiance):
+        """Unpolarized and the same from everywhere; radiance of count 0: 1 in one channel; finite, not negative."""
+        radiance = radiance if radiance is None or isinstance(radiance, Spectrum) else Spectrum.of(radiance)
+        environment = cls()
+        check(_environment_create_constant(context, byref(radiance) if radiance is not None else None, byref(environment)))
+        return environment
+
+    @classmethod
+    def create_sky(cls, context, sky):
+        environment = cls()
+        check(_environment_create_sky(context, byref(sky) if sky is not None else None, byref(environment)))
+        return environment
+
+    @classmethod
+    def create_psh(cls, context, order, channels, coefficients):
+        """Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
+        as "mathematics" below says; order up to NICOL_PSH_MAX_ORDER, channels 1 to NICOL_MAX_CHANNELS, count =
+        channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
+        below 0 and more polarization than light."""
+        coefficients = Buffer(coefficients, c_double)
+        environment = cls()
+        check(_environment_create_psh(context, order, channels, coefficients.pointer, coefficients.count, byref(environment)))
+        return environment
+
+    def get_info(self):
+        info = EnvironmentInfo()
+        check(_environment_get_info(self, byref(info)))
+        return info
+
+    def write(self, options, path):
+        """The same from objects; options without wavelengths."""
+        check(_environment_write(self, byref(options) if options is not None else None, text(path)))
+
+
+class Material(Handle):
+    """a polarimetric BRDF; immutable"""
+
+    @classmethod
+    def create_pplastic(cls, context, parameters):
+        material = cls()
+        check(_material_create_pplastic(context, byref(parameters) if parameters is not None else None, byref(material)))
+        return material
+
+    @classmethod
+    def create_diffuse(cls, context, reflectance):
+        """Lambertian and depolarizing; reflectance NULL or of count 0: 0.5. Front side only."""
+        reflectance = reflectance if reflectance is None or isinstance(reflectance, Spectrum) else Spectrum.of(reflectance)
+        material = cls()
+        check(_material_create_diffuse(context, byref(reflectance) if reflectance is not None else None, byref(material)))
+        return material
+
+    @classmethod
+    def create_conductor(cls, context, parameters):
+        material = cls()
+        check(_material_create_conductor(context, byref(parameters) if parameters is not None else None, byref(material)))
+        return material
+
+    @classmethod
+    def load_measured(cls, context, path, options=None):
+        """Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 52 MB
+        stay in memory for each channel at the data set's resolution. options may be NULL: all defaults. Front side
+        only."""
+        material = cls()
+        check(_material_load_measured(context, text(path), byref(options) if options is not None else None, byref(material)))
+        return material
+
+    @classmethod
+    def load_psh(cls, context, path, scale):
+        """A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
+        package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Front
+        side only."""
+        scale = scale if scale is None or isinstance(scale, Spectrum) else Spectrum.of(scale)
+        material = cls()
+        check(_material_load_psh(context, text(path), byref(scale) if scale is not None else None, byref(material)))
+        return material
+
+    @classmethod
+    def create_twosided(cls, context, front):
+        """The back of a surface reflects as its front. `front` may be released afterwards."""
+        material = cls()
+        check(_material_create_twosided(context, front, byref(material)))
+        return material
+
+    @classmethod
+    def create_callback(cls, context, parameters):
+        """The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
+        probed at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT where it is not. Front only."""
+        parameters = lend(parameters)
+        material = cls()
+        check(_material_create_callback(context, byref(parameters) if parameters is not None else None, byref(material)))
+        return material
+
+    def write(self, options, path):
+        check(_material_write(self, byref(options) if options is not None else None, text(path)))
+
+
+class Mesh(Handle):
+    """triangles; immutable"""
+
+    @classmethod
+    def load(cls, context, path):
+        """OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face that is
+        at fault."""
+        mesh = cls()
+        check(_mesh_load(context, text(path), byref(mesh)))
+        return mesh
+
+    @classmethod
+    def create(cls, context, data):
+        """Copies the arrays. Shading and shadows are per vertex: detail comes from vertices."""
+        mesh = cls()
+        check(_mesh_create(context, byref(data) if data is not None else None, byref(mesh)))
+        return mesh
+
+    @classmethod
+    def create_sphere(cls, context):
+        """The unit sphere, finely enough divided for per-vertex shading."""
+        mesh = cls()
+        check(_mesh_create_sphere(context, byref(mesh)))
+        return mesh
+
+    @classmethod
+    def create_rectangle(cls, context):
+        """[-1, 1]^2 in the plane z = 0, facing +z."""
+        mesh = cls()
+        check(_mesh_create_rectangle(context, byref(mesh)))
+        return mesh
+
+    @classmethod
+    def create_cube(cls, context):
+        """[-1, 1]^3."""
+        mesh = cls()
+        check(_mesh_create_cube(context, byref(mesh)))
+        return mesh
+
+    def get_size(self):
+        vertices = c_uint32()
+        triangles = c_uint32()
+        check(_mesh_get_size(self, byref(vertices), byref(triangles)))
+        return vertices.value, triangles.value
+
+
+class Scene(Handle):
+    """instances and one environment; may change"""
+
+    @classmethod
+    def create(cls, context):
+        scene = cls()
+        check(_scene_create(context, byref(scene)))
+        return scene
+
+    @classmethod
+    def load(cls, context, path, definitions=()):
+        """A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
+        that override its <default>s."""
+        definitions = texts(definitions)
+        scene = cls()
+        check(_scene_load(context, text(path), definitions, len(definitions), byref(scene)))
+        return scene
+
+    def add_instance(self, instance):
+        """id may be NULL; ids count up from 0. Materials and environment must have one colour channel or the same
+        number of them, here and in nicol_scene_set_environment."""
+        id = c_uint32()
+        check(_scene_add_instance(self, byref(instance) if instance is not None else None, byref(id)))
+        return id.value
+
+    def set_transform(self, id, to_world):
+        """id as nicol_scene_add_instance gave it; to_world as nicol_instance's. What the instance hides from the
+        light changes with it: the next render bakes again."""
+        check(_scene_set_transform(self, id, array(to_world, c_double, 16)))
+
+    def set_environment(self, environment, to_world, scale):
+        """environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
+        one), scale multiplies (0: 1; finite, not negative)."""
+        check(_scene_set_environment(self, environment, array(to_world, c_double, 16), scale))
+
+    def get_environment(self):
+        """What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is turned
+        and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment
+        is NULL, to_world the identity and scale 1."""
+        environment = Environment()
+        to_world = (c_double * 16)()
+        scale = c_double()
+        check(_scene_get_environment(self, byref(environment), to_world, byref(scale)))
+        return environment if environment.value else None, tuple(to_world), scale.value
+
+    def get_camera(self):
+        """What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED."""
+        camera = Camera()
+        check(_scene_get_camera(self, byref(camera)))
+        return camera
+
+    def get_film_size(self):
+        width = c_uint32()
+        height = c_uint32()
+        check(_scene_get_film_size(self, byref(width), byref(height)))
+        return width.value, height.value
+
+    def get_channels(self):
+        """Colour channels of its pictures: those of everything in it, 1 (all grey) or more, and 1 where the film of a
+        loaded file asks for luminance."""
+        channels = c_uint32()
+        check(_scene_get_channels(self, byref(channels)))
+        return channels.value
+
+
+class Framebuffer(Handle):
+    """the Stokes picture of the last render into it"""
+
+    @classmethod
+    def create(cls, context, width, height, channels):
+        """width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
+        luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component."""
+        framebuffer = cls()
+        check(_framebuffer_create(context, width, height, channels, byref(framebuffer)))
+        return framebuffer
+
+    def get_size(self):
+        width = c_uint32()
+        height = c_uint32()
+        channels = c_uint32()
+        check(_framebuffer_get_size(self, byref(width), byref(height), byref(channels)))
+        return width.value, height.value, channels.value
+
+    def get_statistics(self):
+        statistics = Statistics()
+        check(_framebuffer_get_statistics(self, byref(statistics)))
+        return statistics
+
+    def read(self, plane, channel, pixels):
+        """Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
+        byte_size is what pixels has room for."""
+        pixels = Buffer(pixels, c_float, writable=True, rows=True)
+        check(_framebuffer_read(self, plane, channel, pixels.pointer, pixels.stride, pixels.nbytes))
+
+    def write_exr(self, path):
+        """Channels of 32-bit floats, named by the number of colour channels:
+          3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
+          1             Y (which is s0) and S0.Y to S3.Y
+          2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ..."""
+        check(_framebuffer_write_exr(self, text(path)))
+
+    def write_png(self, picture, path):
+        """8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
+        channels."""
+        check(_framebuffer_write_png(self, byref(picture) if picture is not None else None, text(path)))
+
+
+class PshTransform(Handle):
+    """Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
+    context; holds its work space: after creation no call allocates. Calls on one transform take turns."""
+
+    @classmethod
+    def create(cls, sampling):
+        transform = cls()
+        check(_psh_transform_create(byref(sampling) if sampling is not None else None, byref(transform)))
+        return transform
+
+    def get_size(self):
+        rows = c_uint32()
+        columns = c_uint32()
+        check(_psh_transform_get_size(self, byref(rows), byref(columns)))
+        return rows.value, columns.value
+
+    def get_rows(self, theta, weight):
+        """theta of each row, and the weights of the integral over cos theta, which sum to 2; count = rows."""
+        theta, weight = Buffer(theta, c_double, writable=True), Buffer(weight, c_double, writable=True)
+        check(_psh_transform_get_rows(self, theta.pointer, weight.pointer, counted(theta, weight)))
+
+
+def version():
+    """Of the library that runs: major * 10000 + minor * 100 + patch."""
+    return _version()
+
+
+def version_string():
+    """"0.1.0"; lives as long as the library."""
+    return decoded(_version_string())
+
+
+def build_info(index):
+    """Facts about this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
+    ...; NULL past the last one. Lives as long as the library."""
+    return decoded(_build_info(index))
+
+
+def last_error():
+    """What the last failing call on this thread had to say: one line that names the file, line, field or argument
+    and what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing
+    call."""
+    return decoded(_last_error())
+
+
+def result_name(result):
+    """"out of memory" and the like for a code; lives as long as the library."""
+    return decoded(_result_name(result))
+
+
+def render(scene, camera, options, framebuffer):
+    """options may be NULL: all defaults. What a change of the scene, the camera or the options does not touch is
+    kept from the scene's last render; where nothing changed, nothing runs. On failure or cancellation the
+    framebuffer's content is that of the render before, and its statistics too. NICOL_ERROR_INVALID_ARGUMENT
+    for options and cameras out of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown
+    method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
+    NICOL_ERROR_OUT_OF_MEMORY."""
+    check(_render(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer))
+
+
+def psh_project_image(image, order, coefficients):
+    """Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
+    is channels * 4 (order+1)^2. A picture counts as the bilinear function between its pixels. As an
+    environment, it must be physical: polarization up to s0."""
+    image = lend(image)
+    coefficients = Buffer(coefficients, c_double, writable=True)
+    check(_psh_project_image(byref(image) if image is not None else None, order, coefficients.pointer, coefficients.count))
+
+
+def psh_project_environment(environment, order, coefficients):
+    coefficients = Buffer(coefficients, c_double, writable=True)
+    check(_psh_project_environment(environment, order, coefficients.pointer, coefficients.count))
+
+
+def psh_project_file(path, order, coefficients=None):
+    """A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
+    asks for the number of channels alone."""
+    channels = c_uint32()
+    coefficients = Buffer(coefficients, c_double, writable=True)
+    check(_psh_project_file(text(path), order, byref(channels), coefficients.pointer, coefficients.count))
+    return channels.value
+
+
+def psh_analyze(transform, vectors, samples, coefficients):
+    """Inner products with the basis (Eq. 32) by the rows' weights."""
+    samples = Buffer(samples, c_double)
+    coefficients = Buffer(coefficients, c_double, writable=True)
+    check(_psh_analyze(transform, vectors, samples.pointer, samples.count, coefficients.pointer, coefficients.count))
+
+
+def psh_synthesize(transform, vectors, coefficients, samples):
+    """The field of the coefficients (Eq. 30) at the samples."""
+    coefficients = Buffer(coefficients, c_double)
+    samples = Buffer(samples, c_double, writable=True)
+    check(_psh_synthesize(transform, vectors, coefficients.pointer, coefficients.count, samples.pointer, samples.count))
+
+
+def psh_evaluate(order, vectors, coefficients, directions, stokes):
+    """Stokes vectors [vector][direction][4] at directions [direction][3] of any length but 0."""
+    coefficients = Buffer(coefficients, c_double)
+    directions = Buffer(directions, c_double)
+    stokes = Buffer(stokes, c_double, writable=True)
+    check(_psh_evaluate(order, vectors, coefficients.pointer, coefficients.count, directions.pointer, directions.count, stokes.pointer, stokes.count))
+
+
+def psh_rotate(order, vectors, in_, rotation, out):
+    """The fields turned with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
+    orthonormal to 1e-5 and right-handed. out may be in."""
+    in_ = Buffer(in_, c_double)
+    out = Buffer(out, c_double, writable=True)
+    check(_psh_rotate(order, vectors, in_.pointer, in_.count, array(rotation, c_double, 9), out.pointer, out.count))
+
+
+def psh_reflect(order, vectors, in_, out):
+    """The fields' mirror images in the plane z = 0 (Eq. 214, with its conjugation). out may be in."""
+    in_ = Buffer(in_, c_double)
+    out = Buffer(out, c_double, writable=True)
+    check(_psh_reflect(order, vectors, in_.pointer, in_.count, out.pointer, out.count))
+
+
+def psh_multiply(scalar_order, scalar, order, vectors, in_, order_out, out):
+    """A scalar field ((scalar_order+1)^2 coefficients over real harmonics, such as visibility) times each field,
+    cut above order_out: exact, through a grid, in O(order^3). out may be in where the orders agree."""
+    scalar = Buffer(scalar, c_double)
+    in_ = Buffer(in_, c_double)
+    out = Buffer(out, c_double, writable=True)
+    check(_psh_multiply(scalar_order, scalar.pointer, scalar.count, order, vectors, in_.pointer, in_.count, order_out, out.pointer, out.count))
+
+
+def psh_shadow_matrix(scalar_order, scalar, order_out, order_in, matrix):
+    """The same product as a matrix (Eq. 54, by the triple products of Eqs. 215 and 216)."""
+    scalar = Buffer(scalar, c_double)
+    matrix = Buffer(matrix, c_double, writable=True)
+    check(_psh_shadow_matrix(scalar_order, scalar.pointer, scalar.count, order_out, order_in, matrix.pointer, matrix.count))
+
+
+def psh_project_matrix(field, matrix):
+    """The operator "integrate the field times the light over the incoming directions" as a matrix (Eqs. 39, 40),
+    by quadrature."""
+    matrix = Buffer(matrix, c_double, writable=True)
+    check(_psh_project_matrix(byref(field) if field is not None else None, matrix.pointer, matrix.count))
+
+
+def psh_apply_matrix(order_out, order_in, matrix, vectors, in_, out):
+    """out = matrix * in, vector by vector (Eq. 41)."""
+    matrix = Buffer(matrix, c_double)
+    in_ = Buffer(in_, c_double)
+    out = Buffer(out, c_double, writable=True)
+    check(_psh_apply_matrix(order_out, order_in, matrix.pointer, matrix.count, vectors, in_.pointer, in_.count, out.pointer, out.count))
+
+
+def psh_compose_matrix(order_out, order_between, order_in, second, first, matrix):
+    """The matrix of `second` after `first`."""
+    second = Buffer(second, c_double)
+    first = Buffer(first, c_double)
+    matrix = Buffer(matrix, c_double, writable=True)
+    check(_psh_compose_matrix(order_out, order_between, order_in, second.pointer, second.count, first.pointer, first.count, matrix.pointer, matrix.count))
+
+
+def psh_project_kernel(callback, order, rows, bands):
+    """Bands by quadrature on this many Gauss-Legendre rows, 0: 2 order + 2, at most 16384 (Eq. 68)."""
+    bands = Buffer(bands, c_double, writable=True)
+    check(_psh_project_kernel(PshKernelCallback(callback), None, order, rows, bands.pointer, bands.count))
+
+
+def psh_kernel_at(order, bands, theta, mueller):
+    """The inverse: Mueller matrices [angle][16] at angles in 0 to pi."""
+    bands = Buffer(bands, c_double)
+    theta = Buffer(theta, c_double)
+    mueller = Buffer(mueller, c_double, writable=True)
+    check(_psh_kernel_at(order, bands.pointer, bands.count, theta.pointer, theta.count, mueller.pointer, mueller.count))
+
+
+def psh_convolve(order, bands, vectors, in_, out):
+    """The convolution of each field (Eq. 69). out may be in."""
+    bands = Buffer(bands, c_double)
+    in_ = Buffer(in_, c_double)
+    out = Buffer(out, c_double, writable=True)
+    check(_psh_convolve(order, bands.pointer, bands.count, vectors, in_.pointer, in_.count, out.pointer, out.count))
+
+
+def psh_kernel_matrix(order, bands, matrix):
+    """The convolution as a matrix, and the kernel nearest to a matrix in the Frobenius norm (supplement E.9);
+    both sides of the matrix have this order."""
+    bands = Buffer(bands, c_double)
+    matrix = Buffer(matrix, c_double, writable=True)
+    check(_psh_kernel_matrix(order, bands.pointer, bands.count, matrix.pointer, matrix.count))
+
+
+def psh_nearest_kernel(order, matrix, bands):
+    matrix = Buffer(matrix, c_double)
+    bands = Buffer(bands, c_double, writable=True)
+    check(_psh_nearest_kernel(order, matrix.pointer, matrix.count, bands.pointer, bands.count))
+
+
+def file_identify(path):
+    """Looks at suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
+    the file may yet prove damaged."""
+    kind = c_uint32()
+    check(_file_identify(text(path), byref(kind)))
+    return kind.value
+
+
+def file_describe_light(path, options, energy=None):
+    """options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
+    [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
+    change the report as they would an output; what concerns pictures to write must be 0; the order limits the
+    energies of a picture, and all of coefficients. A picture that violates Eq. 70 is described, though it is
+    refused as a light."""
+    report = LightReport()
+    energy = Buffer(energy, c_double, writable=True)
+    check(_file_describe_light(text(path), byref(options) if options is not None else None, byref(report), energy.pointer, energy.count))
+    return report
+
+
+def file_describe_material(path, options, energy):
+    """energy: [channel][l], order + 1 a channel: squares of the matrix' entries between orders of which the
+    larger is l."""
+    report = MaterialReport()
+    energy = Buffer(energy, c_double, writable=True)
+    check(_file_describe_material(text(path), byref(options) if options is not None else None, byref(report), energy.pointer, energy.count))
+    return report
+
+
+def file_convert(in_, options, out):
+    """Reads `in` and writes `out` in the kind that its name says: .exr, _s0.exr (all four files), .npz or a cache
+    folder. Light becomes light and a material a material. options may be NULL."""
+    check(_file_convert(text(in_), byref(options) if options is not None else None, text(out)))
+
+
+def psh_write_file(path, order, vectors, coefficients):
+    """Coefficients of 1 to NICOL_MAX_CHANNELS vectors as a LIGHT_PSH file."""
+    coefficients = Buffer(coefficients, c_double)
+    check(_psh_write_file(text(path), order, vectors, coefficients.pointer, coefficients.count))
+
+
+_version = declare("nicol_version", c_uint32)
+_version_string = declare("nicol_version_string", c_char_p)
+_build_info = declare("nicol_build_info", c_char_p, c_uint32)
+_last_error = declare("nicol_last_error", c_char_p)
+_result_name = declare("nicol_result_name", c_char_p, c_int32)
+_context_create = declare("nicol_context_create", c_int32, POINTER(ContextOptions), POINTER(Context))
+Context._release = declare("nicol_context_release", c_int32, c_void_p)
+_context_get_info = declare("nicol_context_get_info", c_int32, Context, POINTER(ContextInfo))
+_environment_load = declare("nicol_environment_load", c_int32, Context, c_char_p, POINTER(EnvironmentLoadOptions), POINTER(Environment))
+_environment_create_image = declare("nicol_environment_create_image", c_int32, Context, POINTER(Image), POINTER(Environment))
+_environment_create_constant = declare("nicol_environment_create_constant", c_int32, Context, POINTER(Spectrum), POINTER(Environment))
+_environment_create_sky = declare("nicol_environment_create_sky", c_int32, Context, POINTER(Sky), POINTER(Environment))
+_environment_create_psh = declare("nicol_environment_create_psh", c_int32, Context, c_uint32, c_uint32, POINTER(c_double), c_uint64, POINTER(Environment))
+_environment_get_info = declare("nicol_environment_get_info", c_int32, Environment, POINTER(EnvironmentInfo))
+Environment._release = declare("nicol_environment_release", c_int32, c_void_p)
+_material_create_pplastic = declare("nicol_material_create_pplastic", c_int32, Context, POINTER(Pplastic), POINTER(Material))
+_material_create_diffuse = declare("nicol_material_create_diffuse", c_int32, Context, POINTER(Spectrum), POINTER(Material))
+_material_create_conductor = declare("nicol_material_create_conductor", c_int32, Context, POINTER(Conductor), POINTER(Material))
+_material_load_measured = declare("nicol_material_load_measured", c_int32, Context, c_char_p, POINTER(Measured), POINTER(Material))
+_material_load_psh = declare("nicol_material_load_psh", c_int32, Context, c_char_p, POINTER(Spectrum), POINTER(Material))
+_material_create_twosided = declare("nicol_material_create_twosided", c_int32, Context, Material, POINTER(Material))
+_material_create_callback = declare("nicol_material_create_callback", c_int32, Context, POINTER(CallbackMaterial), POINTER(Material))
+Material._release = declare("nicol_material_release", c_int32, c_void_p)
+_mesh_load = declare("nicol_mesh_load", c_int32, Context, c_char_p, POINTER(Mesh))
+_mesh_create = declare("nicol_mesh_create", c_int32, Context, POINTER(MeshData), POINTER(Mesh))
+_mesh_create_sphere = declare("nicol_mesh_create_sphere", c_int32, Context, POINTER(Mesh))
+_mesh_create_rectangle = declare("nicol_mesh_create_rectangle", c_int32, Context, POINTER(Mesh))
+_mesh_create_cube = declare("nicol_mesh_create_cube", c_int32, Context, POINTER(Mesh))
+_mesh_get_size = declare("nicol_mesh_get_size", c_int32, Mesh, POINTER(c_uint32), POINTER(c_uint32))
+Mesh._release = declare("nicol_mesh_release", c_int32, c_void_p)
+_camera_look_at = declare("nicol_camera_look_at", c_int32, POINTER(Camera), POINTER(c_double), POINTER(c_double), POINTER(c_double))
+_scene_create = declare("nicol_scene_create", c_int32, Context, POINTER(Scene))
+_scene_load = declare("nicol_scene_load", c_int32, Context, c_char_p, POINTER(c_char_p), c_uint32, POINTER(Scene))
+_scene_add_instance = declare("nicol_scene_add_instance", c_int32, Scene, POINTER(Instance), POINTER(c_uint32))
+_scene_set_transform = declare("nicol_scene_set_transform", c_int32, Scene, c_uint32, POINTER(c_double))
+_scene_set_environment = declare("nicol_scene_set_environment", c_int32, Scene, Environment, POINTER(c_double), c_double)
+_scene_get_environment = declare("nicol_scene_get_environment", c_int32, Scene, POINTER(Environment), POINTER(c_double), POINTER(c_double))
+_scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))
+_scene_get_film_size = declare("nicol_scene_get_film_size", c_int32, Scene, POINTER(c_uint32), POINTER(c_uint32))
+_scene_get_channels = declare("nicol_scene_get_channels", c_int32, Scene, POINTER(c_uint32))
+Scene._release = declare("nicol_scene_release", c_int32, c_void_p)
+_framebuffer_create = declare("nicol_framebuffer_create", c_int32, Context, c_uint32, c_uint32, c_uint32, POINTER(Framebuffer))
+_framebuffer_get_size = declare("nicol_framebuffer_get_size", c_int32, Framebuffer, POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
+Framebuffer._release = declare("nicol_framebuffer_release", c_int32, c_void_p)
+_render = declare("nicol_render", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), Framebuffer)
+_framebuffer_get_statistics = declare("nicol_framebuffer_get_statistics", c_int32, Framebuffer, POINTER(Statistics))
+_framebuffer_read = declare("nicol_framebuffer_read", c_int32, Framebuffer, c_uint32, c_uint32, POINTER(c_float), c_uint64, c_uint64)
+_framebuffer_write_exr = declare("nicol_framebuffer_write_exr", c_int32, Framebuffer, c_char_p)
+_framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Picture), c_char_p)
+_psh_project_image = declare("nicol_psh_project_image", c_int32, POINTER(Image), c_uint32, POINTER(c_double), c_uint64)
+_psh_project_environment = declare("nicol_psh_project_environment", c_int32, Environment, c_uint32, POINTER(c_double), c_uint64)
+_psh_project_file = declare("nicol_psh_project_file", c_int32, c_char_p, c_uint32, POINTER(c_uint32), POINTER(c_double), c_uint64)
+_psh_transform_create = declare("nicol_psh_transform_create", c_int32, POINTER(PshSampling), POINTER(PshTransform))
+PshTransform._release = declare("nicol_psh_transform_release", c_int32, c_void_p)
+_psh_transform_get_size = declare("nicol_psh_transform_get_size", c_int32, PshTransform, POINTER(c_uint32), POINTER(c_uint32))
+_psh_transform_get_rows = declare("nicol_psh_transform_get_rows", c_int32, PshTransform, POINTER(c_double), POINTER(c_double), c_uint64)
+_psh_analyze = declare("nicol_psh_analyze", c_int32, PshTransform, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_psh_synthesize = declare("nicol_psh_synthesize", c_int32, PshTransform, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_psh_evaluate = declare("nicol_psh_evaluate", c_int32, c_uint32, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_psh_rotate = declare("nicol_psh_rotate", c_int32, c_uint32, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), POINTER(c_double), c_uint64)
+_psh_reflect = declare("nicol_psh_reflect", c_int32, c_uint32, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_psh_multiply = declare("nicol_psh_multiply", c_int32, c_uint32, POINTER(c_double), c_uint64, c_uint32, c_uint64, POINTER(c_double), c_uint64, c_uint32, POINTER(c_double), c_uint64)
+_psh_shadow_matrix = declare("nicol_psh_shadow_matrix", c_int32, c_uint32, POINTER(c_double), c_uint64, c_uint32, c_uint32, POINTER(c_double), c_uint64)
+_psh_project_matrix = declare("nicol_psh_project_matrix", c_int32, POINTER(PshMuellerField), POINTER(c_double), c_uint64)
+_psh_apply_matrix = declare("nicol_psh_apply_matrix", c_int32, c_uint32, c_uint32, POINTER(c_double), c_uint64, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_psh_compose_matrix = declare("nicol_psh_compose_matrix", c_int32, c_uint32, c_uint32, c_uint32, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_psh_project_kernel = declare("nicol_psh_project_kernel", c_int32, PshKernelCallback.type, c_void_p, c_uint32, c_uint32, POINTER(c_double), c_uint64)
+_psh_kernel_at = declare("nicol_psh_kernel_at", c_int32, c_uint32, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_psh_convolve = declare("nicol_psh_convolve", c_int32, c_uint32, POINTER(c_double), c_uint64, c_uint64, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_psh_kernel_matrix = declare("nicol_psh_kernel_matrix", c_int32, c_uint32, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_psh_nearest_kernel = declare("nicol_psh_nearest_kernel", c_int32, c_uint32, POINTER(c_double), c_uint64, POINTER(c_double), c_uint64)
+_file_identify = declare("nicol_file_identify", c_int32, c_char_p, POINTER(c_uint32))
+_file_describe_light = declare("nicol_file_describe_light", c_int32, c_char_p, POINTER(FileOptions), POINTER(LightReport), POINTER(c_double), c_uint64)
+_file_describe_material = declare("nicol_file_describe_material", c_int32, c_char_p, POINTER(FileOptions), POINTER(MaterialReport), POINTER(c_double), c_uint64)
+_file_convert = declare("nicol_file_convert", c_int32, c_char_p, POINTER(FileOptions), c_char_p)
+_environment_write = declare("nicol_environment_write", c_int32, Environment, POINTER(FileOptions), c_char_p)
+_material_write = declare("nicol_material_write", c_int32, Material, POINTER(FileOptions), c_char_p)
+_psh_write_file = declare("nicol_psh_write_file", c_int32, c_char_p, c_uint32, c_uint64, POINTER(c_double), c_uint64)
+
+__all__ = [
+    "BACKEND_AUTOMATIC",
+    "BACKEND_EGL",
+    "BACKEND_OSMESA",
+    "CallbackMaterial",
+    "Camera",
+    "Conductor",
+    "Context",
+    "ContextInfo",
+    "ContextOptions",
+    "DISTRIBUTION_BECKMANN",
+    "DISTRIBUTION_GGX",
+    "ERROR_CANCELLED",
+    "ERROR_FILE_NOT_FOUND",
+    "ERROR_INTERNAL",
+    "ERROR_INVALID_ARGUMENT",
+    "ERROR_INVALID_FILE",
+    "ERROR_INVALID_HANDLE",
+    "ERROR_NO_BACKEND",
+    "ERROR_OPENGL",
+    "ERROR_OUT_OF_MEMORY",
+    "ERROR_UNSUPPORTED",
+    "ERROR_WRITE_FAILED",
+    "EXECUTOR_AUTOMATIC",
+    "EXECUTOR_COMPUTE",
+    "EXECUTOR_CPU",
+    "Environment",
+    "EnvironmentInfo",
+    "EnvironmentLoadOptions",
+    "FILE_BAND_LIMITED",
+    "FILE_LIGHT_CROSS",
+    "FILE_LIGHT_PICTURE",
+    "FILE_LIGHT_PSH",
+    "FILE_MATERIAL_MEASURED",
+    "FILE_MATERIAL_PSH",
+    "FILE_MATERIAL_TABLE",
+    "FILE_PHYSICAL",
+    "FileOptions",
+    "Framebuffer",
+    "HIGH_ORDERS_AT_AUTOMATIC",
+    "HIGH_ORDERS_AT_PIXELS",
+    "HIGH_ORDERS_AT_VERTICES",
+    "HIGH_ORDERS_CONVOLUTION",
+    "HIGH_ORDERS_NONE",
+    "HIGH_ORDERS_SPLIT",
+    "Image",
+    "Instance",
+    "LOG_INFO",
+    "LOG_NOTICE",
+    "LOG_WARNING",
+    "LightReport",
+    "MAX_CHANNELS",
+    "MAX_ORDER",
+    "MAX_SIZE",
+    "METHOD_DENSE",
+    "METHOD_FACTORED",
+    "METHOD_REFERENCE",
+    "Material",
+    "MaterialReport",
+    "Measured",
+    "Mesh",
+    "MeshData",
+    "OK",
+    "PICTURE_AOLP",
+    "PICTURE_DOLP",
+    "PICTURE_POLARIZER",
+    "PICTURE_S0",
+    "PICTURE_S1",
+    "PICTURE_S2",
+    "PICTURE_S3",
+    "PLANE_AOLP",
+    "PLANE_DOLP",
+    "PLANE_S0",
+    "PLANE_S1",
+    "PLANE_S2",
+    "PLANE_S3",
+    "PLANE_STOKES",
+    "PROJECTION_ORTHOGRAPHIC",
+    "PROJECTION_PERSPECTIVE",
+    "PSH_BAND_SIZE",
+    "PSH_GRID_CLENSHAW_CURTIS",
+    "PSH_GRID_FEJER",
+    "PSH_GRID_GAUSS_LEGENDRE",
+    "PSH_MAX_MATRIX_ORDER",
+    "PSH_MAX_ORDER",
+    "Picture",
+    "Pplastic",
+    "PshMuellerField",
+    "PshSampling",
+    "PshTransform",
+    "RenderOptions",
+    "Scene",
+    "Sky",
+    "Spectrum",
+    "Statistics",
+    "VERSION",
+    "VERSION_MAJOR",
+    "VERSION_MINOR",
+    "VERSION_PATCH",
+    "WAVELENGTH_LINEAR",
+    "WAVELENGTH_NEAREST",
+    "build_info",
+    "file_convert",
+    "file_describe_light",
+    "file_describe_material",
+    "file_identify",
+    "last_error",
+    "psh_analyze",
+    "psh_apply_matrix",
+    "psh_compose_matrix",
+    "psh_convolve",
+    "psh_evaluate",
+    "psh_kernel_at",
+    "psh_kernel_matrix",
+    "psh_multiply",
+    "psh_nearest_kernel",
+    "psh_project_environment",
+    "psh_project_file",
+    "psh_project_image",
+    "psh_project_kernel",
+    "psh_project_matrix",
+    "psh_reflect",
+    "psh_rotate",
+    "psh_shadow_matrix",
+    "psh_synthesize",
+    "psh_write_file",
+    "render",
+    "result_name",
+    "version",
+    "version_string",
+]

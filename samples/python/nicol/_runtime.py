@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: MIT
+"""What the functions of _abi.py stand on: the shared library, errors, handles, structs and buffers."""
+
+import ctypes
+import ctypes.util
+import itertools
+import os
+
+
+def _load():
+    named = os.environ.get("NICOL_LIBRARY")
+    for path in [named] if named else [ctypes.util.find_library("nicol"), "libnicol.so.0"]:
+        try:
+            if path:
+                return ctypes.CDLL(path)
+        except OSError as error:
+            reason = error
+    raise ImportError(
+        f"libnicol was not found ({reason}); set NICOL_LIBRARY to the path of libnicol.so.0, or install it where "
+        "the dynamic linker looks"
+    )
+
+
+library = _load()
+
+
+def declare(name, result, *parameters):
+    function = getattr(library, name)
+    function.restype, function.argtypes = result, parameters
+    return function
+
+
+class Error(Exception):
+    """A call that failed; code is one of ERROR_..., the text says what would be right."""
+
+    def __init__(self, code, message):
+        super().__init__(message)
+        self.code = code
+
+
+_raised = []  # by callbacks, whose calls then end with ERROR_CANCELLED
+_cancelled = 9
+_last_error = declare("nicol_last_error", ctypes.c_char_p)
+
+
+def check(result):
+    """Raises what a callback raised, or the library's error."""
+    if result == _cancelled and _raised:
+        error = _raised[0]
+        _raised.clear()
+        raise error
+    if result:
+        raise Error(result, _last_error().decode())
+
+
+def text(value):
+    return None if value is None else os.fsencode(value)
+
+
+def texts(values):
+    encoded = [text(value) for value in values]
+    return (ctypes.c_char_p * len(encoded))(*encoded)
+
+
+class Handle(ctypes.c_void_p):
+    """An object of the library. It is released by `with`, release(), or with its last reference in Python; the
+    library keeps what other objects need."""
+
+    @classmethod
+    def from_param(cls, value):
+        if value is None or isinstance(value, cls):
+            return value
+        raise TypeError(f"a nicol.{cls.__name__} is wanted, not {value!r}")
+
+    def release(self):
+        if self.value:
+            type(self)._release(self)
+            self.value = None
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.release()
+
+    def __del__(self):
+        self.release()
+
+    def __repr__(self):
+        return f"<nicol.{type(self).__name__} {hex(self.value) if self.value else 'released'}>"
+
+
+class Callback:
+    """A kind of C function that a Python function can stand in for. It is called without C's last or first
+    `user`; arrays arrive as such, strings as str. None and True stand for "go on"."""
+
+    def __init__(self, result, *parameters):
+        # (type, its place, how Python sees it) of all but void* user.
+        self.seen = [(place, see) for place, (_, see) in enumerate(parameters) if see]
+        self.result = result
+        self.type = ctypes.CFUNCTYPE(result, *[type_ for type_, _ in parameters])
+
+    def __call__(self, function):
+        if function is None or isinstance(function, self.type):
+            return function or self.type()
+
+        def called(*arguments):
+            try:
+                answer = function(*[see(arguments[place]) for place, see in self.seen])
+            except BaseException as error:
+                if self.result is None:
+                    raise
+                _raised.append(error)
+                return 0
+            return None if self.result is None else int(answer is None or bool(answer))
+
+        return self.type(called)
+
+
+def as_is(value):
+    return value
+
+
+def pointee(value):
+    return value.contents
+
+
+def decoded(value):
+    return None if value is None else value.decode()
+
+
+class Buffer:
+    """Memory of C numbers in Python's hands: a numpy array, array.array, memoryview, or a sequence to copy."""
+
+    def __init__(self, value, type_, writable=False, rows=False):
+        self.pointer, self.count, self.nbytes = None, 0, 0
+        if value is None:
+            return
+        try:
+            view = memoryview(value)
+        except TypeError:
+            if writable:
+                raise TypeError(f"results need a writable buffer of {type_.__name__}, not {value!r}") from None
+            view = memoryview((type_ * len(value))(*value))
+        if view.format.lstrip("<=") != type_._type_:
+            raise TypeError(f"a buffer of '{view.format}' where one of '{type_._type_}' ({type_.__name__}) is wanted")
+        if writable and view.readonly:
+            raise TypeError("results need a writable buffer")
+        self.stride = 0
+        if not view.c_contiguous:
+            if not rows or view.ndim < 2 or view.strides[0] < 0 or not view[:1].c_contiguous:
+                raise TypeError("the buffer is not contiguous" + (" within its rows" if rows else ""))
+            self.stride = view.strides[0]
+        self.nbytes = self.stride * (view.shape[0] - 1) + view[:1].nbytes if self.stride else view.nbytes
+        self.count = self.nbytes // view.itemsize
+        if self.nbytes:
+            self.owner = value if hasattr(value, "__array_interface__") else view
+            self.pointer = ctypes.cast(self._address(), ctypes.POINTER(type_))
+
+    def _address(self):
+        if hasattr(self.owner, "__array_interface__"):
+            return self.owner.__array_interface__["data"][0]
+        block = ctypes.c_char * self.nbytes
+        self.memory = block.from_buffer_copy(self.owner) if self.owner.readonly else block.from_buffer(self.owner)
+        return ctypes.addressof(self.memory)
+
+
+def counted(*buffers):
+    """The count that buffers share."""
+    if len({buffer.count for buffer in buffers}) > 1:
+        raise ValueError(f"buffers of {', '.join(str(buffer.count) for buffer in buffers)} values; they must agree")
+    return buffers[0].count
+
+
+def array(value, type_, count):
+    """A C array of this length from a sequence; nested rows and numpy arrays are flattened."""
+    if value is None:
+        return None
+    flat = list(value)
+    while flat and hasattr(flat[0], "__len__"):
+        flat = list(itertools.chain.from_iterable(flat))
+    if len(flat) != count:
+        raise ValueError(f"{len(flat)} numbers where {count} are wanted")
+    return (type_ * count)(*flat)
+
+
+class Struct(ctypes.Structure):
+    """A descriptor. Keywords set its fields, all others ask for their defaults; a spectrum takes a number or one
+    a channel; pointers take buffers, callbacks take functions, both kept alive as long as they are in use."""
+
+    _callbacks_ = {}
+
+    def __init__(self, **fields):
+        super().__init__()
+        object.__setattr__(self, "_kept", {})
+        if self._fields_[0][0] == "struct_size":
+            self.struct_size = ctypes.sizeof(self)
+        for name, value in fields.items():
+            setattr(self, name, value)
+
+    def __setattr__(self, name, value):
+        types = type(self)._types_
+        if name not in types:
+            raise AttributeError(f"nicol.{type(self).__name__} has no field {name}; it has {', '.join(types)}")
+        type_ = types[name]
+        if name in self._callbacks_:
+            self._kept[name] = value = self._callbacks_[name](value)
+        elif isinstance(value, Handle):
+            self._kept[name] = value
+            value = value.value
+        elif type_ is ctypes.c_char_p:
+            value = text(value)
+        elif issubclass(type_, ctypes._Pointer):
+            self._kept[name] = buffer = Buffer(value, type_._type_)
+            value = buffer.pointer
+        elif issubclass(type_, ctypes.Array) and not isinstance(value, type_):
+            value = array(value, type_._type_, type_._length_)
+        elif issubclass(type_, Struct) and not isinstance(value, type_):
+            value = type_.of(value)
+        super().__setattr__(name, value)
+
+    def __getattribute__(self, name):
+        value = super().__getattribute__(name)
+        return value.decode() if isinstance(value, bytes) else value
+
+    def __init_subclass__(cls):
+        super().__init_subclass__()
+        cls._types_ = {name: type_ for name, type_ in cls._fields_}
+
+    @classmethod
+    def of(cls, value):
+        """A spectrum from a number or numbers."""
+        values = list(value) if hasattr(value, "__len__") else [value]
+        most = cls._types_["values"]._length_
+        if len(values) > most:
+            raise ValueError(f"a spectrum of {len(values)} values; at most {most} are possible")
+        return cls(count=len(values), values=values + [0] * (most - len(values)))
+
+    def __repr__(self):
+        fields = []
+        for name in self._types_:
+            value = getattr(self, name)
+            fields.append(f"{name}={list(value) if isinstance(value, ctypes.Array) else value!r}")
+        return f"nicol.{type(self).__name__}({', '.join(fields)})"
+
+
+_lent = {}  # what the library still uses: number -> objects
+_numbers = itertools.count(1)
+
+
+def _give_back(number):
+    _lent.pop(number, None)
+
+
+_give_back_callback = ctypes.CFUNCTYPE(None, ctypes.c_void_p)(_give_back)
+
+
+def lend(struct):
+    """The struct, for a call after which the library goes on using its buffers and functions. They live until it calls
+    `release`, which is set here; without such a field they live for ever."""
+    if struct is not None and any(struct._kept.values()):
+        number = next(_numbers)
+        _lent[number] = list(struct._kept.values())
+        if "release" in struct._types_:
+            user = "release_user" if "release_user" in struct._types_ else "user"
+            ctypes.Structure.__setattr__(struct, "release", _give_back_callback)
+            ctypes.Structure.__setattr__(struct, user, number)
+    return struct

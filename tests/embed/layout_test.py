@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""The bindings are what nicol.h makes them, and a C compiler sees the header as they do.
+
+usage: layout_test.py BINDINGS_FOLDER NICOL_H C_COMPILER
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+BINDINGS, NICOL_H, COMPILER = (os.path.abspath(sys.argv.pop(1)) for _ in range(3))
+sys.path.insert(0, BINDINGS)
+sys.dont_write_bytecode = True
+
+import header  # noqa: E402
+
+MODEL = header.read(NICOL_H)
+
+
+def parse(text):
+    return header.Parser(text).header
+
+
+class LayoutTest(unittest.TestCase):
+    def test_bindings_are_up_to_date(self):
+        ended = subprocess.run(
+            [sys.executable, "-B", os.path.join(BINDINGS, "generate.py"), "--check"], capture_output=True, text=True
+        )
+        self.assertEqual(ended.returncode, 0, ended.stdout + ended.stderr)
+
+    def compiles(self, lines):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "layout.c")
+            with open(path, "w") as file:
+                file.write('#include <stddef.h>\n#include "nicol.h"\n' + "\n".join(lines) + "\n")
+            command = [COMPILER, "-std=c11", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"]
+            ended = subprocess.run([*command, "-I", os.path.dirname(NICOL_H), path], capture_output=True, text=True)
+            return ended.returncode == 0, ended.stderr
+
+    @staticmethod
+    def layout():
+        """Static assertions of every size, place, type and value that the parser found."""
+        for name, struct in MODEL.structs.items():
+            offsets, size, _ = MODEL.layout(name)
+            yield f'_Static_assert(sizeof({name}) == {size}, "{name}");'
+            for field, offset in zip(struct.fields, offsets):
+                yield f'_Static_assert(offsetof({name}, {field.name}) == {offset}, "{name}.{field.name}");'
+        for name, value in MODEL.constants.items():
+            yield f'_Static_assert({name} == {value}, "{name}");'
+        for name, scalar in MODEL.aliases.items():
+            yield f'_Static_assert(_Generic(({name})0, {scalar}: 1, default: 0), "{name}");'
+        for function in MODEL.functions.values():
+            parameters = ", ".join(p.type.c(p.name) for p in function.parameters) or "void"
+            yield f"{function.result.c('')} (*const use_{function.name})({parameters}) = {function.name};"
+
+    def test_compiler_agrees(self):
+        lines = list(self.layout())
+        self.assertGreater(len(lines), 300)
+        agrees, message = self.compiles(lines)
+        self.assertTrue(agrees, message)
+
+    def test_compiler_would_disagree(self):
+        self.assertFalse(self.compiles(['_Static_assert(sizeof(nicol_spectrum) == 64, "");'])[0])
+
+    def test_everything_was_read(self):
+        with open(NICOL_H, encoding="utf-8") as file:
+            lines = file.read().split("\n")
+        self.assertEqual(len(MODEL.functions), sum(line.startswith("NICOL_API ") for line in lines))
+        types = sum(line.startswith("typedef ") for line in lines)
+        unnamed = sum("(*release)(" in line for line in lines) > 0
+        self.assertEqual(len(MODEL.order) - unnamed, types)
+
+    def test_unknown_constructs_are_refused(self):
+        for text in [
+            "typedef unsigned nicol_x;",
+            "typedef uint32_t other_x;",
+            "typedef struct nicol_a { bool b; } nicol_a;",
+            "typedef struct nicol_a { uint32_t b : 3; } nicol_a;",
+            "typedef struct nicol_a { uint32_t b; } nicol_b;",
+            "#define OTHER 1",
+            "#define NICOL_X 1.5f",
+            "#if NICOL_X > 3",
+            "NICOL_API int32_t nicol_x(size_t y);",
+            "NICOL_API int32_t nicol_x(uint32_t y)",
+            "typedef enum nicol_e { A } nicol_e;",
+        ]:
+            with self.subTest(text):
+                self.assertRaises(header.HeaderError, parse, "\n" + text + "\n")
+
+    def test_padding_and_arrays(self):
+        model = parse("""
+#define NICOL_N (1u << 1)
+typedef struct nicol_inner { uint32_t a; double b[NICOL_N * 3]; } nicol_inner;
+typedef struct nicol_outer { uint32_t a, c; nicol_inner inner[2]; float d; } nicol_outer;
+""")
+        self.assertEqual(model.layout("nicol_inner"), ([0, 8], 56, 8))
+        self.assertEqual(model.layout("nicol_outer"), ([0, 4, 8, 120], 128, 8))
+
+
+if __name__ == "__main__":
+    unittest.main()

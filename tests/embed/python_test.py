@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: MIT
+"""The Python package: errors, lifetimes, descriptors, buffers and callbacks."""
+
+import array
+import ctypes
+import gc
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import header
+import nicol
+from nicol import _abi
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+
+MODEL = header.read(os.environ["NICOL_H"])
+GREY = 0.25
+
+
+def scene_of_sphere(context, material=None):
+    scene = nicol.Scene.create(context)
+    material = material or nicol.Material.create_diffuse(context, GREY)
+    scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=material))
+    scene.set_environment(nicol.Environment.create_constant(context, 2.0), None, 0)
+    return scene
+
+
+def camera():
+    result = nicol.Camera(fov=40)
+    result.look_at((0, 0, 4), (0, 0, 0), (0, 1, 0))
+    return result
+
+
+class AbiTest(unittest.TestCase):
+    def test_layout_is_the_headers(self):
+        for name, struct in MODEL.structs.items():
+            offsets, size, _ = MODEL.layout(name)
+            class_ = getattr(nicol, "".join(part.capitalize() for part in name.split("_")[1:]))
+            self.assertEqual(ctypes.sizeof(class_), size, name)
+            for field, offset in zip(struct.fields, offsets):
+                self.assertEqual(getattr(class_, field.name).offset, offset, f"{name}.{field.name}")
+
+    def test_every_function_is_there(self):
+        for name in MODEL.functions:
+            word = name.removeprefix("nicol_")
+            if not word.endswith(("_retain", "_release")):
+                self.assertTrue(hasattr(_abi, "_" + word), name)
+
+    def test_version(self):
+        self.assertEqual(nicol.version(), nicol.VERSION)
+        self.assertEqual(nicol.__version__, nicol.version_string())
+        self.assertIsNone(nicol.build_info(10000))
+
+    def test_missing_library(self):
+        code = "import nicol"
+        environment = {**os.environ, "NICOL_LIBRARY": "/nowhere/libnicol.so"}
+        ended = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)
+        self.assertIn("ImportError: libnicol was not found", ended.stderr)
+        self.assertIn("NICOL_LIBRARY", ended.stderr)
+
+
+class StructTest(unittest.TestCase):
+    def test_fields(self):
+        options = nicol.RenderOptions(order_low=4)
+        self.assertEqual(options.struct_size, ctypes.sizeof(nicol.RenderOptions))
+        self.assertEqual((options.order_low, options.order_high), (4, 0))
+        self.assertIn("order_low=4", repr(options))
+        with self.assertRaisesRegex(AttributeError, "no field order_lwo; it has .*order_low"):
+            nicol.RenderOptions(order_lwo=4)
+        with self.assertRaises(TypeError):
+            nicol.RenderOptions(order_low="four")
+
+    def test_spectra(self):
+        sky = nicol.Sky(radiance=(0.5, 0.25, 1), sun_direction=[1, 2, 3])
+        self.assertEqual(sky.radiance.count, 3)
+        self.assertEqual(list(sky.radiance.values)[:4], [0.5, 0.25, 1, 0])
+        self.assertEqual(list(sky.sun_direction), [1, 2, 3])
+        self.assertEqual(nicol.Sky(radiance=0.5).radiance.count, 1)
+        with self.assertRaisesRegex(ValueError, "at most 16"):
+            nicol.Sky(radiance=[1] * 17)
+        with self.assertRaisesRegex(ValueError, "2 numbers where 3"):
+            nicol.Sky(sun_direction=[1, 2])
+
+    def test_strings(self):
+        self.assertEqual(nicol.Conductor(metal="Au").metal, "Au")
+
+    def test_nested_arrays(self):
+        rows = [[1, 0, 0, 7], [0, 1, 0, 8], [0, 0, 1, 9], [0, 0, 0, 1]]
+        self.assertEqual(list(nicol.Instance(to_world=rows).to_world), sum(rows, []))
+
+
+class CallTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.context = nicol.Context.create()
+        cls.scene = scene_of_sphere(cls.context)
+
+    def test_errors(self):
+        with self.assertRaisesRegex(nicol.Error, "nowhere.exr") as caught:
+            nicol.Environment.load(self.context, "nowhere.exr")
+        self.assertEqual(caught.exception.code, nicol.ERROR_FILE_NOT_FOUND)
+        with self.assertRaisesRegex(ctypes.ArgumentError, "nicol.Context is wanted"):
+            nicol.Scene.create(nicol.Mesh.create_cube(self.context))
+
+    def test_released_handles(self):
+        with nicol.Mesh.create_cube(self.context) as mesh:
+            self.assertEqual(len(mesh.get_size()), 2)
+        self.assertIn("released", repr(mesh))
+        mesh.release()
+        with self.assertRaises(nicol.Error) as caught:
+            mesh.get_size()
+        self.assertEqual(caught.exception.code, nicol.ERROR_INVALID_HANDLE)
+
+    def test_any_order_of_release(self):
+        context = nicol.Context.create()
+        scene = scene_of_sphere(context)
+        context.release()
+        self.assertEqual(scene.get_channels(), 1)
+
+    def test_results(self):
+        scene = scene_of_sphere(self.context)
+        environment, to_world, scale = scene.get_environment()
+        self.assertEqual(environment.get_info().channels, 1)
+        self.assertEqual(to_world[0::5], (1, 1, 1, 1))
+        self.assertEqual(scale, 1)
+        scene.set_environment(None, None, 0)
+        self.assertIsNone(scene.get_environment()[0])
+        self.assertIsInstance(self.context.get_info().renderer, str)
+
+    def render(self, size=32, options=None, scene=None):
+        framebuffer = nicol.Framebuffer.create(self.context, size, size, 1)
+        nicol.render(scene or self.scene, camera(), options, framebuffer)
+        return framebuffer
+
+    def test_planes(self):
+        framebuffer = self.render()
+        stokes, s0 = framebuffer.plane(), framebuffer.plane(nicol.PLANE_S0)
+        self.assertEqual(tuple(stokes.shape), (32, 32, 4))
+        # A white furnace of this albedo: radiance 2 times 0.25.
+        self.assertAlmostEqual(float(stokes[16, 16, 0]), 2 * GREY, places=4)
+        self.assertEqual(float(stokes[16, 16, 0]), float(s0[16, 16]))
+        self.assertEqual(float(s0[0, 0]), 2)
+
+    def test_plane_into_a_callers_buffer(self):
+        framebuffer = self.render()
+        pixels = array.array("f", bytes(4 * 32 * 32))
+        framebuffer.read(nicol.PLANE_S0, 0, pixels)
+        self.assertAlmostEqual(pixels[16 * 32 + 16], 2 * GREY, places=4)
+        for wrong in (bytes(4 * 32 * 32), array.array("d", bytes(8 * 32 * 32)), [0.0] * 1024):
+            with self.assertRaises(TypeError):
+                framebuffer.read(nicol.PLANE_S0, 0, wrong)
+        with self.assertRaisesRegex(nicol.Error, "byte_size"):
+            framebuffer.read(nicol.PLANE_S0, 0, array.array("f", bytes(4 * 32 * 31)))
+        with self.assertRaisesRegex(ValueError, "shape"):
+            framebuffer.plane(nicol.PLANE_S0, out=memoryview(bytearray(16)).cast("f", (2, 2)))
+
+    @unittest.skipIf(numpy is None, "numpy is absent")
+    def test_plane_into_a_part_of_an_array(self):
+        framebuffer = self.render()
+        sheet = numpy.full((40, 100), -1, numpy.float32)
+        part = sheet[4:36, 50:82]
+        self.assertIs(framebuffer.plane(nicol.PLANE_S0, out=part), part)
+        self.assertTrue((part == framebuffer.plane(nicol.PLANE_S0)).all())
+        part[...] = -1
+        self.assertTrue((sheet == -1).all())
+        with self.assertRaisesRegex(TypeError, "within its rows"):
+            framebuffer.plane(nicol.PLANE_S0, out=sheet[:32, 0:64:2])
+
+    def test_progress(self):
+        seen = []
+        scene = scene_of_sphere(self.context)
+        options = nicol.RenderOptions(progress=lambda verb, fraction: seen.append(verb))
+        self.render(options=options, scene=scene)
+        self.assertIn(seen[0], ["project", "bake", "relight", "shade", "draw"])
+        with self.assertRaises(nicol.Error) as caught:
+            stop = nicol.RenderOptions(progress=lambda verb, fraction: False, method=nicol.METHOD_REFERENCE)
+            self.render(options=stop, scene=scene)
+        self.assertEqual(caught.exception.code, nicol.ERROR_CANCELLED)
+
+    def test_exceptions_in_callbacks(self):
+        def stop(verb, fraction):
+            raise KeyboardInterrupt
+
+        with self.assertRaises(KeyboardInterrupt):
+            self.render(options=nicol.RenderOptions(progress=stop, method=nicol.METHOD_REFERENCE))
+        self.render()
+
+    def test_material_of_a_function(self):
+        def lambertian(channel, towards_light, towards_viewer, mueller):
+            self.assertAlmostEqual(sum(x * x for x in towards_light), 1)
+            for entry in range(16):
+                mueller[entry] = 0
+            mueller[0] = GREY / math.pi
+
+        scene = scene_of_sphere(
+            self.context, nicol.Material.create_callback(self.context, nicol.CallbackMaterial(mueller=lambertian))
+        )
+        gc.collect()
+        stokes = self.render(scene=scene).plane()
+        self.assertAlmostEqual(float(stokes[16, 16, 0]), 2 * GREY, places=3)
+        lent = len(nicol._runtime._lent)
+        scene.release()
+        gc.collect()
+        self.assertLess(len(nicol._runtime._lent), lent)
+
+    def test_image_of_a_buffer(self):
+        pixels = array.array("f", [1, 2, 3] * 8 * 5)
+        before = len(nicol._runtime._lent)
+        image = nicol.Image(width=8, height=5, channels=3, components=1, pixels=pixels, byte_size=len(pixels) * 4)
+        environment = nicol.Environment.create_image(self.context, image)
+        self.assertEqual(environment.get_info().channels, 3)
+        coefficients = array.array("d", bytes(8 * 3 * 4 * 4))
+        nicol.psh_project_environment(environment, 1, coefficients)
+        for channel in range(3):
+            expected = (channel + 1) * math.sqrt(4 * math.pi)
+            self.assertAlmostEqual(coefficients[channel * 16], expected, places=6)
+        environment.release()
+        gc.collect()
+        self.assertEqual(len(nicol._runtime._lent), before)
+
+    def test_mathematics(self):
+        transform = nicol.PshTransform.create(nicol.PshSampling(order=3))
+        rows, columns = transform.get_size()
+        theta, weight = array.array("d", bytes(8 * rows)), array.array("d", bytes(8 * rows))
+        transform.get_rows(theta, weight)
+        self.assertAlmostEqual(sum(weight), 2)
+        with self.assertRaisesRegex(ValueError, "must agree"):
+            transform.get_rows(theta, weight[1:])
+        coefficients = array.array("d", bytes(8 * 64))
+        coefficients[0] = coefficients[4 * 6 + 1] = 1
+        samples, back = array.array("d", bytes(8 * rows * columns * 4)), array.array("d", bytes(8 * 64))
+        nicol.psh_synthesize(transform, 1, coefficients, samples)
+        nicol.psh_analyze(transform, 1, samples, back)
+        self.assertLess(max(abs(a - b) for a, b in zip(coefficients, back)), 1e-13)
+        bands = array.array("d", bytes(8 * 16 * 4))
+        nicol.psh_project_kernel(lambda angle, mueller: mueller.__setitem__(0, 1.0), 3, 0, bands)
+        self.assertAlmostEqual(bands[0], math.sqrt(4 * math.pi))
+
+    def test_definitions_and_log(self):
+        lines = []
+        options = nicol.ContextOptions(log=lambda severity, code, message: lines.append(message), cache_folder="/dev/null/x")
+        with nicol.Context.create(options) as context, tempfile.TemporaryDirectory() as folder:
+            del options
+            gc.collect()
+            path = os.path.join(folder, "scene.xml")
+            with open(path, "w") as file:
+                file.write('<scene version="3.0.0"><default name="w" value="3"/><sensor type="perspective">'
+                           '<film type="hdrfilm"><integer name="width" value="$w"/><integer name="height" value="2"/></film>'
+                           '</sensor><emitter type="constant"/><shape type="cube"><bsdf type="diffuse"/></shape></scene>')  # fmt: skip
+            with nicol.Scene.load(context, path, ["w=17"]) as scene:
+                self.assertEqual(scene.get_film_size(), (17, 2))
+                nicol.render(scene, camera(), None, nicol.Framebuffer.create(context, 17, 2, scene.get_channels()))
+        self.assertTrue(any("/dev/null/x" in line for line in lines), lines)
+
+
+if __name__ == "__main__":
+    unittest.main()
