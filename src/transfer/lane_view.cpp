@@ -30,9 +30,9 @@ struct Sight {
     Lanes zenith, frame_cosine, frame_sine;
 };
 
-// atan(t) over pi/2 for 0 <= t.
+// atan(rise / run) over pi/2 for what is not negative; 1 where both are 0.
 [[gnu::always_inline]] inline float quarter_of(float rise, float run) {
-    const bool steep = rise > run;
+    const bool steep = rise >= run;
     const float large = steep ? rise : run;
     const float ratio = (steep ? run : rise) / (large > 0 ? large : 1.0F);
     // At most tan(pi/8): the fit of atan(t) / t in t^2 is then good to 2e-8.
@@ -62,10 +62,13 @@ void find_sight(const Camera& camera, const Points& position, const Points& norm
         double wx = camera.eye[0] - position.x.value[i];
         double wy = camera.eye[1] - position.y.value[i];
         double wz = camera.eye[2] - position.z.value[i];
-        const double inverse_distance = 1 / std::sqrt(wx * wx + wy * wy + wz * wz);
-        wx = camera.orthographic ? camera.backward[0] : wx * inverse_distance;
-        wy = camera.orthographic ? camera.backward[1] : wy * inverse_distance;
-        wz = camera.orthographic ? camera.backward[2] : wz * inverse_distance;
+        // A point at the camera counts as one straight ahead, as Viewpoint::towards has it.
+        const double distance = std::sqrt(wx * wx + wy * wy + wz * wz);
+        const bool ahead = camera.orthographic || distance == 0;
+        const double inverse_distance = 1 / (ahead ? 1 : distance);
+        wx = ahead ? camera.backward[0] : wx * inverse_distance;
+        wy = ahead ? camera.backward[1] : wy * inverse_distance;
+        wz = ahead ? camera.backward[2] : wz * inverse_distance;
 
         const double x = nz * (cos_phi * wx + sin_phi * wy) - around * wz;
         const double y = cos_phi * wy - sin_phi * wx;
