@@ -100,6 +100,11 @@ Vertices::Vertices(const DirectionSet& directions, double unit, std::size_t norm
         positions.emplace_back(view.eye);
     }
     visible.assign(normals.size(), 1);
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+        const glm::dvec3 towards = view.towards(glm::dvec3(positions[v]));
+        const glm::dvec3 n(normals[v]);
+        any_azimuth.push_back(glm::dot(n, towards) < 0 && glm::length(glm::cross(n, towards)) < 1e-9);
+    }
     visibility = Visibility(directions.size(), normals.size());
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const bool open = v % 5 == 2;
@@ -212,8 +217,8 @@ std::vector<Picture> shaded_in_double(const Vertices& vertices, const DirectionS
     return out;
 }
 
-Deviation deviation(const std::vector<std::vector<glm::vec4>>& found, const Picture& truth,
-                    double tolerance) {
+Deviation deviation(const Vertices& vertices, const std::vector<std::vector<glm::vec4>>& found,
+                    const Picture& truth, double tolerance) {
     Deviation out;
     for (const auto& channel : truth)
         for (const Stokes& s : channel)
@@ -221,8 +226,9 @@ Deviation deviation(const std::vector<std::vector<glm::vec4>>& found, const Pict
     for (std::size_t c = 0; c < truth.size(); ++c) {
         for (std::size_t v = 0; v < truth[c].size(); ++v) {
             const Stokes got(found[c][v]);
+            for (int p = 0; p < 4; ++p) out.finite = out.finite && std::abs(got[p]) <= 2 * out.largest;
+            if (vertices.any_azimuth[v]) continue;
             for (int p = 0; p < 4; ++p) {
-                out.finite = out.finite && std::isfinite(got[p]);
                 out.worst = std::max(out.worst, std::abs(got[p] - truth[c][v][p]) / out.largest);
             }
             if (got[0] < 0 && truth[c][v][0] > tolerance * out.largest) ++out.negative;

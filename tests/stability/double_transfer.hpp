@@ -32,6 +32,8 @@ struct Vertices {
     std::vector<glm::vec3> normals;
     std::vector<std::uint8_t> visible;  ///< all
     Visibility visibility;
+    /// Seen from straight behind, where the viewer's azimuth is a matter of the last bit.
+    std::vector<bool> any_azimuth;
 };
 
 /// Coefficients of a vertex's mirrored visibility over real harmonics, [psh_index(l, m)].
@@ -63,11 +65,11 @@ using Picture = std::vector<std::vector<Stokes>>;
 /// How far floats are from doubles.
 struct Deviation {
     double largest = 0;        ///< of the values in double
-    double worst = 0;          ///< difference of any component, over `largest`
-    bool finite = true;        ///< all floats are
+    double worst = 0;          ///< difference of any component, over `largest`; not where any azimuth serves
+    bool finite = true;        ///< all floats are, and none is beyond twice `largest`
     std::size_t negative = 0;  ///< s0 < 0 although the double is above `tolerance` times the largest
 };
-[[nodiscard]] Deviation deviation(const std::vector<std::vector<glm::vec4>>& found, const Picture& truth,
-                                  double tolerance);
+[[nodiscard]] Deviation deviation(const Vertices& vertices, const std::vector<std::vector<glm::vec4>>& found,
+                                  const Picture& truth, double tolerance);
 
 }  // namespace nicol::test

@@ -66,8 +66,8 @@ Worst compare(const test::Vertices& vertices, const LightLayout& layout, const t
             for (const ShadowStorage storage : storages) {
                 const bool fixed = storage == ShadowStorage::fixed16;
                 const double allowed = fixed ? fixed_bound : bound;
-                const test::Deviation d = test::deviation(shaded(vertices, light, layout, response, storage),
-                                                          truth[picture], allowed);
+                const test::Deviation d = test::deviation(
+                    vertices, shaded(vertices, light, layout, response, storage), truth[picture], allowed);
                 CHECK(d.finite);
                 CHECK(d.largest > 0);
                 CHECK(d.worst < allowed);

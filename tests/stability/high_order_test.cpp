@@ -59,8 +59,9 @@ test::Deviation compare(const test::Vertices& vertices, const Material& material
     HighOrder(factors, maps, turn)
         .run(vertices.view, vertices.positions, vertices.normals, vertices.visible, fractions, 0, count,
              channels);
-    return test::deviation(
-        found, test::high_orders_in_double(vertices, factors, maps, turn, fractions_truth, 3), bound);
+    return test::deviation(vertices, found,
+                           test::high_orders_in_double(vertices, factors, maps, turn, fractions_truth, 3),
+                           bound);
 }
 
 }  // namespace
