@@ -11,10 +11,12 @@ import os
 import sys
 
 import header
+import to_lua
 import to_python
 
 SAMPLES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 TARGETS = {
+    "lua/nicol_ffi.lua": to_lua,
     "python/nicol/_abi.py": to_python,
 }
 

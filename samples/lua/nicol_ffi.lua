@@ -1,0 +1,528 @@
+-- SPDX-License-Identifier: MIT
+-- nicol.h 0.1.0 for LuaJIT. Made by samples/bindings/generate.py: change the header, not this file.
+local ffi = require("ffi")
+
+ffi.cdef[[
+typedef int32_t nicol_result;
+typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result code, const char* message);
+typedef int32_t (*nicol_progress_callback)(void* user, const char* verb, double fraction);
+typedef struct nicol_context_impl* nicol_context;
+typedef struct nicol_environment_impl* nicol_environment;
+typedef struct nicol_material_impl* nicol_material;
+typedef struct nicol_mesh_impl* nicol_mesh;
+typedef struct nicol_scene_impl* nicol_scene;
+typedef struct nicol_framebuffer_impl* nicol_framebuffer;
+typedef struct nicol_spectrum {
+    uint32_t count;
+    float values[16];
+} nicol_spectrum;
+typedef uint32_t nicol_backend;
+typedef struct nicol_context_options {
+    uint32_t struct_size;
+    nicol_backend backend;
+    uint32_t device;
+    uint32_t threads;
+    nicol_log_callback log;
+    void* log_user;
+    const char* cache_folder;
+} nicol_context_options;
+typedef struct nicol_context_info {
+    uint32_t struct_size;
+    nicol_backend backend;
+    uint32_t software;
+    uint32_t threads;
+    const char* renderer;
+    const char* vendor;
+    const char* version;
+} nicol_context_info;
+typedef void (*nicol_release_callback)(void* user);
+typedef struct nicol_image {
+    uint32_t struct_size;
+    uint32_t width;
+    uint32_t height;
+    uint32_t channels;
+    uint32_t components;
+    const float* pixels;
+    uint64_t row_stride;
+    uint64_t byte_size;
+    nicol_release_callback release;
+    void* release_user;
+} nicol_image;
+typedef struct nicol_sky {
+    uint32_t struct_size;
+    float dop_max;
+    float sun_direction[3];
+    nicol_spectrum radiance;
+    float turbidity;
+    float ground_albedo;
+} nicol_sky;
+typedef struct nicol_environment_load_options {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double scale;
+    nicol_spectrum wavelengths;
+} nicol_environment_load_options;
+typedef struct nicol_environment_info {
+    uint32_t struct_size;
+    uint32_t channels;
+    uint32_t polarized;
+    uint32_t circular;
+    uint32_t wavelength_count;
+    uint32_t reserved;
+    double wavelengths[16];
+} nicol_environment_info;
+typedef uint32_t nicol_distribution;
+typedef struct nicol_pplastic {
+    uint32_t struct_size;
+    nicol_distribution distribution;
+    nicol_spectrum diffuse_reflectance;
+    nicol_spectrum specular_reflectance;
+    float int_ior;
+    float ext_ior;
+    float alpha;
+} nicol_pplastic;
+typedef struct nicol_conductor {
+    uint32_t struct_size;
+    nicol_distribution distribution;
+    float alpha;
+    uint32_t reserved;
+    const char* metal;
+    nicol_spectrum eta;
+    nicol_spectrum k;
+    nicol_spectrum wavelengths;
+    nicol_spectrum specular_reflectance;
+} nicol_conductor;
+typedef uint32_t nicol_wavelength_sampling;
+typedef struct nicol_measured {
+    uint32_t struct_size;
+    nicol_wavelength_sampling sampling;
+    nicol_spectrum wavelengths;
+} nicol_measured;
+typedef int32_t (*nicol_mueller_callback)(void* user, uint32_t channel, const double towards_light[3], const double towards_viewer[3], double mueller[16]);
+typedef struct nicol_callback_material {
+    uint32_t struct_size;
+    uint32_t channels;
+    nicol_mueller_callback mueller;
+    void* user;
+    nicol_release_callback release;
+    float lobe_width;
+    uint32_t reserved;
+} nicol_callback_material;
+typedef struct nicol_mesh_data {
+    uint32_t struct_size;
+    uint32_t vertex_count;
+    uint32_t triangle_count;
+    uint32_t reserved;
+    const float* positions;
+    const float* normals;
+    const uint32_t* indices;
+} nicol_mesh_data;
+typedef uint32_t nicol_projection;
+typedef struct nicol_camera {
+    uint32_t struct_size;
+    nicol_projection projection;
+    double to_world[16];
+    double fov;
+    double near_clip;
+    double far_clip;
+} nicol_camera;
+typedef struct nicol_instance {
+    uint32_t struct_size;
+    uint32_t reserved;
+    nicol_mesh mesh;
+    nicol_material material;
+    double to_world[16];
+} nicol_instance;
+typedef uint32_t nicol_method;
+typedef uint32_t nicol_high_orders;
+typedef uint32_t nicol_high_orders_at;
+typedef uint32_t nicol_executor;
+typedef struct nicol_render_options {
+    uint32_t struct_size;
+    nicol_method method;
+    int32_t order_low;
+    int32_t order_high;
+    nicol_high_orders high_orders;
+    int32_t shadows;
+    uint32_t bake_directions;
+    uint32_t physical;
+    double dering;
+    nicol_progress_callback progress;
+    void* progress_user;
+    int32_t samples;
+    uint32_t reserved;
+    uint64_t seed;
+    nicol_executor executor;
+    nicol_high_orders_at high_orders_at;
+} nicol_render_options;
+typedef struct nicol_statistics {
+    uint32_t struct_size;
+    uint32_t order;
+    uint64_t vertices;
+    uint64_t triangles;
+    double project_ms;
+    double bake_ms;
+    double relight_ms;
+    double shade_ms;
+    double draw_ms;
+    double observe_ms;
+    double bake_trace_ms;
+    uint64_t bake_rays;
+    uint64_t vertices_skipped;
+    uint64_t vertices_unoccluded;
+    uint64_t vertices_unphysical;
+    uint64_t light_columns_skipped;
+    uint64_t response_rows_skipped;
+    uint64_t channels_shared;
+    uint64_t response_bytes;
+    uint64_t visibility_bytes;
+    uint64_t transfer_bytes;
+    uint64_t buffer_bytes;
+    uint64_t texture_bytes;
+    uint64_t camera_rays;
+    uint64_t shadow_rays;
+    double trace_ms;
+    uint32_t compute;
+    nicol_high_orders_at high_orders_at;
+} nicol_statistics;
+typedef uint32_t nicol_plane;
+typedef uint32_t nicol_picture_kind;
+typedef struct nicol_picture {
+    uint32_t struct_size;
+    nicol_picture_kind kind;
+    float exposure;
+    float scale;
+    float polarizer_angle;
+} nicol_picture;
+typedef uint32_t nicol_psh_grid;
+typedef struct nicol_psh_sampling {
+    uint32_t struct_size;
+    nicol_psh_grid grid;
+    uint32_t order;
+    uint32_t rows;
+    uint32_t columns;
+    uint32_t reserved;
+    double phi0;
+} nicol_psh_sampling;
+typedef struct nicol_psh_transform_impl* nicol_psh_transform;
+typedef int32_t (*nicol_psh_mueller_callback)(void* user, const double in[3], const double out[3], double mueller[16]);
+typedef struct nicol_psh_mueller_field {
+    uint32_t struct_size;
+    uint32_t isotropic;
+    uint32_t order_out;
+    uint32_t order_in;
+    uint32_t rows_out;
+    uint32_t columns_out;
+    uint32_t rows_in;
+    uint32_t columns_in;
+    nicol_psh_mueller_callback callback;
+    void* user;
+} nicol_psh_mueller_field;
+typedef int32_t (*nicol_psh_kernel_callback)(void* user, double theta, double mueller[16]);
+typedef uint32_t nicol_file_kind;
+typedef struct nicol_file_options {
+    uint32_t struct_size;
+    int32_t order;
+    uint32_t width;
+    uint32_t height;
+    uint32_t edge;
+    uint32_t flags;
+    double scale;
+    double rotation[9];
+    nicol_spectrum wavelengths;
+    uint32_t reserved;
+} nicol_file_options;
+typedef struct nicol_light_report {
+    uint32_t struct_size;
+    nicol_file_kind kind;
+    uint32_t channels;
+    uint32_t order;
+    uint32_t width;
+    uint32_t height;
+    uint32_t polarized;
+    uint32_t circular;
+    double wavelengths[16];
+    double mean[16];
+    double smallest[16];
+    double largest[16];
+    double direction[48];
+    double mean_dolp[16];
+    double largest_dolp[16];
+    double largest_circular[16];
+    double unphysical[16];
+    double largest_excess[16];
+} nicol_light_report;
+typedef struct nicol_material_report {
+    uint32_t struct_size;
+    nicol_file_kind kind;
+    uint32_t channels;
+    uint32_t order;
+    uint32_t file_order;
+    uint32_t stokes_columns;
+    uint32_t measured_wavelengths;
+    uint32_t reserved;
+    double measured_range[2];
+    double wavelengths[16];
+    double albedo[16];
+    double largest_albedo[16];
+    double norms[144];
+    double asymmetry[16];
+    double unphysical[16];
+    double excess[16];
+} nicol_material_report;
+uint32_t nicol_version(void);
+const char* nicol_version_string(void);
+const char* nicol_build_info(uint32_t index);
+const char* nicol_last_error(void);
+const char* nicol_result_name(nicol_result result);
+nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
+nicol_result nicol_context_retain(nicol_context context);
+nicol_result nicol_context_release(nicol_context context);
+nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
+nicol_result nicol_environment_load(nicol_context context, const char* path, const nicol_environment_load_options* options, nicol_environment* environment);
+nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image, nicol_environment* environment);
+nicol_result nicol_environment_create_constant(nicol_context context, const nicol_spectrum* radiance, nicol_environment* environment);
+nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky, nicol_environment* environment);
+nicol_result nicol_environment_create_psh(nicol_context context, uint32_t order, uint32_t channels, const double* coefficients, uint64_t count, nicol_environment* environment);
+nicol_result nicol_environment_get_info(nicol_environment environment, nicol_environment_info* info);
+nicol_result nicol_environment_retain(nicol_environment environment);
+nicol_result nicol_environment_release(nicol_environment environment);
+nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters, nicol_material* material);
+nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance, nicol_material* material);
+nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters, nicol_material* material);
+nicol_result nicol_material_load_measured(nicol_context context, const char* path, const nicol_measured* options, nicol_material* material);
+nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_spectrum* scale, nicol_material* material);
+nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front, nicol_material* material);
+nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material* parameters, nicol_material* material);
+nicol_result nicol_material_retain(nicol_material material);
+nicol_result nicol_material_release(nicol_material material);
+nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
+nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data, nicol_mesh* mesh);
+nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
+nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh);
+nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh);
+nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
+nicol_result nicol_mesh_retain(nicol_mesh mesh);
+nicol_result nicol_mesh_release(nicol_mesh mesh);
+nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3], const double target[3], const double up[3]);
+nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
+nicol_result nicol_scene_load(nicol_context context, const char* path, const char* const* definitions, uint32_t definition_count, nicol_scene* scene);
+nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance, uint32_t* id);
+nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
+nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment, const double to_world[16], double scale);
+nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment, double to_world[16], double* scale);
+nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
+nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
+nicol_result nicol_scene_retain(nicol_scene scene);
+nicol_result nicol_scene_release(nicol_scene scene);
+nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height, uint32_t channels, nicol_framebuffer* framebuffer);
+nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width, uint32_t* height, uint32_t* channels);
+nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
+nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
+nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options, nicol_framebuffer framebuffer);
+nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics);
+nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel, float* pixels, uint64_t row_stride, uint64_t byte_size);
+nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
+nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_picture* picture, const char* path);
+nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients, uint64_t count);
+nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order, double* coefficients, uint64_t count);
+nicol_result nicol_psh_project_file(const char* path, uint32_t order, uint32_t* channels, double* coefficients, uint64_t count);
+nicol_result nicol_psh_transform_create(const nicol_psh_sampling* sampling, nicol_psh_transform* transform);
+nicol_result nicol_psh_transform_retain(nicol_psh_transform transform);
+nicol_result nicol_psh_transform_release(nicol_psh_transform transform);
+nicol_result nicol_psh_transform_get_size(nicol_psh_transform transform, uint32_t* rows, uint32_t* columns);
+nicol_result nicol_psh_transform_get_rows(nicol_psh_transform transform, double* theta, double* weight, uint64_t count);
+nicol_result nicol_psh_analyze(nicol_psh_transform transform, uint64_t vectors, const double* samples, uint64_t sample_count, double* coefficients, uint64_t coefficient_count);
+nicol_result nicol_psh_synthesize(nicol_psh_transform transform, uint64_t vectors, const double* coefficients, uint64_t coefficient_count, double* samples, uint64_t sample_count);
+nicol_result nicol_psh_evaluate(uint32_t order, uint64_t vectors, const double* coefficients, uint64_t coefficient_count, const double* directions, uint64_t direction_count, double* stokes, uint64_t stokes_count);
+nicol_result nicol_psh_rotate(uint32_t order, uint64_t vectors, const double* in, uint64_t in_count, const double rotation[9], double* out, uint64_t out_count);
+nicol_result nicol_psh_reflect(uint32_t order, uint64_t vectors, const double* in, uint64_t in_count, double* out, uint64_t out_count);
+nicol_result nicol_psh_multiply(uint32_t scalar_order, const double* scalar, uint64_t scalar_count, uint32_t order, uint64_t vectors, const double* in, uint64_t in_count, uint32_t order_out, double* out, uint64_t out_count);
+nicol_result nicol_psh_shadow_matrix(uint32_t scalar_order, const double* scalar, uint64_t scalar_count, uint32_t order_out, uint32_t order_in, double* matrix, uint64_t matrix_count);
+nicol_result nicol_psh_project_matrix(const nicol_psh_mueller_field* field, double* matrix, uint64_t matrix_count);
+nicol_result nicol_psh_apply_matrix(uint32_t order_out, uint32_t order_in, const double* matrix, uint64_t matrix_count, uint64_t vectors, const double* in, uint64_t in_count, double* out, uint64_t out_count);
+nicol_result nicol_psh_compose_matrix(uint32_t order_out, uint32_t order_between, uint32_t order_in, const double* second, uint64_t second_count, const double* first, uint64_t first_count, double* matrix, uint64_t matrix_count);
+nicol_result nicol_psh_project_kernel(nicol_psh_kernel_callback callback, void* user, uint32_t order, uint32_t rows, double* bands, uint64_t band_count);
+nicol_result nicol_psh_kernel_at(uint32_t order, const double* bands, uint64_t band_count, const double* theta, uint64_t theta_count, double* mueller, uint64_t mueller_count);
+nicol_result nicol_psh_convolve(uint32_t order, const double* bands, uint64_t band_count, uint64_t vectors, const double* in, uint64_t in_count, double* out, uint64_t out_count);
+nicol_result nicol_psh_kernel_matrix(uint32_t order, const double* bands, uint64_t band_count, double* matrix, uint64_t matrix_count);
+nicol_result nicol_psh_nearest_kernel(uint32_t order, const double* matrix, uint64_t matrix_count, double* bands, uint64_t band_count);
+nicol_result nicol_file_identify(const char* path, nicol_file_kind* kind);
+nicol_result nicol_file_describe_light(const char* path, const nicol_file_options* options, nicol_light_report* report, double* energy, uint64_t count);
+nicol_result nicol_file_describe_material(const char* path, const nicol_file_options* options, nicol_material_report* report, double* energy, uint64_t count);
+nicol_result nicol_file_convert(const char* in, const nicol_file_options* options, const char* out);
+nicol_result nicol_environment_write(nicol_environment environment, const nicol_file_options* options, const char* path);
+nicol_result nicol_material_write(nicol_material material, const nicol_file_options* options, const char* path);
+nicol_result nicol_psh_write_file(const char* path, uint32_t order, uint64_t vectors, const double* coefficients, uint64_t count);
+]]
+
+return {
+    constants = {
+        VERSION_MAJOR = 0,
+        VERSION_MINOR = 1,
+        VERSION_PATCH = 0,
+        VERSION = 100,
+        OK = 0,
+        ERROR_INVALID_ARGUMENT = 1,
+        ERROR_INVALID_HANDLE = 2,
+        ERROR_OUT_OF_MEMORY = 3,
+        ERROR_FILE_NOT_FOUND = 4,
+        ERROR_INVALID_FILE = 5,
+        ERROR_WRITE_FAILED = 6,
+        ERROR_UNSUPPORTED = 7,
+        ERROR_NO_BACKEND = 8,
+        ERROR_CANCELLED = 9,
+        ERROR_OPENGL = 10,
+        ERROR_INTERNAL = 11,
+        LOG_INFO = 0,
+        LOG_NOTICE = 1,
+        LOG_WARNING = 2,
+        MAX_CHANNELS = 16,
+        MAX_ORDER = 32,
+        MAX_SIZE = 16384,
+        BACKEND_AUTOMATIC = 0,
+        BACKEND_EGL = 1,
+        BACKEND_OSMESA = 2,
+        DISTRIBUTION_BECKMANN = 0,
+        DISTRIBUTION_GGX = 1,
+        WAVELENGTH_LINEAR = 0,
+        WAVELENGTH_NEAREST = 1,
+        PROJECTION_PERSPECTIVE = 0,
+        PROJECTION_ORTHOGRAPHIC = 1,
+        METHOD_FACTORED = 0,
+        METHOD_DENSE = 1,
+        METHOD_REFERENCE = 2,
+        HIGH_ORDERS_SPLIT = 0,
+        HIGH_ORDERS_CONVOLUTION = 1,
+        HIGH_ORDERS_NONE = 2,
+        HIGH_ORDERS_AT_AUTOMATIC = 0,
+        HIGH_ORDERS_AT_VERTICES = 1,
+        HIGH_ORDERS_AT_PIXELS = 2,
+        EXECUTOR_AUTOMATIC = 0,
+        EXECUTOR_CPU = 1,
+        EXECUTOR_COMPUTE = 2,
+        PLANE_S0 = 0,
+        PLANE_S1 = 1,
+        PLANE_S2 = 2,
+        PLANE_S3 = 3,
+        PLANE_STOKES = 4,
+        PLANE_DOLP = 5,
+        PLANE_AOLP = 6,
+        PICTURE_S0 = 0,
+        PICTURE_S1 = 1,
+        PICTURE_S2 = 2,
+        PICTURE_S3 = 3,
+        PICTURE_DOLP = 4,
+        PICTURE_AOLP = 5,
+        PICTURE_POLARIZER = 6,
+        PSH_MAX_ORDER = 4096,
+        PSH_MAX_MATRIX_ORDER = 64,
+        PSH_GRID_FEJER = 0,
+        PSH_GRID_CLENSHAW_CURTIS = 1,
+        PSH_GRID_GAUSS_LEGENDRE = 2,
+        PSH_BAND_SIZE = 16,
+        FILE_LIGHT_PICTURE = 1,
+        FILE_LIGHT_CROSS = 2,
+        FILE_LIGHT_PSH = 3,
+        FILE_MATERIAL_PSH = 4,
+        FILE_MATERIAL_MEASURED = 5,
+        FILE_MATERIAL_TABLE = 6,
+        FILE_BAND_LIMITED = 1,
+        FILE_PHYSICAL = 2,
+    },
+    -- Functions that answer with a result code, and the handle that comes back through the last pointer.
+    results = {
+        context_create = "nicol_context",
+        context_get_info = true,
+        environment_load = "nicol_environment",
+        environment_create_image = "nicol_environment",
+        environment_create_constant = "nicol_environment",
+        environment_create_sky = "nicol_environment",
+        environment_create_psh = "nicol_environment",
+        environment_get_info = true,
+        material_create_pplastic = "nicol_material",
+        material_create_diffuse = "nicol_material",
+        material_create_conductor = "nicol_material",
+        material_load_measured = "nicol_material",
+        material_load_psh = "nicol_material",
+        material_create_twosided = "nicol_material",
+        material_create_callback = "nicol_material",
+        mesh_load = "nicol_mesh",
+        mesh_create = "nicol_mesh",
+        mesh_create_sphere = "nicol_mesh",
+        mesh_create_rectangle = "nicol_mesh",
+        mesh_create_cube = "nicol_mesh",
+        mesh_get_size = true,
+        camera_look_at = true,
+        scene_create = "nicol_scene",
+        scene_load = "nicol_scene",
+        scene_add_instance = true,
+        scene_set_transform = true,
+        scene_set_environment = true,
+        scene_get_environment = true,
+        scene_get_camera = true,
+        scene_get_film_size = true,
+        scene_get_channels = true,
+        framebuffer_create = "nicol_framebuffer",
+        framebuffer_get_size = true,
+        render = true,
+        framebuffer_get_statistics = true,
+        framebuffer_read = true,
+        framebuffer_write_exr = true,
+        framebuffer_write_png = true,
+        psh_project_image = true,
+        psh_project_environment = true,
+        psh_project_file = true,
+        psh_transform_create = "nicol_psh_transform",
+        psh_transform_get_size = true,
+        psh_transform_get_rows = true,
+        psh_analyze = true,
+        psh_synthesize = true,
+        psh_evaluate = true,
+        psh_rotate = true,
+        psh_reflect = true,
+        psh_multiply = true,
+        psh_shadow_matrix = true,
+        psh_project_matrix = true,
+        psh_apply_matrix = true,
+        psh_compose_matrix = true,
+        psh_project_kernel = true,
+        psh_kernel_at = true,
+        psh_convolve = true,
+        psh_kernel_matrix = true,
+        psh_nearest_kernel = true,
+        file_identify = true,
+        file_describe_light = true,
+        file_describe_material = true,
+        file_convert = true,
+        environment_write = true,
+        material_write = true,
+        psh_write_file = true,
+    },
+    -- Descriptors, and whether they begin with struct_size.
+    structs = {
+        spectrum = false,
+        context_options = true,
+        context_info = true,
+        image = true,
+        sky = true,
+        environment_load_options = true,
+        environment_info = true,
+        pplastic = true,
+        conductor = true,
+        measured = true,
+        callback_material = true,
+        mesh_data = true,
+        camera = true,
+        instance = true,
+        render_options = true,
+        statistics = true,
+        picture = true,
+        psh_sampling = true,
+        psh_mueller_field = true,
+        file_options = true,
+        light_report = true,
+        material_report = true,
+    },
+}
