@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""nicol.h keeps what capi/nicol.abi promised, and what would break a promise is noticed.
+
+usage: abi_test.py NICOL_H NICOL_ABI, with PYTHONPATH naming the folder of abi.py
+"""
+
+import sys
+import unittest
+
+import abi
+import header
+
+NICOL_H, NICOL_ABI = sys.argv.pop(1), sys.argv.pop(1)
+
+OLD = """
+#define NICOL_RED 1
+#define NICOL_BITS_ALL 3
+typedef uint32_t nicol_kind;
+typedef struct nicol_spectrum { uint32_t count; } nicol_spectrum;
+typedef struct nicol_options { uint32_t struct_size; nicol_kind kind; double scale; uint32_t reserved; } nicol_options;
+typedef int32_t (*nicol_call)(void* user, double at);
+NICOL_API int32_t nicol_do(const nicol_options* options, nicol_call call);
+"""
+
+
+def broken(old, *changes):
+    new = OLD
+    for before, after in changes:
+        if before not in new:
+            raise ValueError(f"{before!r} is not there to be changed")
+        new = new.replace(before, after)
+    return list(abi.breaks(*(abi.parse(abi.interface(header.Parser(text).header)) for text in (old, new))))
+
+
+class AbiTest(unittest.TestCase):
+    def test_promises_are_kept(self):
+        with open(NICOL_ABI, encoding="utf-8") as file:
+            old = abi.parse(file)
+        self.assertGreater(sum(kind == "function" for kind, _ in old), 80)
+        self.assertEqual(list(abi.breaks(old, abi.parse(abi.interface(header.read(NICOL_H))))), [])
+
+    def test_additions(self):
+        for change in [
+            ("#define NICOL_RED 1", "#define NICOL_RED 1\n#define NICOL_BLUE 2"),
+            ("NICOL_BITS_ALL 3", "NICOL_BITS_ALL 7"),
+            ("uint32_t reserved;", "uint32_t reserved; uint32_t pad; double more;"),
+            ("uint32_t reserved;", "nicol_kind seed;"),
+            ("NICOL_API", "NICOL_API int32_t nicol_more(void);\nNICOL_API"),
+            ("double at", "double angle"),
+        ]:
+            with self.subTest(change):
+                expected = [] if "pad" not in change[1] else ["nicol_options.pad lies in what was padding of nicol_options"]
+                self.assertEqual([line.split(":")[0] for line in broken(OLD, change)], expected)
+
+    def test_breaks(self):
+        for change, words in [
+            (("RED 1", "RED 2"), "NICOL_RED was 1 and is 2"),
+            (("#define NICOL_RED 1", ""), "NICOL_RED was 1 and is gone"),
+            (("typedef uint32_t nicol_kind", "typedef int32_t nicol_kind"), "nicol_kind was uint32_t"),
+            (("uint32_t count;", "uint32_t count; float more;"), "nicol_spectrum has grown"),
+            (("double scale;", ""), "nicol_options has shrunk"),
+            (("double scale;", "double factor;"), "nicol_options.scale was at 8"),
+            (("nicol_kind kind; double scale;", "double scale; nicol_kind kind;"), "nicol_options.kind was at 4"),
+            (("double scale;", "uint64_t scale;"), "nicol_options.scale"),
+            (("uint32_t reserved;", "float seed;"), "nicol_options.reserved was at 16"),
+            (("void* user, double at", "void* user, float at"), "nicol_call was"),
+            (("const nicol_options* options, ", ""), "nicol_do was"),
+            (("nicol_do(", "nicol_do_it("), "nicol_do was"),
+        ]:
+            with self.subTest(change):
+                found = broken(OLD, change)
+                self.assertTrue(any(words in line for line in found), found)
+
+
+if __name__ == "__main__":
+    unittest.main()
