@@ -13,11 +13,13 @@ import sys
 import header
 import to_lua
 import to_python
+import to_rust
 
 SAMPLES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 TARGETS = {
     "lua/nicol_ffi.lua": to_lua,
     "python/nicol/_abi.py": to_python,
+    "rust/src/abi.rs": to_rust,
 }
 
 

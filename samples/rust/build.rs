@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//! Finds libnicol: in the folder that NICOL_LIB_DIR names, by pkg-config, or where the linker looks.
+use std::process::Command;
+
+fn main() {
+    println!("cargo:rerun-if-env-changed=NICOL_LIB_DIR");
+    let by_pkg_config = || {
+        let asked = Command::new("pkg-config").args(["--variable=libdir", "nicol"]).output().ok()?;
+        asked.status.success().then(|| String::from_utf8_lossy(&asked.stdout).trim().to_string())
+    };
+    if let Some(folder) = std::env::var("NICOL_LIB_DIR").ok().or_else(by_pkg_config) {
+        println!("cargo:rustc-link-search=native={folder}");
+        println!("cargo:rustc-link-arg=-Wl,-rpath,{folder}");
+    }
+    println!("cargo:rustc-link-lib=dylib=nicol");
+}

@@ -1,0 +1,1128 @@
+// SPDX-License-Identifier: MIT
+//! nicol.h 0.1.0 for Rust. Made by samples/bindings/generate.py: change the header, not this file.
+#![allow(non_camel_case_types)]
+use std::ffi::{c_char, c_void};
+use std::mem::{offset_of, size_of};
+
+pub const NICOL_VERSION_MAJOR: u32 = 0;
+pub const NICOL_VERSION_MINOR: u32 = 1;
+pub const NICOL_VERSION_PATCH: u32 = 0;
+pub const NICOL_VERSION: u32 = 100;
+pub const NICOL_OK: nicol_result = 0;
+pub const NICOL_ERROR_INVALID_ARGUMENT: nicol_result = 1;
+pub const NICOL_ERROR_INVALID_HANDLE: nicol_result = 2;
+pub const NICOL_ERROR_OUT_OF_MEMORY: nicol_result = 3;
+pub const NICOL_ERROR_FILE_NOT_FOUND: nicol_result = 4;
+pub const NICOL_ERROR_INVALID_FILE: nicol_result = 5;
+pub const NICOL_ERROR_WRITE_FAILED: nicol_result = 6;
+pub const NICOL_ERROR_UNSUPPORTED: nicol_result = 7;
+pub const NICOL_ERROR_NO_BACKEND: nicol_result = 8;
+pub const NICOL_ERROR_CANCELLED: nicol_result = 9;
+pub const NICOL_ERROR_OPENGL: nicol_result = 10;
+pub const NICOL_ERROR_INTERNAL: nicol_result = 11;
+pub const NICOL_LOG_INFO: u32 = 0;
+pub const NICOL_LOG_NOTICE: u32 = 1;
+pub const NICOL_LOG_WARNING: u32 = 2;
+pub const NICOL_MAX_CHANNELS: u32 = 16;
+pub const NICOL_MAX_ORDER: u32 = 32;
+pub const NICOL_MAX_SIZE: u32 = 16384;
+pub const NICOL_BACKEND_AUTOMATIC: u32 = 0;
+pub const NICOL_BACKEND_EGL: u32 = 1;
+pub const NICOL_BACKEND_OSMESA: u32 = 2;
+pub const NICOL_DISTRIBUTION_BECKMANN: u32 = 0;
+pub const NICOL_DISTRIBUTION_GGX: u32 = 1;
+pub const NICOL_WAVELENGTH_LINEAR: u32 = 0;
+pub const NICOL_WAVELENGTH_NEAREST: u32 = 1;
+pub const NICOL_PROJECTION_PERSPECTIVE: u32 = 0;
+pub const NICOL_PROJECTION_ORTHOGRAPHIC: u32 = 1;
+pub const NICOL_METHOD_FACTORED: u32 = 0;
+pub const NICOL_METHOD_DENSE: u32 = 1;
+pub const NICOL_METHOD_REFERENCE: u32 = 2;
+pub const NICOL_HIGH_ORDERS_SPLIT: u32 = 0;
+pub const NICOL_HIGH_ORDERS_CONVOLUTION: u32 = 1;
+pub const NICOL_HIGH_ORDERS_NONE: u32 = 2;
+pub const NICOL_HIGH_ORDERS_AT_AUTOMATIC: u32 = 0;
+pub const NICOL_HIGH_ORDERS_AT_VERTICES: u32 = 1;
+pub const NICOL_HIGH_ORDERS_AT_PIXELS: u32 = 2;
+pub const NICOL_EXECUTOR_AUTOMATIC: u32 = 0;
+pub const NICOL_EXECUTOR_CPU: u32 = 1;
+pub const NICOL_EXECUTOR_COMPUTE: u32 = 2;
+pub const NICOL_PLANE_S0: u32 = 0;
+pub const NICOL_PLANE_S1: u32 = 1;
+pub const NICOL_PLANE_S2: u32 = 2;
+pub const NICOL_PLANE_S3: u32 = 3;
+pub const NICOL_PLANE_STOKES: u32 = 4;
+pub const NICOL_PLANE_DOLP: u32 = 5;
+pub const NICOL_PLANE_AOLP: u32 = 6;
+pub const NICOL_PICTURE_S0: u32 = 0;
+pub const NICOL_PICTURE_S1: u32 = 1;
+pub const NICOL_PICTURE_S2: u32 = 2;
+pub const NICOL_PICTURE_S3: u32 = 3;
+pub const NICOL_PICTURE_DOLP: u32 = 4;
+pub const NICOL_PICTURE_AOLP: u32 = 5;
+pub const NICOL_PICTURE_POLARIZER: u32 = 6;
+pub const NICOL_PSH_MAX_ORDER: u32 = 4096;
+pub const NICOL_PSH_MAX_MATRIX_ORDER: u32 = 64;
+pub const NICOL_PSH_GRID_FEJER: u32 = 0;
+pub const NICOL_PSH_GRID_CLENSHAW_CURTIS: u32 = 1;
+pub const NICOL_PSH_GRID_GAUSS_LEGENDRE: u32 = 2;
+pub const NICOL_PSH_BAND_SIZE: u32 = 16;
+pub const NICOL_FILE_LIGHT_PICTURE: u32 = 1;
+pub const NICOL_FILE_LIGHT_CROSS: u32 = 2;
+pub const NICOL_FILE_LIGHT_PSH: u32 = 3;
+pub const NICOL_FILE_MATERIAL_PSH: u32 = 4;
+pub const NICOL_FILE_MATERIAL_MEASURED: u32 = 5;
+pub const NICOL_FILE_MATERIAL_TABLE: u32 = 6;
+pub const NICOL_FILE_BAND_LIMITED: u32 = 1;
+pub const NICOL_FILE_PHYSICAL: u32 = 2;
+
+pub type nicol_result = i32;
+
+pub type nicol_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, severity: u32, code: nicol_result, message: *const c_char)>;
+
+/// Called about ten times a second on the thread that called; fraction runs from 0 to 1. Answer 1 to go on,
+/// 0 to stop: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same
+/// context.
+pub type nicol_progress_callback = Option<unsafe extern "C" fn(user: *mut c_void, verb: *const c_char, fraction: f64) -> i32>;
+
+#[repr(C)]
+pub struct nicol_context_impl {
+    _private: [u8; 0],
+}
+/// an OpenGL context on a thread of its own
+pub type nicol_context = *mut nicol_context_impl;
+
+#[repr(C)]
+pub struct nicol_environment_impl {
+    _private: [u8; 0],
+}
+/// light from infinitely far; immutable
+pub type nicol_environment = *mut nicol_environment_impl;
+
+#[repr(C)]
+pub struct nicol_material_impl {
+    _private: [u8; 0],
+}
+/// a polarimetric BRDF; immutable
+pub type nicol_material = *mut nicol_material_impl;
+
+#[repr(C)]
+pub struct nicol_mesh_impl {
+    _private: [u8; 0],
+}
+/// triangles; immutable
+pub type nicol_mesh = *mut nicol_mesh_impl;
+
+#[repr(C)]
+pub struct nicol_scene_impl {
+    _private: [u8; 0],
+}
+/// instances and one environment; may change
+pub type nicol_scene = *mut nicol_scene_impl;
+
+#[repr(C)]
+pub struct nicol_framebuffer_impl {
+    _private: [u8; 0],
+}
+/// the Stokes picture of the last render into it
+pub type nicol_framebuffer = *mut nicol_framebuffer_impl;
+
+/// One value a colour channel. count 0: the default; 1: the same in every channel; else the scene's channel
+/// count.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_spectrum {
+    pub count: u32,
+    pub values: [f32; 16],
+}
+impl Default for nicol_spectrum {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        unsafe { std::mem::zeroed() }
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_spectrum>() == 68);
+    assert!(offset_of!(nicol_spectrum, count) == 0);
+    assert!(offset_of!(nicol_spectrum, values) == 4);
+};
+pub type nicol_backend = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_context_options {
+    pub struct_size: u32,
+    pub backend: nicol_backend,
+    pub device: u32,
+    pub threads: u32,
+    pub log: nicol_log_callback,
+    pub log_user: *mut c_void,
+    pub cache_folder: *const c_char,
+}
+impl Default for nicol_context_options {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_context_options>() == 40);
+    assert!(offset_of!(nicol_context_options, struct_size) == 0);
+    assert!(offset_of!(nicol_context_options, backend) == 4);
+    assert!(offset_of!(nicol_context_options, device) == 8);
+    assert!(offset_of!(nicol_context_options, threads) == 12);
+    assert!(offset_of!(nicol_context_options, log) == 16);
+    assert!(offset_of!(nicol_context_options, log_user) == 24);
+    assert!(offset_of!(nicol_context_options, cache_folder) == 32);
+};
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_context_info {
+    pub struct_size: u32,
+    pub backend: nicol_backend,
+    pub software: u32,
+    pub threads: u32,
+    pub renderer: *const c_char,
+    pub vendor: *const c_char,
+    pub version: *const c_char,
+}
+impl Default for nicol_context_info {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_context_info>() == 40);
+    assert!(offset_of!(nicol_context_info, struct_size) == 0);
+    assert!(offset_of!(nicol_context_info, backend) == 4);
+    assert!(offset_of!(nicol_context_info, software) == 8);
+    assert!(offset_of!(nicol_context_info, threads) == 12);
+    assert!(offset_of!(nicol_context_info, renderer) == 16);
+    assert!(offset_of!(nicol_context_info, vendor) == 24);
+    assert!(offset_of!(nicol_context_info, version) == 32);
+};
+
+pub type nicol_release_callback = Option<unsafe extern "C" fn(user: *mut c_void)>;
+
+/// An equirectangular picture over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
+/// -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole).
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_image {
+    pub struct_size: u32,
+    pub width: u32,
+    pub height: u32,
+    pub channels: u32,
+    pub components: u32,
+    pub pixels: *const f32,
+    pub row_stride: u64,
+    pub byte_size: u64,
+    pub release: nicol_release_callback,
+    pub release_user: *mut c_void,
+}
+impl Default for nicol_image {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_image>() == 64);
+    assert!(offset_of!(nicol_image, struct_size) == 0);
+    assert!(offset_of!(nicol_image, width) == 4);
+    assert!(offset_of!(nicol_image, height) == 8);
+    assert!(offset_of!(nicol_image, channels) == 12);
+    assert!(offset_of!(nicol_image, components) == 16);
+    assert!(offset_of!(nicol_image, pixels) == 24);
+    assert!(offset_of!(nicol_image, row_stride) == 32);
+    assert!(offset_of!(nicol_image, byte_size) == 40);
+    assert!(offset_of!(nicol_image, release) == 48);
+    assert!(offset_of!(nicol_image, release_user) == 56);
+};
+
+/// A clear sky; the sun's own disc is not part of it. At the angle g from the sun its degree of polarization
+/// is dop_max sin^2 g / (1 + cos^2 g), the E-vector along sun x view, without s3.
+///
+/// With turbidity 0 light is scattered once: radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
+/// horizon too.
+///
+/// With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
+/// formula, mean luminance over the upper half 1, times radiance. Below the horizon lies an unpolarized
+/// ground, alike all over, that reflects ground_albedo of the irradiance of each channel. The sun must not
+/// stand below the horizon.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_sky {
+    pub struct_size: u32,
+    pub dop_max: f32,
+    pub sun_direction: [f32; 3],
+    pub radiance: nicol_spectrum,
+    pub turbidity: f32,
+    pub ground_albedo: f32,
+}
+impl Default for nicol_sky {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_sky>() == 96);
+    assert!(offset_of!(nicol_sky, struct_size) == 0);
+    assert!(offset_of!(nicol_sky, dop_max) == 4);
+    assert!(offset_of!(nicol_sky, sun_direction) == 8);
+    assert!(offset_of!(nicol_sky, radiance) == 20);
+    assert!(offset_of!(nicol_sky, turbidity) == 88);
+    assert!(offset_of!(nicol_sky, ground_albedo) == 92);
+};
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_environment_load_options {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub scale: f64,
+    pub wavelengths: nicol_spectrum,
+}
+impl Default for nicol_environment_load_options {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_environment_load_options>() == 88);
+    assert!(offset_of!(nicol_environment_load_options, struct_size) == 0);
+    assert!(offset_of!(nicol_environment_load_options, reserved) == 4);
+    assert!(offset_of!(nicol_environment_load_options, scale) == 8);
+    assert!(offset_of!(nicol_environment_load_options, wavelengths) == 16);
+};
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_environment_info {
+    pub struct_size: u32,
+    pub channels: u32,
+    pub polarized: u32,
+    pub circular: u32,
+    pub wavelength_count: u32,
+    pub reserved: u32,
+    pub wavelengths: [f64; 16],
+}
+impl Default for nicol_environment_info {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_environment_info>() == 152);
+    assert!(offset_of!(nicol_environment_info, struct_size) == 0);
+    assert!(offset_of!(nicol_environment_info, channels) == 4);
+    assert!(offset_of!(nicol_environment_info, polarized) == 8);
+    assert!(offset_of!(nicol_environment_info, circular) == 12);
+    assert!(offset_of!(nicol_environment_info, wavelength_count) == 16);
+    assert!(offset_of!(nicol_environment_info, reserved) == 20);
+    assert!(offset_of!(nicol_environment_info, wavelengths) == 24);
+};
+pub type nicol_distribution = u32;
+
+/// Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Front side only.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_pplastic {
+    pub struct_size: u32,
+    pub distribution: nicol_distribution,
+    pub diffuse_reflectance: nicol_spectrum,
+    pub specular_reflectance: nicol_spectrum,
+    pub int_ior: f32,
+    pub ext_ior: f32,
+    pub alpha: f32,
+}
+impl Default for nicol_pplastic {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_pplastic>() == 156);
+    assert!(offset_of!(nicol_pplastic, struct_size) == 0);
+    assert!(offset_of!(nicol_pplastic, distribution) == 4);
+    assert!(offset_of!(nicol_pplastic, diffuse_reflectance) == 8);
+    assert!(offset_of!(nicol_pplastic, specular_reflectance) == 76);
+    assert!(offset_of!(nicol_pplastic, int_ior) == 144);
+    assert!(offset_of!(nicol_pplastic, ext_ior) == 148);
+    assert!(offset_of!(nicol_pplastic, alpha) == 152);
+};
+
+/// Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
+/// index is eta - i k, relative to air. Front side only.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_conductor {
+    pub struct_size: u32,
+    pub distribution: nicol_distribution,
+    pub alpha: f32,
+    pub reserved: u32,
+    pub metal: *const c_char,
+    pub eta: nicol_spectrum,
+    pub k: nicol_spectrum,
+    pub wavelengths: nicol_spectrum,
+    pub specular_reflectance: nicol_spectrum,
+}
+impl Default for nicol_conductor {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_conductor>() == 296);
+    assert!(offset_of!(nicol_conductor, struct_size) == 0);
+    assert!(offset_of!(nicol_conductor, distribution) == 4);
+    assert!(offset_of!(nicol_conductor, alpha) == 8);
+    assert!(offset_of!(nicol_conductor, reserved) == 12);
+    assert!(offset_of!(nicol_conductor, metal) == 16);
+    assert!(offset_of!(nicol_conductor, eta) == 24);
+    assert!(offset_of!(nicol_conductor, k) == 92);
+    assert!(offset_of!(nicol_conductor, wavelengths) == 160);
+    assert!(offset_of!(nicol_conductor, specular_reflectance) == 228);
+};
+pub type nicol_wavelength_sampling = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_measured {
+    pub struct_size: u32,
+    pub sampling: nicol_wavelength_sampling,
+    pub wavelengths: nicol_spectrum,
+}
+impl Default for nicol_measured {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_measured>() == 76);
+    assert!(offset_of!(nicol_measured, struct_size) == 0);
+    assert!(offset_of!(nicol_measured, sampling) == 4);
+    assert!(offset_of!(nicol_measured, wavelengths) == 8);
+};
+
+/// Writes the Mueller matrix of one colour channel, 16 row-major doubles, 1/sr and without the cosine, for
+/// light from the direction `towards_light` into the direction `towards_viewer`: unit vectors in the surface's
+/// frame, whose normal is z; both have z > 0. Both Stokes frames have x along the s-axis towards_light x
+/// towards_viewer and z along the propagation, y = z cross x, as Fresnel's matrices do (where the directions
+/// agree, x is any direction across them, the same for both). Answer 1 to go on, 0 to stop the call that needs
+/// it with NICOL_ERROR_CANCELLED. It is called by nicol_material_create_callback and nicol_render, on several
+/// threads at once, and must not call Nicol with objects of the material's context.
+pub type nicol_mueller_callback = Option<unsafe extern "C" fn(user: *mut c_void, channel: u32, towards_light: *const [f64; 3], towards_viewer: *const [f64; 3], mueller: *mut [f64; 16]) -> i32>;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_callback_material {
+    pub struct_size: u32,
+    pub channels: u32,
+    pub mueller: nicol_mueller_callback,
+    pub user: *mut c_void,
+    pub release: nicol_release_callback,
+    pub lobe_width: f32,
+    pub reserved: u32,
+}
+impl Default for nicol_callback_material {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_callback_material>() == 40);
+    assert!(offset_of!(nicol_callback_material, struct_size) == 0);
+    assert!(offset_of!(nicol_callback_material, channels) == 4);
+    assert!(offset_of!(nicol_callback_material, mueller) == 8);
+    assert!(offset_of!(nicol_callback_material, user) == 16);
+    assert!(offset_of!(nicol_callback_material, release) == 24);
+    assert!(offset_of!(nicol_callback_material, lobe_width) == 32);
+    assert!(offset_of!(nicol_callback_material, reserved) == 36);
+};
+
+/// Positions and normals must be finite. A triangle needs three vertices that are there and an area.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_mesh_data {
+    pub struct_size: u32,
+    pub vertex_count: u32,
+    pub triangle_count: u32,
+    pub reserved: u32,
+    pub positions: *const f32,
+    pub normals: *const f32,
+    pub indices: *const u32,
+}
+impl Default for nicol_mesh_data {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_mesh_data>() == 40);
+    assert!(offset_of!(nicol_mesh_data, struct_size) == 0);
+    assert!(offset_of!(nicol_mesh_data, vertex_count) == 4);
+    assert!(offset_of!(nicol_mesh_data, triangle_count) == 8);
+    assert!(offset_of!(nicol_mesh_data, reserved) == 12);
+    assert!(offset_of!(nicol_mesh_data, positions) == 16);
+    assert!(offset_of!(nicol_mesh_data, normals) == 24);
+    assert!(offset_of!(nicol_mesh_data, indices) == 32);
+};
+pub type nicol_projection = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_camera {
+    pub struct_size: u32,
+    pub projection: nicol_projection,
+    pub to_world: [f64; 16],
+    pub fov: f64,
+    pub near_clip: f64,
+    pub far_clip: f64,
+}
+impl Default for nicol_camera {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_camera>() == 160);
+    assert!(offset_of!(nicol_camera, struct_size) == 0);
+    assert!(offset_of!(nicol_camera, projection) == 4);
+    assert!(offset_of!(nicol_camera, to_world) == 8);
+    assert!(offset_of!(nicol_camera, fov) == 136);
+    assert!(offset_of!(nicol_camera, near_clip) == 144);
+    assert!(offset_of!(nicol_camera, far_clip) == 152);
+};
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_instance {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub mesh: nicol_mesh,
+    pub material: nicol_material,
+    pub to_world: [f64; 16],
+}
+impl Default for nicol_instance {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_instance>() == 152);
+    assert!(offset_of!(nicol_instance, struct_size) == 0);
+    assert!(offset_of!(nicol_instance, reserved) == 4);
+    assert!(offset_of!(nicol_instance, mesh) == 8);
+    assert!(offset_of!(nicol_instance, material) == 16);
+    assert!(offset_of!(nicol_instance, to_world) == 24);
+};
+pub type nicol_method = u32;
+pub type nicol_high_orders = u32;
+pub type nicol_high_orders_at = u32;
+pub type nicol_executor = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_render_options {
+    pub struct_size: u32,
+    pub method: nicol_method,
+    pub order_low: i32,
+    pub order_high: i32,
+    pub high_orders: nicol_high_orders,
+    pub shadows: i32,
+    pub bake_directions: u32,
+    pub physical: u32,
+    pub dering: f64,
+    pub progress: nicol_progress_callback,
+    pub progress_user: *mut c_void,
+    pub samples: i32,
+    pub reserved: u32,
+    pub seed: u64,
+    pub executor: nicol_executor,
+    pub high_orders_at: nicol_high_orders_at,
+}
+impl Default for nicol_render_options {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_render_options>() == 80);
+    assert!(offset_of!(nicol_render_options, struct_size) == 0);
+    assert!(offset_of!(nicol_render_options, method) == 4);
+    assert!(offset_of!(nicol_render_options, order_low) == 8);
+    assert!(offset_of!(nicol_render_options, order_high) == 12);
+    assert!(offset_of!(nicol_render_options, high_orders) == 16);
+    assert!(offset_of!(nicol_render_options, shadows) == 20);
+    assert!(offset_of!(nicol_render_options, bake_directions) == 24);
+    assert!(offset_of!(nicol_render_options, physical) == 28);
+    assert!(offset_of!(nicol_render_options, dering) == 32);
+    assert!(offset_of!(nicol_render_options, progress) == 40);
+    assert!(offset_of!(nicol_render_options, progress_user) == 48);
+    assert!(offset_of!(nicol_render_options, samples) == 56);
+    assert!(offset_of!(nicol_render_options, reserved) == 60);
+    assert!(offset_of!(nicol_render_options, seed) == 64);
+    assert!(offset_of!(nicol_render_options, executor) == 72);
+    assert!(offset_of!(nicol_render_options, high_orders_at) == 76);
+};
+
+/// What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_statistics {
+    pub struct_size: u32,
+    pub order: u32,
+    pub vertices: u64,
+    pub triangles: u64,
+    pub project_ms: f64,
+    pub bake_ms: f64,
+    pub relight_ms: f64,
+    pub shade_ms: f64,
+    pub draw_ms: f64,
+    pub observe_ms: f64,
+    pub bake_trace_ms: f64,
+    pub bake_rays: u64,
+    pub vertices_skipped: u64,
+    pub vertices_unoccluded: u64,
+    pub vertices_unphysical: u64,
+    pub light_columns_skipped: u64,
+    pub response_rows_skipped: u64,
+    pub channels_shared: u64,
+    pub response_bytes: u64,
+    pub visibility_bytes: u64,
+    pub transfer_bytes: u64,
+    pub buffer_bytes: u64,
+    pub texture_bytes: u64,
+    pub camera_rays: u64,
+    pub shadow_rays: u64,
+    pub trace_ms: f64,
+    pub compute: u32,
+    pub high_orders_at: nicol_high_orders_at,
+}
+impl Default for nicol_statistics {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_statistics>() == 208);
+    assert!(offset_of!(nicol_statistics, struct_size) == 0);
+    assert!(offset_of!(nicol_statistics, order) == 4);
+    assert!(offset_of!(nicol_statistics, vertices) == 8);
+    assert!(offset_of!(nicol_statistics, triangles) == 16);
+    assert!(offset_of!(nicol_statistics, project_ms) == 24);
+    assert!(offset_of!(nicol_statistics, bake_ms) == 32);
+    assert!(offset_of!(nicol_statistics, relight_ms) == 40);
+    assert!(offset_of!(nicol_statistics, shade_ms) == 48);
+    assert!(offset_of!(nicol_statistics, draw_ms) == 56);
+    assert!(offset_of!(nicol_statistics, observe_ms) == 64);
+    assert!(offset_of!(nicol_statistics, bake_trace_ms) == 72);
+    assert!(offset_of!(nicol_statistics, bake_rays) == 80);
+    assert!(offset_of!(nicol_statistics, vertices_skipped) == 88);
+    assert!(offset_of!(nicol_statistics, vertices_unoccluded) == 96);
+    assert!(offset_of!(nicol_statistics, vertices_unphysical) == 104);
+    assert!(offset_of!(nicol_statistics, light_columns_skipped) == 112);
+    assert!(offset_of!(nicol_statistics, response_rows_skipped) == 120);
+    assert!(offset_of!(nicol_statistics, channels_shared) == 128);
+    assert!(offset_of!(nicol_statistics, response_bytes) == 136);
+    assert!(offset_of!(nicol_statistics, visibility_bytes) == 144);
+    assert!(offset_of!(nicol_statistics, transfer_bytes) == 152);
+    assert!(offset_of!(nicol_statistics, buffer_bytes) == 160);
+    assert!(offset_of!(nicol_statistics, texture_bytes) == 168);
+    assert!(offset_of!(nicol_statistics, camera_rays) == 176);
+    assert!(offset_of!(nicol_statistics, shadow_rays) == 184);
+    assert!(offset_of!(nicol_statistics, trace_ms) == 192);
+    assert!(offset_of!(nicol_statistics, compute) == 200);
+    assert!(offset_of!(nicol_statistics, high_orders_at) == 204);
+};
+pub type nicol_plane = u32;
+pub type nicol_picture_kind = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_picture {
+    pub struct_size: u32,
+    pub kind: nicol_picture_kind,
+    pub exposure: f32,
+    pub scale: f32,
+    pub polarizer_angle: f32,
+}
+impl Default for nicol_picture {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_picture>() == 20);
+    assert!(offset_of!(nicol_picture, struct_size) == 0);
+    assert!(offset_of!(nicol_picture, kind) == 4);
+    assert!(offset_of!(nicol_picture, exposure) == 8);
+    assert!(offset_of!(nicol_picture, scale) == 12);
+    assert!(offset_of!(nicol_picture, polarizer_angle) == 16);
+};
+pub type nicol_psh_grid = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_psh_sampling {
+    pub struct_size: u32,
+    pub grid: nicol_psh_grid,
+    pub order: u32,
+    pub rows: u32,
+    pub columns: u32,
+    pub reserved: u32,
+    pub phi0: f64,
+}
+impl Default for nicol_psh_sampling {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_psh_sampling>() == 32);
+    assert!(offset_of!(nicol_psh_sampling, struct_size) == 0);
+    assert!(offset_of!(nicol_psh_sampling, grid) == 4);
+    assert!(offset_of!(nicol_psh_sampling, order) == 8);
+    assert!(offset_of!(nicol_psh_sampling, rows) == 12);
+    assert!(offset_of!(nicol_psh_sampling, columns) == 16);
+    assert!(offset_of!(nicol_psh_sampling, reserved) == 20);
+    assert!(offset_of!(nicol_psh_sampling, phi0) == 24);
+};
+
+#[repr(C)]
+pub struct nicol_psh_transform_impl {
+    _private: [u8; 0],
+}
+/// Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
+/// context; holds its work space: after creation no call allocates. Calls on one transform take turns.
+pub type nicol_psh_transform = *mut nicol_psh_transform_impl;
+
+/// Writes the Mueller matrix from the theta-phi frame of the propagation direction `in` to that of `out`,
+/// cosine factors included (Eq. 38). Answer 1 to go on, 0 to stop with NICOL_ERROR_CANCELLED. Called on the
+/// calling thread. It may call Nicol.
+pub type nicol_psh_mueller_callback = Option<unsafe extern "C" fn(user: *mut c_void, r#in: *const [f64; 3], out: *const [f64; 3], mueller: *mut [f64; 16]) -> i32>;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_psh_mueller_field {
+    pub struct_size: u32,
+    pub isotropic: u32,
+    pub order_out: u32,
+    pub order_in: u32,
+    pub rows_out: u32,
+    pub columns_out: u32,
+    pub rows_in: u32,
+    pub columns_in: u32,
+    pub callback: nicol_psh_mueller_callback,
+    pub user: *mut c_void,
+}
+impl Default for nicol_psh_mueller_field {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_psh_mueller_field>() == 48);
+    assert!(offset_of!(nicol_psh_mueller_field, struct_size) == 0);
+    assert!(offset_of!(nicol_psh_mueller_field, isotropic) == 4);
+    assert!(offset_of!(nicol_psh_mueller_field, order_out) == 8);
+    assert!(offset_of!(nicol_psh_mueller_field, order_in) == 12);
+    assert!(offset_of!(nicol_psh_mueller_field, rows_out) == 16);
+    assert!(offset_of!(nicol_psh_mueller_field, columns_out) == 20);
+    assert!(offset_of!(nicol_psh_mueller_field, rows_in) == 24);
+    assert!(offset_of!(nicol_psh_mueller_field, columns_in) == 28);
+    assert!(offset_of!(nicol_psh_mueller_field, callback) == 32);
+    assert!(offset_of!(nicol_psh_mueller_field, user) == 40);
+};
+
+/// Writes the Mueller matrix at the angle theta between input and output direction, frames with x along the
+/// great circle, from input to output at both ends (Eq. 62). Answers as nicol_psh_mueller_callback.
+pub type nicol_psh_kernel_callback = Option<unsafe extern "C" fn(user: *mut c_void, theta: f64, mueller: *mut [f64; 16]) -> i32>;
+pub type nicol_file_kind = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_file_options {
+    pub struct_size: u32,
+    pub order: i32,
+    pub width: u32,
+    pub height: u32,
+    pub edge: u32,
+    pub flags: u32,
+    pub scale: f64,
+    pub rotation: [f64; 9],
+    pub wavelengths: nicol_spectrum,
+    pub reserved: u32,
+}
+impl Default for nicol_file_options {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_file_options>() == 176);
+    assert!(offset_of!(nicol_file_options, struct_size) == 0);
+    assert!(offset_of!(nicol_file_options, order) == 4);
+    assert!(offset_of!(nicol_file_options, width) == 8);
+    assert!(offset_of!(nicol_file_options, height) == 12);
+    assert!(offset_of!(nicol_file_options, edge) == 16);
+    assert!(offset_of!(nicol_file_options, flags) == 20);
+    assert!(offset_of!(nicol_file_options, scale) == 24);
+    assert!(offset_of!(nicol_file_options, rotation) == 32);
+    assert!(offset_of!(nicol_file_options, wavelengths) == 104);
+    assert!(offset_of!(nicol_file_options, reserved) == 172);
+};
+
+/// What a light is, by channel; means and parts are over the sphere by solid angle, of the picture that would
+/// be written.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_light_report {
+    pub struct_size: u32,
+    pub kind: nicol_file_kind,
+    pub channels: u32,
+    pub order: u32,
+    pub width: u32,
+    pub height: u32,
+    pub polarized: u32,
+    pub circular: u32,
+    pub wavelengths: [f64; 16],
+    pub mean: [f64; 16],
+    pub smallest: [f64; 16],
+    pub largest: [f64; 16],
+    pub direction: [f64; 48],
+    pub mean_dolp: [f64; 16],
+    pub largest_dolp: [f64; 16],
+    pub largest_circular: [f64; 16],
+    pub unphysical: [f64; 16],
+    pub largest_excess: [f64; 16],
+}
+impl Default for nicol_light_report {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_light_report>() == 1568);
+    assert!(offset_of!(nicol_light_report, struct_size) == 0);
+    assert!(offset_of!(nicol_light_report, kind) == 4);
+    assert!(offset_of!(nicol_light_report, channels) == 8);
+    assert!(offset_of!(nicol_light_report, order) == 12);
+    assert!(offset_of!(nicol_light_report, width) == 16);
+    assert!(offset_of!(nicol_light_report, height) == 20);
+    assert!(offset_of!(nicol_light_report, polarized) == 24);
+    assert!(offset_of!(nicol_light_report, circular) == 28);
+    assert!(offset_of!(nicol_light_report, wavelengths) == 32);
+    assert!(offset_of!(nicol_light_report, mean) == 160);
+    assert!(offset_of!(nicol_light_report, smallest) == 288);
+    assert!(offset_of!(nicol_light_report, largest) == 416);
+    assert!(offset_of!(nicol_light_report, direction) == 544);
+    assert!(offset_of!(nicol_light_report, mean_dolp) == 928);
+    assert!(offset_of!(nicol_light_report, largest_dolp) == 1056);
+    assert!(offset_of!(nicol_light_report, largest_circular) == 1184);
+    assert!(offset_of!(nicol_light_report, unphysical) == 1312);
+    assert!(offset_of!(nicol_light_report, largest_excess) == 1440);
+};
+
+/// What a material is, by channel, as far as coefficients up to `order` tell.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_material_report {
+    pub struct_size: u32,
+    pub kind: nicol_file_kind,
+    pub channels: u32,
+    pub order: u32,
+    pub file_order: u32,
+    pub stokes_columns: u32,
+    pub measured_wavelengths: u32,
+    pub reserved: u32,
+    pub measured_range: [f64; 2],
+    pub wavelengths: [f64; 16],
+    pub albedo: [f64; 16],
+    pub largest_albedo: [f64; 16],
+    pub norms: [f64; 144],
+    pub asymmetry: [f64; 16],
+    pub unphysical: [f64; 16],
+    pub excess: [f64; 16],
+}
+impl Default for nicol_material_report {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_material_report>() == 1968);
+    assert!(offset_of!(nicol_material_report, struct_size) == 0);
+    assert!(offset_of!(nicol_material_report, kind) == 4);
+    assert!(offset_of!(nicol_material_report, channels) == 8);
+    assert!(offset_of!(nicol_material_report, order) == 12);
+    assert!(offset_of!(nicol_material_report, file_order) == 16);
+    assert!(offset_of!(nicol_material_report, stokes_columns) == 20);
+    assert!(offset_of!(nicol_material_report, measured_wavelengths) == 24);
+    assert!(offset_of!(nicol_material_report, reserved) == 28);
+    assert!(offset_of!(nicol_material_report, measured_range) == 32);
+    assert!(offset_of!(nicol_material_report, wavelengths) == 48);
+    assert!(offset_of!(nicol_material_report, albedo) == 176);
+    assert!(offset_of!(nicol_material_report, largest_albedo) == 304);
+    assert!(offset_of!(nicol_material_report, norms) == 432);
+    assert!(offset_of!(nicol_material_report, asymmetry) == 1584);
+    assert!(offset_of!(nicol_material_report, unphysical) == 1712);
+    assert!(offset_of!(nicol_material_report, excess) == 1840);
+};
+
+extern "C" {
+    /// Of the library that runs: major * 10000 + minor * 100 + patch.
+    pub fn nicol_version() -> u32;
+    /// "0.1.0"; lives as long as the library.
+    pub fn nicol_version_string() -> *const c_char;
+    /// Facts about this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
+    /// ...; NULL past the last one. Lives as long as the library.
+    pub fn nicol_build_info(index: u32) -> *const c_char;
+    /// What the last failing call on this thread had to say: one line that names the file, line, field or argument
+    /// and what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing
+    /// call.
+    pub fn nicol_last_error() -> *const c_char;
+    /// "out of memory" and the like for a code; lives as long as the library.
+    pub fn nicol_result_name(result: nicol_result) -> *const c_char;
+    /// options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND where OpenGL cannot be opened as asked.
+    pub fn nicol_context_create(options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
+    pub fn nicol_context_retain(context: nicol_context) -> nicol_result;
+    pub fn nicol_context_release(context: nicol_context) -> nicol_result;
+    pub fn nicol_context_get_info(context: nicol_context, info: *mut nicol_context_info) -> nicol_result;
+    /// By the path:
+    ///   NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
+    ///                 S3.<colour> are polarized, in nicol_image's frames; spectral files (S0.550,000000nm and so on)
+    ///                 have a channel a wavelength.
+    ///   NAME_s0.exr   to NAME_s3.exr, any of them, or NAME alone: a cube map as a cross of 4 x 3 faces, a file for
+    ///                 each Stokes component, as the Python package polarsh has them.
+    ///   NAME.npz      PSH coefficients as polarsh writes them (SHVec).
+    /// options may be NULL: all defaults.
+    pub fn nicol_environment_load(context: nicol_context, path: *const c_char, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
+    pub fn nicol_environment_create_image(context: nicol_context, image: *const nicol_image, environment: *mut nicol_environment) -> nicol_result;
+    /// Unpolarized and the same from everywhere; radiance of count 0: 1 in one channel; finite, not negative.
+    pub fn nicol_environment_create_constant(context: nicol_context, radiance: *const nicol_spectrum, environment: *mut nicol_environment) -> nicol_result;
+    pub fn nicol_environment_create_sky(context: nicol_context, sky: *const nicol_sky, environment: *mut nicol_environment) -> nicol_result;
+    /// Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
+    /// as "mathematics" below says; order up to NICOL_PSH_MAX_ORDER, channels 1 to NICOL_MAX_CHANNELS, count =
+    /// channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
+    /// below 0 and more polarization than light.
+    pub fn nicol_environment_create_psh(context: nicol_context, order: u32, channels: u32, coefficients: *const f64, count: u64, environment: *mut nicol_environment) -> nicol_result;
+    pub fn nicol_environment_get_info(environment: nicol_environment, info: *mut nicol_environment_info) -> nicol_result;
+    pub fn nicol_environment_retain(environment: nicol_environment) -> nicol_result;
+    pub fn nicol_environment_release(environment: nicol_environment) -> nicol_result;
+    pub fn nicol_material_create_pplastic(context: nicol_context, parameters: *const nicol_pplastic, material: *mut nicol_material) -> nicol_result;
+    /// Lambertian and depolarizing; reflectance NULL or of count 0: 0.5. Front side only.
+    pub fn nicol_material_create_diffuse(context: nicol_context, reflectance: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
+    pub fn nicol_material_create_conductor(context: nicol_context, parameters: *const nicol_conductor, material: *mut nicol_material) -> nicol_result;
+    /// Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 52 MB
+    /// stay in memory for each channel at the data set's resolution. options may be NULL: all defaults. Front side
+    /// only.
+    pub fn nicol_material_load_measured(context: nicol_context, path: *const c_char, options: *const nicol_measured, material: *mut nicol_material) -> nicol_result;
+    /// A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
+    /// package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Front
+    /// side only.
+    pub fn nicol_material_load_psh(context: nicol_context, path: *const c_char, scale: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
+    /// The back of a surface reflects as its front. `front` may be released afterwards.
+    pub fn nicol_material_create_twosided(context: nicol_context, front: nicol_material, material: *mut nicol_material) -> nicol_result;
+    /// The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
+    /// probed at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT where it is not. Front only.
+    pub fn nicol_material_create_callback(context: nicol_context, parameters: *const nicol_callback_material, material: *mut nicol_material) -> nicol_result;
+    pub fn nicol_material_retain(material: nicol_material) -> nicol_result;
+    pub fn nicol_material_release(material: nicol_material) -> nicol_result;
+    /// OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face that is
+    /// at fault.
+    pub fn nicol_mesh_load(context: nicol_context, path: *const c_char, mesh: *mut nicol_mesh) -> nicol_result;
+    /// Copies the arrays. Shading and shadows are per vertex: detail comes from vertices.
+    pub fn nicol_mesh_create(context: nicol_context, data: *const nicol_mesh_data, mesh: *mut nicol_mesh) -> nicol_result;
+    /// The unit sphere, finely enough divided for per-vertex shading.
+    pub fn nicol_mesh_create_sphere(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
+    /// [-1, 1]^2 in the plane z = 0, facing +z.
+    pub fn nicol_mesh_create_rectangle(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
+    /// [-1, 1]^3.
+    pub fn nicol_mesh_create_cube(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
+    pub fn nicol_mesh_get_size(mesh: nicol_mesh, vertices: *mut u32, triangles: *mut u32) -> nicol_result;
+    pub fn nicol_mesh_retain(mesh: nicol_mesh) -> nicol_result;
+    pub fn nicol_mesh_release(mesh: nicol_mesh) -> nicol_result;
+    /// A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view.
+    pub fn nicol_camera_look_at(camera: *mut nicol_camera, origin: *const [f64; 3], target: *const [f64; 3], up: *const [f64; 3]) -> nicol_result;
+    pub fn nicol_scene_create(context: nicol_context, scene: *mut nicol_scene) -> nicol_result;
+    /// A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
+    /// that override its <default>s.
+    pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
+    /// id may be NULL; ids count up from 0. Materials and environment must have one colour channel or the same
+    /// number of them, here and in nicol_scene_set_environment.
+    pub fn nicol_scene_add_instance(scene: nicol_scene, instance: *const nicol_instance, id: *mut u32) -> nicol_result;
+    /// id as nicol_scene_add_instance gave it; to_world as nicol_instance's. What the instance hides from the
+    /// light changes with it: the next render bakes again.
+    pub fn nicol_scene_set_transform(scene: nicol_scene, id: u32, to_world: *const [f64; 16]) -> nicol_result;
+    /// environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
+    /// one), scale multiplies (0: 1; finite, not negative).
+    pub fn nicol_scene_set_environment(scene: nicol_scene, environment: nicol_environment, to_world: *const [f64; 16], scale: f64) -> nicol_result;
+    /// What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is turned
+    /// and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment
+    /// is NULL, to_world the identity and scale 1.
+    pub fn nicol_scene_get_environment(scene: nicol_scene, environment: *mut nicol_environment, to_world: *mut [f64; 16], scale: *mut f64) -> nicol_result;
+    /// What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED.
+    pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
+    pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
+    /// Colour channels of its pictures: those of everything in it, 1 (all grey) or more, and 1 where the film of a
+    /// loaded file asks for luminance.
+    pub fn nicol_scene_get_channels(scene: nicol_scene, channels: *mut u32) -> nicol_result;
+    pub fn nicol_scene_retain(scene: nicol_scene) -> nicol_result;
+    pub fn nicol_scene_release(scene: nicol_scene) -> nicol_result;
+    /// width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
+    /// luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component.
+    pub fn nicol_framebuffer_create(context: nicol_context, width: u32, height: u32, channels: u32, framebuffer: *mut nicol_framebuffer) -> nicol_result;
+    pub fn nicol_framebuffer_get_size(framebuffer: nicol_framebuffer, width: *mut u32, height: *mut u32, channels: *mut u32) -> nicol_result;
+    pub fn nicol_framebuffer_retain(framebuffer: nicol_framebuffer) -> nicol_result;
+    pub fn nicol_framebuffer_release(framebuffer: nicol_framebuffer) -> nicol_result;
+    /// options may be NULL: all defaults. What a change of the scene, the camera or the options does not touch is
+    /// kept from the scene's last render; where nothing changed, nothing runs. On failure or cancellation the
+    /// framebuffer's content is that of the render before, and its statistics too. NICOL_ERROR_INVALID_ARGUMENT
+    /// for options and cameras out of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown
+    /// method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
+    /// NICOL_ERROR_OUT_OF_MEMORY.
+    pub fn nicol_render(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer) -> nicol_result;
+    pub fn nicol_framebuffer_get_statistics(framebuffer: nicol_framebuffer, statistics: *mut nicol_statistics) -> nicol_result;
+    /// Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
+    /// byte_size is what pixels has room for.
+    pub fn nicol_framebuffer_read(framebuffer: nicol_framebuffer, plane: nicol_plane, channel: u32, pixels: *mut f32, row_stride: u64, byte_size: u64) -> nicol_result;
+    /// Channels of 32-bit floats, named by the number of colour channels:
+    ///   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
+    ///   1             Y (which is s0) and S0.Y to S3.Y
+    ///   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
+    pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
+    /// 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
+    /// channels.
+    pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, picture: *const nicol_picture, path: *const c_char) -> nicol_result;
+    /// Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
+    /// is channels * 4 (order+1)^2. A picture counts as the bilinear function between its pixels. As an
+    /// environment, it must be physical: polarization up to s0.
+    pub fn nicol_psh_project_image(image: *const nicol_image, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
+    pub fn nicol_psh_project_environment(environment: nicol_environment, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
+    /// A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
+    /// asks for the number of channels alone.
+    pub fn nicol_psh_project_file(path: *const c_char, order: u32, channels: *mut u32, coefficients: *mut f64, count: u64) -> nicol_result;
+    pub fn nicol_psh_transform_create(sampling: *const nicol_psh_sampling, transform: *mut nicol_psh_transform) -> nicol_result;
+    pub fn nicol_psh_transform_retain(transform: nicol_psh_transform) -> nicol_result;
+    pub fn nicol_psh_transform_release(transform: nicol_psh_transform) -> nicol_result;
+    pub fn nicol_psh_transform_get_size(transform: nicol_psh_transform, rows: *mut u32, columns: *mut u32) -> nicol_result;
+    /// theta of each row, and the weights of the integral over cos theta, which sum to 2; count = rows.
+    pub fn nicol_psh_transform_get_rows(transform: nicol_psh_transform, theta: *mut f64, weight: *mut f64, count: u64) -> nicol_result;
+    /// Inner products with the basis (Eq. 32) by the rows' weights.
+    pub fn nicol_psh_analyze(transform: nicol_psh_transform, vectors: u64, samples: *const f64, sample_count: u64, coefficients: *mut f64, coefficient_count: u64) -> nicol_result;
+    /// The field of the coefficients (Eq. 30) at the samples.
+    pub fn nicol_psh_synthesize(transform: nicol_psh_transform, vectors: u64, coefficients: *const f64, coefficient_count: u64, samples: *mut f64, sample_count: u64) -> nicol_result;
+    /// Stokes vectors [vector][direction][4] at directions [direction][3] of any length but 0.
+    pub fn nicol_psh_evaluate(order: u32, vectors: u64, coefficients: *const f64, coefficient_count: u64, directions: *const f64, direction_count: u64, stokes: *mut f64, stokes_count: u64) -> nicol_result;
+    /// The fields turned with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
+    /// orthonormal to 1e-5 and right-handed. out may be in.
+    pub fn nicol_psh_rotate(order: u32, vectors: u64, r#in: *const f64, in_count: u64, rotation: *const [f64; 9], out: *mut f64, out_count: u64) -> nicol_result;
+    /// The fields' mirror images in the plane z = 0 (Eq. 214, with its conjugation). out may be in.
+    pub fn nicol_psh_reflect(order: u32, vectors: u64, r#in: *const f64, in_count: u64, out: *mut f64, out_count: u64) -> nicol_result;
+    /// A scalar field ((scalar_order+1)^2 coefficients over real harmonics, such as visibility) times each field,
+    /// cut above order_out: exact, through a grid, in O(order^3). out may be in where the orders agree.
+    pub fn nicol_psh_multiply(scalar_order: u32, scalar: *const f64, scalar_count: u64, order: u32, vectors: u64, r#in: *const f64, in_count: u64, order_out: u32, out: *mut f64, out_count: u64) -> nicol_result;
+    /// The same product as a matrix (Eq. 54, by the triple products of Eqs. 215 and 216).
+    pub fn nicol_psh_shadow_matrix(scalar_order: u32, scalar: *const f64, scalar_count: u64, order_out: u32, order_in: u32, matrix: *mut f64, matrix_count: u64) -> nicol_result;
+    /// The operator "integrate the field times the light over the incoming directions" as a matrix (Eqs. 39, 40),
+    /// by quadrature.
+    pub fn nicol_psh_project_matrix(field: *const nicol_psh_mueller_field, matrix: *mut f64, matrix_count: u64) -> nicol_result;
+    /// out = matrix * in, vector by vector (Eq. 41).
+    pub fn nicol_psh_apply_matrix(order_out: u32, order_in: u32, matrix: *const f64, matrix_count: u64, vectors: u64, r#in: *const f64, in_count: u64, out: *mut f64, out_count: u64) -> nicol_result;
+    /// The matrix of `second` after `first`.
+    pub fn nicol_psh_compose_matrix(order_out: u32, order_between: u32, order_in: u32, second: *const f64, second_count: u64, first: *const f64, first_count: u64, matrix: *mut f64, matrix_count: u64) -> nicol_result;
+    /// Bands by quadrature on this many Gauss-Legendre rows, 0: 2 order + 2, at most 16384 (Eq. 68).
+    pub fn nicol_psh_project_kernel(callback: nicol_psh_kernel_callback, user: *mut c_void, order: u32, rows: u32, bands: *mut f64, band_count: u64) -> nicol_result;
+    /// The inverse: Mueller matrices [angle][16] at angles in 0 to pi.
+    pub fn nicol_psh_kernel_at(order: u32, bands: *const f64, band_count: u64, theta: *const f64, theta_count: u64, mueller: *mut f64, mueller_count: u64) -> nicol_result;
+    /// The convolution of each field (Eq. 69). out may be in.
+    pub fn nicol_psh_convolve(order: u32, bands: *const f64, band_count: u64, vectors: u64, r#in: *const f64, in_count: u64, out: *mut f64, out_count: u64) -> nicol_result;
+    /// The convolution as a matrix, and the kernel nearest to a matrix in the Frobenius norm (supplement E.9);
+    /// both sides of the matrix have this order.
+    pub fn nicol_psh_kernel_matrix(order: u32, bands: *const f64, band_count: u64, matrix: *mut f64, matrix_count: u64) -> nicol_result;
+    pub fn nicol_psh_nearest_kernel(order: u32, matrix: *const f64, matrix_count: u64, bands: *mut f64, band_count: u64) -> nicol_result;
+    /// Looks at suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
+    /// the file may yet prove damaged.
+    pub fn nicol_file_identify(path: *const c_char, kind: *mut nicol_file_kind) -> nicol_result;
+    /// options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
+    /// [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
+    /// change the report as they would an output; what concerns pictures to write must be 0; the order limits the
+    /// energies of a picture, and all of coefficients. A picture that violates Eq. 70 is described, though it is
+    /// refused as a light.
+    pub fn nicol_file_describe_light(path: *const c_char, options: *const nicol_file_options, report: *mut nicol_light_report, energy: *mut f64, count: u64) -> nicol_result;
+    /// energy: [channel][l], order + 1 a channel: squares of the matrix' entries between orders of which the
+    /// larger is l.
+    pub fn nicol_file_describe_material(path: *const c_char, options: *const nicol_file_options, report: *mut nicol_material_report, energy: *mut f64, count: u64) -> nicol_result;
+    /// Reads `in` and writes `out` in the kind that its name says: .exr, _s0.exr (all four files), .npz or a cache
+    /// folder. Light becomes light and a material a material. options may be NULL.
+    pub fn nicol_file_convert(r#in: *const c_char, options: *const nicol_file_options, out: *const c_char) -> nicol_result;
+    /// The same from objects; options without wavelengths.
+    pub fn nicol_environment_write(environment: nicol_environment, options: *const nicol_file_options, path: *const c_char) -> nicol_result;
+    pub fn nicol_material_write(material: nicol_material, options: *const nicol_file_options, path: *const c_char) -> nicol_result;
+    /// Coefficients of 1 to NICOL_MAX_CHANNELS vectors as a LIGHT_PSH file.
+    pub fn nicol_psh_write_file(path: *const c_char, order: u32, vectors: u64, coefficients: *const f64, count: u64) -> nicol_result;
+}
