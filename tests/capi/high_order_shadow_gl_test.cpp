@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// A highlight that a wall hides in part, against the reference method.
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "capi.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+constexpr std::uint32_t side = 40, fine = 3 * side;
+constexpr double pi = std::numbers::pi;
+
+// A lamp 20 degrees wide at the left, half way towards the camera, in a dim room.
+nicol_environment lamp(nicol_context context) {
+    constexpr std::uint32_t width = 128, height = 65;
+    const double length = std::sqrt(0.7 * 0.7 * 2 + 0.01);
+    const std::array<double, 3> centre = {-0.7 / length, 0.1 / length, 0.7 / length};
+    std::vector<float> pixels;
+    for (std::uint32_t y = 0; y < height; ++y) {
+        for (std::uint32_t x = 0; x < width; ++x) {
+            const double u = 2 * pi * (x + 0.5) / width, v = pi * y / (height - 1.0);
+            const double cosine = std::sin(u) * std::sin(v) * centre[0] + std::cos(v) * centre[1] -
+                                  std::cos(u) * std::sin(v) * centre[2];
+            pixels.push_back(static_cast<float>(0.1 + 30 * std::exp((cosine - 1) / 0.03)));
+        }
+    }
+    nicol_image image = NICOL_IMAGE_INIT;
+    image.width = width;
+    image.height = height;
+    image.channels = image.components = 1;
+    image.pixels = pixels.data();
+    image.byte_size = pixels.size() * sizeof(float);
+    nicol_environment environment = nullptr;
+    OK(nicol_environment_create_image(context, &image, &environment));
+    return environment;
+}
+
+/// The unit sphere in plastic, and at its left a black wall from far behind it to `end` before it.
+nicol_scene sphere_beside_wall(nicol_context context, double end) {
+    const nicol_environment environment = lamp(context);
+    nicol_pplastic parameters = NICOL_PPLASTIC_INIT;
+    parameters.distribution = NICOL_DISTRIBUTION_GGX;
+    parameters.alpha = 0.2F;
+    parameters.diffuse_reflectance = spectrum({0.05F});
+    nicol_material plastic = nullptr, black = nullptr;
+    OK(nicol_material_create_pplastic(context, &parameters, &plastic));
+    const nicol_spectrum zero = spectrum({0});
+    OK(nicol_material_create_diffuse(context, &zero, &black));
+    nicol_mesh sphere = nullptr, wall = nullptr;
+    OK(nicol_mesh_create_sphere(context, &sphere));
+    OK(nicol_mesh_create_rectangle(context, &wall));
+    const nicol_scene scene = simple_scene(context, environment, sphere, plastic);
+    nicol_instance instance = NICOL_INSTANCE_INIT;
+    instance.mesh = wall;
+    instance.material = black;
+    // Its z to the world's x, its x to the world's -z, 8 each way.
+    const Matrix placed = {{0, 0, 1, -1.6, 0, 8, 0, 0, -8, 0, 0, end - 8, 0, 0, 0, 1}};
+    std::copy_n(placed.rows, 16, instance.to_world);
+    OK(nicol_scene_add_instance(scene, &instance, nullptr));
+    OK(nicol_mesh_release(sphere));
+    OK(nicol_mesh_release(wall));
+    OK(nicol_material_release(plastic));
+    OK(nicol_material_release(black));
+    OK(nicol_environment_release(environment));
+    return scene;
+}
+
+using Values = std::vector<double>;
+
+/// [row][column][component] of `side` rows, each pixel the mean of a square.
+Values picture(nicol_context context, nicol_scene scene, const nicol_render_options& options,
+               std::uint32_t rows) {
+    nicol_framebuffer framebuffer = nullptr;
+    OK(nicol_framebuffer_create(context, rows, rows, 1, &framebuffer));
+    nicol_camera camera = front_camera(8);
+    camera.fov = 15;
+    OK(nicol_render(scene, &camera, &options, framebuffer));
+    const std::vector<float> pixels = read_plane(framebuffer, NICOL_PLANE_STOKES);
+    OK(nicol_framebuffer_release(framebuffer));
+    const std::size_t square = rows / side;
+    Values mean(std::size_t{4} * side * side);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::size_t y = i / 4 / rows / square, x = i / 4 % rows / square;
+        mean[4 * (y * side + x) + i % 4] +=
+            static_cast<double>(pixels[i]) / static_cast<double>(square * square);
+    }
+    return mean;
+}
+
+Values real_time(nicol_context context, nicol_scene scene, std::int32_t high, std::int32_t shadows) {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.order_low = 4;
+    options.order_high = high;
+    options.shadows = shadows;
+    return picture(context, scene, options, fine);
+}
+
+/// Of s0 and of s1 and s2 together, over the RMS of s0, where pixels count.
+std::array<double, 2> relative_rmse(const Values& ours, const Values& truth,
+                                    const std::vector<bool>& counts) {
+    std::array<double, 2> error{};
+    double size = 0;
+    for (std::size_t i = 0; i < ours.size(); i += 4) {
+        if (!counts[i / 4]) continue;
+        error[0] += std::pow(ours[i] - truth[i], 2);
+        error[1] += std::pow(ours[i + 1] - truth[i + 1], 2) + std::pow(ours[i + 2] - truth[i + 2], 2);
+        size += truth[i] * truth[i];
+    }
+    return {std::sqrt(error[0] / size), std::sqrt(error[1] / size)};
+}
+
+}  // namespace
+
+TEST_CASE("a highlight half behind a wall is dimmed as the reference has it") {
+    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
+    // The edge of the wall's shadow goes through the highlight; farther back, or hides nearly all of it.
+    for (const double end : {2.1, 2.6}) {
+        CAPTURE(end);
+        const nicol_scene scene = sphere_beside_wall(context, end);
+        nicol_render_options reference = NICOL_RENDER_OPTIONS_INIT;
+        reference.method = NICOL_METHOD_REFERENCE;
+        reference.samples = 256;
+        const Values truth = picture(context, scene, reference, side);
+        const Values dimmed = real_time(context, scene, 32, 1);
+        // Light adds: low orders in shadow, with high orders that nothing hides.
+        Values undimmed = real_time(context, scene, 4, 1);
+        const Values low = real_time(context, scene, 4, -1), all = real_time(context, scene, 32, -1);
+        double brightest = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            undimmed[i] += all[i] - low[i];
+            brightest = std::max(brightest, all[i]);
+        }
+        std::vector<bool> highlight(all.size() / 4);
+        for (std::size_t i = 0; i < highlight.size(); ++i) highlight[i] = all[4 * i] > 0.3 * brightest;
+        const auto count = std::count(highlight.begin(), highlight.end(), true);
+        CHECK(count > 30);
+
+        const auto with = relative_rmse(dimmed, truth, highlight);
+        const auto without = relative_rmse(undimmed, truth, highlight);
+        MESSAGE("wall to " << end << ", " << count << " pixels: s0 " << with[0] << " (undimmed " << without[0]
+                           << "), s1 and s2 " << with[1] << " (undimmed " << without[1] << ")");
+        CHECK(with[0] < 0.75 * without[0]);
+        CHECK(with[1] < 0.75 * without[1]);
+        OK(nicol_scene_release(scene));
+    }
+    OK(nicol_context_release(context));
+}
