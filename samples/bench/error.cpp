@@ -2,41 +2,13 @@
 #include "error.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
+#include "comparison.hpp"
 #include "dense_memory.hpp"
-#include "truth.hpp"
 
 namespace {
-
-constexpr int highest_dense_order = 9;
-
-class Comparison {
-public:
-    Comparison(const Workshop& workshop, std::uint32_t size, std::int32_t samples, bool shadows)
-        : stage_(workshop),
-          framebuffer_(stage_.framebuffer(kReduction * size, kReduction * size)),
-          truth_(make_truth(workshop, size, samples, shadows)),
-          shadows_(shadows) {}
-
-    void add_noise(Report& report) const {
-        add(report, shadows_ ? "reference, its noise" : "reference, its noise, no shadows", truth_.noise());
-    }
-    void add(Report& report, Recipe recipe) const {
-        recipe.shadows = shadows_;
-        add(report, recipe.name(), truth_.errors(reduced_picture(stage_, recipe, framebuffer_.get())));
-    }
-    [[nodiscard]] std::ptrdiff_t pixels() const { return std::ranges::count(truth_.mask, 1); }
-
-private:
-    static void add(Report& report, const std::string& what, const StokesErrors& errors) {
-        report.add(what, std::vector<double>(errors.begin(), errors.end()));
-    }
-
-    Stage stage_;
-    Framebuffer framebuffer_;
-    Truth truth_;
-    bool shadows_;
-};
 
 // Figures 20 and 21: what the orders above order_low add.
 void add_high_orders(Report& report, const Comparison& comparison, int low) {
@@ -45,6 +17,12 @@ void add_high_orders(Report& report, const Comparison& comparison, int low) {
     for (const int top : {9, 32, 64}) {
         if (top >= low) comparison.add(report, {.low = low, .high = High::split, .top = top});
     }
+}
+
+std::vector<std::string> columns(const Options& options) {
+    std::vector<std::string> names{"relative RMSE", "s0", "s1", "s2", "s3"};
+    if (options.converged > 0) names.insert(names.end(), {"cut s0", "cut s1", "cut s2"});
+    return names;
 }
 
 }  // namespace
@@ -56,13 +34,15 @@ Report bench_error(const Options& options) {
     const std::int32_t samples = options.samples == 0 ? 256 : options.samples;
     const Workshop workshop(options);
     const DenseMemory memory(workshop);
-    Report report({"relative RMSE", "s0", "s1", "s2", "s3"});
+    Report report(columns(options));
     for (const bool shadows : {true, false}) {
-        const Comparison comparison(workshop, size, samples, shadows);
-        comparison.add_noise(report);
+        const Comparison comparison(workshop, size, samples, shadows, options.converged);
+        const StokesErrors noise = comparison.noise();
+        report.add(shadows ? "reference, its noise" : "reference, its noise, no shadows",
+                   std::vector<double>(noise.begin(), noise.end()));
         for (int order = first; order <= last; ++order) {
             comparison.add(report, {.low = order});
-            if (order <= highest_dense_order && memory.at(order) <= options.memory)
+            if (memory.at(order) <= options.memory)
                 comparison.add(report, {.method = NICOL_METHOD_DENSE, .low = order});
         }
         if (shadows) {
@@ -73,7 +53,10 @@ Report bench_error(const Options& options) {
                         std::to_string(samples) + " samples twice, is taken out of the errors.");
         }
     }
-    report.note("Dense up to order " + std::to_string(highest_dense_order) + " and " +
-                std::to_string(static_cast<int>(options.memory)) + " GB of matrices.");
+    if (options.converged > 0) {
+        report.note("cut: against the factored method to order " + std::to_string(options.converged) +
+                    ", which has the same vertices, in place of the reference.");
+    }
+    report.note("Dense up to " + std::to_string(static_cast<int>(options.memory)) + " GB of matrices.");
     return report;
 }

@@ -11,6 +11,7 @@
 #include "error.hpp"
 #include "frame.hpp"
 #include "harmonics.hpp"
+#include "materials.hpp"
 #include "options.hpp"
 #include "pareto.hpp"
 #include "report.hpp"
@@ -30,9 +31,14 @@ const Command commands[] = {
     {"error",
      bench_error,
      {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--samples", "--orders", "--memory",
-      "--csv", "--json"},
+      "--converged", "--csv", "--json"},
      "distance from the reference method by order, dense and factored, with and without\n"
      "              shadows, and with each form of the high orders"},
+    {"materials",
+     bench_materials,
+     {"--light", "--backend", "--cache", "--size", "--samples", "--orders", "--csv", "--json"},
+     "distance of each form of the high orders from the reference method on spheres of\n"
+     "              smooth and rough plastic, gold and, where NICOL_TEST_DATA has it, measured gold"},
     {"frame",
      bench_frame,
      {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--orders", "--memory", "--seconds",
@@ -74,7 +80,11 @@ const Help option_help[] = {
     {"--cache", "--cache DIR     keeps tables there; default a folder that is removed at the end"},
     {"--size", "--size N        pictures of N x N, 8 to 4096"},
     {"--samples", "--samples N     of each of the two reference pictures, a pixel; default 256"},
-    {"--orders", "--orders A-B    from order A to B, 0 to 32 (frame: low order A, high order B)"},
+    {"--orders",
+     "--orders A-B    from order A to B, 0 to 32 (frame: low order A, high order B;\n                  "
+     "materials: likewise; without it 4 and 64)"},
+    {"--converged",
+     "--converged N   errors against the factored method to order N too, 1 to 32: truncation alone"},
     {"--memory", "--memory GB     most that matrices of the dense method may take; default 4"},
     {"--seconds", "--seconds S     of measurement for each line of the table; default 1"},
     {"--large", "--large         2,000,000 vertices too"},

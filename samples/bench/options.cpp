@@ -48,6 +48,8 @@ void assign(const std::string& name, const std::string& value, Options& options)
         options.samples = number(name, value, 1, 1 << 20, "1 to 1048576");
     } else if (name == "--orders") {
         parse_orders(value, options);
+    } else if (name == "--converged") {
+        options.converged = number(name, value, 1, 32, "1 to 32");
     } else if (name == "--memory") {
         options.memory = number(name, value, 0.0, 1e6, "gigabytes, 0 to 1000000");
     } else if (name == "--seconds") {

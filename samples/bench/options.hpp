@@ -19,6 +19,7 @@ struct Options {
     std::int32_t samples = 0;
     int first_order = -1;
     int last_order = -1;
+    int converged = 0;
     double memory = 4;  ///< GB
     double seconds = 1;
     bool large = false;

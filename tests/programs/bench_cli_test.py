@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import os
 import pathlib
 import subprocess
 import sys
@@ -80,6 +81,26 @@ def check_error(folder, scene):
     assert all(row["s0"] > 0 for name, row in rows.items() if name.startswith("reference"))
 
 
+def check_converged(folder, scene):
+    """Without the reference's noise and with the same vertices, truncation alone is left: less with every order."""
+    rows = table(folder, "error", scene, "--size", 32, "--samples", 4, "--orders", "2-4", "--converged", 8,
+                 "--memory", 0, "--cache", folder / "cache")
+    for suffix in ("", ", no shadows"):
+        for component in ("cut s0", "cut s1", "cut s2"):
+            cut = [rows[f"factored {order}{suffix}"][component] for order in (2, 3, 4)]
+            assert all(b < a for a, b in zip(cut, cut[1:])), (suffix, component, cut)
+
+
+def check_materials(folder, scene):
+    os.environ.pop("NICOL_TEST_DATA", None)
+    rows = table(folder, "materials", "--size", 12, "--samples", 256, "--orders", "2-9", "--cache", folder / "cache")
+    assert len(rows) == 4 * 6, list(rows)
+    # A rough metal is all highlight: each part of the light that is added brings the picture nearer.
+    gold = {name[16:]: row["s1"] for name, row in rows.items() if name.startswith("rough gold 0.2: ")}
+    assert gold["0..2 + split to 9"] < gold["0..2 + convolution to 9"], gold
+    assert gold["0..9"] < gold["0..3"] < gold["0..2"], gold
+
+
 def check_pareto(folder, scene):
     plot = folder / "plot.svg"
     rows = table(folder, "pareto", scene, "--size", 48, "--samples", 16, "--orders", "2-3", "--seconds", 0.001,
@@ -115,10 +136,11 @@ def check_times(folder, scene):
 
 def check_arguments(folder, scene):
     assert "error" in run("--help")
-    for command in ("error", "frame", "pareto", "bake", "scale", "start", "harmonics"):
+    for command in ("error", "materials", "frame", "pareto", "bake", "scale", "start", "harmonics"):
         help_text = run(command, "--help")
         assert command in help_text and "--csv FILE" in help_text, help_text
     for arguments, word in ((("error", "--size", "4"), "--size"), (("error", "--orders", "5-4"), "--orders"),
+                            (("error", "--converged", "33"), "--converged"),
                             (("bake", "--large"), "--large"), (("scale", scene), "scene.xml"),
                             (("frame", "--seconds"), "--seconds"), (("start", "--backend", "metal"), "--backend"),
                             (("bake", folder / "absent.xml"), "absent.xml"),
@@ -136,5 +158,5 @@ with tempfile.TemporaryDirectory() as name:
     small.write_text(SCENE)
     (home / "ball.obj").write_text(grid_obj(20, 30, ball))
     (home / "floor.obj").write_text(grid_obj(14, 14, floor))
-    for check in (check_arguments, check_error, check_pareto, check_times):
+    for check in (check_arguments, check_error, check_converged, check_materials, check_pareto, check_times):
         check(home, small)

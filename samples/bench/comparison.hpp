@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Errors of many pictures of one scene against one truth.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "recipe.hpp"
+#include "report.hpp"
+#include "truth.hpp"
+
+class Comparison {
+public:
+    /// `converged` above 0: the order of a factored picture that has the same vertices as all others, for a
+    /// second set of errors: those of truncation alone.
+    Comparison(const Workshop& workshop, std::uint32_t size, std::int32_t samples, bool shadows,
+               int converged = 0);
+
+    [[nodiscard]] StokesErrors noise() const { return truth_.noise(); }
+    /// Whatever the recipe says of shadows, they are this comparison's.
+    [[nodiscard]] StokesErrors errors(const Recipe& recipe) const;
+    /// A row named after the recipe: s0 to s3, then s0 to s2 of truncation alone where there is a converged
+    /// picture.
+    void add(Report& report, Recipe recipe) const;
+    [[nodiscard]] std::ptrdiff_t pixels() const;
+
+private:
+    [[nodiscard]] Picture picture(Recipe recipe) const;
+
+    Stage stage_;
+    Framebuffer framebuffer_;
+    Truth truth_;
+    bool shadows_;
+    std::optional<Truth> converged_;
+};
