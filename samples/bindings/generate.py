@@ -12,12 +12,14 @@ import sys
 
 import header
 import to_lua
+import to_node
 import to_python
 import to_rust
 
 SAMPLES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 TARGETS = {
     "lua/nicol_ffi.lua": to_lua,
+    "node/nicol_abi.js": to_node,
     "python/nicol/_abi.py": to_python,
     "rust/src/abi.rs": to_rust,
 }

@@ -4,6 +4,7 @@
 import keyword
 
 from header import Type
+from roles import last_input, roles_of
 
 CTYPES = {
     "char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "float": "c_float", "uint64_t": "c_uint64",
@@ -99,46 +100,13 @@ class Python:
         owner = max(owners, key=len)
         return owner, function.name[len(owner) + 1 :]
 
-    def roles(self, function):
-        """(parameter, role, partners) of each parameter that Python's caller or result has a part in."""
-        header, parameters, roles, at = self.header, function.parameters, [], 0
-        while at < len(parameters):
-            parameter, type_ = parameters[at], parameters[at].type
-            rest = parameters[at + 1 :]
-            names = [p.name for p in rest]
-            if type_.base == "void" and type_.pointers:
-                role, partners = "user", 0
-            elif type_.pointers == 2:
-                role, partners = "texts", 1
-            elif type_.base == "char" and type_.pointers:
-                role, partners = "text", 0
-            elif names[:2] == ["row_stride", "byte_size"]:
-                role, partners = "rows", 2
-            elif type_.pointers and names and (names[0] == "count" or names[0].endswith("_count")):
-                role, partners = "buffer", 1
-            elif type_.pointers and names[1:2] == ["count"] and rest[0].type == type_:
-                role, partners = "buffers", 2
-            elif type_.pointers and type_.base in header.structs:
-                role, partners = ("struct" if type_.const or at == 0 else "result"), 0
-            elif type_.pointers:
-                role, partners = "result", 0
-            elif type_.count:
-                role, partners = ("array" if type_.const else "results"), 0
-            elif type_.base in header.callbacks:
-                role, partners = "callback", 0
-            else:
-                role, partners = "value", 0
-            roles.append((parameter, role, rest[:partners]))
-            at += 1 + partners
-        return roles
-
     def function(self, function):
         """The text of a function or method, the class it belongs to or None."""
         header = self.header
         owner, name = self.owner(function)
         if name in ("retain", "release"):
             return "", owner
-        roles = self.roles(function)
+        roles = roles_of(header, function)
         method = owner and roles and roles[0][0].type.base == owner and roles[0][1] in ("value", "struct")
         creates = [p for p, role, _ in roles if role == "result" and p.type.base in header.handles]
         takes, before, arguments, results = [], [], [], []
@@ -158,18 +126,18 @@ class Python:
                 arguments.append({"value": item, "text": f"text({item})", "callback": f"{class_name(base)}({item})",
                                   "array": f"array({item}, {scalar}, {parameter.type.count})"}[role])  # fmt: skip
             elif role == "struct":
-                optional = "=None" if parameter.name == "options" and parameter is self.last_input(roles) else ""
+                optional = "=None" if parameter.name == "options" and parameter is last_input(roles) else ""
                 arguments.append(f"byref({item}) if {item} is not None else None")
                 if self.lends(base, creates):
                     before.append(f"{item} = lend({item})")
                 if base == "nicol_spectrum":
                     before.append(f"{item} = {item} if {item} is None or isinstance({item}, Spectrum) else Spectrum.of({item})")
             elif role == "texts":
-                optional = "=()" if parameter is self.last_input(roles) else ""
+                optional = "=()" if parameter is last_input(roles) else ""
                 before.append(f"{item} = texts({item})")
                 arguments += [item, f"len({item})"]
             elif role == "buffer":
-                optional = "=None" if "NULL" in function.doc and parameter is self.last_input(roles) else ""
+                optional = "=None" if "NULL" in function.doc and parameter is last_input(roles) else ""
                 before.append(f"{item} = Buffer({item}, {scalar}{writable})")
                 arguments += [f"{item}.pointer", f"{item}.count"]
             elif role == "buffers":
@@ -203,10 +171,6 @@ class Python:
         fields = self.header.structs[name].fields
         callback = any(f.type.base in self.header.callbacks for f in fields)
         return callback and (bool(creates) or any(f.name == "release" for f in fields))
-
-    @staticmethod
-    def last_input(roles):
-        return [p for p, role, _ in roles if role not in ("result", "results", "user")][-1]
 
     def write(self, function, owner, name, method, takes, before, arguments, results):
         indent = "    " if owner else ""

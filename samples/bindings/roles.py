@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+"""What each parameter of a function is for, told from its name and type."""
+
+
+def roles_of(header, function):
+    """(parameter, role, partners): partners are the parameters after it that say how long it is."""
+    parameters, roles, at = function.parameters, [], 0
+    while at < len(parameters):
+        parameter, type_ = parameters[at], parameters[at].type
+        rest = parameters[at + 1 :]
+        names = [p.name for p in rest]
+        if type_.base == "void" and type_.pointers:
+            role, partners = "user", 0
+        elif type_.pointers == 2:
+            role, partners = "texts", 1
+        elif type_.base == "char" and type_.pointers:
+            role, partners = "text", 0
+        elif names[:2] == ["row_stride", "byte_size"]:
+            role, partners = "rows", 2
+        elif type_.pointers and names and (names[0] == "count" or names[0].endswith("_count")):
+            role, partners = "buffer", 1
+        elif type_.pointers and names[1:2] == ["count"] and rest[0].type == type_:
+            role, partners = "buffers", 2
+        elif type_.pointers and type_.base in header.structs:
+            role, partners = ("struct" if type_.const or at == 0 else "result"), 0
+        elif type_.pointers:
+            role, partners = "result", 0
+        elif type_.count:
+            role, partners = ("array" if type_.const else "results"), 0
+        elif type_.base in header.callbacks:
+            role, partners = "callback", 0
+        else:
+            role, partners = "value", 0
+        roles.append((parameter, role, rest[:partners]))
+        at += 1 + partners
+    return roles
+
+
+def last_input(roles):
+    return [parameter for parameter, role, _ in roles if role not in ("result", "results", "user")][-1]
