@@ -3,7 +3,8 @@
 
 // A stage that includes this defines CHANNELS, 1 to 4, and HIGH_ORDER_POLARIZED where the maps are of polarized light.
 // Maps are textures of these channels' layers of a LobeMap, one below the other; the factors, of
-// HighOrderFactors::texels(). All are fetched and interpolated here, as samplers have few bits for it.
+// HighOrderFactors::texels(). All are fetched and interpolated here, as samplers have few bits for it, unless
+// HIGH_ORDER_FILTERED asks for samplers, which take less time: they must filter linearly and repeat in x.
 
 #ifdef HIGH_ORDER_POLARIZED
 const int HIGH_ORDER_LAYERS = 2 * CHANNELS;
@@ -13,6 +14,42 @@ const int HIGH_ORDER_LAYERS = 1;
 
 #include "angle.glsl"
 
+#ifdef HIGH_ORDER_FILTERED
+// Where a direction lies in a map: texture coordinate of the column, row with its half, texels in height.
+struct HighOrderSpot {
+    float column;
+    float row;
+    vec2 rows;  // of a layer, of all
+};
+
+HighOrderSpot high_order_spot(sampler2D map, vec3 direction) {
+    ivec2 size = textureSize(map, 0);
+    int rows = size.y / HIGH_ORDER_LAYERS;
+    float turn = angle_of(direction.y, direction.x) / (2.0 * PI);
+    float row = angle_of(length(direction.xy), direction.z) / PI * float(rows - 1);
+    return HighOrderSpot(turn + 0.5 / float(size.x), row + 0.5, vec2(rows, size.y));
+}
+
+vec4 high_order_texel(sampler2D map, HighOrderSpot at, int layer) {
+    return textureLod(map, vec2(at.column, (float(layer) * at.rows.x + at.row) / at.rows.y), 0.0);
+}
+
+// Texture coordinates of an angle and of an element's height.
+struct HighOrderAngle {
+    float column;
+    float row;
+};
+
+HighOrderAngle high_order_angle(sampler2D factors, float cosine) {
+    vec2 size = vec2(textureSize(factors, 0));
+    return HighOrderAngle((clamp(cosine, 0.0, 1.0) * (size.x - 1.0) + 0.5) / size.x, 1.0 / size.y);
+}
+
+// An element of all channels.
+vec4 high_order_factor(sampler2D factors, HighOrderAngle at, int element) {
+    return textureLod(factors, vec2(at.column, (float(element) + 0.5) * at.row), 0.0);
+}
+#else
 // Four texels of a map around a direction.
 struct HighOrderSpot {
     ivec2 low;
@@ -62,6 +99,7 @@ vec4 high_order_factor(sampler2D factors, HighOrderAngle at, int element) {
     return mix(texelFetch(factors, ivec2(at.index, element), 0), texelFetch(factors, ivec2(at.index + 1, element), 0),
                at.part);
 }
+#endif
 
 // The directions that are looked up in `around`, and the x axes there: up, down, right, left.
 vec3[4] high_order_around(vec3 d, vec3 x, float spread) {
@@ -113,15 +151,17 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
             if (k == 4) difference[i] -= s;
         }
     }
-    vec4 f[8];
-    for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, 8 + e);
-    for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, 36 + e);
-    for (int i = 0; i < CHANNELS; ++i) {
-        vec4 s = difference[i];
-        stokes[i] += vec4(f[2][i] * s.z + f[6][i] * s.w, f[3][i] * s.z + f[7][i] * s.w,
-                          f[0][i] * s.x + f[4][i] * s.y, f[1][i] * s.x + f[5][i] * s.y);
-        stokes[i] *= visible.x;
+    if (spread > 0.0) {
+        vec4 f[8];
+        for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, 8 + e);
+        for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, 36 + e);
+        for (int i = 0; i < CHANNELS; ++i) {
+            vec4 s = difference[i];
+            stokes[i] += vec4(f[2][i] * s.z + f[6][i] * s.w, f[3][i] * s.z + f[7][i] * s.w,
+                              f[0][i] * s.x + f[4][i] * s.y, f[1][i] * s.x + f[5][i] * s.y);
+        }
     }
+    for (int i = 0; i < CHANNELS; ++i) stokes[i] *= visible.x;
     if (visible.y > 0.0) {
         HighOrderSpot at = high_order_spot(base, -normal);
         vec4 to_s0 = visible.y * high_order_factor(factors, angle, 10);

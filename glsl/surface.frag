@@ -7,6 +7,7 @@ layout(location = 0) in vec4 vertex_stokes[CHANNELS];
 layout(location = 0) out vec4 pixel[CHANNELS];
 
 #ifdef HIGH_ORDERS
+#define HIGH_ORDER_FILTERED
 #include "vertex_view.glsl"
 #include "high_order.glsl"
 #include "physical.glsl"

@@ -38,6 +38,19 @@ void compare(Report& report, const FrameTimes& dense, const FrameTimes& factored
         times("dense / factored, " + what + ", bytes of vertices", dense.transfer_mb / factored.transfer_mb));
 }
 
+// Of a recipe at pixels with the same at vertices.
+void compare_pixels(Report& report, const std::vector<Recipe>& list, const std::vector<FrameTimes>& medians) {
+    for (std::size_t p = 0; p < list.size(); ++p) {
+        if (list[p].at != NICOL_HIGH_ORDERS_AT_PIXELS) continue;
+        for (std::size_t v = 0; v < list.size(); ++v) {
+            if (list[v].at == list[p].at || list[v].method != list[p].method || list[v].high != list[p].high)
+                continue;
+            report.note(times("pixels / vertices, " + list[v].name() + ", frame, camera only",
+                              medians[p + 1].camera / medians[v + 1].camera));
+        }
+    }
+}
+
 std::vector<Recipe> recipes(const Options& options, const DenseMemory& memory) {
     const int low = options.first_order < 0 ? 4 : options.first_order;
     const int top = options.last_order < 0 ? std::max(9, low) : options.last_order;
@@ -48,6 +61,8 @@ std::vector<Recipe> recipes(const Options& options, const DenseMemory& memory) {
         if (memory.at(low) * (static_cast<double>(high) + 1) <= options.memory)
             list.push_back({.method = NICOL_METHOD_DENSE, .low = low, .high = high, .top = top});
     }
+    for (const High high : {High::convolution, High::split})
+        list.push_back({.low = low, .high = high, .top = top, .at = NICOL_HIGH_ORDERS_AT_PIXELS});
     list.push_back({.low = top});
     return list;
 }
@@ -74,6 +89,7 @@ Report bench_frame(const Options& options) {
         if (i > 0 && list[i].method == NICOL_METHOD_DENSE)
             compare(report, medians[i + 1], medians[i], list[i - 1].name().substr(9));
     }
+    compare_pixels(report, list, medians);
     report.note(workshop.machine() + "; " + std::to_string(size) + " x " + std::to_string(size) + ".");
     return report;
 }

@@ -16,6 +16,7 @@ std::string Recipe::name() const {
     if (high != High::none) {
         text += high == High::convolution ? " + convolution to " : " + split to ";
         text += std::to_string(top);
+        if (at == NICOL_HIGH_ORDERS_AT_PIXELS) text += ", at pixels";
     }
     return shadows ? text : text + ", no shadows";
 }
@@ -28,6 +29,7 @@ nicol_render_options Recipe::options() const {
     wanted.high_orders = high == High::none          ? NICOL_HIGH_ORDERS_NONE
                          : high == High::convolution ? NICOL_HIGH_ORDERS_CONVOLUTION
                                                      : NICOL_HIGH_ORDERS_SPLIT;
+    wanted.high_orders_at = at;
     wanted.shadows = shadows ? 0 : -1;
     wanted.bake_directions = directions;
     return wanted;

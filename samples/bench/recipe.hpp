@@ -16,8 +16,9 @@ struct Recipe {
     int top = 9;  ///< highest order; without effect where high is none
     bool shadows = true;
     std::uint32_t directions = 0;  ///< of the bake; 0: the library's default
+    nicol_high_orders_at at = NICOL_HIGH_ORDERS_AT_VERTICES;
 
-    /// As in "dense 4 + convolution to 9, no shadows".
+    /// As in "dense 4 + convolution to 9, at pixels, no shadows".
     [[nodiscard]] std::string name() const;
     [[nodiscard]] nicol_render_options options() const;
 };

@@ -24,7 +24,10 @@ gl::Texture2D texture_of(const std::shared_ptr<gl::Context>& context, const Lobe
                          int channels) {
     const bool single = map.channels() == 1;
     const int layers = map.polarized() ? 2 * channels : 1;
-    const gl::TextureDescription size{.width = map.columns(), .height = layers * map.rows()};
+    const gl::TextureDescription size{.width = map.columns(),
+                                      .height = layers * map.rows(),
+                                      .filter = gl::Filter::linear,
+                                      .wrap_x = gl::Wrap::repeat};
     const int first = group * (map.polarized() ? 2 * kGroup : 1);
     if (!single) return {context, size, map.texels(first, layers)};
     std::vector<float> texels;
@@ -63,7 +66,8 @@ void HighOrderTextures::update(const HighOrderTransfer& transfer, int channels) 
                 context_,
                 gl::TextureDescription{
                     .width = HighOrderFactors::kAngles,
-                    .height = polarized_ ? HighOrderFactors::kElements : HighOrderFactors::kUnpolarized},
+                    .height = polarized_ ? HighOrderFactors::kElements : HighOrderFactors::kUnpolarized,
+                    .filter = gl::Filter::linear},
                 from.factors.texels(g * kGroup, group_size(channels, g), polarized_));
         }
         parts_.emplace(material, std::move(part));
