@@ -96,6 +96,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     Progress progress(options.progress);
     Statistics statistics;
     ComputeExecutor* const device = device_for(options.executor);
+    if (device == nullptr) device_.reset();  // and with it all that only compute shaders work on
     RenderOptions chosen = options;
     if (chosen.high_orders_at == HighOrdersAt::automatic) {
         // Look-ups are dear where the processor rasterises.

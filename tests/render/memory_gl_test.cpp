@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// Device memory stays what the present scene and picture need.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "coarse_sphere.hpp"
+#include "gl/contexts.hpp"
+#include "render/renderer.hpp"
+
+using namespace nicol;
+
+namespace {
+
+EnvironmentPtr some_light(int order, bool polarized, int channels) {
+    PshVector light(order, channels);
+    for (int c = 0; c < channels; ++c) {
+        light.at(c, 0, 0, 0) = 6 + c;
+        for (int l = 1; l <= order; ++l) {
+            for (int m = -l; m <= l; ++m) {
+                for (int p = 0; p < (polarized ? 4 : 1); ++p) {
+                    if (l < 2 && (p == 1 || p == 2)) continue;
+                    light.at(c, l, m, p) = std::sin(7.1 * l + 3.3 * m + 5 * p + 0.2 * c) / (l + 1);
+                }
+            }
+        }
+    }
+    return psh_environment(light);
+}
+
+Camera some_camera() {
+    Camera camera;
+    camera.to_world = look_at({2, 3, 4}, {0, 0, 0}, {0, 1, 0});
+    return camera;
+}
+
+struct Use {
+    std::uint64_t buffers;
+    std::uint64_t textures;
+    bool operator==(const Use&) const = default;
+};
+
+Use use_of(const Statistics& statistics) {
+    return {statistics.buffer_bytes, statistics.texture_bytes};
+}
+
+/// Both executors, high orders at vertices and at pixels.
+constexpr std::array<std::pair<Executor, HighOrdersAt>, 4> ways{
+    std::pair{Executor::cpu, HighOrdersAt::vertices}, std::pair{Executor::cpu, HighOrdersAt::pixels},
+    std::pair{Executor::compute, HighOrdersAt::vertices}, std::pair{Executor::compute, HighOrdersAt::pixels}};
+
+RenderOptions by(const std::pair<Executor, HighOrdersAt>& way) {
+    return {.executor = way.first,
+            .bake_directions = 256,
+            .order_low = 2,
+            .order_high = 4,
+            .high_orders_at = way.second,
+            .progress = {}};
+}
+
+}  // namespace
+
+TEST_CASE("changes of scene, light, camera and options give back what they no longer need") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        const MaterialPtr bright = diffuse({0.9});
+        const MaterialPtr grey = diffuse({0.5});
+        const EnvironmentPtr polarized = some_light(4, true, 3);
+        const EnvironmentPtr plain = some_light(4, false, 3);
+        Scene scene;
+        scene.add({.mesh = test::coarse_sphere(4), .material = bright});
+        scene.add({.mesh = test::coarse_sphere(3),
+                   .material = grey,
+                   .to_world = glm::translate(glm::dmat4(1), {1, 1.4, 0.3})});
+        Renderer renderer(context, 0);
+        Framebuffer target(context, 24, 16, 3);
+        // Everything once, by every way; then the use is that of the last way, however often they change.
+        std::array<Use, ways.size()> first{};
+        std::array<Use, ways.size()> last{};
+        for (int round = 0; round < 3; ++round) {
+            for (std::size_t w = 0; w < ways.size(); ++w) {
+                CAPTURE(round);
+                CAPTURE(w);
+                RenderOptions options = by(ways[w]);
+                scene.set_environment(plain, glm::dmat3(1), 1 + round);
+                renderer.render(scene, some_camera(), options, target);
+                options.order_low = 1;
+                options.shadows = false;
+                renderer.render(scene, some_camera(), options, target);
+                options.order_low = 2;
+                options.shadows = true;
+                scene.set_transform(1, glm::translate(glm::dmat4(1), {1, 1.4, 0.1}));
+                scene.set_environment(polarized, glm::dmat3(1), 1 + round);
+                renderer.render(scene, some_camera(), options, target);
+                const Use use = use_of(target.statistics());
+                CHECK(use.buffers > 0);
+                if (round == 0) first[w] = use;
+                if (round > 1) CHECK(use == last[w]);
+                last[w] = use;
+                // Normals and fractions may be left of the ways before, and nothing large.
+                CHECK(use.buffers < 2 * first[w].buffers);
+            }
+        }
+    });
+}
+
+TEST_CASE("a picture of another size costs its own size alone") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Scene scene;
+        scene.add({.mesh = test::coarse_sphere(4), .material = diffuse({0.5})});
+        scene.set_environment(some_light(4, true, 3), glm::dmat3(1), 1);
+        Renderer renderer(context, 0);
+        for (const auto& way : ways) {
+            std::optional<Framebuffer> target;
+            const auto use_at = [&](int width, int height) {
+                target.reset();
+                target.emplace(context, width, height, 3);
+                renderer.render(scene, some_camera(), by(way), *target);
+                return use_of(target->statistics());
+            };
+            const Use small = use_at(20, 10);
+            const Use large = use_at(200, 100);
+            CHECK(large.buffers == small.buffers);
+            // Three pictures of four floats and a depth of one.
+            CHECK(large.textures - small.textures == (200 * 100 - 20 * 10) * (3 * 16 + 4));
+            for (int i = 0; i < 5; ++i) {
+                CHECK(use_at(200, 100) == large);
+                CHECK(use_at(20, 10) == small);
+            }
+        }
+    });
+}
+
+TEST_CASE("nothing is left of a renderer") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        Scene scene;
+        scene.add({.mesh = test::coarse_sphere(3), .material = diffuse({0.5})});
+        scene.set_environment(some_light(4, true, 3), glm::dmat3(1), 1);
+        const std::size_t before = context->memory().total();
+        {
+            Renderer renderer(context, 0);
+            Framebuffer target(context, 24, 16, 3);
+            for (const auto& way : ways) renderer.render(scene, some_camera(), by(way), target);
+            CHECK(context->memory().total() > before);
+        }
+        CHECK(context->memory().total() == before);
+    });
+}
