@@ -325,8 +325,8 @@ typedef struct nicol_measured {
 NICOL_API nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                                     const nicol_measured* options, nicol_material* material);
 /* A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
- * package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Front
- * side only. */
+ * package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light of
+ * orders above the matrix's is not reflected. Front side only. */
 NICOL_API nicol_result nicol_material_load_psh(nicol_context context, const char* path,
                                                const nicol_spectrum* scale, nicol_material* material);
 /* The back of a surface reflects as its front. `front` may be released afterwards. */
