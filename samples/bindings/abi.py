@@ -11,7 +11,7 @@ import re
 import sys
 from dataclasses import replace
 
-import header
+import reader
 
 FOLDER = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # These say how much there is; more of it breaks nobody.
@@ -92,7 +92,7 @@ def breaks(old, new):
 
 
 def main():
-    now = list(interface(header.read(os.path.join(FOLDER, "capi", "nicol.h"))))
+    now = list(interface(reader.read(os.path.join(FOLDER, "capi", "nicol.h"))))
     if len(sys.argv) == 1:
         print("\n".join(now))
         return

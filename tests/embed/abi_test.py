@@ -8,7 +8,7 @@ import sys
 import unittest
 
 import abi
-import header
+import reader
 
 NICOL_H, NICOL_ABI = sys.argv.pop(1), sys.argv.pop(1)
 
@@ -29,7 +29,7 @@ def broken(old, *changes):
         if before not in new:
             raise ValueError(f"{before!r} is not there to be changed")
         new = new.replace(before, after)
-    return list(abi.breaks(*(abi.parse(abi.interface(header.Parser(text).header)) for text in (old, new))))
+    return list(abi.breaks(*(abi.parse(abi.interface(reader.Parser(text).header)) for text in (old, new))))
 
 
 class AbiTest(unittest.TestCase):
@@ -37,7 +37,7 @@ class AbiTest(unittest.TestCase):
         with open(NICOL_ABI, encoding="utf-8") as file:
             old = abi.parse(file)
         self.assertGreater(sum(kind == "function" for kind, _ in old), 80)
-        self.assertEqual(list(abi.breaks(old, abi.parse(abi.interface(header.read(NICOL_H))))), [])
+        self.assertEqual(list(abi.breaks(old, abi.parse(abi.interface(reader.read(NICOL_H))))), [])
 
     def test_additions(self):
         for change in [

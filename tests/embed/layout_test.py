@@ -10,17 +10,19 @@ import sys
 import tempfile
 import unittest
 
-BINDINGS, NICOL_H, COMPILER = (os.path.abspath(sys.argv.pop(1)) for _ in range(3))
+BINDINGS, NICOL_H = (os.path.abspath(sys.argv.pop(1)) for _ in range(2))
+COMPILER = sys.argv.pop(1)
 sys.path.insert(0, BINDINGS)
 sys.dont_write_bytecode = True
 
-import header  # noqa: E402
+import reader  # noqa: E402
+from header import HeaderError  # noqa: E402
 
-MODEL = header.read(NICOL_H)
+MODEL = reader.read(NICOL_H)
 
 
 def parse(text):
-    return header.Parser(text).header
+    return reader.Parser(text).header
 
 
 class LayoutTest(unittest.TestCase):
@@ -87,7 +89,7 @@ class LayoutTest(unittest.TestCase):
             "typedef enum nicol_e { A } nicol_e;",
         ]:
             with self.subTest(text):
-                self.assertRaises(header.HeaderError, parse, "\n" + text + "\n")
+                self.assertRaises(HeaderError, parse, "\n" + text + "\n")
 
     def test_padding_and_arrays(self):
         model = parse("""

@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""LuaJIT sees every size, place and value of nicol.h as the header's reader does.
+"""LuaJIT sees every size, place and value of nicol.h as the header's reader does, and takes the header itself once it is
+preprocessed.
 
-usage: lua_layout.py LUAJIT, with LUA_PATH, PYTHONPATH and NICOL_H set
+usage: lua_layout.py LUAJIT C_COMPILER, with LUA_PATH, PYTHONPATH and NICOL_H set
 """
 
 import os
 import subprocess
 import sys
+import tempfile
 
-import header
+import reader
 
 
 def assertions(model):
@@ -23,5 +25,25 @@ def assertions(model):
         yield f"assert(nicol.C.{name})"
 
 
-script = 'local ffi, nicol = require("ffi"), require("nicol")\n' + "\n".join(assertions(header.read(os.environ["NICOL_H"])))
-sys.exit(subprocess.run([sys.argv[1], "-"], input=script, text=True).returncode)
+def preprocessed(compiler, path):
+    """The header alone: LuaJIT knows what <stdint.h> declares."""
+    with tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "stdint.h"), "w"):
+            pass
+        command = [compiler, "-E", "-P", "-I", folder, path]
+        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def main():
+    luajit, compiler = sys.argv[1:]
+    path = os.environ["NICOL_H"]
+    checks = list(assertions(reader.read(path)))
+    module = 'local ffi, nicol = require("ffi"), require("nicol")\n' + "\n".join(checks)
+    sizes = "\n".join(check for check in checks if "ffi." in check)
+    plain = f'local ffi = require("ffi")\nffi.cdef[[\n{preprocessed(compiler, path)}\n]]\n' + sizes
+    for script in [module, plain]:
+        subprocess.run([luajit, "-"], input=script, text=True, check=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -11,8 +11,8 @@ import sys
 import tempfile
 import unittest
 
-import header
 import nicol
+import reader
 from nicol import _abi
 
 try:
@@ -20,7 +20,7 @@ try:
 except ImportError:
     numpy = None
 
-MODEL = header.read(os.environ["NICOL_H"])
+MODEL = reader.read(os.environ["NICOL_H"])
 GREY = 0.25
 
 
