@@ -11,8 +11,7 @@ namespace nicol {
 
 void DenseMethod::prepare(const TransferInput& input, Workers& workers, Progress& progress,
                           Statistics& statistics) {
-    RelightKey key(input);
-    key.light = 0;
+    const RelightKey key = RelightKey(input).without_light();
     if (baked_for_ == key) return;
     baked_for_ = lit_for_ = {};
     ++runs_revision_;
@@ -86,7 +85,7 @@ void DenseMethod::relight(const TransferInput& input, Workers& workers, Progress
     for (Run& run : runs_) {
         const std::size_t count = run.matrices.vertices();
         const int channels = std::max(input.light.channels(), run.matrices.material().channels());
-        run.light = OutgoingLight(run.matrices.material().outgoing(), channels, count);
+        run.light.resize(run.matrices.material().outgoing(), channels, count);
         workers.for_vertices(0, count, count, "relight", progress, [&](std::size_t begin, std::size_t end) {
             run.matrices.apply(input.light, begin, end, 0, run.light);
         });

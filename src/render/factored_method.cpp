@@ -48,8 +48,7 @@ void FactoredMethod::project(const TransferInput& input, Workers& workers, Progr
 }
 
 void FactoredMethod::prepare_shadows(const TransferInput& input, Workers& workers, Statistics& statistics) {
-    RelightKey key(input);
-    key.light = 0;
+    const RelightKey key = RelightKey(input).without_light();
     if (shadows_for_ == key) return;
     shadows_for_ = {};
     shadows_.reset();

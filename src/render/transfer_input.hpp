@@ -47,6 +47,12 @@ struct RelightKey {
           horizon(input.horizon),
           order(input.layout.order()),
           kind(input.layout.kind()) {}
+    /// The state that shadows and matrices are made for.
+    [[nodiscard]] RelightKey without_light() const {
+        RelightKey key = *this;
+        key.light = 0;
+        return key;
+    }
     bool operator==(const RelightKey&) const = default;
 };
 

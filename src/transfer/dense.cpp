@@ -97,10 +97,11 @@ void add_scaled(std::size_t n, float factor, const float* from, float* to) {
 
 }  // namespace
 
-OutgoingLight::OutgoingLight(const LightLayout& layout, int channels, std::size_t vertices)
-    : stride_(padded(2 * layout.size())),
-      channels_(channels),
-      data_(vertices * static_cast<std::size_t>(channels) * stride_) {}
+void OutgoingLight::resize(const LightLayout& layout, int channels, std::size_t vertices) {
+    stride_ = padded(2 * layout.size());
+    channels_ = channels;
+    data_.resize(vertices * static_cast<std::size_t>(channels) * stride_);
+}
 
 DenseMaterial::DenseMaterial(std::span<const IsotropicMatrix> channels, LightKind kind)
     : outgoing_(channels.empty() ? -1 : channels.front().order_out(), kind_out(channels, kind)),

@@ -19,7 +19,11 @@ namespace nicol {
 class OutgoingLight {
 public:
     OutgoingLight() = default;
-    OutgoingLight(const LightLayout& layout, int channels, std::size_t vertices);
+    OutgoingLight(const LightLayout& layout, int channels, std::size_t vertices) {
+        resize(layout, channels, vertices);
+    }
+    /// Without allocating where the size is the same; what it holds afterwards is unspecified.
+    void resize(const LightLayout& layout, int channels, std::size_t vertices);
 
     [[nodiscard]] std::span<float> at(std::size_t vertex, int channel) {
         return {data_.data() + offset(vertex, channel), stride_};

@@ -19,11 +19,16 @@ class LaneRotation {
 public:
     explicit LaneRotation(int order);
 
+    /// Fields that are turned at once, which saves time.
+    static constexpr std::size_t kMostFields = 3;
+
     /// One thread's: normals and results.
     class Work {
     public:
-        [[nodiscard]] const Lanes& re(std::size_t position) const { return re_[position]; }
-        [[nodiscard]] const Lanes& im(std::size_t position) const { return im_[position]; }
+        /// Of the last turn of `fields` fields: those of one position stand side by side, first the real
+        /// parts of all positions, then from imaginary() positions on the imaginary ones.
+        [[nodiscard]] const Lanes* results() const { return results_.data(); }
+        [[nodiscard]] std::size_t imaginary() const { return results_.size() / (2 * kMostFields); }
 
     private:
         friend class LaneRotation;
@@ -34,8 +39,7 @@ public:
         };
         Phases azimuth_;  // m (phi + pi / 2)
         Phases zenith_;   // -m theta
-        std::vector<Lanes> re_;
-        std::vector<Lanes> im_;
+        std::vector<Lanes> results_;
         std::vector<Lanes> scratch_;
     };
     [[nodiscard]] Work work() const;
@@ -43,11 +47,11 @@ public:
     /// At most kLanes unit normals; the other lanes repeat the first.
     void set_normals(std::span<const glm::vec3> normals, Work& work) const;
 
-    /// A real field (s0 or s3): `in` are its coefficients f_lm over complex harmonics for m >= 0, the result
-    /// is v_lm with f'_lm = (-i)^m v_lm. Position l (l + 1) / 2 + m.
-    void turn_real(std::span<const std::complex<float>> in, Work& work) const;
-    /// A complex field (s1 + i s2): all m, position psh_index(l, m); result likewise.
-    void turn_complex(std::span<const std::complex<float>> in, Work& work) const;
+    /// Real fields (s0 or s3), 1 to kMostFields: each of `in` holds coefficients f_lm over complex harmonics
+    /// for m >= 0, the result is v_lm with f'_lm = (-i)^m v_lm. Position l (l + 1) / 2 + m.
+    void turn_real(std::span<const std::complex<float>* const> in, Work& work) const;
+    /// Complex fields (s1 + i s2): all m, position psh_index(l, m); result likewise.
+    void turn_complex(std::span<const std::complex<float>* const> in, Work& work) const;
 
 private:
     // For each l the quarter of D (or its transpose) with rows and columns >= 0, [row][column]; for real

@@ -5,17 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "transfer/lane_phases.hpp"
 #include "transfer/simd.hpp"
 
 namespace nicol {
 namespace {
 
-struct alignas(64) Doubles {
-    std::array<double, kLanes> value;
-};
-
 struct Points {
-    Doubles x, y, z;
+    DoubleLanes x, y, z;
 };
 
 // Of a Viewpoint.
@@ -26,7 +23,7 @@ struct Camera {
 
 // What look() finds, before powers are raised.
 struct Sight {
-    Doubles azimuth_cosine, azimuth_sine;
+    DoubleLanes azimuth_cosine, azimuth_sine;
     Lanes zenith, frame_cosine, frame_sine;
 };
 
@@ -45,81 +42,86 @@ struct Sight {
     return steep ? 1 - angle : angle;
 }
 
+// Double precision where a difference or the direction of something tiny is at stake.
 NICOL_MULTIVERSION
 void find_sight(const Camera& camera, const Points& position, const Points& normal, Sight& out) {
-    alignas(64) std::array<float, kLanes> rise;
-    alignas(64) std::array<float, kLanes> run;
+    struct Floats {
+        alignas(64) std::array<float, kLanes> x, y, z;
+    };
+    Floats normals;
+    Floats towards;
+    alignas(64) std::array<float, kLanes> cos_phi;
+    alignas(64) std::array<float, kLanes> sin_phi;
+    alignas(64) std::array<float, kLanes> around;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        // The frame of the surface, as theta_phi_frame has it.
-        const double nx = normal.x.value[i];
-        const double ny = normal.y.value[i];
-        const double nz = normal.z.value[i];
-        const double around = std::sqrt(nx * nx + ny * ny);
-        const double inverse_around = 1 / (around > 0 ? around : 1);
-        const double cos_phi = around > 0 ? nx * inverse_around : 1;
-        const double sin_phi = ny * inverse_around;
-
-        double wx = camera.eye[0] - position.x.value[i];
-        double wy = camera.eye[1] - position.y.value[i];
-        double wz = camera.eye[2] - position.z.value[i];
+        const double wx = camera.eye[0] - position.x.value[i];
+        const double wy = camera.eye[1] - position.y.value[i];
+        const double wz = camera.eye[2] - position.z.value[i];
         // A point at the camera counts as one straight ahead, as Viewpoint::towards has it.
         const double distance = std::sqrt(wx * wx + wy * wy + wz * wz);
         const bool ahead = camera.orthographic || distance == 0;
-        const double inverse_distance = 1 / (ahead ? 1 : distance);
-        wx = ahead ? camera.backward[0] : wx * inverse_distance;
-        wy = ahead ? camera.backward[1] : wy * inverse_distance;
-        wz = ahead ? camera.backward[2] : wz * inverse_distance;
-
-        const double x = nz * (cos_phi * wx + sin_phi * wy) - around * wz;
-        const double y = cos_phi * wy - sin_phi * wx;
-        const double z = nx * wx + ny * wy + nz * wz;
-        const double rho = std::sqrt(x * x + y * y);
-        const double inverse_rho = 1 / (rho > 0 ? rho : 1);
-        const double c = rho > 0 ? x * inverse_rho : 1;
-        const double s = y * inverse_rho;
-        out.azimuth_cosine.value[i] = c;
-        out.azimuth_sine.value[i] = s;
-        rise[i] = static_cast<float>(rho > 0 ? rho : 0);
-        run[i] = static_cast<float>(z > 0 ? z : 0);
+        const double nearness = 1 / (ahead ? 1 : distance);
+        towards.x[i] = static_cast<float>(ahead ? camera.backward[0] : wx * nearness);
+        towards.y[i] = static_cast<float>(ahead ? camera.backward[1] : wy * nearness);
+        towards.z[i] = static_cast<float>(ahead ? camera.backward[2] : wz * nearness);
+    }
+    // The frame of the surface, as theta_phi_frame has it.
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const double nx = normal.x.value[i];
+        const double ny = normal.y.value[i];
+        const double rho = std::sqrt(nx * nx + ny * ny);
+        const double inverse = 1 / (rho > 0 ? rho : 1);
+        cos_phi[i] = static_cast<float>(rho > 0 ? nx * inverse : 1);
+        sin_phi[i] = static_cast<float>(ny * inverse);
+        around[i] = static_cast<float>(rho);
+        normals.x[i] = static_cast<float>(nx);
+        normals.y[i] = static_cast<float>(ny);
+        normals.z[i] = static_cast<float>(normal.z.value[i]);
+    }
+    const auto up_x = static_cast<float>(camera.up[0]);
+    const auto up_y = static_cast<float>(camera.up[1]);
+    const auto up_z = static_cast<float>(camera.up[2]);
+    const auto right_x = static_cast<float>(camera.right[0]);
+    const auto right_y = static_cast<float>(camera.right[1]);
+    const auto right_z = static_cast<float>(camera.right[2]);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float wx = towards.x[i];
+        const float wy = towards.y[i];
+        const float wz = towards.z[i];
+        const float nz = normals.z[i];
+        const float x = nz * (cos_phi[i] * wx + sin_phi[i] * wy) - around[i] * wz;
+        const float y = cos_phi[i] * wy - sin_phi[i] * wx;
+        const float z = normals.x[i] * wx + normals.y[i] * wy + nz * wz;
+        const float rho = std::sqrt(x * x + y * y);
+        // What a table has at the zenith turns with the frame there, so that any azimuth will do.
+        const float inverse_rho = 1 / (rho > 0 ? rho : 1);
+        const float c = rho > 0 ? x * inverse_rho : 1;
+        const float s = y * inverse_rho;
+        out.azimuth_cosine.value[i] = static_cast<double>(c);
+        out.azimuth_sine.value[i] = static_cast<double>(s);
+        out.zenith.value[i] = quarter_of(rho > 0 ? rho : 0, z > 0 ? z : 0);
 
         // x of the camera's frame field, as Viewpoint::frame has it, but for its length.
-        double ax = camera.up[1] * wz - camera.up[2] * wy;
-        double ay = camera.up[2] * wx - camera.up[0] * wz;
-        double az = camera.up[0] * wy - camera.up[1] * wx;
-        const bool defined = ax * ax + ay * ay + az * az > 1e-12;
-        ax = defined ? ax : camera.right[0];
-        ay = defined ? ay : camera.right[1];
-        az = defined ? az : camera.right[2];
-        const double along = ax * wx + ay * wy + az * wz;
+        float ax = up_y * wz - up_z * wy;
+        float ay = up_z * wx - up_x * wz;
+        float az = up_x * wy - up_y * wx;
+        const bool defined = ax * ax + ay * ay + az * az > 1e-12F;
+        ax = defined ? ax : right_x;
+        ay = defined ? ay : right_y;
+        az = defined ? az : right_z;
+        const float along = ax * wx + ay * wy + az * wz;
         ax -= along * wx;
         ay -= along * wy;
         az -= along * wz;
         // In the frame of the surface, then along theta-hat and phi-hat at the view direction.
-        const double bx = nz * (cos_phi * ax + sin_phi * ay) - around * az;
-        const double by = cos_phi * ay - sin_phi * ax;
-        const double bz = nx * ax + ny * ay + nz * az;
-        const double p = z * (bx * c + by * s) - bz * rho;
-        const double q = by * c - bx * s;
-        const double inverse = 1 / (ax * ax + ay * ay + az * az);
-        out.frame_cosine.value[i] = static_cast<float>((p * p - q * q) * inverse);
-        out.frame_sine.value[i] = static_cast<float>(2 * p * q * inverse);
-    }
-    for (std::size_t i = 0; i < kLanes; ++i) out.zenith.value[i] = quarter_of(rise[i], run[i]);
-}
-
-NICOL_MULTIVERSION
-void raise(const Doubles& cosine, const Doubles& sine, std::size_t count, Lanes* cosines, Lanes* sines) {
-    Doubles re;
-    Doubles im{};
-    re.value.fill(1);
-    for (std::size_t m = 0; m < count; ++m) {
-        for (std::size_t i = 0; i < kLanes; ++i) cosines[m].value[i] = static_cast<float>(re.value[i]);
-        for (std::size_t i = 0; i < kLanes; ++i) sines[m].value[i] = static_cast<float>(im.value[i]);
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const double next = re.value[i] * cosine.value[i] - im.value[i] * sine.value[i];
-            im.value[i] = im.value[i] * cosine.value[i] + re.value[i] * sine.value[i];
-            re.value[i] = next;
-        }
+        const float bx = nz * (cos_phi[i] * ax + sin_phi[i] * ay) - around[i] * az;
+        const float by = cos_phi[i] * ay - sin_phi[i] * ax;
+        const float bz = normals.x[i] * ax + normals.y[i] * ay + nz * az;
+        const float p = z * (bx * c + by * s) - bz * rho;
+        const float q = by * c - bx * s;
+        const float inverse = 1 / (p * p + q * q);
+        out.frame_cosine.value[i] = (p * p - q * q) * inverse;
+        out.frame_sine.value[i] = 2 * p * q * inverse;
     }
 }
 
@@ -152,7 +154,7 @@ void LaneView::look(const Viewpoint& view, std::span<const glm::vec3> positions,
                         .right = components(view.right)};
     Sight sight;
     find_sight(camera, spread(positions), spread(normals), sight);
-    raise(sight.azimuth_cosine, sight.azimuth_sine, cosines_.size(), cosines_.data(), sines_.data());
+    raise_phases(sight.azimuth_cosine, sight.azimuth_sine, cosines_.size(), cosines_.data(), sines_.data());
     zenith_ = sight.zenith;
     frame_cosine_ = sight.frame_cosine;
     frame_sine_ = sight.frame_sine;

@@ -18,39 +18,54 @@ template <std::size_t Rows, std::size_t Count, class Number>
                                                           std::size_t row, float scale) {
     LaneVector sum[Rows][Count];
     LaneVector own[Rows][Count];
+    // Copies, which no store through a pointer can change.
+    const Lanes* from[Count];
+    Lanes* to[Count];
+    for (std::size_t n = 0; n < Count; ++n) {
+        from[n] = in[n];
+        to[n] = out[n];
+    }
     for (std::size_t n = 0; n < Count; ++n) {
         for (std::size_t r = 0; r < Rows; ++r) {
-            load(out[n] + row + r, sum[r][n]);
-            load(in[n] + row + r, own[r][n]);
+            load(to[n] + row + r, sum[r][n]);
+            load(from[n] + row + r, own[r][n]);
         }
     }
+    // An odd number of elements is followed by one that does not count.
+    LaneVector k[kShadowTile];
+    std::size_t element = 0;
+#pragma GCC unroll 4
     for (std::size_t c = 0; c < Rows; ++c) {
-        for (std::size_t r = 0; r <= c; ++r, matrix += kLanes) {
-            LaneVector k;
-            load(matrix, k);
+#pragma GCC unroll 4
+        for (std::size_t r = 0; r <= c; ++r, ++element) {
+            if (element % 2 == 0) {
+                load_pair(matrix, k[0], k[1]);
+                matrix += 2 * kLanes;
+            }
             for (std::size_t n = 0; n < Count; ++n) {
-                sum[r][n] += k * own[c][n];
-                if (r != c) sum[c][n] += k * own[r][n];
+                sum[r][n] += k[element % 2] * own[c][n];
+                if (r != c) sum[c][n] += k[element % 2] * own[r][n];
             }
         }
     }
-    for (std::size_t c = row + Rows; c < size; ++c, matrix += Rows * kLanes) {
-        LaneVector k[Rows];
-        for (std::size_t r = 0; r < Rows; ++r) load(matrix + r * kLanes, k[r]);
+    // Only the last tile has fewer rows, and no columns beyond.
+    for (std::size_t c = row + Rows; Rows == kShadowTile && c < size; ++c, matrix += Rows * kLanes) {
+        load_pair(matrix, k[0], k[1]);
+        load_pair(matrix + 2 * kLanes, k[2], k[3]);
         for (std::size_t n = 0; n < Count; ++n) {
             LaneVector x;
             LaneVector beyond;
-            load(in[n] + c, x);
-            load(out[n] + c, beyond);
+            load(from[n] + c, x);
+            load(to[n] + c, beyond);
             for (std::size_t r = 0; r < Rows; ++r) {
                 sum[r][n] += k[r] * x;
                 beyond += k[r] * own[r][n];
             }
-            store(out[n] + c, beyond);
+            store(to[n] + c, beyond);
         }
     }
     for (std::size_t n = 0; n < Count; ++n) {
-        for (std::size_t r = 0; r < Rows; ++r) store(out[n] + row + r, sum[r][n] * scale);
+        for (std::size_t r = 0; r < Rows; ++r) store(to[n] + row + r, sum[r][n] * scale);
     }
     return matrix;
 }
@@ -98,7 +113,7 @@ void multiply_floats(const float* matrix, std::size_t size, const Lanes* const* 
 NICOL_MULTIVERSION
 void multiply_fixed(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
                     std::size_t count) {
-    multiply_groups(matrix, size, in, out, count, 1.0F / kFixedOne);
+    multiply_groups(matrix, size, in, out, count, 1.0F / kPairedOne);
 }
 
 }  // namespace
@@ -111,6 +126,7 @@ std::vector<ShadowElement> shadow_elements(std::size_t size) {
             for (std::size_t r = row; r < end; ++r) elements.push_back({r, column});
         }
     }
+    if (elements.size() % 2 != 0) elements.push_back(elements.back());
     return elements;
 }
 

@@ -19,11 +19,11 @@ struct ShadowElement {
     std::size_t column;
 };
 /// The elements of a matrix of `size` rows in the sequence that their numbers are kept in: by tiles of
-/// kShadowTile rows, in them by columns, then rows.
+/// kShadowTile rows, in them by columns, then rows. An even count: the last may be there twice.
 [[nodiscard]] std::vector<ShadowElement> shadow_elements(std::size_t size);
 
 /// out[n] = matrix in[n] for `count` vectors. The matrices of sixteen vertices are interleaved:
-/// [shadow_elements()][lane]. Numbers of 16 bits are those of lane_vector.hpp.
+/// [shadow_elements()][lane]; numbers of 16 bits, over kFixedOne, by twos: [two elements][lane][either].
 void multiply_shadows(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
                       std::size_t count);
 void multiply_shadows(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,

@@ -21,26 +21,23 @@
 namespace nicol {
 namespace {
 
-struct alignas(32) FixedLanes {
-    std::array<std::int16_t, kLanes> value;
+// Two numbers of sixteen vertices.
+struct alignas(64) FixedPair {
+    std::array<std::int16_t, 2 * kLanes> value;
 };
 
 // No shadow falls on sixteen vertices.
 constexpr std::uint32_t open = ~std::uint32_t{0};
 
-using Numbers = std::variant<std::vector<FixedLanes>, std::vector<Lanes>>;
+using Numbers = std::variant<std::vector<FixedPair>, std::vector<Lanes>>;
 
-FixedLanes fixed(const Lanes& in) {
-    FixedLanes out{};
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        out.value[i] =
-            static_cast<std::int16_t>(std::lround(std::clamp(in[i] * kFixedOne, -32767.0F, 32767.0F)));
-    }
-    return out;
+std::int16_t fixed(float number) {
+    return static_cast<std::int16_t>(std::lround(std::clamp(number * kFixedOne, -32767.0F, 32767.0F)));
 }
 
-// Up to this order matrices serve. Beyond they are the faster still, but take much more memory.
-constexpr int most_for_matrix = 6;
+// Matrices are two to four times as fast as the grid, but memory for them grows with the fourth power of the
+// order: four times the grid's at order 6, eleven times at 12.
+constexpr int most_for_matrix = 9;
 
 ShadowProduct::Form choose(ShadowProduct::Form form, HorizonExtension extension, int order) {
     if (form == ShadowProduct::Form::best) {
@@ -74,7 +71,7 @@ struct ShadowProduct::Blocks {
     bool dark = false;
     std::vector<std::uint32_t> vertices;
     std::vector<std::uint32_t> shadow_of;  // for each sixteen vertices, their block of numbers or `open`
-    std::size_t stride = 0;                // lanes of one block
+    std::size_t stride = 0;                // numbers of one block and lane, even
     Numbers numbers;
 
     void find_vertices(const Visibility& visibility);
@@ -117,12 +114,18 @@ void ShadowProduct::Blocks::make(std::size_t block, const Visibility& visibility
         std::get<ShadowGrid>(product).sample(coefficients.data(), made.data(),
                                              dark ? made.data() + stride / 2 : nullptr);
     }
-    if (auto* fixed_numbers = std::get_if<std::vector<FixedLanes>>(&numbers)) {
-        std::ranges::transform(made, fixed_numbers->begin() + static_cast<std::ptrdiff_t>(block * stride),
-                               fixed);
-    } else {
-        std::ranges::copy(made, std::get<std::vector<Lanes>>(numbers).begin() +
-                                    static_cast<std::ptrdiff_t>(block * stride));
+    if (auto* lanes = std::get_if<std::vector<Lanes>>(&numbers)) {
+        std::ranges::copy(made, lanes->begin() + static_cast<std::ptrdiff_t>(block * stride));
+        return;
+    }
+    // The matrix has either number of a pair in each lane, the grid one after the other.
+    const bool beside = form == Form::matrix;
+    FixedPair* pair = std::get<std::vector<FixedPair>>(numbers).data() + block * stride / 2;
+    for (std::size_t k = 0; k < stride; k += 2, ++pair) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            pair->value[beside ? 2 * i : i] = fixed(made[k][i]);
+            pair->value[beside ? 2 * i + 1 : kLanes + i] = fixed(made[k + 1][i]);
+        }
     }
 }
 
@@ -161,7 +164,7 @@ ShadowProduct::ShadowProduct(const Visibility& visibility, const DirectionSet& d
         b.stride = std::get<ShadowGrid>(b.product).samples() * (b.dark ? 2 : 1);
     }
     if (storage == ShadowStorage::fixed16) {
-        b.numbers = std::vector<FixedLanes>(blocks() * b.stride);
+        b.numbers = std::vector<FixedPair>(blocks() * b.stride / 2);
     } else {
         b.numbers = std::vector<Lanes>(blocks() * b.stride);
     }
@@ -196,9 +199,8 @@ void ShadowProduct::run(VertexLight& light, std::size_t first, std::size_t last)
             }
             const auto some_lights = std::span(lights).first(count);
             const auto some_products = std::span(products).first(count);
-            if (const auto* numbers = std::get_if<std::vector<FixedLanes>>(&b.numbers)) {
-                b.multiply(reinterpret_cast<const std::int16_t*>(numbers->data() + shadow * b.stride),
-                           some_lights, some_products);
+            if (const auto* numbers = std::get_if<std::vector<FixedPair>>(&b.numbers)) {
+                b.multiply((*numbers)[shadow * b.stride / 2].value.data(), some_lights, some_products);
             } else {
                 b.multiply(reinterpret_cast<const float*>(std::get<std::vector<Lanes>>(b.numbers).data() +
                                                           shadow * b.stride),
@@ -217,7 +219,7 @@ ShadowProduct::Form ShadowProduct::form() const noexcept {
 }
 
 std::optional<ShadowProduct::Matrices> ShadowProduct::matrices() const {
-    const auto* numbers = std::get_if<std::vector<FixedLanes>>(&blocks_->numbers);
+    const auto* numbers = std::get_if<std::vector<FixedPair>>(&blocks_->numbers);
     const auto* matrices = std::get_if<ShadowMatrices>(&blocks_->product);
     if (matrices == nullptr || numbers == nullptr) return std::nullopt;
     const std::vector<std::size_t> whole = matrices->whole();
@@ -228,7 +230,8 @@ std::optional<ShadowProduct::Matrices> ShadowProduct::matrices() const {
     auto to = out.numbers.begin();
     for (std::size_t block = 0; block < blocks(); ++block) {
         for (const std::size_t number : whole) {
-            to = std::ranges::copy((*numbers)[block * blocks_->stride + number].value, to).out;
+            const FixedPair& pair = (*numbers)[(block * blocks_->stride + number) / 2];
+            for (std::size_t i = 0; i < kLanes; ++i) *to++ = pair.value[2 * i + number % 2];
         }
     }
     return out;

@@ -2,7 +2,9 @@
 #include "transfer/vertex_light.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
+#include <utility>
 
 #include "transfer/lane_vector.hpp"
 #include "transfer/simd.hpp"
@@ -43,9 +45,16 @@ Turned quarter_turns(int m) {
     }
 }
 
-std::vector<Relight::Pick> picks(const LightLayout& layout) {
+// A packed number as one result of LaneRotation: (-i)^m times it, and what the layout makes of that.
+struct Pick {
+    std::size_t position;
+    float factor;
+};
+
+std::vector<Pick> picks(const LightLayout& layout) {
     const std::size_t size = layout.size();
-    std::vector<Relight::Pick> out(2 * size);
+    const std::size_t imaginary = psh_count(layout.order());
+    std::vector<Pick> out(2 * size);
     for (std::size_t j = 0; j < size; ++j) {
         const LightLayout::Entry& e = layout.entries()[j];
         Turned turned = quarter_turns(e.m);
@@ -61,26 +70,73 @@ std::vector<Relight::Pick> picks(const LightLayout& layout) {
                 turned = {!turned.exchange, -turned.im, turned.re};
             }
         }
-        out[j] = {position, turned.exchange, turned.re};
-        out[size + j] = {position, !turned.exchange, turned.im};
+        out[j] = {position + (turned.exchange ? imaginary : 0), turned.re};
+        out[size + j] = {position + (turned.exchange ? 0 : imaginary), turned.im};
     }
     return out;
 }
 
-NICOL_MULTIVERSION
-void pick_numbers(const Relight::Pick* picks, std::size_t count, const Lanes* re, const Lanes* im,
-                  Lanes* out) {
-    for (std::size_t j = 0; j < count; ++j) {
-        LaneVector value;
-        load((picks[j].imaginary ? im : re) + picks[j].position, value);
-        store(out + j, picks[j].factor * value);
-    }
+Relight::Term sum(const Pick& a, float a_factor, const Pick& b, float b_factor) {
+    return {a.position, b.position, a_factor * a.factor, b_factor * b.factor};
 }
 
-std::size_t part_begin(const LightLayout& layout, LightKind part) {
-    const auto& entries = layout.entries();
-    return static_cast<std::size_t>(std::ranges::find(entries, part, &LightLayout::Entry::part) -
-                                    entries.begin());
+Relight::Term alone(const Pick& a, float factor) {
+    return {a.position, a.position, factor * a.factor, 0};
+}
+
+// s0 keeps the coefficients of m >= 0 as real parts of packed numbers and s3 as imaginary ones.
+std::vector<Relight::Term> scalar_terms(const MirrorBasis& basis, const std::vector<Pick>& packed,
+                                        std::size_t first_cosine, std::size_t first_sine) {
+    std::vector<Relight::Term> terms(basis.spin_begin());
+    for (const MirrorBasis::ScalarPair& pair : basis.scalar_pairs()) {
+        terms[pair.cosine] = alone(packed[first_cosine + pair.entry], 1);
+        if (pair.m > 0) terms[pair.sine] = alone(packed[first_sine + pair.entry], 1);
+    }
+    return terms;
+}
+
+// What MirrorBasis::split makes of them.
+std::vector<Relight::Term> spin_terms(const MirrorBasis& basis, const std::vector<Pick>& packed) {
+    constexpr float root2 = std::numbers::sqrt2_v<float>;
+    const std::size_t imaginary = packed.size() / 2;
+    const std::size_t odd = basis.spin().size();
+    std::vector<Relight::Term> terms(2 * odd);
+    for (const MirrorBasis::SpinPair& pair : basis.spin_pairs()) {
+        const float sign = pair.l % 2 == 0 ? 1.0F : -1.0F;
+        const Pick& re = packed[pair.plus];
+        const Pick& im = packed[imaginary + pair.plus];
+        const Pick& re_minus = packed[pair.minus];
+        const Pick& im_minus = packed[imaginary + pair.minus];
+        const std::size_t cosine = pair.cosine - basis.spin_begin();
+        const std::size_t sine = pair.sine - basis.spin_begin();
+        if (pair.m > 0) {
+            terms[cosine] = sum(re, 1, re_minus, sign);
+            terms[sine] = sum(im, 1, im_minus, -sign);
+            terms[odd + cosine] = sum(im, 1, im_minus, sign);
+            terms[odd + sine] = sum(re, -1, re_minus, sign);
+        } else {
+            terms[cosine] = alone(pair.l % 2 == 0 ? re : im, root2);
+            terms[odd + cosine] = alone(pair.l % 2 == 0 ? im : re, sign * root2);
+        }
+    }
+    return terms;
+}
+
+NICOL_MULTIVERSION
+void add_up(const std::vector<Relight::Term>& terms, const Lanes* results, std::size_t fields,
+            std::size_t field, Lanes* out) {
+    results += field;
+    for (const Relight::Term& term : terms) {
+        LaneVector first;
+        load(results + fields * term.first, first);
+        first *= term.first_factor;
+        if (term.second_factor != 0) {
+            LaneVector second;
+            load(results + fields * term.second, second);
+            first += term.second_factor * second;
+        }
+        store(out++, first);
+    }
 }
 
 }  // namespace
@@ -112,20 +168,53 @@ void VertexLight::set_packed(std::size_t vertex, int channel, std::span<const fl
 }
 
 Relight::Relight(const LightLayout& layout, const PshVector& light)
-    : rotation_(layout.order()),
-      linear_(part_begin(layout, LightKind::linear)),
-      full_(part_begin(layout, LightKind::full)),
-      picks_(picks(layout)) {
-    linear_ = std::min(linear_, full_);
+    : order_(layout.order()), rotation_(layout.order()) {
+    const MirrorBasis basis(layout);
+    const std::vector<Pick> packed = picks(layout);
+    const std::size_t imaginary = layout.size();
+    add_part(light, LightKind::unpolarized, 0, scalar_terms(basis, packed, 0, imaginary));
+    if (layout.kind() != LightKind::unpolarized) {
+        add_part(light, LightKind::linear, basis.spin_begin(), spin_terms(basis, packed));
+    }
+    if (layout.kind() == LightKind::full) {
+        const std::size_t first = basis.s3_entry();
+        add_part(light, LightKind::full, basis.s3_begin(),
+                 scalar_terms(basis, packed, imaginary + first, first));
+    }
+}
+
+void Relight::add_part(const PshVector& light, LightKind part, std::size_t begin, std::vector<Term> terms) {
+    Part& made = parts_.emplace_back(
+        Part{.channels = {}, .terms = std::move(terms), .begin = begin, .spin = part == LightKind::linear});
     for (int c = 0; c < light.channels(); ++c) {
         const std::span<const double> from = light.channel(c);
-        Channel& channel = channels_.emplace_back();
-        channel.s0 = complex_half(from, layout.order(), 0);
-        if (layout.kind() == LightKind::full) channel.s3 = complex_half(from, layout.order(), 3);
-        if (layout.kind() == LightKind::unpolarized) continue;
-        for (std::size_t index = 0; index < psh_count(layout.order()); ++index) {
-            channel.spin.emplace_back(static_cast<float>(from[4 * index + 1]),
-                                      static_cast<float>(from[4 * index + 2]));
+        Field& field = made.channels.emplace_back();
+        if (!made.spin) {
+            field = complex_half(from, order_, part == LightKind::full ? 3 : 0);
+            continue;
+        }
+        for (std::size_t index = 0; index < psh_count(order_); ++index) {
+            field.emplace_back(static_cast<float>(from[4 * index + 1]),
+                               static_cast<float>(from[4 * index + 2]));
+        }
+    }
+}
+
+void Relight::run_part(const Part& part, LaneRotation::Work& work, std::size_t block,
+                       VertexLight& out) const {
+    const auto channels = static_cast<std::size_t>(out.channels());
+    for (std::size_t first = 0; first < channels; first += LaneRotation::kMostFields) {
+        std::array<const std::complex<float>*, LaneRotation::kMostFields> fields{};
+        const std::size_t count = std::min(fields.size(), channels - first);
+        for (std::size_t f = 0; f < count; ++f) fields[f] = part.channels[first + f].data();
+        if (part.spin) {
+            rotation_.turn_complex(std::span(fields).first(count), work);
+        } else {
+            rotation_.turn_real(std::span(fields).first(count), work);
+        }
+        for (std::size_t f = 0; f < count; ++f) {
+            add_up(part.terms, work.results(), count, f,
+                   out.block(block, static_cast<int>(first + f)).data() + part.begin);
         }
     }
 }
@@ -133,32 +222,10 @@ Relight::Relight(const LightLayout& layout, const PshVector& light)
 void Relight::run(std::span<const glm::vec3> normals, std::size_t first, std::size_t last,
                   VertexLight& out) const {
     LaneRotation::Work work = rotation_.work();
-    const std::size_t size = picks_.size() / 2;
-    std::vector<Lanes> packed(picks_.size());
-    // Entries [begin, end) of the layout, from what was turned last.
-    const auto pick = [&](std::size_t begin, std::size_t end) {
-        for (const std::size_t part : {std::size_t{0}, size}) {
-            pick_numbers(picks_.data() + part + begin, end - begin, &work.re(0), &work.im(0),
-                         packed.data() + part + begin);
-        }
-    };
     for (std::size_t block = first; block < last; ++block) {
         const std::size_t begin = block * kLanes;
         rotation_.set_normals(normals.subspan(begin, std::min(kLanes, normals.size() - begin)), work);
-        for (int c = 0; c < out.channels(); ++c) {
-            const Channel& channel = channels_[static_cast<std::size_t>(c)];
-            rotation_.turn_real(channel.s0, work);
-            pick(0, linear_);
-            if (!channel.spin.empty()) {
-                rotation_.turn_complex(channel.spin, work);
-                pick(linear_, full_);
-            }
-            if (!channel.s3.empty()) {
-                rotation_.turn_real(channel.s3, work);
-                pick(full_, size);
-            }
-            out.basis().split(packed.data(), out.block(block, c).data());
-        }
+        for (const Part& part : parts_) run_part(part, work, block, out);
     }
 }
 

@@ -68,25 +68,31 @@ public:
     /// side.
     void run(std::span<const glm::vec3> normals, std::size_t first, std::size_t last, VertexLight& out) const;
 
-    /// How (-i)^m times a result of LaneRotation, and what the layout makes of it, picks and signs a number.
-    struct Pick {
-        std::size_t position;
-        bool imaginary;
-        float factor;
+    /// A number of a split light as a sum of results of LaneRotation.
+    struct Term {
+        std::size_t first;
+        std::size_t second;
+        float first_factor;
+        float second_factor;  ///< 0: there is no second
     };
 
 private:
-    struct Channel {
-        std::vector<std::complex<float>> s0;    // over complex harmonics, m >= 0
-        std::vector<std::complex<float>> s3;    // likewise, or empty
-        std::vector<std::complex<float>> spin;  // s1 + i s2, all m, or empty
+    // Complex fields: s0 and s3 over complex harmonics, m >= 0, s1 + i s2 for all m.
+    using Field = std::vector<std::complex<float>>;
+    // The fields of one kind, and how they make the numbers of a split light from `begin` on.
+    struct Part {
+        std::vector<Field> channels;
+        std::vector<Term> terms;
+        std::size_t begin;
+        bool spin;
     };
 
+    void add_part(const PshVector& light, LightKind part, std::size_t begin, std::vector<Term> terms);
+    void run_part(const Part& part, LaneRotation::Work& work, std::size_t block, VertexLight& out) const;
+
+    int order_;
     LaneRotation rotation_;
-    std::vector<Channel> channels_;
-    std::size_t linear_;       // where the entries of s1 and s2 begin in the layout
-    std::size_t full_;         // and those of s3
-    std::vector<Pick> picks_;  // for each packed number
+    std::vector<Part> parts_;
 };
 
 }  // namespace nicol

@@ -240,7 +240,8 @@ TEST_CASE("matrices serve low orders and the grid high ones") {
         return scene.product(layout, HorizonExtension::mirrored, Form::best, ShadowStorage::fixed16).form();
     };
     CHECK(form(4) == Form::matrix);
-    CHECK(form(9) == Form::grid);
+    CHECK(form(9) == Form::matrix);
+    CHECK(form(10) == Form::grid);
     CHECK(form(32) == Form::grid);
 }
 

@@ -51,8 +51,7 @@ void DeviceFactored::mirror_tables(const FactoredMethod& method, const TransferI
 }
 
 void DeviceFactored::mirror_shadows(const FactoredMethod& method, const TransferInput& input) {
-    RelightKey key(input);
-    key.light = 0;
+    const RelightKey key = RelightKey(input).without_light();
     if (shadows_for_ == key) return;
     shadows_for_ = {};
     shadows_.reset();
