@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+# `cpack` in the build folder makes libnicol0, libnicol-dev and nicol-tools for Debian.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The Nicol authors <maintainers@nicol.invalid>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL runtime development tools)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+
+set(same "libnicol0 (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Real-time rendering of polarized light: library")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libnicol0)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
+# Opened at run time, so no linker names them.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libegl1 | libosmesa6")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Real-time rendering of polarized light: header, CMake package, pkg-config")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libnicol-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ${same})
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Real-time rendering of polarized light: nicol-render and nicol-convert")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME nicol-tools)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS ${same})
+include(CPack)

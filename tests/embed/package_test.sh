@@ -1,0 +1,50 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The Debian packages: what is in them, what they need, and that the programs in them run.
+# usage: package_test.sh CPACK BUILD_FOLDER VERSION
+set -eu
+cpack=$1
+build=$2
+version=$3
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+fail() {
+    echo "failed: $*" >&2
+    exit 1
+}
+
+for tool in dpkg-deb dpkg-shlibdeps; do
+    command -v $tool >/dev/null || { echo "skipped: $tool is absent"; exit 77; }
+done
+(cd "$build" && "$cpack" -G DEB -B "$folder") >"$folder/log" 2>&1 || { cat "$folder/log"; fail "cpack"; }
+
+# name, then patterns of which each must be among its files
+has() {
+    package=$(echo "$folder/$1"_*.deb)
+    [ -f "$package" ] || fail "no package $1"
+    [ "$(dpkg-deb -f "$package" Version)" = "$version" ] || fail "the version of $1"
+    dpkg-deb -c "$package" | sed -n 's/^[^d].* \.\(\/[^ ]*\).*/\1/p' >"$folder/files"
+    count=$(wc -l <"$folder/files")
+    shift
+    [ "$count" -eq $# ] || { cat "$folder/files"; fail "$count files in $package"; }
+    for pattern; do
+        grep -qx "$pattern" "$folder/files" || { cat "$folder/files"; fail "no $pattern in $package"; }
+    done
+    dpkg-deb -x "$package" "$folder/root"
+}
+depends() { dpkg-deb -f "$folder/$1"_*.deb Depends; }
+
+has libnicol0 '/usr/lib.*/libnicol\.so\.0' '/usr/lib.*/libnicol\.so\.0\.[0-9.]*' /usr/share/doc/nicol/LICENSE
+has libnicol-dev /usr/include/nicol.h '/usr/lib.*/libnicol\.so' '/usr/lib.*/pkgconfig/nicol\.pc' \
+    '/usr/lib.*/cmake/nicol/nicolConfig\.cmake' '/usr/lib.*/cmake/nicol/nicolConfig-.*\.cmake' \
+    '/usr/lib.*/cmake/nicol/nicolConfigVersion\.cmake'
+has nicol-tools /usr/bin/nicol-render /usr/bin/nicol-convert
+
+depends libnicol0 | grep -q 'libc6' || fail "libnicol0 depends on: $(depends libnicol0)"
+for package in libnicol-dev nicol-tools; do
+    depends $package | grep -q "libnicol0 (= $version)" || fail "$package depends on: $(depends $package)"
+done
+ls "$folder"/*.deb
+"$folder/root/usr/bin/nicol-render" --version
+"$folder/root/usr/bin/nicol-convert" --version
