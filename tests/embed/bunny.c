@@ -13,8 +13,9 @@ static void check(nicol_result result) {
 
 static void write_npy(const char* path, const float* stokes, uint32_t width, uint32_t height) {
     char head[128];
-    const int length = snprintf(head, sizeof head, "{'descr': '<f4', 'fortran_order': False, 'shape': (%u, %u, 4), }",
-                                (unsigned)height, (unsigned)width);
+    const int length =
+        snprintf(head, sizeof head, "{'descr': '<f4', 'fortran_order': False, 'shape': (%u, %u, 4), }",
+                 (unsigned)height, (unsigned)width);
     FILE* file = fopen(path, "wb");
     if (!file || length < 0 || length >= 117) exit(3);
     fprintf(file, "\x93NUMPY%c%c%c%c%-117s\n", 1, 0, 118, 0, head);
