@@ -153,7 +153,7 @@ class CallTest(unittest.TestCase):
         pixels = array.array("f", bytes(4 * 32 * 32))
         framebuffer.read(nicol.PLANE_S0, 0, pixels)
         self.assertAlmostEqual(pixels[16 * 32 + 16], 2 * GREY, places=4)
-        for wrong in (bytes(4 * 32 * 32), array.array("d", bytes(8 * 32 * 32)), [0.0] * 1024):
+        for wrong in (memoryview(bytes(4 * 32 * 32)).cast("f"), array.array("d", bytes(8 * 32 * 32)), [0.0] * 1024):
             with self.assertRaises(TypeError):
                 framebuffer.read(nicol.PLANE_S0, 0, wrong)
         with self.assertRaisesRegex(nicol.Error, "byte_size"):
