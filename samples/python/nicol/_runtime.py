@@ -50,7 +50,7 @@ def check(result):
         _raised.clear()
         raise error
     if result:
-        raise Error(result, _last_error().decode())
+        raise Error(result, os.fsdecode(_last_error()))
 
 
 def text(value):
@@ -91,8 +91,8 @@ class Handle(ctypes.c_void_p):
 
 
 class Callback:
-    """A kind of C function that a Python function can stand in for. It is called without C's last or first
-    `user`; arrays arrive as such, strings as str. None and True stand for "go on"."""
+    """A kind of C function that a Python function can stand in for. It is called without C's `user`; arrays arrive as
+    such, strings as str. To answer None or True is to go on."""
 
     def __init__(self, result, *parameters):
         # (type, its place, how Python sees it) of all but void* user.
@@ -126,14 +126,14 @@ def pointee(value):
 
 
 def decoded(value):
-    return None if value is None else value.decode()
+    return None if value is None else os.fsdecode(value)
 
 
 class Buffer:
     """Memory of C numbers in Python's hands: a numpy array, array.array, memoryview, or a sequence to copy."""
 
     def __init__(self, value, type_, writable=False, rows=False):
-        self.pointer, self.count, self.nbytes = None, 0, 0
+        self.pointer, self.count, self.nbytes, self.stride = None, 0, 0, 0
         if value is None:
             return
         try:
@@ -146,7 +146,6 @@ class Buffer:
             raise TypeError(f"a buffer of '{view.format}' where one of '{type_._type_}' ({type_.__name__}) is wanted")
         if writable and view.readonly:
             raise TypeError("results need a writable buffer")
-        self.stride = 0
         if not view.c_contiguous:
             if not rows or view.ndim < 2 or view.strides[0] < 0 or not view[:1].c_contiguous:
                 raise TypeError("the buffer is not contiguous" + (" within its rows" if rows else ""))
@@ -221,7 +220,7 @@ class Struct(ctypes.Structure):
 
     def __getattribute__(self, name):
         value = super().__getattribute__(name)
-        return value.decode() if isinstance(value, bytes) else value
+        return os.fsdecode(value) if isinstance(value, bytes) else value
 
     def __init_subclass__(cls):
         super().__init_subclass__()
