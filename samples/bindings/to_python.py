@@ -80,10 +80,9 @@ class Python:
 
     def struct(self, struct):
         text = f"\n\nclass {class_name(struct.name)}(Struct):\n" + docstring(struct.doc, "    ")
-        callbacks = [f.name for f in struct.fields if f.type.base in self.header.callbacks]
+        callbacks = [f'"{f.name}": {class_name(f.type.base)}' for f in struct.fields if f.type.base in self.header.callbacks]
         if callbacks:
-            types = {f.name: class_name(f.type.base) for f in struct.fields}
-            text += f"    _callbacks_ = {{{', '.join(f'{chr(34)}{name}{chr(34)}: {types[name]}' for name in callbacks)}}}\n"
+            text += "    _callbacks_ = {" + ", ".join(callbacks) + "}\n"
         text += "    _fields_ = [\n"
         for field in struct.fields:
             text += f'        ("{field.name}", {self.ctype(field.type, argument=False)}),\n'
