@@ -501,6 +501,22 @@ typedef uint32_t nicol_executor;
 #define NICOL_EXECUTOR_CPU 1       /* threads */
 #define NICOL_EXECUTOR_COMPUTE 2   /* compute shaders, also where OpenGL runs on the CPU and is slow at it */
 
+/* What a render leaves out because the picture is the same without it; by default all of them. */
+#define NICOL_SKIP_UNCHANGED 1u        /* everything, where nothing changed */
+#define NICOL_SKIP_LIGHT_COMPONENTS 2u /* Stokes components that the light lacks */
+#define NICOL_SKIP_CHANNELS 4u         /* colour channels of light that equal another */
+#define NICOL_SKIP_ORDERS 8u           /* orders that the light lacks */
+#define NICOL_SKIP_RESPONSE_ROWS 16u   /* Stokes components that a material cannot make */
+#define NICOL_SKIP_HIDDEN 32u          /* vertices that face away or lie outside the view */
+#define NICOL_SKIP_UNOCCLUDED 64u      /* shadows of vertices that see all above their horizon */
+#define NICOL_SKIP_ALL 127u
+
+/* Stokes components that a picture has; the others are 0. */
+typedef uint32_t nicol_components;
+#define NICOL_COMPONENTS_ALL 0
+#define NICOL_COMPONENTS_S0 1     /* s0 */
+#define NICOL_COMPONENTS_LINEAR 3 /* s0, s1, s2 */
+
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
@@ -529,9 +545,16 @@ typedef struct nicol_render_options {
     uint64_t seed; /* reference: the same gives the same picture whatever the threads, another other noise */
     nicol_executor executor;             /* 0: automatic */
     nicol_high_orders_at high_orders_at; /* 0: automatic */
+    double tolerance; /* above 0: the largest error that orders left out may be predicted to cause, as the
+                         relative RMSE of s0, s1 and s2 over the RMS of s0; order_low and order_high are then
+                         chosen for it and those above are not looked at. Only of the factored method with
+                         high orders split or left out. 0: orders as given; finite, not negative */
+    nicol_components components; /* 0: all */
+    uint32_t unskipped;          /* sum of NICOL_SKIP_... that are not to be made use of: to measure what they
+                                    save. Compute shaders shade all vertices and rows in any case. 0: none */
 } nicol_render_options;
 #define NICOL_RENDER_OPTIONS_INIT \
-    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
  * luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */
@@ -584,12 +607,16 @@ typedef struct nicol_statistics {
     double trace_ms;                /* reference: tracing rays */
     uint32_t compute;               /* 1: compute shaders relight and shade, 0: threads do */
     nicol_high_orders_at high_orders_at; /* where they were looked up; 0: there were none */
+    uint32_t order_low;             /* of the light that was rendered, as the option or as a tolerance chose */
+    uint32_t reserved;              /* 0 */
+    double predicted_error;         /* where a tolerance was given: of the orders left out; may exceed it where no orders
+                                       reach it. Interpolation between vertices is not in it */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0                                                                                             \
+            0, 0, 0, 0, 0                                                                                    \
     }
 
 NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer,

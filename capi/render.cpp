@@ -122,6 +122,18 @@ int bake_directions_from(std::uint32_t given, int fallback) {
     return given == 0 ? fallback : static_cast<int>(given);
 }
 
+int components_from(nicol_components given) {
+    switch (given) {
+        case NICOL_COMPONENTS_ALL:
+            return 4;
+        case NICOL_COMPONENTS_S0:
+        case NICOL_COMPONENTS_LINEAR:
+            return static_cast<int>(given);
+        default:
+            refuse("components is " + std::to_string(given) + "; it must be one of NICOL_COMPONENTS_...");
+    }
+}
+
 RenderOptions options_from(const nicol_render_options& given) {
     RenderOptions options;
     options.method = method_from(given.method);
@@ -138,6 +150,9 @@ RenderOptions options_from(const nicol_render_options& given) {
         refuse("physical is " + std::to_string(given.physical) + "; it must be 0 or 1");
     }
     options.physical = given.physical == 1;
+    options.tolerance = given.tolerance;
+    options.components = components_from(given.components);
+    options.unskipped = given.unskipped;
     options.progress = progress_from(given);
     return options;
 }
@@ -264,6 +279,8 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.trace_ms = s.trace_ms;
         out.compute = s.compute ? 1 : 0;
         out.high_orders_at = high_orders_at_of(s.high_orders_at);
+        out.order_low = static_cast<uint32_t>(s.order_low);
+        out.predicted_error = s.predicted_error;
         write_struct(statistics, out, "statistics");
     });
 }

@@ -40,6 +40,18 @@ enum class Executor {
     compute,    ///< compute shaders
 };
 
+/// What a render leaves out where it is not needed; the picture stays the same.
+enum Skip : std::uint32_t {
+    skip_unchanged = 1,         ///< everything, where nothing changed
+    skip_light_components = 2,  ///< Stokes components that the light lacks
+    skip_channels = 4,          ///< colour channels of light that equal another
+    skip_orders = 8,            ///< orders that the light lacks
+    skip_response_rows = 16,    ///< Stokes components that a material cannot make
+    skip_hidden = 32,           ///< shading vertices that face away or lie outside the view
+    skip_unoccluded = 64,       ///< shadows of vertices that see all above their horizon
+    skip_all = 127,
+};
+
 struct RenderOptions {
     Method method = Method::factored;
     Executor executor = Executor::automatic;
@@ -61,6 +73,10 @@ struct RenderOptions {
     /// Moves Stokes vectors into the physical range (Eq. 70): s0 >= 0, no more polarized than s0. Those of
     /// vertices, or of pixels where high orders are looked up there.
     bool physical = false;
+    /// Stokes components that the picture has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
+    int components = 4;
+    /// Skips not to make use of, to measure what they save.
+    std::uint32_t unskipped = 0;
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
     /// false stops the render with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;
@@ -68,10 +84,10 @@ struct RenderOptions {
 
 /// Milliseconds are 0 for verbs that did not have to run.
 struct Statistics {
-    int order_low = 0;           ///< of the light that was rendered
-    int order = 0;               ///< the highest of it
-    double predicted_error = 0;  ///< where a tolerance was given
-    bool compute = false;        ///< compute shaders made it
+    int order_low = 0;                                      ///< of the light that was rendered
+    int order = 0;                                          ///< the highest of it
+    double predicted_error = 0;                             ///< where a tolerance was given
+    bool compute = false;                                   ///< compute shaders made it
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;  ///< automatic: there were none
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;

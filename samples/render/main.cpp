@@ -64,6 +64,8 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.order_high = order(options.order_high);
     wanted.high_orders = options.high_orders;
     wanted.high_orders_at = options.high_orders_at;
+    wanted.tolerance = options.tolerance;
+    wanted.components = options.components;
     wanted.shadows = options.shadows ? 1 : -1;
     wanted.bake_directions = options.bake_directions;
     wanted.dering = options.dering;

@@ -23,6 +23,9 @@ const char* const usage =
     "                           default split\n"
     "      --high-orders-at NAME  where they are looked up: vertices, pixels or automatic, which is pixels\n"
     "                           where OpenGL does not run on the CPU; default automatic\n"
+    "      --tolerance E        chooses the orders: those left out may change s0, s1 and s2 by E, as the\n"
+    "                           predicted relative RMSE; without it orders are as given\n"
+    "      --components NAME    what the picture holds: s0, linear (s0, s1, s2) or all; default all\n"
     "      --no-shadows         lets every surface see all of the light\n"
     "      --bake-directions N  directions that shadows are traced in from each vertex, 256 to 65536;\n"
     "                           default 2048\n"
@@ -121,6 +124,13 @@ nicol_high_orders_at parse_high_orders_at(std::string_view text) {
     throw Failure("--high-orders-at: '" + std::string(text) + "' is none of: automatic, vertices, pixels");
 }
 
+nicol_components parse_components(std::string_view text) {
+    if (text == "all") return NICOL_COMPONENTS_ALL;
+    if (text == "s0") return NICOL_COMPONENTS_S0;
+    if (text == "linear") return NICOL_COMPONENTS_LINEAR;
+    throw Failure("--components: '" + std::string(text) + "' is none of: s0, linear, all");
+}
+
 std::string parse_definition(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos || equals == 0)
@@ -176,6 +186,10 @@ Options parse_options(int argc, const char* const* argv) {
             options.high_orders = parse_high_orders(value());
         else if (name == "--high-orders-at")
             options.high_orders_at = parse_high_orders_at(value());
+        else if (name == "--tolerance")
+            options.tolerance = parse_strength(name, value());
+        else if (name == "--components")
+            options.components = parse_components(value());
         else if (name == "--no-shadows" && !attached)
             options.shadows = false;
         else if (name == "--bake-directions")

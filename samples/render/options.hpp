@@ -25,6 +25,8 @@ struct Options {
     std::optional<std::int32_t> order_low, order_high;
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
     nicol_high_orders_at high_orders_at = NICOL_HIGH_ORDERS_AT_AUTOMATIC;
+    double tolerance = 0;
+    nicol_components components = NICOL_COMPONENTS_ALL;
     bool shadows = true;
     bool physical = false;
     double dering = 0;

@@ -37,6 +37,10 @@ const GladGLContext& prepare(const char* what, RenderTarget& target, const Progr
         gl.Enable(GL_CULL_FACE);
         gl.CullFace(state.cull == Cull::back ? GL_BACK : GL_FRONT);
     }
+    const auto written = [&state](int component) -> GLboolean {
+        return component < state.components ? GL_TRUE : GL_FALSE;
+    };
+    gl.ColorMask(written(0), written(1), written(2), written(3));
     gl.UseProgram(program.id());
     return gl;
 }

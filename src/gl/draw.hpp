@@ -18,6 +18,7 @@ struct DrawState {
     DepthTest depth_test = DepthTest::less;  ///< `off` also keeps the depth buffer as it is
     bool depth_write = true;
     Cull cull = Cull::none;
+    int components = 4;  ///< 1..4: the first so many of each texel are written, the others kept
 };
 
 /// All below inside run(); objects of different contexts, or a program of the wrong kind, are

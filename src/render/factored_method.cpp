@@ -85,7 +85,7 @@ void FactoredMethod::shade(const TransferInput& input, const Viewpoint& view,
                            std::span<const std::uint8_t> visible, Workers& workers, Progress& progress,
                            VertexStokes& out) const {
     const WorldGeometry& geometry = input.geometry;
-    const Shade shade(input.layout);
+    const Shade shade(input.layout, input.least_components, input.most_components);
     const std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
     for (const VertexRange& run : geometry.ranges) {
         const ResponseTable& table = tables_.at(run.material);

@@ -12,7 +12,8 @@
 namespace nicol {
 namespace {
 
-LightKind kind_of(const EnvironmentPtr& environment) {
+LightKind kind_of(const EnvironmentPtr& environment, std::uint32_t unskipped) {
+    if ((unskipped & skip_light_components) != 0) return LightKind::full;
     if (!environment || !environment->polarized()) return LightKind::unpolarized;
     return environment->circular() ? LightKind::full : LightKind::linear;
 }
@@ -58,19 +59,23 @@ int last_order_of(const PshVector& light) {
 void LightProjection::update(const Scene& scene, const RenderOptions& options, Statistics& statistics) {
     const Stopwatch watch;
     const int high = options.high_orders == HighOrders::none ? options.order_low : options.order_high;
-    const bool same_layout =
-        layout_ && layout_->order() == options.order_low && layout_->kind() == kind_of(scene.environment());
+    const LightKind kind = kind_of(scene.environment(), options.unskipped);
+    const bool same_layout = layout_ && layout_->order() == options.order_low && layout_->kind() == kind;
     if (!projected_ || environment_ != scene.environment() || !same_layout || light_.order() != high ||
-        dering_ != options.dering) {
+        dering_ != options.dering || unskipped_ != options.unskipped) {
         projected_ = false;
         scene_light_revision_ = 0;
         scale_ = -1;
         environment_ = scene.environment();
-        light_ = environment_ ? without_repeats(environment_->project(high)) : PshVector(high, 1);
+        light_ = environment_ ? environment_->project(high) : PshVector(high, 1);
+        if ((options.unskipped & skip_channels) == 0) light_ = without_repeats(std::move(light_));
         dering_ = options.dering;
         suppress_ringing(light_, dering_);
-        layout_.emplace(options.order_low, kind_of(environment_));
-        last_order_ = std::max(options.order_low, last_order_of(light_));
+        unskipped_ = options.unskipped;
+        layout_.emplace(options.order_low, kind);
+        last_order_ = (options.unskipped & skip_orders) != 0
+                          ? high
+                          : std::max(options.order_low, last_order_of(light_));
         projected_ = true;
         statistics.project_ms += watch.milliseconds();
     }

@@ -37,6 +37,7 @@ private:
     std::optional<LightLayout> layout_;
     int last_order_ = -1;
     double dering_ = 0;
+    std::uint32_t unskipped_ = 0;
     double scale_ = 1;                        // of distant_
     std::uint64_t scene_light_revision_ = 0;  // that turned_ belongs to
     PshVector turned_;

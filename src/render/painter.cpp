@@ -60,7 +60,8 @@ std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& ge
 Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
 void Painter::draw(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
-                   const HighOrdersOfPixels& high_orders, const Projection& projection, Framebuffer& target) {
+                   const HighOrdersOfPixels& high_orders, int components, const Projection& projection,
+                   Framebuffer& target) {
     const int channels = target.channels();
     const Binding binding{.buffers = buffers.revision(),
                           .channels = channels,
@@ -77,12 +78,13 @@ void Painter::draw(const Scene& scene, const WorldGeometry& geometry, VertexBuff
     environment_ = scene.environment();
     channels_ = channels;
 
-    for (std::size_t g = 0; g < groups_.size(); ++g) draw_surface(scene, high_orders, projection, g, target);
-    if (environment_) draw_background(scene, projection, target);
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+        draw_surface(scene, high_orders, components, projection, g, target);
+    if (environment_) draw_background(scene, components, projection, target);
     gl::finish(*context_);
 }
 
-void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders,
+void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
                            const Projection& projection, std::size_t group, Framebuffer& target) {
     gl::RenderTarget& picture = target.groups()[group];
     std::set<std::string> features;
@@ -99,7 +101,7 @@ void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_or
         surface.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
         surface.set("physical", high_orders.physical ? 1 : 0);
     }
-    if (environment_) {
+    if (environment_ && components == 4) {
         picture.clear_depth();
     } else {
         picture.clear();
@@ -110,7 +112,7 @@ void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_or
         }
         // Materials without a back are drawn black from behind, the others have triangles for each side.
         gl::draw(picture, surface, *groups_[group].vertices, batch.first, batch.last - batch.first,
-                 {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
+                 {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none, .components = components});
     }
 }
 
@@ -180,7 +182,8 @@ void Painter::upload_environment(const Environment* environment, int channels) {
     }
 }
 
-void Painter::draw_background(const Scene& scene, const Projection& projection, Framebuffer& target) {
+void Painter::draw_background(const Scene& scene, int components, const Projection& projection,
+                              Framebuffer& target) {
     const bool polarized = scene.environment()->polarized();
     const Viewpoint& view = projection.view;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -194,8 +197,9 @@ void Painter::draw_background(const Scene& scene, const Projection& projection, 
         for (std::size_t i = 0; i < groups_[g].environment.size(); ++i) {
             groups_[g].environment[i].bind(static_cast<unsigned>(i));
         }
-        gl::draw_fullscreen(target.groups()[g], sky,
-                            {.depth_test = gl::DepthTest::less_equal, .depth_write = false});
+        gl::draw_fullscreen(
+            target.groups()[g], sky,
+            {.depth_test = gl::DepthTest::less_equal, .depth_write = false, .components = components});
     }
 }
 

@@ -30,10 +30,11 @@ public:
         bool physical = false;                        ///< sums are moved into the physical range
     };
 
-    /// `buffers` are of `geometry`. Everything that can fail for want of memory happens before the
-    /// framebuffer is touched.
+    /// `buffers` are of `geometry`. components: that are drawn; the others are 0. Everything that can fail
+    /// for want of memory happens before the framebuffer is touched.
     void draw(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
-              const HighOrdersOfPixels& high_orders, const Projection& projection, Framebuffer& target);
+              const HighOrdersOfPixels& high_orders, int components, const Projection& projection,
+              Framebuffer& target);
 
 private:
     // Channels that are drawn at once.
@@ -63,10 +64,11 @@ private:
     gl::Program& program(const char* vertex, const char* fragment, int channels,
                          const std::set<std::string>& features);
     void bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers, const Binding& binding);
-    void draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, const Projection& projection,
-                      std::size_t group, Framebuffer& target);
+    void draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
+                      const Projection& projection, std::size_t group, Framebuffer& target);
     void upload_environment(const Environment* environment, int channels);
-    void draw_background(const Scene& scene, const Projection& projection, Framebuffer& target);
+    void draw_background(const Scene& scene, int components, const Projection& projection,
+                         Framebuffer& target);
 
     std::shared_ptr<gl::Context> context_;
     std::map<std::tuple<std::string, int, std::set<std::string>>, gl::Program> programs_;

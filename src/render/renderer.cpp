@@ -34,6 +34,12 @@ void check(const RenderOptions& options) {
     if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
         refuse("tolerance is " + std::to_string(options.tolerance) + "; it must be finite and not negative");
     }
+    if (options.components != 1 && options.components != 3 && options.components != 4) {
+        refuse("components is " + std::to_string(options.components) + "; it must be 1, 3 or 4");
+    }
+    if ((options.unskipped & ~std::uint32_t{skip_all}) != 0) {
+        refuse("unskipped is " + std::to_string(options.unskipped) + "; it must be a sum of skips");
+    }
     if (options.tolerance > 0 &&
         (options.method != Method::factored || options.high_orders == HighOrders::convolution)) {
         refuse(
@@ -45,7 +51,8 @@ void check(const RenderOptions& options) {
 // All but the callback.
 auto values(const RenderOptions& o) {
     return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
-                    o.high_orders, o.high_orders_at, o.tolerance, o.dering, o.physical);
+                    o.high_orders, o.high_orders_at, o.tolerance, o.dering, o.physical, o.components,
+                    o.unskipped);
 }
 
 }  // namespace
@@ -83,7 +90,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
         refuse("the framebuffer has " + std::to_string(target.channels()) +
                " colour channels and the scene " + std::to_string(scene.channels()) + "; they must agree");
     }
-    if (holds(target, scene, camera, options)) {
+    if ((options.unskipped & skip_unchanged) == 0 && holds(target, scene, camera, options)) {
         Statistics& kept = target.statistics();
         for (double* ms : {&kept.project_ms, &kept.bake_ms, &kept.bake_trace_ms, &kept.relight_ms,
                            &kept.shade_ms, &kept.draw_ms, &kept.observe_ms}) {
@@ -119,7 +126,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
                       {.textures = high_orders != nullptr ? &textures_ : nullptr,
                        .shadowed = high_orders != nullptr && !high_orders->visibility().empty(),
                        .physical = options.physical},
-                      projection, target);
+                      options.components, projection, target);
     });
     statistics.draw_ms = watch.milliseconds();
 

@@ -32,7 +32,9 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
                               .visibility = shadowed ? &visibility_ : nullptr,
                               .directions = shadowed ? &*directions_ : nullptr,
                               .visibility_revision = shadowed ? visibility_revision_ : 0,
-                              .horizon = options.horizon};
+                              .horizon = options.horizon,
+                              .least_components = (options.unskipped & skip_response_rows) != 0 ? 4U : 1U,
+                              .most_components = static_cast<std::size_t>(options.components)};
     const DistantLight distant{.coefficients = light_.distant(),
                                .revision = light_.distant_revision(),
                                .to_world = scene.light_rotation(),
@@ -48,7 +50,12 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
     const auto on_host = [&](auto& method) {
         method.relight(input, workers_, progress, statistics);
         const Stopwatch watch;
-        workers_.run([&] { statistics.vertices_skipped = find_visible(geometry_, projection, visible_); });
+        if ((options.unskipped & skip_hidden) != 0) {
+            visible_.assign(geometry_.positions.size(), 1);
+        } else {
+            workers_.run(
+                [&] { statistics.vertices_skipped = find_visible(geometry_, projection, visible_); });
+        }
         stokes_.resize(static_cast<std::size_t>(input.channels));
         for (auto& channel : stokes_) channel.resize(geometry_.positions.size());
         method.shade(input, projection.view, visible_, workers_, progress, stokes_);
@@ -125,7 +132,8 @@ void TransferCache::bake(const Scene& scene, const RenderOptions& options, Progr
                          Statistics& statistics) {
     const bool same_directions =
         directions_ && directions_->size() == static_cast<std::size_t>(options.bake_directions);
-    if (same_directions && baked_geometry_ == geometry_revision_) return;
+    const bool shadow_all = (options.unskipped & skip_unoccluded) != 0;
+    if (same_directions && baked_geometry_ == geometry_revision_ && shadow_all_ == shadow_all) return;
     if (!scene.environment()) return;  // darkness casts no shadows
     const Stopwatch watch;
     baked_geometry_ = 0;
@@ -138,6 +146,10 @@ void TransferCache::bake(const Scene& scene, const RenderOptions& options, Progr
             geometry, *directions_, folder_, notice_,
             [&progress](double fraction) { progress.report("bake", fraction); }, &baked);
     });
+    if (shadow_all) {
+        for (std::size_t v = 0; v < visibility_.vertices(); ++v) visibility_.set_unoccluded(v, false);
+    }
+    shadow_all_ = shadow_all;
     baked_geometry_ = geometry_revision_;
     ++visibility_revision_;
     statistics.bake_rays += baked.rays;

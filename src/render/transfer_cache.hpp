@@ -60,6 +60,7 @@ private:
 
     std::optional<DirectionSet> directions_;
     Visibility visibility_;
+    bool shadow_all_ = false;                // vertices that see all count as occluded
     std::uint64_t baked_geometry_ = 0;       // geometry_revision_ that visibility_ belongs to
     std::uint64_t visibility_revision_ = 0;  // counts the bakes
 

@@ -28,6 +28,10 @@ struct TransferInput {
     const DirectionSet* directions;
     std::uint64_t visibility_revision;  ///< 0 where there is none
     HorizonExtension horizon;
+    /// Of reflected light: the first so many components are shaded even where they are zero ...
+    std::size_t least_components = 1;
+    /// ... and so many where they are not.
+    std::size_t most_components = 4;
 };
 
 /// The state that a method's per-vertex light was made for.

@@ -10,14 +10,16 @@
 
 namespace nicol {
 
-Shade::Shade(const LightLayout& layout) : order_(layout.order()), row_size_(layout.size()), terms_(layout) {}
+Shade::Shade(const LightLayout& layout, std::size_t least, std::size_t most)
+    : order_(layout.order()), row_size_(layout.size()), least_(least), most_(most), terms_(layout) {}
 
 void Shade::run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
                 std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                 std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
                 std::span<const std::span<glm::vec4>> out) const {
     // Components that the material cannot make are not computed, nor channels that equal the first.
-    const std::size_t rows = response.makes(3) ? 4 : response.makes(1) || response.makes(2) ? 3 : 1;
+    const std::size_t made = response.makes(3) ? 4 : response.makes(1) || response.makes(2) ? 3 : 1;
+    const std::size_t rows = std::clamp(made, least_, most_);
     const bool alike = response.channels() == 1 && light.channels() == 1;
     const std::size_t step = response.rows(0, 0).size() * static_cast<std::size_t>(response.channels());
 

@@ -18,7 +18,9 @@ namespace nicol {
 /// Stokes vectors towards a viewpoint, in the camera's frame field.
 class Shade {
 public:
-    explicit Shade(const LightLayout& layout);
+    /// Of the four components, those are computed that the material makes: but at least the first `least`
+    /// and at most the first `most` of them (1, 3 or 4); the others are 0.
+    explicit Shade(const LightLayout& layout, std::size_t least = 1, std::size_t most = 4);
 
     /// For every vertex `first` <= v < `last` with visible[v] != 0, writes channel c's Stokes vector to
     /// out[c][v]; others are left alone. A light of one channel serves all. Sixteen vertices that share a
@@ -31,6 +33,8 @@ public:
 private:
     int order_;
     std::size_t row_size_;
+    std::size_t least_;
+    std::size_t most_;
     ShadeTerms terms_;
 };
 

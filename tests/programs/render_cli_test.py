@@ -241,6 +241,21 @@ class Success(RenderTest):
         self.assertEqual(stats["rays"]["bake"], 0)
         self.assertEqual(stats["bytes"]["visibility"], 0)
 
+    def test_tolerance(self):
+        orders = []
+        for tolerance in ("0.5", "0.0001"):
+            self.assert_succeeds("good.xml", "-o", "out/a.exr", "--stats", "out/s.json", "--tolerance", tolerance)
+            with open(self.path("out/s.json"), encoding="utf-8") as file:
+                stats = json.load(file)
+            self.assertLessEqual(stats["predicted_error"], float(tolerance))
+            orders.append(stats["order"])
+        self.assertLessEqual(orders[0], orders[1])
+
+    def test_components(self):
+        self.assert_succeeds("good.xml", "-o", "out/all.exr")
+        self.assert_succeeds("good.xml", "-o", "out/s0.exr", "--components", "s0")
+        self.assertNotEqual(self.files()[self.path("out", "all.exr")], self.files()[self.path("out", "s0.exr")])
+
     def test_executor(self):
         pictures = {}
         for name in ("cpu", "compute", "automatic"):
@@ -337,6 +352,9 @@ class CommandLine(RenderTest):
             (["--dering", "'-1'"], good + ["--dering", "-1"]),
             (["--dering", "'nan'"], good + ["--dering", "nan"]),
             (["--dering", "'inf'"], good + ["--dering", "inf"]),
+            (["--tolerance", "'-0.1'"], good + ["--tolerance", "-0.1"]),
+            (["tolerance", "factored"], good + ["--tolerance", "0.1", "--method", "dense"]),
+            (["--components", "'s4'", "s0, linear, all"], good + ["--components", "s4"]),
             (["--physical=1"], good + ["--physical=1"]),
             (["33"], good + ["--order-low", "33"]),
             (["4000000000"], good + ["--order-low", "4000000000"]),
