@@ -16,6 +16,7 @@
 #include "pareto.hpp"
 #include "report.hpp"
 #include "scale.hpp"
+#include "skip.hpp"
 #include "start.hpp"
 
 namespace {
@@ -58,6 +59,10 @@ const Command commands[] = {
      bench_scale,
      {"--backend", "--cache", "--size", "--orders", "--seconds", "--large", "--csv", "--json"},
      "cost against the number of vertices and against the order"},
+    {"skip",
+     bench_skip,
+     {"--backend", "--cache", "--size", "--seconds", "--csv", "--json"},
+     "what leaving out saves where a scene does not need everything"},
     {"start",
      bench_start,
      {"SCENE.xml", "-D", "--light", "--backend", "--size", "--csv", "--json"},
