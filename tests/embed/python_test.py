@@ -213,8 +213,7 @@ class CallTest(unittest.TestCase):
     def test_image_of_a_buffer(self):
         pixels = array.array("f", [1, 2, 3] * 8 * 5)
         before = len(nicol._runtime._lent)
-        image = nicol.Image(width=8, height=5, channels=3, components=1, pixels=pixels, byte_size=len(pixels) * 4)
-        environment = nicol.Environment.create_image(self.context, image)
+        environment = nicol.Environment.create_image(self.context, nicol.image(memoryview(pixels).cast("B").cast("f", (5, 8, 3))))
         self.assertEqual(environment.get_info().channels, 3)
         coefficients = array.array("d", bytes(8 * 3 * 4 * 4))
         nicol.psh_project_environment(environment, 1, coefficients)
@@ -224,6 +223,24 @@ class CallTest(unittest.TestCase):
         environment.release()
         gc.collect()
         self.assertEqual(len(nicol._runtime._lent), before)
+
+    def test_image_must_have_a_shape(self):
+        with self.assertRaisesRegex(ValueError, "shape"):
+            nicol.image(array.array("f", [1, 2, 3] * 8 * 5))
+        image = nicol.image(memoryview(bytes(4 * 5 * 8 * 2 * 4)).cast("f", (5, 8, 2, 4)))
+        self.assertEqual((image.width, image.height, image.channels, image.components), (8, 5, 2, 4))
+
+    def test_mesh_of_buffers(self):
+        positions = array.array("f", [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0])
+        indices = array.array("I", [0, 1, 2, 2, 1, 3])
+        mesh = nicol.Mesh.create(self.context, nicol.mesh_data(positions, indices))
+        self.assertEqual(mesh.get_size(), (4, 2))
+        with self.assertRaisesRegex(ValueError, "positions takes three"):
+            nicol.mesh_data(positions[1:], indices)
+        with self.assertRaisesRegex(ValueError, "3 normals of 4 vertices"):
+            nicol.mesh_data(positions, indices, positions[3:])
+        with self.assertRaisesRegex(TypeError, "'f' where one of 'I'"):
+            nicol.mesh_data(positions, positions)
 
     def test_mathematics(self):
         transform = nicol.PshTransform.create(nicol.PshSampling(order=3))

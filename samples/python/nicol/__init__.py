@@ -38,5 +38,32 @@ class Framebuffer(_abi.Framebuffer):
         return out
 
 
-__all__ = [*_abi.__all__, "Error", "Handle", "Struct"]
+def mesh_data(positions, indices, normals=None):
+    """For Mesh.create, from buffers of 32-bit floats and unsigned integers: three numbers a vertex and a triangle."""
+    counts = []
+    for name, value in (("positions", positions), ("indices", indices), ("normals", normals)):
+        count, rest = divmod(0 if value is None else memoryview(value).nbytes, 12)
+        if rest:
+            raise ValueError(f"{name} takes three 32-bit numbers each; {12 * count + rest} bytes are no multiple of 12")
+        counts.append(count)
+    if normals is not None and counts[2] != counts[0]:
+        raise ValueError(f"{counts[2]} normals of {counts[0]} vertices")
+    return _abi.MeshData(
+        positions=positions, indices=indices, normals=normals, vertex_count=counts[0], triangle_count=counts[1]
+    )
+
+
+def image(pixels):
+    """For Environment.create_image, from 32-bit floats of shape (height, width, channels), or (height, width, channels, 4)
+    for Stokes vectors."""
+    view = memoryview(pixels)
+    if view.ndim not in (3, 4):
+        raise ValueError(f"pixels have the shape {view.shape}; it must be (height, width, channels) or (..., channels, 4)")
+    height, width, channels, components = (*view.shape, 1)[:4]
+    return _abi.Image(
+        width=width, height=height, channels=channels, components=components, pixels=pixels, byte_size=view.nbytes
+    )
+
+
+__all__ = [*_abi.__all__, "Error", "Handle", "Struct", "image", "mesh_data"]
 __version__ = _abi.version_string()
