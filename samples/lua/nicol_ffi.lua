@@ -137,6 +137,7 @@ typedef uint32_t nicol_method;
 typedef uint32_t nicol_high_orders;
 typedef uint32_t nicol_high_orders_at;
 typedef uint32_t nicol_executor;
+typedef uint32_t nicol_components;
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
@@ -154,6 +155,9 @@ typedef struct nicol_render_options {
     uint64_t seed;
     nicol_executor executor;
     nicol_high_orders_at high_orders_at;
+    double tolerance;
+    nicol_components components;
+    uint32_t unskipped;
 } nicol_render_options;
 typedef struct nicol_statistics {
     uint32_t struct_size;
@@ -184,6 +188,9 @@ typedef struct nicol_statistics {
     double trace_ms;
     uint32_t compute;
     nicol_high_orders_at high_orders_at;
+    uint32_t order_low;
+    uint32_t reserved;
+    double predicted_error;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_picture_kind;
@@ -402,6 +409,17 @@ return {
         EXECUTOR_AUTOMATIC = 0,
         EXECUTOR_CPU = 1,
         EXECUTOR_COMPUTE = 2,
+        SKIP_UNCHANGED = 1,
+        SKIP_LIGHT_COMPONENTS = 2,
+        SKIP_CHANNELS = 4,
+        SKIP_ORDERS = 8,
+        SKIP_RESPONSE_ROWS = 16,
+        SKIP_HIDDEN = 32,
+        SKIP_UNOCCLUDED = 64,
+        SKIP_ALL = 127,
+        COMPONENTS_ALL = 0,
+        COMPONENTS_S0 = 1,
+        COMPONENTS_LINEAR = 3,
         PLANE_S0 = 0,
         PLANE_S1 = 1,
         PLANE_S2 = 2,

@@ -50,6 +50,17 @@ HIGH_ORDERS_AT_PIXELS = 2
 EXECUTOR_AUTOMATIC = 0
 EXECUTOR_CPU = 1
 EXECUTOR_COMPUTE = 2
+SKIP_UNCHANGED = 1
+SKIP_LIGHT_COMPONENTS = 2
+SKIP_CHANNELS = 4
+SKIP_ORDERS = 8
+SKIP_RESPONSE_ROWS = 16
+SKIP_HIDDEN = 32
+SKIP_UNOCCLUDED = 64
+SKIP_ALL = 127
+COMPONENTS_ALL = 0
+COMPONENTS_S0 = 1
+COMPONENTS_LINEAR = 3
 PLANE_S0 = 0
 PLANE_S1 = 1
 PLANE_S2 = 2
@@ -288,6 +299,9 @@ class RenderOptions(Struct):
         ("seed", c_uint64),
         ("executor", c_uint32),
         ("high_orders_at", c_uint32),
+        ("tolerance", c_double),
+        ("components", c_uint32),
+        ("unskipped", c_uint32),
     ]
 
 
@@ -322,6 +336,9 @@ class Statistics(Struct):
         ("trace_ms", c_double),
         ("compute", c_uint32),
         ("high_orders_at", c_uint32),
+        ("order_low", c_uint32),
+        ("reserved", c_uint32),
+        ("predicted_error", c_double),
     ]
 
 
@@ -536,8 +553,8 @@ class Material(Handle):
     @classmethod
     def load_psh(cls, context, path, scale):
         """A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-        package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Front
-        side only."""
+        package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light of
+        orders above the matrix's is not reflected. Front side only."""
         scale = scale if scale is None or isinstance(scale, Spectrum) else Spectrum.of(scale)
         material = cls()
         check(_material_load_psh(context, text(path), byref(scale) if scale is not None else None, byref(material)))
@@ -1035,6 +1052,9 @@ __all__ = [
     "BACKEND_AUTOMATIC",
     "BACKEND_EGL",
     "BACKEND_OSMESA",
+    "COMPONENTS_ALL",
+    "COMPONENTS_LINEAR",
+    "COMPONENTS_S0",
     "CallbackMaterial",
     "Camera",
     "Conductor",
@@ -1122,6 +1142,14 @@ __all__ = [
     "PshSampling",
     "PshTransform",
     "RenderOptions",
+    "SKIP_ALL",
+    "SKIP_CHANNELS",
+    "SKIP_HIDDEN",
+    "SKIP_LIGHT_COMPONENTS",
+    "SKIP_ORDERS",
+    "SKIP_RESPONSE_ROWS",
+    "SKIP_UNCHANGED",
+    "SKIP_UNOCCLUDED",
     "Scene",
     "Sky",
     "Spectrum",

@@ -47,6 +47,17 @@ pub const NICOL_HIGH_ORDERS_AT_PIXELS: u32 = 2;
 pub const NICOL_EXECUTOR_AUTOMATIC: u32 = 0;
 pub const NICOL_EXECUTOR_CPU: u32 = 1;
 pub const NICOL_EXECUTOR_COMPUTE: u32 = 2;
+pub const NICOL_SKIP_UNCHANGED: u32 = 1;
+pub const NICOL_SKIP_LIGHT_COMPONENTS: u32 = 2;
+pub const NICOL_SKIP_CHANNELS: u32 = 4;
+pub const NICOL_SKIP_ORDERS: u32 = 8;
+pub const NICOL_SKIP_RESPONSE_ROWS: u32 = 16;
+pub const NICOL_SKIP_HIDDEN: u32 = 32;
+pub const NICOL_SKIP_UNOCCLUDED: u32 = 64;
+pub const NICOL_SKIP_ALL: u32 = 127;
+pub const NICOL_COMPONENTS_ALL: u32 = 0;
+pub const NICOL_COMPONENTS_S0: u32 = 1;
+pub const NICOL_COMPONENTS_LINEAR: u32 = 3;
 pub const NICOL_PLANE_S0: u32 = 0;
 pub const NICOL_PLANE_S1: u32 = 1;
 pub const NICOL_PLANE_S2: u32 = 2;
@@ -559,6 +570,7 @@ pub type nicol_method = u32;
 pub type nicol_high_orders = u32;
 pub type nicol_high_orders_at = u32;
 pub type nicol_executor = u32;
+pub type nicol_components = u32;
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -579,6 +591,9 @@ pub struct nicol_render_options {
     pub seed: u64,
     pub executor: nicol_executor,
     pub high_orders_at: nicol_high_orders_at,
+    pub tolerance: f64,
+    pub components: nicol_components,
+    pub unskipped: u32,
 }
 impl Default for nicol_render_options {
     fn default() -> Self {
@@ -589,7 +604,7 @@ impl Default for nicol_render_options {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 80);
+    assert!(size_of::<nicol_render_options>() == 96);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -606,6 +621,9 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, seed) == 64);
     assert!(offset_of!(nicol_render_options, executor) == 72);
     assert!(offset_of!(nicol_render_options, high_orders_at) == 76);
+    assert!(offset_of!(nicol_render_options, tolerance) == 80);
+    assert!(offset_of!(nicol_render_options, components) == 88);
+    assert!(offset_of!(nicol_render_options, unskipped) == 92);
 };
 
 /// What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run.
@@ -640,6 +658,9 @@ pub struct nicol_statistics {
     pub trace_ms: f64,
     pub compute: u32,
     pub high_orders_at: nicol_high_orders_at,
+    pub order_low: u32,
+    pub reserved: u32,
+    pub predicted_error: f64,
 }
 impl Default for nicol_statistics {
     fn default() -> Self {
@@ -650,7 +671,7 @@ impl Default for nicol_statistics {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 208);
+    assert!(size_of::<nicol_statistics>() == 224);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -679,6 +700,9 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, trace_ms) == 192);
     assert!(offset_of!(nicol_statistics, compute) == 200);
     assert!(offset_of!(nicol_statistics, high_orders_at) == 204);
+    assert!(offset_of!(nicol_statistics, order_low) == 208);
+    assert!(offset_of!(nicol_statistics, reserved) == 212);
+    assert!(offset_of!(nicol_statistics, predicted_error) == 216);
 };
 pub type nicol_plane = u32;
 pub type nicol_picture_kind = u32;
@@ -982,8 +1006,8 @@ extern "C" {
     /// only.
     pub fn nicol_material_load_measured(context: nicol_context, path: *const c_char, options: *const nicol_measured, material: *mut nicol_material) -> nicol_result;
     /// A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-    /// package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Front
-    /// side only.
+    /// package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light of
+    /// orders above the matrix's is not reflected. Front side only.
     pub fn nicol_material_load_psh(context: nicol_context, path: *const c_char, scale: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
     /// The back of a surface reflects as its front. `front` may be released afterwards.
     pub fn nicol_material_create_twosided(context: nicol_context, front: nicol_material, material: *mut nicol_material) -> nicol_result;
