@@ -63,8 +63,12 @@ Camera some_camera() {
 /// Renders by both executors and compares the pictures.
 struct Comparison {
     Comparison(const std::shared_ptr<gl::Context>& context, int channels)
-        : renderer(context, 0), by_threads(context, 40, 30, channels), by_shaders(context, 40, 30, channels) {
-        renderer.set_cache(folder(), {});
+        : threads(context, 0),
+          shaders(context, 0),
+          by_threads(context, 40, 30, channels),
+          by_shaders(context, 40, 30, channels) {
+        threads.set_cache(folder(), {});
+        shaders.set_cache(folder(), {});
     }
 
     /// What takes long to prepare is shared by the backends.
@@ -80,10 +84,10 @@ struct Comparison {
     void run(const Scene& scene, RenderOptions options, const Camera& camera = some_camera()) {
         options.bake_directions = 256;
         options.executor = Executor::cpu;
-        renderer.render(scene, camera, options, by_threads);
+        threads.render(scene, camera, options, by_threads);
         CHECK_FALSE(by_threads.statistics().compute);
         options.executor = Executor::compute;
-        renderer.render(scene, camera, options, by_shaders);
+        shaders.render(scene, camera, options, by_shaders);
         CHECK(by_shaders.statistics().compute);
         const std::vector<float>& a = by_threads.image().data;
         const std::vector<float>& b = by_shaders.image().data;
@@ -101,7 +105,8 @@ struct Comparison {
         CHECK(difference <= tolerance * largest);
     }
 
-    Renderer renderer;
+    Renderer threads;  // each keeps what it needs, as it would give that up for the other executor
+    Renderer shaders;
     Framebuffer by_threads;
     Framebuffer by_shaders;
 };
