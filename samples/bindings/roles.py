@@ -26,7 +26,7 @@ def roles_of(header, function):
         elif type_.pointers:
             role, partners = "result", 0
         elif type_.count:
-            role, partners = ("array" if type_.const else "results"), 0
+            role, partners = ("array" if type_.const else "filled"), 0
         elif type_.base in header.callbacks:
             role, partners = "callback", 0
         else:
@@ -37,4 +37,5 @@ def roles_of(header, function):
 
 
 def last_input(roles):
-    return [parameter for parameter, role, _ in roles if role not in ("result", "results", "user")][-1]
+    inputs = [parameter for parameter, role, _ in roles if role not in ("result", "filled", "user")]
+    return inputs[-1] if inputs else None

@@ -1,15 +1,8 @@
 # SPDX-License-Identifier: MIT
 """samples/python/nicol/_abi.py: nicol.h for ctypes, with a Python function or method for each of its functions."""
 
-import keyword
-
 from header import Type
-from roles import last_input, roles_of
-
-CTYPES = {
-    "char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "float": "c_float", "uint64_t": "c_uint64",
-    "double": "c_double",
-}  # fmt: skip
+from python_call import CTYPES, Call, class_name, variable_name
 
 HEAD = '''# SPDX-License-Identifier: MIT
 """nicol.h {version} for Python. Made by samples/bindings/generate.py: change the header, not this file."""
@@ -20,14 +13,6 @@ from ._runtime import (
     Buffer, Callback, Handle, Struct, array, as_is, check, counted, declare, decoded, lend, pointee, text, texts,
 )  # fmt: skip
 '''
-
-
-def class_name(name):
-    return "".join(part.capitalize() for part in name.removeprefix("nicol_").split("_"))
-
-
-def variable_name(name):
-    return name + "_" if keyword.iskeyword(name) else name
 
 
 def docstring(doc, indent):
@@ -101,89 +86,16 @@ class Python:
 
     def function(self, function):
         """The text of a function or method, the class it belongs to or None."""
-        header = self.header
         owner, name = self.owner(function)
         if name in ("retain", "release"):
             return "", owner
-        roles = roles_of(header, function)
-        method = owner and roles and roles[0][0].type.base == owner and roles[0][1] in ("value", "struct")
-        creates = [p for p, role, _ in roles if role == "result" and p.type.base in header.handles]
-        takes, before, arguments, results = [], [], [], []
-        for parameter, role, partners in roles:
-            item = variable_name(parameter.name)
-            base = parameter.type.base
-            scalar = CTYPES.get(header.aliases.get(base, base))
-            writable = "" if parameter.type.const else ", writable=True"
-            optional = ""
-            if method and parameter is function.parameters[0]:
-                arguments.append("self" if role == "value" else "byref(self)")
-                continue
-            if role == "user":
-                arguments.append("None")
-                continue
-            if role in ("value", "text", "array", "callback"):
-                arguments.append({"value": item, "text": f"text({item})", "callback": f"{class_name(base)}({item})",
-                                  "array": f"array({item}, {scalar}, {parameter.type.count})"}[role])  # fmt: skip
-            elif role == "struct":
-                optional = "=None" if parameter.name == "options" and parameter is last_input(roles) else ""
-                arguments.append(f"byref({item}) if {item} is not None else None")
-                if self.lends(base, creates):
-                    before.append(f"{item} = lend({item})")
-                if base == "nicol_spectrum":
-                    before.append(f"{item} = {item} if {item} is None or isinstance({item}, Spectrum) else Spectrum.of({item})")
-            elif role == "texts":
-                optional = "=()" if parameter is last_input(roles) else ""
-                before.append(f"{item} = texts({item})")
-                arguments += [item, f"len({item})"]
-            elif role == "buffer":
-                optional = "=None" if "NULL" in function.doc and parameter is last_input(roles) else ""
-                before.append(f"{item} = Buffer({item}, {scalar}{writable})")
-                arguments += [f"{item}.pointer", f"{item}.count"]
-            elif role == "buffers":
-                other = variable_name(partners[0].name)
-                before.append(f"{item}, {other} = Buffer({item}, {scalar}{writable}), Buffer({other}, {scalar}{writable})")
-                arguments += [f"{item}.pointer", f"{other}.pointer", f"counted({item}, {other})"]
-                takes.append(item)
-                item = other
-            elif role == "rows":
-                before.append(f"{item} = Buffer({item}, {scalar}{writable}, rows=True)")
-                arguments += [f"{item}.pointer", f"{item}.stride", f"{item}.nbytes"]
-            elif role == "result":
-                made = class_name(base) if not scalar else scalar
-                if parameter in creates and base == owner and not method:
-                    made = "cls"
-                before.append(f"{item} = {made}()")
-                arguments.append(f"byref({item})")
-                # The only handle that a successful call leaves NULL is one that it was asked for.
-                results.append(f"{item}.value" if scalar else f"{item} if {item}.value else None"
-                               if base in header.handles and method else item)  # fmt: skip
-                continue
-            elif role == "results":
-                before.append(f"{item} = ({scalar} * {parameter.type.count})()")
-                arguments.append(item)
-                results.append(f"tuple({item})")
-                continue
-            takes.append(item + optional)
-        return self.write(function, owner, name, method, takes, before, arguments, results), owner
-
-    def lends(self, name, creates):
-        fields = self.header.structs[name].fields
-        callback = any(f.type.base in self.header.callbacks for f in fields)
-        return callback and (bool(creates) or any(f.name == "release" for f in fields))
-
-    def write(self, function, owner, name, method, takes, before, arguments, results):
+        call = Call(self.header, function, owner)
         indent = "    " if owner else ""
-        head = ["self"] if method else ["cls"] if owner else []
         text = "\n" if owner else "\n\n"
-        if owner and not method:
+        if owner and not call.method:
             text += f"{indent}@classmethod\n"
-        text += f"{indent}def {variable_name(name)}({', '.join(head + takes)}):\n" + docstring(function.doc, indent + "    ")
-        call = f"_{function.name.removeprefix('nicol_')}({', '.join(arguments)})"
-        if function.result.base == "nicol_result":
-            before += [f"check({call})"] + ([f"return {', '.join(results)}"] if results else [])
-        else:
-            before.append(f"return decoded({call})" if function.result.base == "char" else f"return {call}")
-        return text + "".join(f"{indent}    {line}\n" for line in before)
+        text += f"{indent}def {variable_name(name)}({', '.join(call.takes)}):\n" + docstring(function.doc, indent + "    ")
+        return text + "".join(f"{indent}    {line}\n" for line in call.lines()), owner
 
     def declaration(self, function):
         owner, name = self.owner(function)

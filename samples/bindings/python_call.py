@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""How a Python function calls its C function: a line or two for each role that a parameter can have."""
+
+import keyword
+
+from roles import last_input, roles_of
+
+CTYPES = {
+    "char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "float": "c_float", "uint64_t": "c_uint64",
+    "double": "c_double",
+}  # fmt: skip
+
+
+def class_name(name):
+    return "".join(part.capitalize() for part in name.removeprefix("nicol_").split("_"))
+
+
+def variable_name(name):
+    return name + "_" if keyword.iskeyword(name) else name
+
+
+class Call:
+    """What the Python function takes, does before the call, passes to C and returns, as Python's text."""
+
+    def __init__(self, header, function, owner):
+        self.header, self.function, self.owner = header, function, owner
+        self.takes, self.before, self.arguments, self.results = [], [], [], []
+        roles = roles_of(header, function)
+        self.last = last_input(roles)
+        first, role, _ = roles[0] if roles else (None, None, None)
+        self.method = bool(owner and first and first.type.base == owner and role in ("value", "struct"))
+        self.creates = any(role == "result" and p.type.base in header.handles for p, role, _ in roles)
+        if self.method:
+            self.takes.append("self")
+            self.arguments.append("self" if role == "value" else "byref(self)")
+        elif owner:
+            self.takes.append("cls")
+        for parameter, role, partners in roles[self.method :]:
+            getattr(self, role)(parameter, variable_name(parameter.name), partners)
+
+    def lines(self):
+        call = f"_{self.function.name.removeprefix('nicol_')}({', '.join(self.arguments)})"
+        if self.function.result.base == "nicol_result":
+            returned = [f"return {', '.join(self.results)}"] if self.results else []
+            return [*self.before, f"check({call})", *returned]
+        return [*self.before, f"return decoded({call})" if self.function.result.base == "char" else f"return {call}"]
+
+    def scalar(self, parameter):
+        base = parameter.type.base
+        return CTYPES.get(self.header.aliases.get(base, base))
+
+    def take(self, parameter, item, optional=None):
+        """An argument that may be left out where it is the last one."""
+        self.takes.append(f"{item}={optional}" if optional and parameter is self.last else item)
+
+    # ---- roles
+
+    def user(self, parameter, item, partners):
+        self.arguments.append("None")
+
+    def value(self, parameter, item, partners):
+        self.take(parameter, item)
+        self.arguments.append(item)
+
+    def text(self, parameter, item, partners):
+        self.take(parameter, item)
+        self.arguments.append(f"text({item})")
+
+    def callback(self, parameter, item, partners):
+        self.take(parameter, item)
+        self.arguments.append(f"{class_name(parameter.type.base)}({item})")
+
+    def array(self, parameter, item, partners):
+        self.take(parameter, item)
+        self.arguments.append(f"array({item}, {self.scalar(parameter)}, {parameter.type.count})")
+
+    def struct(self, parameter, item, partners):
+        self.take(parameter, item, "None" if parameter.name == "options" else None)
+        base = parameter.type.base
+        if base == "nicol_spectrum":
+            self.before.append(f"{item} = {item} if {item} is None or isinstance({item}, Spectrum) else Spectrum.of({item})")
+        if self.is_lent(base):
+            self.before.append(f"{item} = lend({item})")
+        self.arguments.append(f"byref({item}) if {item} is not None else None")
+
+    def is_lent(self, struct):
+        """Whether the library goes on using what the struct points to."""
+        fields = self.header.structs[struct].fields
+        callback = any(f.type.base in self.header.callbacks for f in fields)
+        return callback and (self.creates or any(f.name == "release" for f in fields))
+
+    def texts(self, parameter, item, partners):
+        self.take(parameter, item, "()")
+        self.before.append(f"{item} = texts({item})")
+        self.arguments += [item, f"len({item})"]
+
+    def made(self, parameter, item, more=""):
+        writable = "" if parameter.type.const else ", writable=True"
+        return f"Buffer({item}, {self.scalar(parameter)}{writable}{more})"
+
+    def buffer(self, parameter, item, partners):
+        self.take(parameter, item, "None" if "NULL" in self.function.doc else None)
+        self.before.append(f"{item} = {self.made(parameter, item)}")
+        self.arguments += [f"{item}.pointer", f"{item}.count"]
+
+    def buffers(self, parameter, item, partners):
+        other = variable_name(partners[0].name)
+        self.takes += [item, other]
+        self.before.append(f"{item}, {other} = {self.made(parameter, item)}, {self.made(parameter, other)}")
+        self.arguments += [f"{item}.pointer", f"{other}.pointer", f"counted({item}, {other})"]
+
+    def rows(self, parameter, item, partners):
+        self.take(parameter, item)
+        self.before.append(f"{item} = {self.made(parameter, item, ', rows=True')}")
+        self.arguments += [f"{item}.pointer", f"{item}.stride", f"{item}.nbytes"]
+
+    def result(self, parameter, item, partners):
+        base = parameter.type.base
+        handle = base in self.header.handles
+        made = "cls" if handle and base == self.owner and not self.method else self.scalar(parameter) or class_name(base)
+        self.before.append(f"{item} = {made}()")
+        self.arguments.append(f"byref({item})")
+        if self.scalar(parameter):
+            self.results.append(f"{item}.value")
+        elif handle and self.method:  # the only handle that a successful call may leave NULL: one that it was asked for
+            self.results.append(f"{item} if {item}.value else None")
+        else:
+            self.results.append(item)
+
+    def filled(self, parameter, item, partners):
+        self.before.append(f"{item} = ({self.scalar(parameter)} * {parameter.type.count})()")
+        self.arguments.append(item)
+        self.results.append(f"tuple({item})")
