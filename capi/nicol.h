@@ -325,8 +325,8 @@ typedef struct nicol_measured {
 NICOL_API nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                                     const nicol_measured* options, nicol_material* material);
 /* A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
- * package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light of
- * orders above the matrix's is not reflected. Front side only. */
+ * package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light
+ * of orders above the matrix's is not reflected. Front side only. */
 NICOL_API nicol_result nicol_material_load_psh(nicol_context context, const char* path,
                                                const nicol_spectrum* scale, nicol_material* material);
 /* The back of a surface reflects as its front. `front` may be released afterwards. */
@@ -552,9 +552,13 @@ typedef struct nicol_render_options {
     nicol_components components; /* 0: all */
     uint32_t unskipped;          /* sum of NICOL_SKIP_... that are not to be made use of: to measure what they
                                     save. Compute shaders shade all vertices and rows in any case. 0: none */
+    int32_t
+        high_order_shadows; /* whether shadows dim the high orders by the part of their lobe that they leave
+                               visible; 0: the default, which is on; 1: on; -1: off: unshadowed highlights */
+    uint32_t reserved_2;    /* 0 */
 } nicol_render_options;
 #define NICOL_RENDER_OPTIONS_INIT \
-    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
  * luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */

@@ -109,9 +109,9 @@ nicol_high_orders_at high_orders_at_of(HighOrdersAt where) {
     }
 }
 
-bool shadows_from(std::int32_t given) {
+bool switch_from(std::int32_t given, const char* name) {
     if (given < -1 || given > 1) {
-        refuse("shadows is " + std::to_string(given) +
+        refuse(std::string(name) + " is " + std::to_string(given) +
                "; it must be 0 (the default, on), 1 (on) or -1 (off)");
     }
     return given != -1;
@@ -138,12 +138,13 @@ RenderOptions options_from(const nicol_render_options& given) {
     RenderOptions options;
     options.method = method_from(given.method);
     options.executor = executor_from(given.executor);
-    options.shadows = shadows_from(given.shadows);
+    options.shadows = switch_from(given.shadows, "shadows");
     options.bake_directions = bake_directions_from(given.bake_directions, options.bake_directions);
     options.order_low = order_from(given.order_low, options.order_low, "order_low");
     options.order_high =
         order_from(given.order_high, std::max(options.order_high, options.order_low), "order_high");
     options.high_orders = high_orders_from(given.high_orders);
+    options.high_order_shadows = switch_from(given.high_order_shadows, "high_order_shadows");
     options.high_orders_at = high_orders_at_from(given.high_orders_at);
     options.dering = given.dering;
     if (given.physical > 1) {
@@ -160,7 +161,7 @@ RenderOptions options_from(const nicol_render_options& given) {
 void render_by_reference(const Session& session, const Scene& scene, const Camera& camera,
                          const nicol_render_options& given, Framebuffer& target) {
     const ReferenceOptions options{.samples = given.samples == 0 ? 256 : given.samples,
-                                   .shadows = shadows_from(given.shadows),
+                                   .shadows = switch_from(given.shadows, "shadows"),
                                    .seed = given.seed,
                                    .threads = session.threads,
                                    .progress = progress_from(given)};

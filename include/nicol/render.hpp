@@ -62,6 +62,7 @@ struct RenderOptions {
     int order_high = 9;  ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;
+    bool high_order_shadows = true;  ///< with shadows: high orders are dimmed by what their lobe sees
     /// Above 0: the largest relative RMSE of s0, s1 and s2 (over the RMS of s0) that the orders left out may
     /// be predicted to cause; order_low and order_high are then chosen for it. Only with Method::factored and
     /// HighOrders::split or none. 0: order_low and order_high as given.

@@ -41,11 +41,16 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
                                .low = options.order_low,
                                .high = light_.last_order(),
                                .polarized = input.layout.kind() != LightKind::unpolarized};
+    TransferInput high_input = input;
+    if (!options.high_order_shadows) {
+        high_input.visibility = nullptr;
+        high_input.visibility_revision = 0;
+    }
     const bool high_orders = distant.high > distant.low;
     at_pixels_ = high_orders && options.high_orders_at == HighOrdersAt::pixels;
     const bool physical = options.physical && !at_pixels_;  // else it comes once all orders are there
     if (high_orders) {
-        high_orders_.update(input, distant, options.high_orders, workers_, progress, statistics);
+        high_orders_.update(high_input, distant, options.high_orders, workers_, progress, statistics);
     }
     const auto on_host = [&](auto& method) {
         method.relight(input, workers_, progress, statistics);
@@ -60,9 +65,10 @@ void TransferCache::update(const Scene& scene, const Projection& projection, con
         for (auto& channel : stokes_) channel.resize(geometry_.positions.size());
         method.shade(input, projection.view, visible_, workers_, progress, stokes_);
         if (high_orders) {
-            high_orders_.see(input, projection.view, visible_, workers_, progress);
+            high_orders_.see(high_input, projection.view, visible_, workers_, progress);
             if (!at_pixels_) {
-                high_orders_.shade(input, distant, projection.view, visible_, workers_, progress, stokes_);
+                high_orders_.shade(high_input, distant, projection.view, visible_, workers_, progress,
+                                   stokes_);
             }
         }
         if (physical) {

@@ -90,8 +90,10 @@ Values picture(nicol_context context, nicol_scene scene, const nicol_render_opti
     return mean;
 }
 
-Values real_time(nicol_context context, nicol_scene scene, std::int32_t high, std::int32_t shadows) {
+Values real_time(nicol_context context, nicol_scene scene, std::int32_t high, std::int32_t shadows,
+                 std::int32_t high_order_shadows = 0) {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.high_order_shadows = high_order_shadows;
     options.order_low = 4;
     options.order_high = high;
     options.shadows = shadows;
@@ -133,6 +135,9 @@ TEST_CASE("a highlight half behind a wall is dimmed as the reference has it") {
             undimmed[i] += all[i] - low[i];
             brightest = std::max(brightest, all[i]);
         }
+        const Values asked = real_time(context, scene, 32, 1, -1);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            REQUIRE(std::abs(asked[i] - undimmed[i]) < 1e-5 * brightest);
         std::vector<bool> highlight(all.size() / 4);
         for (std::size_t i = 0; i < highlight.size(); ++i) highlight[i] = all[4 * i] > 0.3 * brightest;
         const auto count = std::count(highlight.begin(), highlight.end(), true);
