@@ -87,7 +87,9 @@ void HighOrderTransfer::filter(const TransferInput& input, const DistantLight& l
     light_.reset();
     if (input.geometry.ranges.empty()) return;
     workers.run([&] {
-        light_.emplace(light.coefficients, light.low, light.high, light.polarized);
+        if (key_.form == HighOrders::split) {
+            light_.emplace(light.coefficients, light.low, light.high, light.polarized);
+        }
         for (auto& [material, part] : parts_) {
             if (key_.form == HighOrders::convolution) {
                 part.convolved =

@@ -3,15 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <numeric>
 #include <string>
 
 #include "nicol/error.hpp"
 #include "nicol/psh.hpp"
 #include "nicol/stokes.hpp"
-#include "transfer/lanes.hpp"
+#include "transfer/lane_vector.hpp"
 #include "transfer/simd.hpp"
 
 namespace nicol {
@@ -49,36 +52,42 @@ std::vector<float> lower_half(int order) {
 
 // sum[psh_index(l, m)] += weight Y_lm. The harmonics are (x + i y)^m times a polynomial q_lm(z), with
 // q_lm = a z q_{l-1,m} - b q_{l-2,m}; `climb` holds a and b at 2 psh_index(l, m), and q_mm for l = m.
+// With `even`, only those of even l + m are summed.
 NICOL_MULTIVERSION
-void add(const Samples& at, const float* climb, int order, Lanes* sum) {
-    Lanes c = at.weight;
-    Lanes s{};
+void add(const Samples& at, const float* climb, int order, bool even, Lanes* sum) {
+    LaneVector x;
+    LaneVector y;
+    LaneVector z;
+    LaneVector c;
+    LaneVector s{};
+    load(&at.x, x);
+    load(&at.y, y);
+    load(&at.z, z);
+    load(&at.weight, c);
     for (int m = 0; m <= order; ++m) {
-        Lanes before{};
-        Lanes q;
-        q.value.fill(climb[2 * (m * m + 2 * m)]);
+        LaneVector before{};
+        LaneVector q = LaneVector{} + climb[2 * (m * m + 2 * m)];
         for (int l = m; l <= order; ++l) {
-            Lanes& cosine = sum[l * l + l + m];
-            for (std::size_t i = 0; i < kLanes; ++i) cosine.value[i] += q.value[i] * c.value[i];
-            if (m > 0) {
-                Lanes& sine = sum[l * l + l - m];
-                for (std::size_t i = 0; i < kLanes; ++i) sine.value[i] += q.value[i] * s.value[i];
+            if (!even || (l + m) % 2 == 0) {
+                Lanes* const cosine = sum + l * l + l + m;
+                LaneVector total;
+                load(cosine, total);
+                store(cosine, total + q * c);
+                if (m > 0) {
+                    Lanes* const sine = sum + l * l + l - m;
+                    load(sine, total);
+                    store(sine, total + q * s);
+                }
             }
             if (l == order) break;
             const float* next = climb + 2 * ((l + 1) * (l + 2) + m);
-            const float a = next[0];
-            const float b = next[1];
-            for (std::size_t i = 0; i < kLanes; ++i) {
-                const float up = a * at.z.value[i] * q.value[i] - b * before.value[i];
-                before.value[i] = q.value[i];
-                q.value[i] = up;
-            }
+            const LaneVector up = next[0] * z * q - next[1] * before;
+            before = q;
+            q = up;
         }
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const float turned = c.value[i] * at.x.value[i] - s.value[i] * at.y.value[i];
-            s.value[i] = s.value[i] * at.x.value[i] + c.value[i] * at.y.value[i];
-            c.value[i] = turned;
-        }
+        const LaneVector turned = c * x - s * y;
+        s = s * x + c * y;
+        c = turned;
     }
 }
 
@@ -102,39 +111,78 @@ std::vector<float> climbing_factors(int order) {
     return out;
 }
 
+static_assert(RayBundle::kRays == kLanes);
+
+using DoubleVector [[gnu::vector_size(128), gnu::may_alias]] = double;
+using ByteVector [[gnu::vector_size(kLanes), gnu::may_alias]] = std::int8_t;
+
+// One vertex.
+struct Vertex {
+    std::array<float, 9> frame;  // x, y and z
+    const std::uint64_t* seen;   // Visibility::at
+    // Weights of the directions above the horizon, and of those seen.
+    alignas(128) std::array<double, kLanes> all;
+    alignas(128) std::array<double, kLanes> part;
+};
+
+// The bundles of which any direction is above the horizon, with weights that are positive for what is seen,
+// negative for what is not and 0 below. Returns how many.
+NICOL_MULTIVERSION
+std::size_t look_around(std::span<const RayBundle> bundles, const Lanes* weights, Vertex& vertex,
+                        Samples* samples) {
+    constexpr IntVector lane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    const std::array<float, 9> f = vertex.frame;
+    DoubleVector all{};
+    DoubleVector part{};
+    std::size_t count = 0;
+    for (std::size_t b = 0; b < bundles.size(); ++b) {
+        LaneVector x;
+        LaneVector y;
+        LaneVector z;
+        LaneVector weight;
+        load(bundles[b].x.data(), x);
+        load(bundles[b].y.data(), y);
+        load(bundles[b].z.data(), z);
+        load(weights + b, weight);
+        const LaneVector height = x * f[6] + y * f[7] + z * f[8];
+        const IntVector up = height > 0.0F;
+        const ByteVector bytes = __builtin_convertvector(up, ByteVector);
+        const auto any = std::bit_cast<std::array<std::uint64_t, 2>>(bytes);
+        if ((any[0] | any[1]) == 0) continue;
+        const auto bits = static_cast<std::int32_t>(vertex.seen[b / 4] >> (16 * (b % 4)) & 0xFFFF);
+        const IntVector visible = ((bits >> lane) & 1) != 0;
+        const LaneVector above = up ? weight : LaneVector{};
+        const LaneVector seen = visible ? above : LaneVector{};
+        all += __builtin_convertvector(above, DoubleVector);
+        part += __builtin_convertvector(seen, DoubleVector);
+        Samples& here = samples[count++];
+        store(&here.x, -(x * f[0] + y * f[1] + z * f[2]));
+        store(&here.y, -(x * f[3] + y * f[4] + z * f[5]));
+        store(&here.z, -height);
+        store(&here.weight, visible ? above : -above);
+    }
+    *reinterpret_cast<DoubleVector*>(vertex.all.data()) = all;
+    *reinterpret_cast<DoubleVector*>(vertex.part.data()) = part;
+    return count;
+}
+
 // The directions above the horizon that the vertex sees count what they weigh, the others nothing, less the
 // fraction `seen` of the whole that is added exactly: so quadrature need not know where the horizon is.
 // Returns the fraction.
-float gather(const DirectionSet& directions, const Visibility& visibility, std::size_t vertex,
-             const Frame& frame, std::vector<Samples>& samples) {
-    const glm::vec3 x(frame[0]);
-    const glm::vec3 y(frame[1]);
-    const glm::vec3 z(frame[2]);
-    double all = 0;
-    double seen = 0;
-    std::size_t count = 0;
-    samples.clear();
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-        const glm::vec3& towards = directions.directions()[i];
-        const float height = glm::dot(towards, z);
-        if (!(height > 0)) continue;
-        const std::size_t lane = count % kLanes;
-        if (lane == 0) samples.emplace_back();
-        Samples& here = samples.back();
-        const float weight = directions.weights()[i];
-        here.x[lane] = -glm::dot(towards, x);
-        here.y[lane] = -glm::dot(towards, y);
-        here.z[lane] = -height;
-        here.weight[lane] = visibility.seen(vertex, i) ? weight : -weight;
-        all += static_cast<double>(weight);
-        if (visibility.seen(vertex, i)) seen += static_cast<double>(weight);
-        ++count;
+float gather(const DirectionSet& directions, std::span<const Lanes> weights, const Visibility& visibility,
+             std::size_t index, const Frame& frame, std::vector<Samples>& samples) {
+    Vertex vertex{.frame = {}, .seen = visibility.at(index).data(), .all = {}, .part = {}};
+    for (std::size_t i = 0; i < 9; ++i) {
+        vertex.frame[i] =
+            static_cast<float>(frame[static_cast<glm::length_t>(i / 3)][static_cast<glm::length_t>(i % 3)]);
     }
-    const auto fraction = static_cast<float>(all > 0 ? seen / all : 0.0);
+    samples.resize(directions.bundles().size());
+    samples.resize(look_around(directions.bundles(), weights.data(), vertex, samples.data()));
+    const double all = std::accumulate(vertex.all.begin(), vertex.all.end(), 0.0);
+    const double part = std::accumulate(vertex.part.begin(), vertex.part.end(), 0.0);
+    const auto fraction = static_cast<float>(all > 0 ? part / all : 0.0);
     for (Samples& here : samples) {
-        for (float& weight : here.weight.value) {
-            weight = weight > 0 ? weight * (1 - fraction) : -std::abs(weight) * fraction;
-        }
+        for (float& weight : here.weight.value) weight *= weight > 0 ? 1 - fraction : fraction;
     }
     return fraction;
 }
@@ -150,6 +198,11 @@ VisibilityHarmonics::VisibilityHarmonics(const DirectionSet& directions, int ord
                                                      std::to_string(kHighestOrder));
     }
     climb_ = climbing_factors(order);
+    // The last bundle repeats its last direction, which must not count again.
+    weights_.resize(directions.bundles().size(), Lanes{});
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        weights_[i / kLanes][i % kLanes] = directions.weights()[i];
+    }
     if (extension == HorizonExtension::dark) {
         everything_ = lower_half(order);
     } else {
@@ -166,11 +219,11 @@ void VisibilityHarmonics::project(const Visibility& visibility, std::size_t vert
     }
     std::vector<Samples> samples;
     const Frame frame = theta_phi_frame(glm::normalize(glm::dvec3(normal)));
-    const float seen = gather(directions_, visibility, vertex, frame, samples);
+    const float seen = gather(directions_, weights_, visibility, vertex, frame, samples);
     std::vector<Lanes> sum(psh_count(order_), Lanes{});
-    for (const Samples& here : samples) add(here, climb_.data(), order_, sum.data());
-
     const bool mirrored = extension_ == HorizonExtension::mirrored;
+    for (const Samples& here : samples) add(here, climb_.data(), order_, mirrored, sum.data());
+
     for (int l = 0; l <= order_; ++l) {
         for (int m = -l; m <= l; ++m) {
             const std::size_t k = psh_index(l, m);

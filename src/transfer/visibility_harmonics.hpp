@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nicol/horizon.hpp"
+#include "transfer/lanes.hpp"
 #include "transfer/visibility.hpp"
 
 namespace nicol {
@@ -35,6 +36,7 @@ private:
     int order_;
     HorizonExtension extension_;
     std::vector<float> everything_;  // coefficients of what sees all above the horizon, by psh_index
+    std::vector<Lanes> weights_;     // of the directions, in bundles
     std::vector<float> climb_;       // the recursion's two factors for each (l, m)
 };
 
