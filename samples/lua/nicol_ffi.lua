@@ -158,6 +158,8 @@ typedef struct nicol_render_options {
     double tolerance;
     nicol_components components;
     uint32_t unskipped;
+    int32_t high_order_shadows;
+    uint32_t reserved_2;
 } nicol_render_options;
 typedef struct nicol_statistics {
     uint32_t struct_size;

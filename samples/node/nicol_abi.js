@@ -317,6 +317,8 @@ export const types = [
       ["tolerance", "double", 0],
       ["components", "nicol_components", 0],
       ["unskipped", "uint32_t", 0],
+      ["high_order_shadows", "int32_t", 0],
+      ["reserved_2", "uint32_t", 0],
     ],
   },
   {

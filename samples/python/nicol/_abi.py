@@ -302,6 +302,8 @@ class RenderOptions(Struct):
         ("tolerance", c_double),
         ("components", c_uint32),
         ("unskipped", c_uint32),
+        ("high_order_shadows", c_int32),
+        ("reserved_2", c_uint32),
     ]
 
 
@@ -553,8 +555,8 @@ class Material(Handle):
     @classmethod
     def load_psh(cls, context, path, scale):
         """A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-        package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light of
-        orders above the matrix's is not reflected. Front side only."""
+        package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light
+        of orders above the matrix's is not reflected. Front side only."""
         scale = scale if scale is None or isinstance(scale, Spectrum) else Spectrum.of(scale)
         material = cls()
         check(_material_load_psh(context, text(path), byref(scale) if scale is not None else None, byref(material)))

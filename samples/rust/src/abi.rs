@@ -594,6 +594,8 @@ pub struct nicol_render_options {
     pub tolerance: f64,
     pub components: nicol_components,
     pub unskipped: u32,
+    pub high_order_shadows: i32,
+    pub reserved_2: u32,
 }
 impl Default for nicol_render_options {
     fn default() -> Self {
@@ -604,7 +606,7 @@ impl Default for nicol_render_options {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 96);
+    assert!(size_of::<nicol_render_options>() == 104);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -624,6 +626,8 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, tolerance) == 80);
     assert!(offset_of!(nicol_render_options, components) == 88);
     assert!(offset_of!(nicol_render_options, unskipped) == 92);
+    assert!(offset_of!(nicol_render_options, high_order_shadows) == 96);
+    assert!(offset_of!(nicol_render_options, reserved_2) == 100);
 };
 
 /// What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run.
@@ -1006,8 +1010,8 @@ extern "C" {
     /// only.
     pub fn nicol_material_load_measured(context: nicol_context, path: *const c_char, options: *const nicol_measured, material: *mut nicol_material) -> nicol_result;
     /// A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-    /// package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light of
-    /// orders above the matrix's is not reflected. Front side only.
+    /// package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light
+    /// of orders above the matrix's is not reflected. Front side only.
     pub fn nicol_material_load_psh(context: nicol_context, path: *const c_char, scale: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
     /// The back of a surface reflects as its front. `front` may be released afterwards.
     pub fn nicol_material_create_twosided(context: nicol_context, front: nicol_material, material: *mut nicol_material) -> nicol_result;
