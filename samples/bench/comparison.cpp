@@ -11,31 +11,27 @@ Comparison::Comparison(const Workshop& workshop, std::uint32_t size, std::int32_
       truth_(make_truth(workshop, size, samples, shadows)),
       shadows_(shadows) {
     if (converged == 0) return;
-    const Picture limit = picture({.low = converged});
+    const Picture limit = reduced_picture(stage_, {.low = converged, .shadows = shadows}, framebuffer_.get());
     converged_ = Truth{.first = limit, .second = limit, .mask = truth_.mask};
 }
 
-StokesErrors Comparison::errors(const Recipe& recipe) const {
-    return truth_.errors(picture(recipe));
+Comparison::Measured Comparison::measure(Recipe recipe) const {
+    recipe.shadows = shadows_;
+    const Picture made = reduced_picture(stage_, recipe, framebuffer_.get());
+    Measured measured{.errors = truth_.errors(made), .cut = {}, .statistics = NICOL_STATISTICS_INIT};
+    if (converged_) measured.cut = converged_->errors(made);
+    check(nicol_framebuffer_get_statistics(framebuffer_.get(), &measured.statistics));
+    return measured;
 }
 
 void Comparison::add(Report& report, Recipe recipe) const {
     recipe.shadows = shadows_;
-    const Picture made = picture(recipe);
-    const StokesErrors errors = truth_.errors(made);
-    std::vector<double> values(errors.begin(), errors.end());
-    if (converged_) {
-        const StokesErrors cut = converged_->errors(made);
-        values.insert(values.end(), cut.begin(), cut.end() - 1);
-    }
+    const Measured measured = measure(recipe);
+    std::vector<double> values(measured.errors.begin(), measured.errors.end());
+    if (converged_) values.insert(values.end(), measured.cut.begin(), measured.cut.end() - 1);
     report.add(recipe.name(), values);
 }
 
 std::ptrdiff_t Comparison::pixels() const {
     return std::ranges::count(truth_.mask, 1);
-}
-
-Picture Comparison::picture(Recipe recipe) const {
-    recipe.shadows = shadows_;
-    return reduced_picture(stage_, recipe, framebuffer_.get());
 }

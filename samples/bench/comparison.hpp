@@ -18,16 +18,20 @@ public:
                int converged = 0);
 
     [[nodiscard]] StokesErrors noise() const { return truth_.noise(); }
+    struct Measured {
+        StokesErrors errors;
+        StokesErrors cut;  ///< of truncation alone; zero where there is no converged picture
+        nicol_statistics statistics;
+    };
     /// Whatever the recipe says of shadows, they are this comparison's.
-    [[nodiscard]] StokesErrors errors(const Recipe& recipe) const;
+    [[nodiscard]] Measured measure(Recipe recipe) const;
+    [[nodiscard]] StokesErrors errors(const Recipe& recipe) const { return measure(recipe).errors; }
     /// A row named after the recipe: s0 to s3, then s0 to s2 of truncation alone where there is a converged
     /// picture.
     void add(Report& report, Recipe recipe) const;
     [[nodiscard]] std::ptrdiff_t pixels() const;
 
 private:
-    [[nodiscard]] Picture picture(Recipe recipe) const;
-
     Stage stage_;
     Framebuffer framebuffer_;
     Truth truth_;

@@ -18,6 +18,7 @@
 #include "scale.hpp"
 #include "skip.hpp"
 #include "start.hpp"
+#include "tolerance.hpp"
 
 namespace {
 
@@ -59,6 +60,10 @@ const Command commands[] = {
      bench_scale,
      {"--backend", "--cache", "--size", "--orders", "--seconds", "--large", "--csv", "--json"},
      "cost against the number of vertices and against the order"},
+    {"tolerance",
+     bench_tolerance,
+     {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--samples", "--csv", "--json"},
+     "errors that were asked for, predicted and measured"},
     {"skip",
      bench_skip,
      {"--backend", "--cache", "--size", "--seconds", "--csv", "--json"},

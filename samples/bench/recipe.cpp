@@ -29,6 +29,7 @@ nicol_render_options Recipe::options() const {
     wanted.high_orders = high == High::none          ? NICOL_HIGH_ORDERS_NONE
                          : high == High::convolution ? NICOL_HIGH_ORDERS_CONVOLUTION
                                                      : NICOL_HIGH_ORDERS_SPLIT;
+    wanted.tolerance = tolerance;
     wanted.high_orders_at = at;
     wanted.shadows = shadows ? 0 : -1;
     wanted.bake_directions = directions;

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+// nicol-bench tolerance: errors that were asked for, predicted and measured.
+#pragma once
+
+#include "options.hpp"
+#include "report.hpp"
+
+/// Throws std::runtime_error with Nicol's message where a call fails.
+Report bench_tolerance(const Options& options);
