@@ -106,6 +106,7 @@ void add(Report& report, const std::string& what, const Cost& cost) {
 }
 
 void add_slopes(Report& report, const std::vector<Cost>& costs, const char* what) {
+    if (costs.size() < 2) return;
     char text[160];
     std::snprintf(text, sizeof text,
                   "Time grows as %s to the power: relight %.2f, shade %.2f, draw %.2f; bytes a vertex %.2f.",

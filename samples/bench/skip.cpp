@@ -52,7 +52,7 @@ const Exhibit exhibits[] = {
 
 // Its power falls with the order, as that of natural light does.
 Environment make_light(nicol_context context, const Exhibit& exhibit) {
-    const std::size_t count = (exhibit.light_order + 1) * (exhibit.light_order + 1);
+    const std::size_t count = std::size_t{exhibit.light_order + 1} * (exhibit.light_order + 1);
     std::vector<double> coefficients(kChannels * count * 4);
     for (std::uint32_t c = 0; c < kChannels; ++c) {
         std::mt19937 random(exhibit.grey ? 0 : c);

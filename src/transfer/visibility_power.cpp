@@ -30,7 +30,7 @@ VisibilityPower::VisibilityPower(const Visibility& visibility, const DirectionSe
         harmonics.project(visibility, v, normals[v], coefficients);
         for (int l = 0; l <= kOrder; ++l) {
             for (int m = -l; m <= l; ++m) {
-                const double value = static_cast<double>(coefficients[psh_index(l, m)]);
+                const auto value = static_cast<double>(coefficients[psh_index(l, m)]);
                 energy_[static_cast<std::size_t>(l)] += value * value / static_cast<double>(samples);
             }
         }
