@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "material/split_fit.hpp"
 #include "nicol/error.hpp"
@@ -117,6 +118,23 @@ HighOrderFactors HighOrderFactors::mirror() {
         f[0] = f[kUnpolarized + 1] = 1;
         f[kUnpolarized + 2] = f[kUnpolarized + 5] = -1;
     }
+    return out;
+}
+
+std::optional<HighOrderFactors> HighOrderFactors::stored(int channels, int centre, int around, bool normal,
+                                                         std::vector<float> data) {
+    constexpr int lobes = static_cast<int>(kLobeWidths.size());
+    const bool fits = channels >= 1 && centre >= 0 && centre <= around && around < lobes &&
+                      data.size() == kElements * angles * static_cast<std::size_t>(channels) &&
+                      std::ranges::all_of(data, [](float value) { return std::isfinite(value); });
+    if (!fits) return std::nullopt;
+    HighOrderFactors out;
+    out.channels_ = channels;
+    out.centre_ = centre;
+    out.around_ = around;
+    out.spread_ = kLobeWidths[static_cast<std::size_t>(around)];
+    out.normal_ = normal;
+    out.data_ = std::move(data);
     return out;
 }
 

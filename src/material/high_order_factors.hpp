@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,10 @@ public:
     /// least squares at every angle. channels: 1 or the scene's. Throws Error(invalid_argument) for orders
     /// out of 0 <= l_low < l_high <= kMaxOrder or channels that do not fit.
     HighOrderFactors(const Material& material, int l_low, int l_high, int channels);
+
+    /// From what the members below gave of another; nothing where that cannot be.
+    [[nodiscard]] static std::optional<HighOrderFactors> stored(int channels, int centre, int around,
+                                                                bool normal, std::vector<float> data);
 
     /// 1 where all channels have the same factors.
     [[nodiscard]] int channels() const noexcept { return channels_; }

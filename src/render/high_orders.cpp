@@ -3,9 +3,15 @@
 
 #include <utility>
 
+#include "material/high_order_cache.hpp"
 #include "material/high_order_kernel.hpp"
 
 namespace nicol {
+
+void HighOrderTransfer::set_cache(std::filesystem::path folder, CacheNotice notice) {
+    folder_ = std::move(folder);
+    notice_ = std::move(notice);
+}
 
 void HighOrderTransfer::update(const TransferInput& input, const DistantLight& light, HighOrders form,
                                Workers& workers, Progress& progress, Statistics& statistics) {
@@ -72,10 +78,10 @@ void HighOrderTransfer::fit(const TransferInput& input, const Key& key, Workers&
                 parts.emplace(material,
                               Part{.factors = HighOrderFactors::mirror(), .convolved = {}, .maps = {}});
             } else {
-                parts.emplace(material,
-                              Part{.factors = HighOrderFactors(*material, key.low, key.high, key.channels),
-                                   .convolved = {},
-                                   .maps = {}});
+                parts.emplace(material, Part{.factors = load_or_fit(*material, key.low, key.high,
+                                                                    key.channels, folder_, notice_),
+                                             .convolved = {},
+                                             .maps = {}});
             }
         });
     }

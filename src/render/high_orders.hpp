@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <map>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "nicol/render.hpp"
+#include "nicol/response_cache.hpp"
 #include "render/transfer_input.hpp"
 #include "transfer/high_order.hpp"
 #include "transfer/high_order_light.hpp"
@@ -30,6 +32,9 @@ struct DistantLight {
 
 class HighOrderTransfer {
 public:
+    /// Where to keep what takes long to fit; an empty folder: nowhere.
+    void set_cache(std::filesystem::path folder, CacheNotice notice);
+
     /// project: filters the light and fits the materials, as far as changes make it necessary.
     void update(const TransferInput& input, const DistantLight& light, HighOrders form, Workers& workers,
                 Progress& progress, Statistics& statistics);
@@ -80,6 +85,8 @@ private:
     void filter(const TransferInput& input, const DistantLight& light, Workers& workers);
     void expand_visibility(const TransferInput& input, int order, Workers& workers, Progress& progress);
 
+    std::filesystem::path folder_;
+    CacheNotice notice_;
     Key key_;
     std::map<MaterialPtr, Part> parts_;
     std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels_;

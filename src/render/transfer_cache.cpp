@@ -10,6 +10,7 @@ void TransferCache::set_cache(const std::filesystem::path& folder, const CacheNo
     folder_ = folder;
     notice_ = notice;
     factored_.set_cache(folder, notice);
+    high_orders_.set_cache(folder, notice);
 }
 
 void TransferCache::update(const Scene& scene, const Projection& projection, const RenderOptions& asked,

@@ -4,12 +4,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <fstream>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "counting_material.hpp"
 #include "nicol/conductor.hpp"
 #include "nicol/error.hpp"
 #include "nicol/psh_matrix_file.hpp"
@@ -17,30 +17,11 @@
 
 using namespace nicol;
 using test::content;
+using test::Counting;
 using test::files_in;
 using test::replace;
 
 namespace {
-
-// Counts how often it is asked, so that a test sees whether a table was built.
-class Counting final : public Material {
-public:
-    explicit Counting(std::string key = "counting") : key_(std::move(key)) {}
-    [[nodiscard]] int channels() const noexcept override { return 1; }
-    [[nodiscard]] int terms() const noexcept override { return 1; }
-    [[nodiscard]] double weight(int, int) const override { return 1; }
-    [[nodiscard]] double lobe_width(int) const noexcept override { return 1; }
-    [[nodiscard]] std::string content_key() const override { return key_; }
-    [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& i, const glm::dvec3& o) const override {
-        ++calls;
-        return base_->evaluate(term, i, o);
-    }
-    mutable std::atomic<int> calls = 0;
-
-private:
-    std::string key_;
-    MaterialPtr base_ = diffuse({0.5});
-};
 
 const LightLayout layout(2, LightKind::linear);
 

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A material that knows what was asked of it.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <utility>
+
+#include "nicol/material.hpp"
+
+namespace nicol::test {
+
+/// Counts how often it is asked, so that a test sees whether something was computed from it.
+class Counting final : public Material {
+public:
+    explicit Counting(std::string key = "counting") : key_(std::move(key)) {}
+    [[nodiscard]] int channels() const noexcept override { return 1; }
+    [[nodiscard]] int terms() const noexcept override { return 1; }
+    [[nodiscard]] double weight(int, int) const override { return 1; }
+    [[nodiscard]] double lobe_width(int) const noexcept override { return 1; }
+    [[nodiscard]] std::string content_key() const override { return key_; }
+    [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& i, const glm::dvec3& o) const override {
+        ++calls;
+        return base_->evaluate(term, i, o);
+    }
+    mutable std::atomic<int> calls = 0;
+
+private:
+    std::string key_;
+    MaterialPtr base_ = diffuse({0.5});
+};
+
+}  // namespace nicol::test

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "material/high_order_cache.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "counting_material.hpp"
+#include "nicol/error.hpp"
+#include "scratch.hpp"
+
+using namespace nicol;
+using test::content;
+using test::Counting;
+using test::files_in;
+using test::replace;
+
+namespace {
+
+bool same(const HighOrderFactors& a, const HighOrderFactors& b) {
+    return a.channels() == b.channels() && a.centre() == b.centre() && a.around() == b.around() &&
+           a.spread() == b.spread() && a.normal() == b.normal() && std::ranges::equal(a.data(), b.data());
+}
+
+}  // namespace
+
+TEST_CASE("fitted factors come back from the cache as they were") {
+    const test::ScratchFolder scratch;
+    const Counting material;
+    const HighOrderFactors fitted = load_or_fit(material, 4, 9, 3, scratch.path());
+    const int calls = material.calls;
+    CHECK(calls > 0);
+    CHECK(fitted.normal());
+    CHECK(fitted.spread() > 0);
+    CHECK(same(load_or_fit(material, 4, 9, 3, scratch.path()), fitted));
+    CHECK(material.calls == calls);
+    CHECK(same(HighOrderFactors(material, 4, 9, 3), fitted));
+
+    // Other orders and other materials have files of their own.
+    static_cast<void>(load_or_fit(material, 4, 10, 3, scratch.path()));
+    static_cast<void>(load_or_fit(material, 3, 9, 3, scratch.path()));
+    static_cast<void>(load_or_fit(Counting("another"), 4, 9, 3, scratch.path()));
+    CHECK(files_in(scratch.path()).size() == 4);
+    static_cast<void>(load_or_fit(Counting(""), 4, 9, 3, scratch.path()));
+    static_cast<void>(load_or_fit(material, 4, 9, 3));
+    CHECK(files_in(scratch.path()).size() == 4);
+}
+
+TEST_CASE("factors that are stale, damaged, truncated or foreign are fitted anew with a notice") {
+    const test::ScratchFolder scratch;
+    const Counting material;
+    const HighOrderFactors fitted = load_or_fit(material, 2, 5, 1, scratch.path());
+    const auto file = files_in(scratch.path()).front();
+    const std::string good = content(file);
+    std::string damaged = good;
+    damaged[good.size() / 2] ^= 1;
+    std::string stale = good;
+    stale[8] ^= 1;
+    for (const std::string& bytes : {damaged, stale, good.substr(0, good.size() - 1), good + "x",
+                                     std::string("foreign"), std::string()}) {
+        replace(file, bytes);
+        material.calls = 0;
+        int notices = 0;
+        const HighOrderFactors factors =
+            load_or_fit(material, 2, 5, 1, scratch.path(), [&](const std::string& text) {
+                ++notices;
+                CHECK(text.find(file.filename().string()) != std::string::npos);
+            });
+        CHECK(notices == 1);
+        CHECK(material.calls > 0);
+        CHECK(same(factors, fitted));
+        CHECK(content(file) == good);
+    }
+}
+
+TEST_CASE("factors that cannot be are not taken") {
+    std::vector<float> data(std::size_t{HighOrderFactors::kAngles} * HighOrderFactors::kElements);
+    CHECK(HighOrderFactors::stored(1, 0, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(2, 0, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(1, 2, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(1, -1, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(1, 0, 4, true, data));
+    data[7] = HUGE_VALF;
+    CHECK_FALSE(HighOrderFactors::stored(1, 0, 1, true, data));
+}
