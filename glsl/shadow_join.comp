@@ -14,12 +14,14 @@ layout(std430, binding = 3) readonly buffer Join { SparseRow join[]; };
 uniform int first;         // shadowed vertex
 uniform int count;         // of them
 uniform int first_vertex;  // of the bound light
-uniform int stride;        // of vertices in light and product
+uniform int stride;        // of vertices in the light
+uniform int product_stride;
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= count) return;
     SparseRow from = join[gl_GlobalInvocationID.y];
-    float x = from.first_factor * product[from.first * stride + i] + from.second_factor * product[from.second * stride + i];
+    float x = from.first_factor * product[from.first * product_stride + i] +
+              from.second_factor * product[from.second * product_stride + i];
     light[int(gl_GlobalInvocationID.y) * stride + int(vertices[first + i]) - first_vertex] = x;
 }

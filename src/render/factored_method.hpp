@@ -34,8 +34,6 @@ public:
     [[nodiscard]] std::uint64_t tables_revision() const noexcept { return tables_revision_; }
     /// None where nothing casts shadows.
     [[nodiscard]] const std::optional<ShadowProduct>& shadows() const noexcept { return shadows_; }
-    /// Of the last relight().
-    [[nodiscard]] const VertexLight& light() const noexcept { return vertex_light_; }
 
 private:
     void project(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);

@@ -57,6 +57,14 @@ public:
     /// A function: its even part, its odd part.
     using Pair = std::array<Component, 2>;
 
+    /// What other processors need to compute the same, where the light goes in and comes out in one order.
+    [[nodiscard]] std::size_t rows() const noexcept { return rows_.count(); }
+    [[nodiscard]] std::size_t columns() const noexcept { return quarter_; }  ///< of the quarter
+    [[nodiscard]] const Slots& slots() const noexcept { return slots_in_; }
+    /// A pair for each Stokes component; of the light that comes out, with the rows' weights.
+    [[nodiscard]] const std::vector<Pair>& pairs_in() const noexcept { return pairs_in_; }
+    [[nodiscard]] const std::vector<Pair>& pairs_out() const noexcept { return pairs_out_; }
+
 private:
     void add_pairs(const MirrorBasis& basis, const Slots& slots, bool weighted,
                    std::vector<Pair>& pairs) const;

@@ -15,7 +15,6 @@
 #include "nicol/psh.hpp"
 #include "transfer/lane_vector.hpp"
 #include "transfer/mirror_basis.hpp"
-#include "transfer/shadow_grid.hpp"
 #include "transfer/shadow_matrices.hpp"
 
 namespace nicol {
@@ -235,6 +234,18 @@ std::optional<ShadowProduct::Matrices> ShadowProduct::matrices() const {
         }
     }
     return out;
+}
+
+std::optional<ShadowProduct::Grid> ShadowProduct::grid() const {
+    const auto* numbers = std::get_if<std::vector<FixedPair>>(&blocks_->numbers);
+    const auto* grid = std::get_if<ShadowGrid>(&blocks_->product);
+    if (grid == nullptr || numbers == nullptr) return std::nullopt;
+    return Grid{.basis = blocks_->basis,
+                .vertices = blocks_->vertices,
+                .grid = *grid,
+                .samples = {reinterpret_cast<const std::int16_t*>(numbers->data()),
+                            blocks() * blocks_->stride * kLanes},
+                .samples_of_vertex = blocks_->stride};
 }
 
 std::size_t ShadowProduct::bytes() const noexcept {

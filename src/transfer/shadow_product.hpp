@@ -11,6 +11,7 @@
 
 #include "nicol/light_layout.hpp"
 #include "transfer/mirror_basis.hpp"
+#include "transfer/shadow_grid.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_harmonics.hpp"
 
@@ -67,6 +68,17 @@ public:
     };
     /// None where the product takes another form or stores 32 bits.
     [[nodiscard]] std::optional<Matrices> matrices() const;
+    /// The same of the grid.
+    struct Grid {
+        const MirrorBasis& basis;
+        std::span<const std::uint32_t> vertices;
+        const ShadowGrid& grid;
+        /// Over kFixedOne, [block][sample][lane]. The samples are those of the even part of visibility, then
+        /// of the odd part unless visibility is mirrored.
+        std::span<const std::int16_t> samples;
+        std::size_t samples_of_vertex;
+    };
+    [[nodiscard]] std::optional<Grid> grid() const;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
 private:

@@ -5,7 +5,7 @@
 
 namespace nicol {
 
-void DeviceFactored::relight(FactoredMethod& method, const TransferInput& input, Workers& workers,
+void DeviceFactored::relight(const FactoredMethod& method, const TransferInput& input, Workers& /*workers*/,
                              Progress& progress, Statistics& statistics, VertexBuffers& buffers) {
     mirror_tables(method, input);
     const RelightKey key(input);
@@ -13,30 +13,18 @@ void DeviceFactored::relight(FactoredMethod& method, const TransferInput& input,
     lit_for_ = {};
     allocate_light(input);
     mirror_shadows(method, input);
-    if (method.shadows() && !shadows_) {
-        method.relight(input, workers, progress, statistics);
-        const Stopwatch watch;
-        for (DeviceLight& light : light_) {
-            std::vector<float> packed;
-            light.upload([&](std::size_t v, int c) {
-                packed = method.light().packed(v, c);
-                return std::span<const float>(packed);
-            });
-        }
-        statistics.relight_ms += watch.milliseconds();
-    } else {
-        const Stopwatch watch;
-        if (!turn_) turn_.emplace(context_);
-        turn_->set_light(input.layout, input.light);
-        for (DeviceLight& light : light_) {
-            progress.report("relight", static_cast<double>(light.first()) /
-                                           static_cast<double>(input.geometry.positions.size()));
-            turn_->run(input.geometry, buffers, light);
-            if (shadows_) shadows_->run(light);
-        }
-        gl::finish(*context_);
-        statistics.relight_ms += watch.milliseconds();
+    const Stopwatch watch;
+    if (!turn_) turn_.emplace(context_);
+    turn_->set_light(input.layout, input.light);
+    for (DeviceLight& light : light_) {
+        progress.report("relight", static_cast<double>(light.first()) /
+                                       static_cast<double>(input.geometry.positions.size()));
+        turn_->run(input.geometry, buffers, light);
+        if (shadow_matrices_) shadow_matrices_->run(light);
+        if (shadow_grid_) shadow_grid_->run(light);
     }
+    gl::finish(*context_);
+    statistics.relight_ms += watch.milliseconds();
     lit_for_ = key;
 }
 
@@ -54,9 +42,11 @@ void DeviceFactored::mirror_shadows(const FactoredMethod& method, const Transfer
     const RelightKey key = RelightKey(input).without_light();
     if (shadows_for_ == key) return;
     shadows_for_ = {};
-    shadows_.reset();
+    shadow_matrices_.reset();
+    shadow_grid_.reset();
     if (method.shadows()) {
-        if (const auto matrices = method.shadows()->matrices()) shadows_.emplace(context_, *matrices);
+        if (const auto matrices = method.shadows()->matrices()) shadow_matrices_.emplace(context_, *matrices);
+        if (const auto grid = method.shadows()->grid()) shadow_grid_.emplace(context_, *grid);
     }
     shadows_for_ = key;
 }

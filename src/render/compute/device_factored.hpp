@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "render/compute/device_shade.hpp"
-#include "render/compute/device_shadows.hpp"
+#include "render/compute/device_shadow_grid.hpp"
+#include "render/compute/device_shadow_matrices.hpp"
 #include "render/compute/device_turn.hpp"
 #include "render/factored_method.hpp"
 
@@ -19,10 +20,9 @@ class DeviceFactored {
 public:
     explicit DeviceFactored(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// relight, as far as changes make it necessary. Shadows that are not matrices stay on the host, and with
-    /// them this verb.
-    void relight(FactoredMethod& method, const TransferInput& input, Workers& workers, Progress& progress,
-                 Statistics& statistics, VertexBuffers& buffers);
+    /// relight, as far as changes make it necessary.
+    void relight(const FactoredMethod& method, const TransferInput& input, Workers& workers,
+                 Progress& progress, Statistics& statistics, VertexBuffers& buffers);
     void shade(const TransferInput& input, DeviceShade& shade, VertexBuffers& buffers);
 
 private:
@@ -34,7 +34,8 @@ private:
     std::map<MaterialPtr, DeviceTable> tables_;
     std::uint64_t tables_revision_ = 0;
     std::optional<DeviceTurn> turn_;
-    std::optional<DeviceShadows> shadows_;
+    std::optional<DeviceShadowMatrices> shadow_matrices_;  // of shadows, one form or the other
+    std::optional<DeviceShadowGrid> shadow_grid_;
     RelightKey shadows_for_;  // light not counted
     std::vector<DeviceLight> light_;
     RelightKey lit_for_;

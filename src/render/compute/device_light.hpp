@@ -31,6 +31,13 @@ inline constexpr std::size_t kGroupOfVertices = 64;
     return static_cast<unsigned>((invocations + kGroupOfVertices - 1) / kGroupOfVertices);
 }
 
+/// A copy for shaders.
+template <class Element>
+[[nodiscard]] gl::Buffer storage(const std::shared_ptr<gl::Context>& context,
+                                 const std::vector<Element>& elements) {
+    return {context, gl::BufferUse::storage, std::as_bytes(std::span(elements))};
+}
+
 /// Light of the scene's vertices first .. first + count - 1: [channel][real, imaginary][entry][vertex].
 class DeviceLight {
 public:

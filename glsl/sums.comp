@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Sums of products of a vertex's numbers with fixed factors. One invocation a vertex and sum.
+#version 450 core
+
+layout(local_size_x = 64) in;
+
+struct Sum {
+    int first;   // number
+    int second;  // where as many more begin, or -1
+    int terms;
+    int factor;  // the first; those of the second numbers follow
+};
+
+layout(std430, binding = 0) readonly buffer Sums { Sum sums[]; };
+layout(std430, binding = 1) readonly buffer Factors { float factors[]; };
+layout(std430, binding = 2) readonly buffer Numbers { float numbers[]; };   // [number][vertex]
+layout(std430, binding = 3) writeonly buffer Results { float results[]; };  // [sum][vertex]
+
+uniform int count;   // vertices
+uniform int stride;  // of vertices
+
+void main() {
+    int i = int(gl_GlobalInvocationID.x);
+    if (i >= count) return;
+    Sum sum = sums[gl_GlobalInvocationID.y];
+    float x = 0.0;
+    for (int j = 0; j < sum.terms; ++j) x += factors[sum.factor + j] * numbers[(sum.first + j) * stride + i];
+    if (sum.second >= 0) {
+        int factor = sum.factor + sum.terms;
+        for (int j = 0; j < sum.terms; ++j) x += factors[factor + j] * numbers[(sum.second + j) * stride + i];
+    }
+    results[int(gl_GlobalInvocationID.y) * stride + i] = x;
+}
