@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/transfer_cache.hpp"
 
+#include "geometry/principal_axes.hpp"
 #include "transfer/bake_cache.hpp"
 #include "transfer/physical_range.hpp"
 
@@ -138,13 +139,15 @@ RenderOptions TransferCache::choose_orders(const Scene& scene, const RenderOptio
 void TransferCache::bake(const Scene& scene, const RenderOptions& options, Progress& progress,
                          Statistics& statistics) {
     const bool same_directions =
-        directions_ && directions_->size() == static_cast<std::size_t>(options.bake_directions);
+        lattice_ && lattice_->size() == static_cast<std::size_t>(options.bake_directions);
     const bool shadow_all = (options.unskipped & skip_unoccluded) != 0;
     if (same_directions && baked_geometry_ == geometry_revision_ && shadow_all_ == shadow_all) return;
     if (!scene.environment()) return;  // darkness casts no shadows
     const Stopwatch watch;
     baked_geometry_ = 0;
-    if (!same_directions) directions_.emplace(options.bake_directions);
+    if (!same_directions) lattice_.emplace(options.bake_directions);
+    // Turned with the scene, so that a scene that is turned as a whole has the same shadows.
+    directions_ = lattice_->turned(principal_axes(geometry_.positions));
     const BakeGeometry geometry{
         .positions = geometry_.positions, .normals = geometry_.normals, .triangles = geometry_.triangles};
     BakeStatistics baked;

@@ -58,7 +58,8 @@ private:
     WorldGeometry geometry_;
     std::uint64_t geometry_revision_ = 0;
 
-    std::optional<DirectionSet> directions_;
+    std::optional<DirectionSet> lattice_;
+    std::optional<DirectionSet> directions_;  // of the bake: the lattice along the scene's own axes
     Visibility visibility_;
     bool shadow_all_ = false;                // vertices that see all count as occluded
     std::uint64_t baked_geometry_ = 0;       // geometry_revision_ that visibility_ belongs to

@@ -93,7 +93,18 @@ DirectionSet::DirectionSet(int count) {
     const int order = std::min(kExactOrder, static_cast<int>(std::sqrt(count) / 2));
     for (const double weight : exact_weights(lattice, order)) weights_.push_back(static_cast<float>(weight));
     for (const glm::dvec3& direction : lattice) directions_.emplace_back(direction);
+    fill_bundles();
+}
 
+DirectionSet DirectionSet::turned(const glm::dmat3& axes) const {
+    DirectionSet out = *this;
+    for (glm::vec3& direction : out.directions_)
+        direction = glm::vec3(glm::normalize(axes * glm::dvec3(direction)));
+    out.fill_bundles();
+    return out;
+}
+
+void DirectionSet::fill_bundles() {
     bundles_.resize((size() + RayBundle::kRays - 1) / RayBundle::kRays);
     for (std::size_t i = 0; i < bundles_.size() * RayBundle::kRays; ++i) {
         const glm::vec3& direction = directions_[std::min(i, size() - 1)];

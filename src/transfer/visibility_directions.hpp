@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -11,9 +12,9 @@
 
 namespace nicol {
 
-/// Unit directions towards the light, in the world's axes, spread evenly over the sphere (a spherical
-/// Fibonacci lattice, one direction a stratum) and sorted so that neighbours in the list are neighbours on
-/// the sphere. Immutable.
+/// Unit directions towards the light, in the world's axes unless turned, spread evenly over the sphere (a
+/// spherical Fibonacci lattice, one direction a stratum) and sorted so that neighbours in the list are
+/// neighbours on the sphere. Immutable.
 class DirectionSet {
 public:
     static constexpr int kDefault = 2048;
@@ -26,6 +27,9 @@ public:
     /// Throws Error(invalid_argument) for a count outside kFewest..kMost.
     explicit DirectionSet(int count = kDefault);
 
+    /// The same spread and weights about other axes: the columns of a rotation.
+    [[nodiscard]] DirectionSet turned(const glm::dmat3& axes) const;
+
     [[nodiscard]] std::size_t size() const noexcept { return directions_.size(); }
     [[nodiscard]] std::span<const glm::vec3> directions() const noexcept { return directions_; }
     /// Solid angles, positive, of sum 4 pi.
@@ -34,6 +38,8 @@ public:
     [[nodiscard]] std::span<const RayBundle> bundles() const noexcept { return bundles_; }
 
 private:
+    void fill_bundles();
+
     std::vector<glm::vec3> directions_;
     std::vector<float> weights_;
     std::vector<RayBundle> bundles_;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/principal_axes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+
+namespace nicol {
+namespace {
+
+// The orthonormal eigenvectors of a symmetric matrix as columns, those of the largest eigenvalues first, by
+// Jacobi's rotations: each makes one element off the diagonal vanish.
+glm::dmat3 eigenvectors(glm::dmat3 a) {
+    glm::dmat3 vectors(1.0);
+    constexpr int sweeps = 20;  // each squares what is left off the diagonal
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        for (const auto& [p, q] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
+            if (a[p][q] == 0) continue;
+            const double angle = std::atan2(2 * a[p][q], a[p][p] - a[q][q]) / 2;
+            glm::dmat3 turn(1.0);
+            turn[p][p] = turn[q][q] = std::cos(angle);
+            turn[p][q] = std::sin(angle);
+            turn[q][p] = -turn[p][q];
+            a = glm::transpose(turn) * a * turn;
+            vectors = vectors * turn;
+        }
+    }
+    std::array<int, 3> order{0, 1, 2};
+    std::ranges::stable_sort(order, std::greater(), [&a](int i) { return a[i][i]; });
+    return {vectors[order[0]], vectors[order[1]], vectors[order[2]]};
+}
+
+}  // namespace
+
+glm::dmat3 principal_axes(std::span<const glm::vec3> points) {
+    glm::dvec3 low(std::numeric_limits<double>::max());
+    glm::dvec3 high(std::numeric_limits<double>::lowest());
+    glm::dvec3 centre(0.0);
+    for (const glm::vec3& point : points) {
+        low = glm::min(low, glm::dvec3(point));
+        high = glm::max(high, glm::dvec3(point));
+        centre += glm::dvec3(point) / static_cast<double>(points.size());
+    }
+    const double size = points.empty() ? 0 : glm::length(high - low);
+    if (!(size > 0)) return glm::dmat3(1);
+
+    // In units of the whole, so that nothing overflows or vanishes.
+    glm::dmat3 covariance(0.0);
+    for (const glm::vec3& point : points) {
+        const glm::dvec3 d = (glm::dvec3(point) - centre) / size;
+        covariance += glm::outerProduct(d, d) / static_cast<double>(points.size());
+    }
+    glm::dmat3 axes = eigenvectors(covariance);
+    for (int i = 0; i < 2; ++i) {
+        double third = 0;
+        for (const glm::vec3& point : points) {
+            const double along = glm::dot((glm::dvec3(point) - centre) / size, axes[i]);
+            third += along * along * along;
+        }
+        axes[i] = glm::normalize(third < 0 ? -axes[i] : axes[i]);
+    }
+    axes[1] = glm::normalize(axes[1] - glm::dot(axes[1], axes[0]) * axes[0]);
+    axes[2] = glm::cross(axes[0], axes[1]);
+    return axes;
+}
+
+}  // namespace nicol
