@@ -12,6 +12,9 @@
 namespace nicol {
 namespace {
 
+// Of variances and of third moments, relative.
+constexpr double kDistinct = 1e-3;
+
 // The orthonormal eigenvectors of a symmetric matrix as columns, those of the largest eigenvalues first, by
 // Jacobi's rotations: each makes one element off the diagonal vanish.
 glm::dmat3 eigenvectors(glm::dmat3 a) {
@@ -55,12 +58,20 @@ glm::dmat3 principal_axes(std::span<const glm::vec3> points) {
         covariance += glm::outerProduct(d, d) / static_cast<double>(points.size());
     }
     glm::dmat3 axes = eigenvectors(covariance);
+    // Axes that do not stand out would be a matter of rounding.
+    glm::dvec3 variance;
+    for (int i = 0; i < 3; ++i) variance[i] = glm::dot(axes[i], covariance * axes[i]);
+    if (variance[0] - variance[1] < kDistinct * variance[0] ||
+        variance[1] - variance[2] < kDistinct * variance[1]) {
+        return glm::dmat3(1);
+    }
     for (int i = 0; i < 2; ++i) {
         double third = 0;
         for (const glm::vec3& point : points) {
             const double along = glm::dot((glm::dvec3(point) - centre) / size, axes[i]);
-            third += along * along * along;
+            third += along * along * along / static_cast<double>(points.size());
         }
+        if (std::abs(third) < kDistinct * std::pow(variance[i], 1.5)) return glm::dmat3(1);
         axes[i] = glm::normalize(third < 0 ? -axes[i] : axes[i]);
     }
     axes[1] = glm::normalize(axes[1] - glm::dot(axes[1], axes[0]) * axes[0]);

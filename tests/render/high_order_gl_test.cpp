@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
+#include "coarse_sphere.hpp"
 #include "gl/contexts.hpp"
 #include "nicol/conductor.hpp"
 #include "nicol/error.hpp"
@@ -129,6 +130,19 @@ TEST_CASE("both methods get the same high orders") {
     });
 }
 
+namespace {
+
+/// With a second ball to the side: a scene with axes of its own.
+Scene two_balls_on_plate(const EnvironmentPtr& light, const glm::dmat3& turn = glm::dmat3(1)) {
+    Scene scene = sphere_on_plate(light, turn);
+    scene.add({.mesh = test::coarse_sphere(8),
+               .material = pplastic({.alpha = 0.3}),
+               .to_world = glm::scale(glm::translate(glm::dmat4(turn), {1.9, 0.4, 0.9}), glm::dvec3(0.6))});
+    return scene;
+}
+
+}  // namespace
+
 TEST_CASE("turning the light equals turning everything else back, with shadows and high orders") {
     const glm::dmat3 turn = theta_phi_frame(glm::normalize(glm::dvec3(1, -2, 0.7)));
     const auto context = gl::make_context(gl::Backend::osmesa);
@@ -136,12 +150,12 @@ TEST_CASE("turning the light equals turning everything else back, with shadows a
     for (const Method method : {Method::factored, Method::dense}) {
         // The bake's directions turn with the scene, so it finds the same shadows.
         RenderOptions options = with(3, 9, HighOrders::split, true, method);
-        const StokesImage here = render(context, sphere_on_plate(light), options);
-        const StokesImage there = render(context, sphere_on_plate(light, turn), options, camera_of(turn));
+        const StokesImage here = render(context, two_balls_on_plate(light), options);
+        const StokesImage there = render(context, two_balls_on_plate(light, turn), options, camera_of(turn));
         CHECK(difference(here, there) < 2e-5);
         options.shadows = false;
-        CHECK(difference(render(context, sphere_on_plate(light), options),
-                         render(context, sphere_on_plate(light, turn), options, camera_of(turn))) < 1e-5);
+        CHECK(difference(render(context, two_balls_on_plate(light), options),
+                         render(context, two_balls_on_plate(light, turn), options, camera_of(turn))) < 1e-5);
     }
 }
 

@@ -103,7 +103,7 @@ Vertices::Vertices(const DirectionSet& directions, double unit, std::size_t norm
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const glm::dvec3 towards = view.towards(glm::dvec3(positions[v]));
         const glm::dvec3 n(normals[v]);
-        any_azimuth.push_back(glm::dot(n, towards) < 0 && glm::length(glm::cross(n, towards)) < 1e-9);
+        any_azimuth.push_back(glm::dot(n, towards) < 0 && glm::length(glm::cross(n, towards)) < 1e-6);
     }
     visibility = Visibility(directions.size(), normals.size());
     for (std::size_t v = 0; v < normals.size(); ++v) {

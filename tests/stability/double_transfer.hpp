@@ -32,7 +32,7 @@ struct Vertices {
     std::vector<glm::vec3> normals;
     std::vector<std::uint8_t> visible;  ///< all
     Visibility visibility;
-    /// Seen from straight behind, where the viewer's azimuth is a matter of the last bit.
+    /// Seen from straight behind, where the viewer's azimuth is a matter of rounding.
     std::vector<bool> any_azimuth;
 };
 
