@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "material/split_fit.hpp"
+#include "render/light_projection.hpp"
 
 namespace nicol {
 namespace {
@@ -42,11 +43,6 @@ std::array<std::vector<double>, ResponsePower::kParts> energies(const PshVector&
         }
     }
     return out;
-}
-
-LightKind kind_of(const Environment& light) {
-    if (!light.polarized()) return LightKind::unpolarized;
-    return light.circular() ? LightKind::full : LightKind::linear;
 }
 
 std::size_t parts_of(LightKind kind) {
@@ -91,7 +87,7 @@ ErrorBudget::Orders ErrorBudget::choose(const Scene& scene, const WorldGeometry&
 
 void ErrorBudget::measure(const Scene& scene, const WorldGeometry& geometry, const Shadows& shadows) {
     const PshVector light = environment_->project(kOrder);
-    kind_ = kind_of(*environment_);
+    kind_ = light_kind(environment_.get());
     std::optional<VisibilityPower> visible;
     if (shadows.visibility != nullptr)
         visible.emplace(*shadows.visibility, *shadows.directions, geometry.normals, shadows.horizon);

@@ -12,12 +12,6 @@
 namespace nicol {
 namespace {
 
-LightKind kind_of(const EnvironmentPtr& environment, std::uint32_t unskipped) {
-    if ((unskipped & skip_light_components) != 0) return LightKind::full;
-    if (!environment || !environment->polarized()) return LightKind::unpolarized;
-    return environment->circular() ? LightKind::full : LightKind::linear;
-}
-
 // The first channel alone where all are equal.
 PshVector without_repeats(PshVector light) {
     for (int c = 1; c < light.channels(); ++c) {
@@ -56,10 +50,17 @@ int last_order_of(const PshVector& light) {
 
 }  // namespace
 
+LightKind light_kind(const Environment* light) {
+    if (light == nullptr || !light->polarized()) return LightKind::unpolarized;
+    return light->circular() ? LightKind::full : LightKind::linear;
+}
+
 void LightProjection::update(const Scene& scene, const RenderOptions& options, Statistics& statistics) {
     const Stopwatch watch;
     const int high = options.high_orders == HighOrders::none ? options.order_low : options.order_high;
-    const LightKind kind = kind_of(scene.environment(), options.unskipped);
+    const LightKind kind = (options.unskipped & skip_light_components) != 0
+                               ? LightKind::full
+                               : light_kind(scene.environment().get());
     const bool same_layout = layout_ && layout_->order() == options.order_low && layout_->kind() == kind;
     if (!projected_ || environment_ != scene.environment() || !same_layout || light_.order() != high ||
         dering_ != options.dering || unskipped_ != options.unskipped) {

@@ -11,6 +11,9 @@
 
 namespace nicol {
 
+/// The Stokes components that a light has; null: darkness.
+[[nodiscard]] LightKind light_kind(const Environment* light);
+
 /// Low orders are kept in the world's axes, for the methods of transfer; all orders in the light's own, for
 /// the high orders. Both are scaled, and have one channel where all are equal.
 class LightProjection {

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "coarse_sphere.hpp"
+#include "falling_light.hpp"
 #include "gl/contexts.hpp"
 #include "nicol/conductor.hpp"
 #include "nicol/error.hpp"
@@ -14,28 +15,12 @@
 #include "render/renderer.hpp"
 
 using namespace nicol;
+using test::falling_light;
 
 namespace {
 
 constexpr int width = 48;
 constexpr int height = 36;
-
-/// Light of all orders up to the last, falling as that of pictures does.
-EnvironmentPtr some_light(int order, bool polarized) {
-    PshVector light(order, 3);
-    for (int c = 0; c < 3; ++c) {
-        light.at(c, 0, 0, 0) = 6 + c;
-        for (int l = 1; l <= order; ++l) {
-            for (int m = -l; m <= l; ++m) {
-                for (int p = 0; p < (polarized ? 4 : 1); ++p) {
-                    if (l < 2 && (p == 1 || p == 2)) continue;
-                    light.at(c, l, m, p) = std::sin(7.1 * l + 3.3 * m + 5 * p + 0.2 * c) / (l + 1);
-                }
-            }
-        }
-    }
-    return psh_environment(light);
-}
 
 /// A sphere that stands on a plate, far from the axes.
 Scene sphere_on_plate(const EnvironmentPtr& light, const glm::dmat3& turn = glm::dmat3(1)) {
@@ -96,7 +81,7 @@ TEST_CASE("split takes the picture most of the way to all orders, convolution so
             Scene scene;
             scene.add({.mesh = std::make_shared<const Mesh>(make_sphere()),
                        .material = pplastic({.diffuse_reflectance = {0.3, 0.2, 0.1}, .alpha = 0.2})});
-            scene.set_environment(some_light(16, polarized), glm::dmat3(1), 0.7);
+            scene.set_environment(falling_light(16, polarized), glm::dmat3(1), 0.7);
             const StokesImage all = render(context, scene, with(16, 16, HighOrders::none));
             const double none = difference(render(context, scene, with(4, 16, HighOrders::none)), all);
             const double split = difference(render(context, scene, with(4, 16, HighOrders::split)), all);
@@ -115,7 +100,7 @@ TEST_CASE("split takes the picture most of the way to all orders, convolution so
 
 TEST_CASE("both methods get the same high orders") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        const Scene scene = sphere_on_plate(some_light(9, true));
+        const Scene scene = sphere_on_plate(falling_light(9, true));
         for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
             StokesImage high[2];
             for (const Method method : {Method::factored, Method::dense}) {
@@ -146,7 +131,7 @@ Scene two_balls_on_plate(const EnvironmentPtr& light, const glm::dmat3& turn = g
 TEST_CASE("turning the light equals turning everything else back, with shadows and high orders") {
     const glm::dmat3 turn = theta_phi_frame(glm::normalize(glm::dvec3(1, -2, 0.7)));
     const auto context = gl::make_context(gl::Backend::osmesa);
-    const EnvironmentPtr light = some_light(9, true);
+    const EnvironmentPtr light = falling_light(9, true);
     for (const Method method : {Method::factored, Method::dense}) {
         // The bake's directions turn with the scene, so it finds the same shadows.
         RenderOptions options = with(3, 9, HighOrders::split, true, method);
@@ -161,7 +146,7 @@ TEST_CASE("turning the light equals turning everything else back, with shadows a
 
 TEST_CASE("light without high orders costs none") {
     const auto context = gl::make_context(gl::Backend::osmesa);
-    const Scene scene = sphere_on_plate(some_light(3, false));
+    const Scene scene = sphere_on_plate(falling_light(3, false));
     Statistics low;
     Statistics high;
     const StokesImage plain = render(context, scene, with(3, 3, HighOrders::none), camera_of(), &low);
@@ -194,7 +179,7 @@ TEST_CASE("shadows darken the plate below the sphere and leave a lone sphere alo
 
         Scene lone;
         lone.add({.mesh = std::make_shared<const Mesh>(make_sphere()), .material = pplastic({})});
-        lone.set_environment(some_light(4, true), glm::dmat3(1), 1);
+        lone.set_environment(falling_light(4, true), glm::dmat3(1), 1);
         const StokesImage with_shadows =
             render(context, lone, with(4, 4, HighOrders::none, true), camera_of(), &statistics);
         CHECK(statistics.vertices_unoccluded == statistics.vertices);

@@ -8,34 +8,19 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
+#include "falling_light.hpp"
 #include "gl/contexts.hpp"
 #include "nicol/conductor.hpp"
 #include "nicol/stokes.hpp"
 #include "render/renderer.hpp"
 
 using namespace nicol;
+using test::falling_light;
 
 namespace {
 
 constexpr int width = 64;
 constexpr int height = 48;
-
-/// Light of all orders up to the last, falling as that of pictures does.
-EnvironmentPtr some_light(int order, bool polarized, int channels = 3) {
-    PshVector light(order, channels);
-    for (int c = 0; c < channels; ++c) {
-        light.at(c, 0, 0, 0) = 6 + c;
-        for (int l = 1; l <= order; ++l) {
-            for (int m = -l; m <= l; ++m) {
-                for (int p = 0; p < (polarized ? 4 : 1); ++p) {
-                    if (l < 2 && (p == 1 || p == 2)) continue;
-                    light.at(c, l, m, p) = std::sin(7.1 * l + 3.3 * m + 5 * p + 0.2 * c) / (l + 1);
-                }
-            }
-        }
-    }
-    return psh_environment(light);
-}
 
 /// A unit sphere of rows x columns quadrangles about y, with exact normals.
 std::shared_ptr<const Mesh> coarse_sphere(int rows, int columns) {
@@ -181,7 +166,7 @@ TEST_CASE("where vertices are dense, pixels make what they make") {
                 CAPTURE(channels);
                 CAPTURE(polarized);
                 CAPTURE(static_cast<int>(form));
-                const Scene scene = lone(fine_sphere(), some_light(9, polarized, channels));
+                const Scene scene = lone(fine_sphere(), falling_light(9, polarized, channels));
                 const StokesImage pixels = render(scene, at(HighOrdersAt::pixels, form));
                 CHECK(render.statistics.high_orders_at == HighOrdersAt::pixels);
                 const StokesImage vertices = render(scene, at(HighOrdersAt::vertices, form));
@@ -205,7 +190,7 @@ TEST_CASE("where vertices are far apart, pixels come much nearer to the smooth s
         Studio render(context);
         Studio render_smooth(context);
         for (const bool polarized : {false, true}) {
-            const EnvironmentPtr light = some_light(9, polarized);
+            const EnvironmentPtr light = falling_light(9, polarized);
             const Scene smooth = lone(fine_sphere(), light);
             const Scene coarse = lone(coarse_sphere(10, 20), light);
             for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
@@ -234,7 +219,8 @@ TEST_CASE("both executors make the same at pixels, of every kind of light, shado
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Studio render(context);
         for (const auto& [channels, polarized] : {std::pair(1, true), {3, false}, {6, true}}) {
-            const Scene scene = sphere_on_plate(some_light(9, polarized, channels), coarse_sphere(12, 24), 6);
+            const Scene scene =
+                sphere_on_plate(falling_light(9, polarized, channels), coarse_sphere(12, 24), 6);
             for (const bool shadows : {false, true}) {
                 CAPTURE(channels);
                 CAPTURE(polarized);
@@ -256,7 +242,7 @@ TEST_CASE("both executors make the same at pixels, of every kind of light, shado
 TEST_CASE("shadows dim what pixels look up as they dim it at vertices") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Studio render(context);
-        const Scene scene = sphere_on_plate(some_light(9, false), coarse_sphere(40, 80), 40);
+        const Scene scene = sphere_on_plate(falling_light(9, false), coarse_sphere(40, 80), 40);
         const auto minus = [](StokesImage a, const StokesImage& b) {
             for (std::size_t i = 0; i < a.data.size(); ++i) a.data[i] -= b.data[i];
             return a;
@@ -285,7 +271,7 @@ TEST_CASE("unpolarized light costs one look-up a level, whatever the channels") 
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         // Grey light, so that its maps are of one size.
         const auto bytes = [&](int channels, bool polarized) {
-            const PshVector grey = some_light(9, polarized, 1)->project(9);
+            const PshVector grey = falling_light(9, polarized, 1)->project(9);
             PshVector light(9, channels);
             for (int c = 0; c < channels; ++c) std::ranges::copy(grey.channel(0), light.channel(c).begin());
             const Scene scene = lone(coarse_sphere(10, 20), psh_environment(light));
@@ -343,7 +329,7 @@ TEST_CASE("backs of one-sided surfaces stay black at pixels, and two-sided ones 
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         for (const bool both : {false, true}) {
             Studio render(context);
-            const Scene scene = lone(std::make_shared<const Mesh>(make_rectangle(4)), some_light(9, true),
+            const Scene scene = lone(std::make_shared<const Mesh>(make_rectangle(4)), falling_light(9, true),
                                      both ? twosided(metal()) : metal());
             Camera behind;
             behind.to_world = look_at({0.3, 0.2, -2}, {0, 0, 0}, {0, 1, 0});
@@ -360,7 +346,7 @@ TEST_CASE("backs of one-sided surfaces stay black at pixels, and two-sided ones 
 
 TEST_CASE("changes reach pixels") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        const EnvironmentPtr light = some_light(9, true);
+        const EnvironmentPtr light = falling_light(9, true);
         Scene scene = sphere_on_plate(light, coarse_sphere(10, 20), 6);
         Studio render(context);
         RenderOptions options = at(HighOrdersAt::pixels, HighOrders::split, true);
@@ -379,7 +365,7 @@ TEST_CASE("changes reach pixels") {
         compare();
         options.high_orders = HighOrders::split;
         options.shadows = true;
-        scene.set_environment(some_light(5, false), glm::dmat3(1), 0.3);
+        scene.set_environment(falling_light(5, false), glm::dmat3(1), 0.3);
         compare();
         scene.set_transform(0, glm::translate(glm::dmat4(1), {0.3, 0.2, 0}));
         scene.add({.mesh = coarse_sphere(6, 12),
@@ -389,7 +375,7 @@ TEST_CASE("changes reach pixels") {
         Camera camera = some_camera();
         camera.orthographic = true;
         compare(camera);
-        scene.set_environment(some_light(2, false), glm::dmat3(1), 1);  // no high orders
+        scene.set_environment(falling_light(2, false), glm::dmat3(1), 1);  // no high orders
         compare();
     });
 }
@@ -397,7 +383,7 @@ TEST_CASE("changes reach pixels") {
 TEST_CASE("high orders are at vertices where OpenGL runs on the CPU, unless asked otherwise") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Studio render(context);
-        const Scene scene = lone(coarse_sphere(10, 20), some_light(9, true));
+        const Scene scene = lone(coarse_sphere(10, 20), falling_light(9, true));
         const StokesImage automatic = render(scene, at(HighOrdersAt::automatic));
         const HighOrdersAt same = context->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
         CHECK(render.statistics.high_orders_at == same);

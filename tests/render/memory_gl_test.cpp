@@ -10,28 +10,14 @@
 #include <utility>
 
 #include "coarse_sphere.hpp"
+#include "falling_light.hpp"
 #include "gl/contexts.hpp"
 #include "render/renderer.hpp"
 
 using namespace nicol;
+using test::falling_light;
 
 namespace {
-
-EnvironmentPtr some_light(int order, bool polarized, int channels) {
-    PshVector light(order, channels);
-    for (int c = 0; c < channels; ++c) {
-        light.at(c, 0, 0, 0) = 6 + c;
-        for (int l = 1; l <= order; ++l) {
-            for (int m = -l; m <= l; ++m) {
-                for (int p = 0; p < (polarized ? 4 : 1); ++p) {
-                    if (l < 2 && (p == 1 || p == 2)) continue;
-                    light.at(c, l, m, p) = std::sin(7.1 * l + 3.3 * m + 5 * p + 0.2 * c) / (l + 1);
-                }
-            }
-        }
-    }
-    return psh_environment(light);
-}
 
 Camera some_camera() {
     Camera camera;
@@ -69,8 +55,8 @@ TEST_CASE("changes of scene, light, camera and options give back what they no lo
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         const MaterialPtr bright = diffuse({0.9});
         const MaterialPtr grey = diffuse({0.5});
-        const EnvironmentPtr polarized = some_light(4, true, 3);
-        const EnvironmentPtr plain = some_light(4, false, 3);
+        const EnvironmentPtr polarized = falling_light(4, true, 3);
+        const EnvironmentPtr plain = falling_light(4, false, 3);
         Scene scene;
         scene.add({.mesh = test::coarse_sphere(4), .material = bright});
         scene.add({.mesh = test::coarse_sphere(3),
@@ -112,7 +98,7 @@ TEST_CASE("a picture of another size costs its own size alone") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Scene scene;
         scene.add({.mesh = test::coarse_sphere(4), .material = diffuse({0.5})});
-        scene.set_environment(some_light(4, true, 3), glm::dmat3(1), 1);
+        scene.set_environment(falling_light(4, true, 3), glm::dmat3(1), 1);
         Renderer renderer(context, 0);
         for (const auto& way : ways) {
             std::optional<Framebuffer> target;
@@ -139,7 +125,7 @@ TEST_CASE("nothing is left of a renderer") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Scene scene;
         scene.add({.mesh = test::coarse_sphere(3), .material = diffuse({0.5})});
-        scene.set_environment(some_light(4, true, 3), glm::dmat3(1), 1);
+        scene.set_environment(falling_light(4, true, 3), glm::dmat3(1), 1);
         const std::size_t before = context->memory().total();
         {
             Renderer renderer(context, 0);
