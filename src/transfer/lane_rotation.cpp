@@ -283,30 +283,27 @@ void LaneRotation::set_normals(std::span<const glm::vec3> normals, Work& work) c
                  work.zenith_.sine.data());
 }
 
+template <class Run>
+void LaneRotation::turn_by(const Quarters& quarters, std::span<const std::complex<float>* const> in,
+                           Work& work, Run run) const {
+    run({.order = order_,
+         .first = quarters.first.data(),
+         .second = quarters.second.data(),
+         .in = in.data(),
+         .azimuth = {work.azimuth_.cosine.data(), work.azimuth_.sine.data()},
+         .zenith = {work.zenith_.cosine.data(), work.zenith_.sine.data()},
+         .re = work.results_.data(),
+         .im = work.results_.data() + in.size() * work.imaginary(),
+         .scratch = work.scratch_.data()},
+        in.size());
+}
+
 void LaneRotation::turn_real(std::span<const std::complex<float>* const> in, Work& work) const {
-    turn_some_real({.order = order_,
-                    .first = real_.first.data(),
-                    .second = real_.second.data(),
-                    .in = in.data(),
-                    .azimuth = {work.azimuth_.cosine.data(), work.azimuth_.sine.data()},
-                    .zenith = {work.zenith_.cosine.data(), work.zenith_.sine.data()},
-                    .re = work.results_.data(),
-                    .im = work.results_.data() + in.size() * work.imaginary(),
-                    .scratch = work.scratch_.data()},
-                   in.size());
+    turn_by(real_, in, work, turn_some_real);
 }
 
 void LaneRotation::turn_complex(std::span<const std::complex<float>* const> in, Work& work) const {
-    turn_some_complex({.order = order_,
-                       .first = complex_.first.data(),
-                       .second = complex_.second.data(),
-                       .in = in.data(),
-                       .azimuth = {work.azimuth_.cosine.data(), work.azimuth_.sine.data()},
-                       .zenith = {work.zenith_.cosine.data(), work.zenith_.sine.data()},
-                       .re = work.results_.data(),
-                       .im = work.results_.data() + in.size() * work.imaginary(),
-                       .scratch = work.scratch_.data()},
-                      in.size());
+    turn_by(complex_, in, work, turn_some_complex);
 }
 
 }  // namespace nicol

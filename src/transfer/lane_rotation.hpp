@@ -61,6 +61,11 @@ private:
         std::vector<float> second;  // as it is
     };
 
+    // Hands what a turn works on to `run`.
+    template <class Run>
+    void turn_by(const Quarters& quarters, std::span<const std::complex<float>* const> in, Work& work,
+                 Run run) const;
+
     int order_;
     Quarters real_;
     Quarters complex_;
