@@ -76,6 +76,8 @@ struct RenderOptions {
     bool physical = false;
     /// Stokes components that the picture has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;
+    /// Planes of surfaces beside the picture, bits of PlaneBit (nicol/surface_planes.hpp).
+    std::uint32_t planes = 0;
     /// Skips not to make use of, to measure what they save.
     std::uint32_t unskipped = 0;
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;

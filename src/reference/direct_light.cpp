@@ -40,6 +40,13 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     rays_ = std::make_unique<RayScene>(triangles);
 }
 
+std::optional<DirectLight::Seen> DirectLight::look(const Ray& ray) const {
+    const std::optional<RayHit> found = rays_->intersect(ray);
+    if (!found) return std::nullopt;
+    const Hit hit = hit_at(*found, -ray.direction);
+    return Seen{.instance = found->surface, .position = hit.position, .normal = hit.frame[2]};
+}
+
 void DirectLight::add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
                       const glm::dvec2& surface_point, std::span<Stokes> sum, Workspace& workspace) const {
     if (environment_ == nullptr) return;

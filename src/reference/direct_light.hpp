@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,14 @@ public:
 
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] std::uint64_t triangles() const noexcept { return triangles_; }
+
+    /// What a ray meets first.
+    struct Seen {
+        std::uint32_t instance;
+        glm::dvec3 position;
+        glm::dvec3 normal;  ///< shading, unit; of a two-sided material on the side that is seen
+    };
+    [[nodiscard]] std::optional<Seen> look(const Ray& ray) const;
 
     /// Adds, for each channel, an estimate of the Stokes vector of the light that travels against the ray, in
     /// `received`, whose z is -ray.direction. The points in [0, 1)^2 choose the directions towards the light.

@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <glm/geometric.hpp>
 #include <new>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "nicol/error.hpp"
 #include "reference/camera_rays.hpp"
@@ -58,8 +60,16 @@ private:
 class Tracer {
 public:
     Tracer(const DirectLight& light, const CameraRays& rays, const ReferenceOptions& options,
-           SharedProgress& progress, tbb::task_group_context& group, StokesImage& image)
-        : light_(light), rays_(rays), options_(options), progress_(progress), group_(group), image_(image) {}
+           SharedProgress& progress, tbb::task_group_context& group, const Viewpoint& view,
+           StokesImage& image, SurfacePlanes& surfaces)
+        : light_(light),
+          rays_(rays),
+          options_(options),
+          progress_(progress),
+          group_(group),
+          view_(view),
+          image_(image),
+          surfaces_(surfaces) {}
 
     void trace(const tbb::blocked_range2d<int>& tile) {
         DirectLight::Workspace workspace;
@@ -75,6 +85,7 @@ public:
                     for (std::size_t p = 0; p < 4; ++p)
                         pixel[p] = static_cast<float>(mean[static_cast<glm::length_t>(p)]);
                 }
+                if (surfaces_.planes() != 0) look_through(x, y);
             }
         }
         shadow_rays_ += workspace.shadow_rays;
@@ -103,20 +114,40 @@ private:
         return true;
     }
 
+    void look_through(int x, int y) {
+        const std::optional<DirectLight::Seen> seen = light_.look(rays_.through(x + 0.5, y + 0.5));
+        if (!seen) return;
+        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(surfaces_.width) +
+                           static_cast<std::size_t>(x);
+        if (!surfaces_.depth.empty()) {
+            surfaces_.depth[pixel] = static_cast<float>(glm::dot(view_.forward, seen->position - view_.eye));
+        }
+        if (!surfaces_.instances.empty()) surfaces_.instances[pixel] = seen->instance;
+        for (glm::length_t i = 0; i < 3; ++i) {
+            const std::size_t at = 3 * pixel + static_cast<std::size_t>(i);
+            if (!surfaces_.normals.empty()) surfaces_.normals[at] = static_cast<float>(seen->normal[i]);
+            if (!surfaces_.positions.empty()) surfaces_.positions[at] = static_cast<float>(seen->position[i]);
+        }
+    }
+
     const DirectLight& light_;
     const CameraRays& rays_;
     const ReferenceOptions& options_;
     SharedProgress& progress_;
     tbb::task_group_context& group_;
+    const Viewpoint& view_;
     StokesImage& image_;
+    SurfacePlanes& surfaces_;
     std::atomic<std::uint64_t> shadow_rays_ = 0;
 };
 
 StokesImage render(const Scene& scene, const Projection& projection, int width, int height,
-                   const ReferenceOptions& options, ReferenceStatistics& statistics, Strategy strategy) {
+                   const ReferenceOptions& options, ReferenceStatistics& statistics, Strategy strategy,
+                   SurfacePlanes& surfaces) {
     const Stopwatch build;
     const DirectLight light(scene, strategy, options.shadows);
     StokesImage image(width, height, light.channels());
+    surfaces = SurfacePlanes(width, height, options.planes);
     statistics.triangles = light.triangles();
     statistics.build_ms = build.milliseconds();
 
@@ -126,7 +157,7 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
     SharedProgress progress(options.progress, static_cast<double>(samples));
     tbb::task_group_context group;
     const CameraRays rays(projection, width, height);
-    Tracer tracer(light, rays, options, progress, group, image);
+    Tracer tracer(light, rays, options, progress, group, projection.view, image, surfaces);
     // More than there are would only make TBB complain.
     const int cores = tbb::info::default_concurrency();
     tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
@@ -146,10 +177,13 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
 
 StokesImage render_reference(const Scene& scene, const Projection& projection, int width, int height,
                              const ReferenceOptions& options, ReferenceStatistics& statistics,
-                             Strategy strategy) {
+                             Strategy strategy, SurfacePlanes* surfaces) {
     check(options);
     try {
-        return render(scene, projection, width, height, options, statistics, strategy);
+        SurfacePlanes made;
+        StokesImage image = render(scene, projection, width, height, options, statistics, strategy, made);
+        if (surfaces != nullptr) *surfaces = std::move(made);
+        return image;
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::out_of_memory,
                     "not enough memory for the scene's triangles, its light and a picture of " +

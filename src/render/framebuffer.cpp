@@ -8,9 +8,41 @@
 #include <utility>
 
 #include "nicol/error.hpp"
+#include "render/plane_layout.hpp"
 #include "render/stopwatch.hpp"
 
 namespace nicol {
+namespace {
+
+// What was drawn by a layout, one attachment after the other.
+void unpack(const gl::RenderTarget& attachments, const PlaneLayout& layout, SurfacePlanes& surfaces) {
+    const std::size_t pixels =
+        static_cast<std::size_t>(surfaces.width) * static_cast<std::size_t>(surfaces.height);
+    std::vector<float> packed(4 * pixels);
+    std::vector<std::uint32_t>& ids = surfaces.instances;
+    for (int a = 0; a < attachments.colours(); ++a) {
+        attachments.read(a, packed);
+        const auto copy = [&](int place, std::size_t count, auto&& put) {
+            for (std::size_t i = 0; place >= 0 && i < count; ++i) {
+                const int at = place + static_cast<int>(i);
+                if (at / 4 != a) continue;
+                for (std::size_t p = 0; p < pixels; ++p)
+                    put(p, i, packed[4 * p + static_cast<std::size_t>(at % 4)]);
+            }
+        };
+        copy(layout.depth, 1, [&](std::size_t p, std::size_t, float x) { surfaces.depth[p] = x; });
+        copy(layout.normals, 3,
+             [&](std::size_t p, std::size_t i, float x) { surfaces.normals[3 * p + i] = x; });
+        copy(layout.positions, 3,
+             [&](std::size_t p, std::size_t i, float x) { surfaces.positions[3 * p + i] = x; });
+        copy(layout.instances, 2, [&](std::size_t p, std::size_t i, float x) {
+            const auto half = static_cast<std::uint32_t>(x);
+            ids[p] = i == 0 ? half : ids[p] | half << 16;
+        });
+    }
+}
+
+}  // namespace
 
 Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, int width, int height, int channels)
     : context_(std::move(context)), width_(width), height_(height), channels_(channels) {
@@ -52,9 +84,38 @@ const StokesImage& Framebuffer::image() {
     return *image_;
 }
 
-void Framebuffer::show(StokesImage image, const Statistics& statistics) {
+const SurfacePlanes& Framebuffer::surfaces() {
+    if (!surfaces_) {
+        const Stopwatch watch;
+        SurfacePlanes surfaces(width_, height_, planes_);
+        if (plane_attachments_) {
+            context_->run([&] { unpack(*plane_attachments_, PlaneLayout(planes_), surfaces); });
+        }
+        surfaces_ = std::move(surfaces);
+        statistics_.observe_ms += watch.milliseconds();
+    }
+    return *surfaces_;
+}
+
+std::shared_ptr<gl::RenderTarget> Framebuffer::plane_attachments(std::uint32_t planes) const {
+    if (plane_attachments_ && planes == planes_) return plane_attachments_;
+    return std::make_shared<gl::RenderTarget>(
+        context_, gl::RenderTargetDescription{
+                      .width = width_, .height = height_, .colours = PlaneLayout(planes).attachments()});
+}
+
+void Framebuffer::drew_planes(std::uint32_t planes, std::shared_ptr<gl::RenderTarget> attachments) {
+    planes_ = planes;
+    plane_attachments_ = std::move(attachments);
+    surfaces_.reset();
+}
+
+void Framebuffer::show(StokesImage image, const Statistics& statistics, SurfacePlanes surfaces) {
     image.check("Framebuffer::show: the picture");
-    if (image.width != width_ || image.height != height_ || image.channels != channels_) {
+    surfaces.check("Framebuffer::show: the planes");
+    const bool same_size = surfaces.width == width_ && surfaces.height == height_;
+    if (image.width != width_ || image.height != height_ || image.channels != channels_ ||
+        (surfaces.planes() != 0 && !same_size)) {
         throw Error(ErrorCode::invalid_argument,
                     "Framebuffer::show: the picture must have the framebuffer's size and channels");
     }
@@ -68,6 +129,8 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics) {
     });
     rendered(statistics);
     image_ = std::move(image);
+    drew_planes(surfaces.planes(), nullptr);
+    surfaces_ = std::move(surfaces);
 }
 
 void Framebuffer::rendered(const Statistics& statistics) {

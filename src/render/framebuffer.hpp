@@ -10,6 +10,7 @@
 #include "gl/render_target.hpp"
 #include "nicol/render.hpp"
 #include "nicol/stokes_image.hpp"
+#include "nicol/surface_planes.hpp"
 
 namespace nicol {
 
@@ -33,9 +34,20 @@ public:
     /// The picture in memory, read back on first use after a render.
     [[nodiscard]] const StokesImage& image();
 
-    /// Takes a picture that was made without drawing. Throws Error(invalid_argument) unless it has this size
-    /// and these channels.
-    void show(StokesImage image, const Statistics& statistics);
+    /// Which planes of surfaces the last render left, as bits of PlaneBit.
+    [[nodiscard]] std::uint32_t planes() const noexcept { return planes_; }
+    /// They, in memory, read back on first use after a render.
+    [[nodiscard]] const SurfacePlanes& surfaces();
+
+    /// Takes a picture that was made without drawing, and the planes of its surfaces. Throws
+    /// Error(invalid_argument) unless they have this size and these channels.
+    void show(StokesImage image, const Statistics& statistics, SurfacePlanes surfaces = {});
+
+    /// Where to draw these planes, as PlaneLayout says: attachments that an earlier render left, or new ones.
+    /// Inside run().
+    [[nodiscard]] std::shared_ptr<gl::RenderTarget> plane_attachments(std::uint32_t planes) const;
+    /// To be called once they are drawn; null: no planes. Inside run().
+    void drew_planes(std::uint32_t planes, std::shared_ptr<gl::RenderTarget> attachments);
 
     /// To be called once a render has drawn.
     void rendered(const Statistics& statistics);
@@ -50,6 +62,9 @@ private:
     int channels_;
     std::vector<gl::RenderTarget> groups_;
     std::optional<StokesImage> image_;
+    std::uint32_t planes_ = 0;
+    std::shared_ptr<gl::RenderTarget> plane_attachments_;  // of planes_; null where they were not drawn
+    std::optional<SurfacePlanes> surfaces_;
     Statistics statistics_;
     std::uint64_t content_ = 0;
 };

@@ -57,10 +57,10 @@ std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& ge
     return batches;
 }
 
-Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
+Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)), planes_(context_) {}
 
 void Painter::draw(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
-                   const HighOrdersOfPixels& high_orders, int components, const Projection& projection,
+                   const HighOrdersOfPixels& high_orders, const Wanted& wanted, const Projection& projection,
                    Framebuffer& target) {
     const int channels = target.channels();
     const Binding binding{.buffers = buffers.revision(),
@@ -77,10 +77,12 @@ void Painter::draw(const Scene& scene, const WorldGeometry& geometry, VertexBuff
     }
     environment_ = scene.environment();
     channels_ = channels;
+    planes_.prepare(scene, geometry, buffers, wanted.planes, target);
 
     for (std::size_t g = 0; g < groups_.size(); ++g)
-        draw_surface(scene, high_orders, components, projection, g, target);
-    if (environment_) draw_background(scene, components, projection, target);
+        draw_surface(scene, high_orders, wanted.components, projection, g, target);
+    if (environment_) draw_background(scene, wanted.components, projection, target);
+    planes_.draw(projection, target);
     gl::finish(*context_);
 }
 

@@ -13,6 +13,7 @@
 #include "nicol/scene.hpp"
 #include "render/framebuffer.hpp"
 #include "render/high_order_textures.hpp"
+#include "render/plane_painter.hpp"
 #include "render/projection.hpp"
 #include "render/vertex_buffers.hpp"
 
@@ -30,10 +31,15 @@ public:
         bool physical = false;                        ///< sums are moved into the physical range
     };
 
-    /// `buffers` are of `geometry`. components: that are drawn; the others are 0. Everything that can fail
-    /// for want of memory happens before the framebuffer is touched.
+    struct Wanted {
+        int components = 4;        ///< Stokes components that are drawn; the others are 0
+        std::uint32_t planes = 0;  ///< of surfaces, bits of PlaneBit
+    };
+
+    /// `buffers` are of `geometry`. Everything that can fail for want of memory happens before the
+    /// framebuffer is touched.
     void draw(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
-              const HighOrdersOfPixels& high_orders, int components, const Projection& projection,
+              const HighOrdersOfPixels& high_orders, const Wanted& wanted, const Projection& projection,
               Framebuffer& target);
 
 private:
@@ -77,6 +83,7 @@ private:
     Binding bound_;
     int channels_ = 0;
     EnvironmentPtr environment_;  // that the textures show
+    PlanePainter planes_;
 };
 
 }  // namespace nicol

@@ -52,7 +52,7 @@ void check(const RenderOptions& options) {
 auto values(const RenderOptions& o) {
     return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
                     o.high_orders, o.high_orders_at, o.high_order_shadows, o.tolerance, o.dering, o.physical, o.components,
-                    o.unskipped);
+                    o.planes, o.unskipped);
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
                       {.textures = high_orders != nullptr ? &textures_ : nullptr,
                        .shadowed = high_orders != nullptr && !high_orders->visibility().empty(),
                        .physical = options.physical},
-                      options.components, projection, target);
+                      {.components = options.components, .planes = options.planes}, projection, target);
     });
     statistics.draw_ms = watch.milliseconds();
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Depth, normal, position and instance of a pixel's surface.
+#version 450 core
+
+// ATTACHMENTS: how many there are. NORMALS, DEPTH, POSITIONS, INSTANCES: the first float of each, where it is wanted.
+layout(location = 0) in vec3 vertex_position;
+layout(location = 1) in vec3 vertex_normal;
+layout(location = 0) out vec4 pixel[ATTACHMENTS];
+
+#ifdef DEPTH
+uniform vec3 eye;       // of a camera in the world
+uniform vec3 eye_rest;  // what single precision leaves of it
+uniform vec3 forward;
+#endif
+#ifdef INSTANCES
+uniform uint instance;
+#endif
+
+void main() {
+    float value[4 * ATTACHMENTS];
+    for (int i = 0; i < 4 * ATTACHMENTS; ++i) value[i] = 0.0;
+#ifdef NORMALS
+    // Opposite normals may cancel in between.
+    vec3 normal = dot(vertex_normal, vertex_normal) > 1e-12 ? normalize(vertex_normal) : vec3(0.0);
+    for (int i = 0; i < 3; ++i) value[NORMALS + i] = normal[i];
+#endif
+#ifdef DEPTH
+    precise vec3 way = (vertex_position - eye) - eye_rest;
+    value[DEPTH] = dot(forward, way);
+#endif
+#ifdef POSITIONS
+    for (int i = 0; i < 3; ++i) value[POSITIONS + i] = vertex_position[i];
+#endif
+#ifdef INSTANCES
+    value[INSTANCES] = float(instance & 0xffffu);
+    value[INSTANCES + 1] = float(instance >> 16);
+#endif
+    for (int a = 0; a < ATTACHMENTS; ++a)
+        pixel[a] = vec4(value[4 * a], value[4 * a + 1], value[4 * a + 2], value[4 * a + 3]);
+}
