@@ -150,6 +150,7 @@ typedef struct nicol_context_info {
 NICOL_API nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
 NICOL_API nicol_result nicol_context_retain(nicol_context context);
 NICOL_API nicol_result nicol_context_release(nicol_context context);
+/* What was opened. */
 NICOL_API nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
 
 /* ---------------------------------------------------------------- environment */
@@ -218,12 +219,14 @@ typedef struct nicol_environment_load_options {
 NICOL_API nicol_result nicol_environment_load(nicol_context context, const char* path,
                                               const nicol_environment_load_options* options,
                                               nicol_environment* environment);
+/* From memory. */
 NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                                       nicol_environment* environment);
 /* Unpolarized and the same from everywhere; radiance of count 0: 1 in one channel; finite, not negative. */
 NICOL_API nicol_result nicol_environment_create_constant(nicol_context context,
                                                          const nicol_spectrum* radiance,
                                                          nicol_environment* environment);
+/* A clear sky, without its sun. */
 NICOL_API nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky,
                                                     nicol_environment* environment);
 /* Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
@@ -248,6 +251,7 @@ typedef struct nicol_environment_info {
     { sizeof(nicol_environment_info), 0, 0, 0, 0, 0, {0} }
 /* clang-format on */
 
+/* What the light is made of. */
 NICOL_API nicol_result nicol_environment_get_info(nicol_environment environment,
                                                   nicol_environment_info* info);
 NICOL_API nicol_result nicol_environment_retain(nicol_environment environment);
@@ -272,6 +276,7 @@ typedef struct nicol_pplastic {
 #define NICOL_PPLASTIC_INIT \
     { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0 }
 
+/* NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
 NICOL_API nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
                                                       nicol_material* material);
 /* Lambertian and depolarizing; reflectance NULL or of count 0: 0.5. Front side only. */
@@ -301,6 +306,7 @@ typedef struct nicol_conductor {
       NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT }
 /* clang-format on */
 
+/* Likewise; a metal that is not known is refused with the names of those that are. */
 NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
                                                        const nicol_conductor* parameters,
                                                        nicol_material* material);
@@ -395,6 +401,7 @@ NICOL_API nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mes
 NICOL_API nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh);
 /* [-1, 1]^3. */
 NICOL_API nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh);
+/* Of its vertices and triangles. */
 NICOL_API nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
 NICOL_API nicol_result nicol_mesh_retain(nicol_mesh mesh);
 NICOL_API nicol_result nicol_mesh_release(nicol_mesh mesh);
@@ -436,6 +443,7 @@ typedef struct nicol_instance {
     { sizeof(nicol_instance), 0, 0, 0, {0} }
 /* clang-format on */
 
+/* Empty and dark. */
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 /* A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
  * that override its <default>s. */
@@ -564,6 +572,7 @@ typedef struct nicol_render_options {
  * luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */
 NICOL_API nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height,
                                                 uint32_t channels, nicol_framebuffer* framebuffer);
+/* As it was created. */
 NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width,
                                                   uint32_t* height, uint32_t* channels);
 NICOL_API nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
@@ -623,6 +632,7 @@ typedef struct nicol_statistics {
             0, 0, 0, 0, 0                                                                                    \
     }
 
+/* All zeros before the first render. */
 NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer,
                                                         nicol_statistics* statistics);
 
@@ -738,10 +748,12 @@ typedef struct nicol_psh_sampling {
  * context; holds its work space: after creation no call allocates. Calls on one transform take turns. */
 typedef struct nicol_psh_transform_impl* nicol_psh_transform;
 
+/* NICOL_ERROR_INVALID_ARGUMENT where the sampling is too coarse for the order. */
 NICOL_API nicol_result nicol_psh_transform_create(const nicol_psh_sampling* sampling,
                                                   nicol_psh_transform* transform);
 NICOL_API nicol_result nicol_psh_transform_retain(nicol_psh_transform transform);
 NICOL_API nicol_result nicol_psh_transform_release(nicol_psh_transform transform);
+/* Of its grid. */
 NICOL_API nicol_result nicol_psh_transform_get_size(nicol_psh_transform transform, uint32_t* rows,
                                                     uint32_t* columns);
 /* theta of each row, and the weights of the integral over cos theta, which sum to 2; count = rows. */

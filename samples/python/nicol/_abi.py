@@ -456,6 +456,7 @@ class Context(Handle):
         return context
 
     def get_info(self):
+        """What was opened."""
         info = ContextInfo()
         check(_context_get_info(self, byref(info)))
         return info
@@ -480,6 +481,7 @@ class Environment(Handle):
 
     @classmethod
     def create_image(cls, context, image):
+        """From memory."""
         image = lend(image)
         environment = cls()
         check(_environment_create_image(context, byref(image) if image is not None else None, byref(environment)))
@@ -495,6 +497,7 @@ class Environment(Handle):
 
     @classmethod
     def create_sky(cls, context, sky):
+        """A clear sky, without its sun."""
         environment = cls()
         check(_environment_create_sky(context, byref(sky) if sky is not None else None, byref(environment)))
         return environment
@@ -511,6 +514,7 @@ class Environment(Handle):
         return environment
 
     def get_info(self):
+        """What the light is made of."""
         info = EnvironmentInfo()
         check(_environment_get_info(self, byref(info)))
         return info
@@ -525,6 +529,7 @@ class Material(Handle):
 
     @classmethod
     def create_pplastic(cls, context, parameters):
+        """NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
         material = cls()
         check(_material_create_pplastic(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
@@ -539,6 +544,7 @@ class Material(Handle):
 
     @classmethod
     def create_conductor(cls, context, parameters):
+        """Likewise; a metal that is not known is refused with the names of those that are."""
         material = cls()
         check(_material_create_conductor(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
@@ -622,6 +628,7 @@ class Mesh(Handle):
         return mesh
 
     def get_size(self):
+        """Of its vertices and triangles."""
         vertices = c_uint32()
         triangles = c_uint32()
         check(_mesh_get_size(self, byref(vertices), byref(triangles)))
@@ -633,6 +640,7 @@ class Scene(Handle):
 
     @classmethod
     def create(cls, context):
+        """Empty and dark."""
         scene = cls()
         check(_scene_create(context, byref(scene)))
         return scene
@@ -705,6 +713,7 @@ class Framebuffer(Handle):
         return framebuffer
 
     def get_size(self):
+        """As it was created."""
         width = c_uint32()
         height = c_uint32()
         channels = c_uint32()
@@ -712,6 +721,7 @@ class Framebuffer(Handle):
         return width.value, height.value, channels.value
 
     def get_statistics(self):
+        """All zeros before the first render."""
         statistics = Statistics()
         check(_framebuffer_get_statistics(self, byref(statistics)))
         return statistics
@@ -741,11 +751,13 @@ class PshTransform(Handle):
 
     @classmethod
     def create(cls, sampling):
+        """NICOL_ERROR_INVALID_ARGUMENT where the sampling is too coarse for the order."""
         transform = cls()
         check(_psh_transform_create(byref(sampling) if sampling is not None else None, byref(transform)))
         return transform
 
     def get_size(self):
+        """Of its grid."""
         rows = c_uint32()
         columns = c_uint32()
         check(_psh_transform_get_size(self, byref(rows), byref(columns)))

@@ -979,6 +979,7 @@ extern "C" {
     pub fn nicol_context_create(options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
     pub fn nicol_context_retain(context: nicol_context) -> nicol_result;
     pub fn nicol_context_release(context: nicol_context) -> nicol_result;
+    /// What was opened.
     pub fn nicol_context_get_info(context: nicol_context, info: *mut nicol_context_info) -> nicol_result;
     /// By the path:
     ///   NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
@@ -989,21 +990,26 @@ extern "C" {
     ///   NAME.npz      PSH coefficients as polarsh writes them (SHVec).
     /// options may be NULL: all defaults.
     pub fn nicol_environment_load(context: nicol_context, path: *const c_char, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
+    /// From memory.
     pub fn nicol_environment_create_image(context: nicol_context, image: *const nicol_image, environment: *mut nicol_environment) -> nicol_result;
     /// Unpolarized and the same from everywhere; radiance of count 0: 1 in one channel; finite, not negative.
     pub fn nicol_environment_create_constant(context: nicol_context, radiance: *const nicol_spectrum, environment: *mut nicol_environment) -> nicol_result;
+    /// A clear sky, without its sun.
     pub fn nicol_environment_create_sky(context: nicol_context, sky: *const nicol_sky, environment: *mut nicol_environment) -> nicol_result;
     /// Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
     /// as "mathematics" below says; order up to NICOL_PSH_MAX_ORDER, channels 1 to NICOL_MAX_CHANNELS, count =
     /// channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
     /// below 0 and more polarization than light.
     pub fn nicol_environment_create_psh(context: nicol_context, order: u32, channels: u32, coefficients: *const f64, count: u64, environment: *mut nicol_environment) -> nicol_result;
+    /// What the light is made of.
     pub fn nicol_environment_get_info(environment: nicol_environment, info: *mut nicol_environment_info) -> nicol_result;
     pub fn nicol_environment_retain(environment: nicol_environment) -> nicol_result;
     pub fn nicol_environment_release(environment: nicol_environment) -> nicol_result;
+    /// NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
     pub fn nicol_material_create_pplastic(context: nicol_context, parameters: *const nicol_pplastic, material: *mut nicol_material) -> nicol_result;
     /// Lambertian and depolarizing; reflectance NULL or of count 0: 0.5. Front side only.
     pub fn nicol_material_create_diffuse(context: nicol_context, reflectance: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
+    /// Likewise; a metal that is not known is refused with the names of those that are.
     pub fn nicol_material_create_conductor(context: nicol_context, parameters: *const nicol_conductor, material: *mut nicol_material) -> nicol_result;
     /// Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 52 MB
     /// stay in memory for each channel at the data set's resolution. options may be NULL: all defaults. Front side
@@ -1031,11 +1037,13 @@ extern "C" {
     pub fn nicol_mesh_create_rectangle(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
     /// [-1, 1]^3.
     pub fn nicol_mesh_create_cube(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
+    /// Of its vertices and triangles.
     pub fn nicol_mesh_get_size(mesh: nicol_mesh, vertices: *mut u32, triangles: *mut u32) -> nicol_result;
     pub fn nicol_mesh_retain(mesh: nicol_mesh) -> nicol_result;
     pub fn nicol_mesh_release(mesh: nicol_mesh) -> nicol_result;
     /// A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view.
     pub fn nicol_camera_look_at(camera: *mut nicol_camera, origin: *const [f64; 3], target: *const [f64; 3], up: *const [f64; 3]) -> nicol_result;
+    /// Empty and dark.
     pub fn nicol_scene_create(context: nicol_context, scene: *mut nicol_scene) -> nicol_result;
     /// A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
     /// that override its <default>s.
@@ -1064,6 +1072,7 @@ extern "C" {
     /// width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
     /// luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component.
     pub fn nicol_framebuffer_create(context: nicol_context, width: u32, height: u32, channels: u32, framebuffer: *mut nicol_framebuffer) -> nicol_result;
+    /// As it was created.
     pub fn nicol_framebuffer_get_size(framebuffer: nicol_framebuffer, width: *mut u32, height: *mut u32, channels: *mut u32) -> nicol_result;
     pub fn nicol_framebuffer_retain(framebuffer: nicol_framebuffer) -> nicol_result;
     pub fn nicol_framebuffer_release(framebuffer: nicol_framebuffer) -> nicol_result;
@@ -1074,6 +1083,7 @@ extern "C" {
     /// method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
     /// NICOL_ERROR_OUT_OF_MEMORY.
     pub fn nicol_render(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer) -> nicol_result;
+    /// All zeros before the first render.
     pub fn nicol_framebuffer_get_statistics(framebuffer: nicol_framebuffer, statistics: *mut nicol_statistics) -> nicol_result;
     /// Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
     /// byte_size is what pixels has room for.
@@ -1094,9 +1104,11 @@ extern "C" {
     /// A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
     /// asks for the number of channels alone.
     pub fn nicol_psh_project_file(path: *const c_char, order: u32, channels: *mut u32, coefficients: *mut f64, count: u64) -> nicol_result;
+    /// NICOL_ERROR_INVALID_ARGUMENT where the sampling is too coarse for the order.
     pub fn nicol_psh_transform_create(sampling: *const nicol_psh_sampling, transform: *mut nicol_psh_transform) -> nicol_result;
     pub fn nicol_psh_transform_retain(transform: nicol_psh_transform) -> nicol_result;
     pub fn nicol_psh_transform_release(transform: nicol_psh_transform) -> nicol_result;
+    /// Of its grid.
     pub fn nicol_psh_transform_get_size(transform: nicol_psh_transform, rows: *mut u32, columns: *mut u32) -> nicol_result;
     /// theta of each row, and the weights of the integral over cos theta, which sum to 2; count = rows.
     pub fn nicol_psh_transform_get_rows(transform: nicol_psh_transform, theta: *mut f64, weight: *mut f64, count: u64) -> nicol_result;
