@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Framebuffers, and what is read from them.
+// Framebuffers, and files of what is in them.
 #include <numbers>
 
 #include "handles.hpp"
@@ -32,37 +32,6 @@ Picture picture_of(const StokesImage& image, const nicol_picture& wanted) {
                    "; it must be one of NICOL_PICTURE_...");
     }
 }
-
-// The rows of one plane, as floats in the caller's memory.
-class PlaneWriter {
-public:
-    PlaneWriter(const StokesImage& image, std::size_t floats_per_pixel, float* pixels, std::uint64_t stride,
-                std::uint64_t byte_size)
-        : row_(static_cast<std::size_t>(image.width) * floats_per_pixel), pixels_(pixels) {
-        require(pixels, "pixels");
-        const std::uint64_t row_bytes = row_ * sizeof(float);
-        stride_ = stride == 0 ? row_bytes : stride;
-        if (stride_ < row_bytes || stride_ % sizeof(float) != 0 || stride_ > (std::uint64_t{1} << 40)) {
-            refuse("row_stride is " + std::to_string(stride_) + "; a row takes " + std::to_string(row_bytes) +
-                   " bytes, and strides are multiples of 4");
-        }
-        const std::uint64_t needed = stride_ * static_cast<std::uint64_t>(image.height - 1) + row_bytes;
-        if (byte_size < needed) {
-            refuse("byte_size is " + std::to_string(byte_size) + "; the plane takes " +
-                   std::to_string(needed) + " bytes");
-        }
-    }
-
-    [[nodiscard]] float* row(int y) const {
-        return pixels_ + static_cast<std::size_t>(y) * (stride_ / sizeof(float));
-    }
-    [[nodiscard]] std::size_t row_floats() const { return row_; }
-
-private:
-    std::size_t row_;
-    float* pixels_;
-    std::uint64_t stride_ = 0;
-};
 
 }  // namespace
 
@@ -106,43 +75,6 @@ nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer) {
     return release(framebuffer);
 }
 
-nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel,
-                                    float* pixels, uint64_t row_stride, uint64_t byte_size) {
-    return guarded([&] {
-        const nicol_framebuffer_impl& self = resolve(framebuffer);
-        if (plane > NICOL_PLANE_AOLP) {
-            refuse("plane is " + std::to_string(plane) + "; it must be one of NICOL_PLANE_...");
-        }
-        if (channel >= static_cast<uint32_t>(self.content->channels())) {
-            refuse("channel is " + std::to_string(channel) + "; the framebuffer has " +
-                   std::to_string(self.content->channels()) + ", counted from 0");
-        }
-        const Turn turn(self.session);
-        const StokesImage& image = self.content->image();
-        const Stopwatch watch;
-        const PlaneWriter out(image, plane == NICOL_PLANE_STOKES ? 4 : 1, pixels, row_stride, byte_size);
-        const auto c = static_cast<int>(channel);
-        if (plane == NICOL_PLANE_DOLP || plane == NICOL_PLANE_AOLP) {
-            const Plane values = plane == NICOL_PLANE_DOLP ? dolp(image, c) : aolp(image, c);
-            for (int y = 0; y < image.height; ++y) {
-                std::copy_n(values.values.data() + static_cast<std::size_t>(y) * out.row_floats(),
-                            out.row_floats(), out.row(y));
-            }
-        } else {
-            for (int y = 0; y < image.height; ++y) {
-                const float* from = image.at(c, y, 0).data();
-                float* to = out.row(y);
-                if (plane == NICOL_PLANE_STOKES) {
-                    std::copy_n(from, out.row_floats(), to);
-                    continue;
-                }
-                for (std::size_t x = 0; x < out.row_floats(); ++x) to[x] = from[4 * x + plane];
-            }
-        }
-        self.content->statistics().observe_ms += watch.milliseconds();
-    });
-}
-
 nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
@@ -150,7 +82,8 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
         const Turn turn(self.session);
         const StokesImage& image = self.content->image();
         const Stopwatch watch;
-        write_exr(path, image);
+        const SurfacePlanes* surfaces = self.content->planes() != 0 ? &self.content->surfaces() : nullptr;
+        write_exr(path, image, {.surfaces = surfaces});
         self.content->statistics().observe_ms += watch.milliseconds();
     });
 }

@@ -118,10 +118,28 @@ typedef uint32_t nicol_backend;
 #define NICOL_BACKEND_EGL 1
 #define NICOL_BACKEND_OSMESA 2
 
+/* How many devices nicol_context_options.device can name: those that EGL lists, which no count of CUDA's or
+ * the kernel's follows. 0 where there is no EGL. The list changes where devices and drivers come and go. */
+NICOL_API nicol_result nicol_device_count(uint32_t* count);
+
+typedef struct nicol_device_info {
+    uint32_t struct_size;
+    uint32_t software; /* 1 where OpenGL would run on the CPU */
+    const char*
+        name; /* its driver's, or what else tells it from others; lives as long as the library, as all here */
+    const char* vendor; /* "" where EGL does not say */
+    const char* file;   /* of the kernel's, such as /dev/dri/renderD128; "" where it has none */
+} nicol_device_info;
+#define NICOL_DEVICE_INFO_INIT \
+    { sizeof(nicol_device_info), 0, 0, 0, 0 }
+
+/* device from 1 to nicol_device_count's. No context is made: the driver may yet fail to make one. */
+NICOL_API nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info);
+
 typedef struct nicol_context_options {
     uint32_t struct_size;
     nicol_backend backend;  /* an explicit choice never falls back to another */
-    uint32_t device;        /* 0: choose; n: EGL device n - 1; at most 1024 */
+    uint32_t device;        /* 0: choose; n: that of nicol_device_get_info, EGL's n - 1; at most 1024 */
     uint32_t threads;       /* 0: one a core, which is also the most that are used; at most 1024 */
     nicol_log_callback log; /* NULL: silent. May be called on any thread. */
     void* log_user;
@@ -222,7 +240,8 @@ NICOL_API nicol_result nicol_environment_load(nicol_context context, const char*
 /* From memory. */
 NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                                       nicol_environment* environment);
-/* Unpolarized and the same from everywhere; radiance of count 0: 1 in one channel; finite, not negative. */
+/* Unpolarized and the same from everywhere; radiance NULL or of count 0: 1 in one channel; finite, not
+ * negative. */
 NICOL_API nicol_result nicol_environment_create_constant(nicol_context context,
                                                          const nicol_spectrum* radiance,
                                                          nicol_environment* environment);
@@ -519,6 +538,15 @@ typedef uint32_t nicol_executor;
 #define NICOL_SKIP_UNOCCLUDED 64u      /* shadows of vertices that see all above their horizon */
 #define NICOL_SKIP_ALL 127u
 
+/* Planes that a render makes beside the picture, whatever its method: NICOL_PLANE_DEPTH, _NORMAL, _POSITION
+ * and _INSTANCE tell what each holds. They are of the surface that the ray through a pixel's centre meets
+ * first. */
+#define NICOL_PLANES_DEPTH 1u
+#define NICOL_PLANES_NORMALS 2u
+#define NICOL_PLANES_POSITIONS 4u
+#define NICOL_PLANES_INSTANCES 8u
+#define NICOL_PLANES_ALL 15u
+
 /* Stokes components that a picture has; the others are 0. */
 typedef uint32_t nicol_components;
 #define NICOL_COMPONENTS_ALL 0
@@ -563,7 +591,7 @@ typedef struct nicol_render_options {
     int32_t
         high_order_shadows; /* whether shadows dim the high orders by the part of their lobe that they leave
                                visible; 0: the default, which is on; 1: on; -1: off: unshadowed highlights */
-    uint32_t reserved_2;    /* 0 */
+    uint32_t planes;        /* sum of NICOL_PLANES_... that are to be made; none costs nothing. 0: none */
 } nicol_render_options;
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
@@ -647,17 +675,56 @@ typedef uint32_t nicol_plane;
 #define NICOL_PLANE_DOLP 5   /* degree of linear polarization; 0 where s0 <= 0 */
 /* Angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right. */
 #define NICOL_PLANE_AOLP 6
+/* The following are there only where the last render into the framebuffer was asked for them
+ * (NICOL_PLANES_...), and have no colour channels. */
+#define NICOL_PLANE_DEPTH 7 /* distance along the camera's +z; +infinity where there is no surface */
+#define NICOL_PLANE_NORMAL                                                                  \
+    8 /* three numbers a pixel: the unit shading normal in the world, of a surface with two \
+         sides on the one that is seen, of others on the front; 0 without a surface */
+#define NICOL_PLANE_POSITION 9  /* three numbers a pixel: the point in the world; 0 without a surface */
+#define NICOL_PLANE_INSTANCE 10 /* a uint32_t a pixel: the instance's id, or NICOL_NO_INSTANCE */
+#define NICOL_NO_INSTANCE 0xffffffffu
 
 /* Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
- * byte_size is what pixels has room for. */
+ * byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
+ * NICOL_PLANE_INSTANCE, which holds no floats. */
 NICOL_API nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane,
                                               uint32_t channel, float* pixels, uint64_t row_stride,
                                               uint64_t byte_size);
+
+typedef uint32_t nicol_format;
+#define NICOL_FORMAT_AUTOMATIC 0 /* float32, and uint32 of NICOL_PLANE_INSTANCE */
+#define NICOL_FORMAT_FLOAT32 1
+#define NICOL_FORMAT_FLOAT16                                                               \
+    2 /* IEEE 754 half precision, rounded to the nearest, ties to even; beyond 65504 it is \
+         infinite, below 2^-24 in steps of that: scale the light where that matters */
+#define NICOL_FORMAT_UINT32 3 /* of NICOL_PLANE_INSTANCE alone */
+
+#define NICOL_ALL_CHANNELS 0xffffffffu
+
+typedef struct nicol_plane_buffer {
+    uint32_t struct_size;
+    nicol_plane plane;
+    nicol_format format;
+    uint32_t channel;    /* counted from 0; NICOL_ALL_CHANNELS: every one, interleaved. 0 of planes without
+                            channels */
+    void* pixels;        /* [row][column][channel][component], first row at the top; aligned to its numbers */
+    uint64_t row_stride; /* bytes from row to row, a multiple of a number's; 0: tightly packed */
+    uint64_t byte_size;  /* of what pixels has room for; checked */
+} nicol_plane_buffer;
+#define NICOL_PLANE_BUFFER_INIT \
+    { sizeof(nicol_plane_buffer), 0, 0, 0, 0, 0, 0 }
+
+/* Copies a plane in the format and of the channels that `to` asks for; only the rows are written. A call that
+ * fails writes nothing. */
+NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer,
+                                                    const nicol_plane_buffer* to);
 /* clang-format off */
 /* Channels of 32-bit floats, named by the number of colour channels:
  *   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
  *   1             Y (which is s0) and S0.Y to S3.Y
- *   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ... */
+ *   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
+ * and of the planes that the last render was asked for Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned). */
 /* clang-format on */
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 

@@ -134,6 +134,16 @@ int components_from(nicol_components given) {
     }
 }
 
+static_assert(NICOL_PLANES_DEPTH == plane_depth && NICOL_PLANES_NORMALS == plane_normals &&
+              NICOL_PLANES_POSITIONS == plane_positions && NICOL_PLANES_INSTANCES == plane_instances);
+
+std::uint32_t planes_from(std::uint32_t given) {
+    if ((given & ~NICOL_PLANES_ALL) != 0) {
+        refuse("planes is " + std::to_string(given) + "; it must be a sum of NICOL_PLANES_...");
+    }
+    return given;
+}
+
 RenderOptions options_from(const nicol_render_options& given) {
     RenderOptions options;
     options.method = method_from(given.method);
@@ -153,6 +163,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.physical = given.physical == 1;
     options.tolerance = given.tolerance;
     options.components = components_from(given.components);
+    options.planes = planes_from(given.planes);
     options.unskipped = given.unskipped;
     options.progress = progress_from(given);
     return options;
@@ -164,10 +175,13 @@ void render_by_reference(const Session& session, const Scene& scene, const Camer
                                    .shadows = switch_from(given.shadows, "shadows"),
                                    .seed = given.seed,
                                    .threads = session.threads,
+                                   .planes = planes_from(given.planes),
                                    .progress = progress_from(given)};
     ReferenceStatistics traced;
-    StokesImage image = render_reference(scene, project(camera, target.width(), target.height()),
-                                         target.width(), target.height(), options, traced);
+    SurfacePlanes surfaces;
+    StokesImage image =
+        render_reference(scene, project(camera, target.width(), target.height()), target.width(),
+                         target.height(), options, traced, Strategy::both, &surfaces);
     Statistics statistics;
     for (const Instance& instance : scene.instances()) statistics.vertices += instance.mesh->positions.size();
     statistics.triangles = traced.triangles;
@@ -177,7 +191,7 @@ void render_by_reference(const Session& session, const Scene& scene, const Camer
     statistics.shadow_rays = traced.shadow_rays;
     statistics.texture_bytes = texture_bytes(*target.context());
     const Stopwatch watch;
-    target.show(std::move(image), statistics);
+    target.show(std::move(image), statistics, std::move(surfaces));
     target.statistics().draw_ms = watch.milliseconds();
 }
 
@@ -213,9 +227,10 @@ void render_luminance(const Session& session, SceneState& state, const Camera& c
     }
     render_by(given.method, session, state, camera, given, *colours);
     const StokesImage& image = colours->image();
+    const SurfacePlanes& surfaces = colours->surfaces();
     const Stopwatch watch;
     Statistics statistics = colours->statistics();
-    target.show(luminance(image), statistics);
+    target.show(luminance(image), statistics, surfaces);
     target.statistics().observe_ms = 0;
     target.statistics().draw_ms += statistics.observe_ms + watch.milliseconds();
 }

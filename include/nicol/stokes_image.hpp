@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nicol/stokes.hpp"
+#include "nicol/surface_planes.hpp"
 
 namespace nicol {
 
@@ -63,6 +64,9 @@ struct ExrOptions {
         "counter-clockwise from x; s3 > 0 right circular";
     /// String attribute `comments`; none if empty.
     std::string comment{};
+    /// Planes of the picture's size that get channels too, null: none. Depth as Z, normals as N.X N.Y N.Z,
+    /// positions as P.X P.Y P.Z, instances as the uint channel id.
+    const SurfacePlanes* surfaces = nullptr;
 };
 
 /// Writes float32 channels, p = 0..3:

@@ -17,6 +17,13 @@ typedef struct nicol_spectrum {
     float values[16];
 } nicol_spectrum;
 typedef uint32_t nicol_backend;
+typedef struct nicol_device_info {
+    uint32_t struct_size;
+    uint32_t software;
+    const char* name;
+    const char* vendor;
+    const char* file;
+} nicol_device_info;
 typedef struct nicol_context_options {
     uint32_t struct_size;
     nicol_backend backend;
@@ -159,7 +166,7 @@ typedef struct nicol_render_options {
     nicol_components components;
     uint32_t unskipped;
     int32_t high_order_shadows;
-    uint32_t reserved_2;
+    uint32_t planes;
 } nicol_render_options;
 typedef struct nicol_statistics {
     uint32_t struct_size;
@@ -195,6 +202,16 @@ typedef struct nicol_statistics {
     double predicted_error;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
+typedef uint32_t nicol_format;
+typedef struct nicol_plane_buffer {
+    uint32_t struct_size;
+    nicol_plane plane;
+    nicol_format format;
+    uint32_t channel;
+    void* pixels;
+    uint64_t row_stride;
+    uint64_t byte_size;
+} nicol_plane_buffer;
 typedef uint32_t nicol_picture_kind;
 typedef struct nicol_picture {
     uint32_t struct_size;
@@ -284,6 +301,8 @@ const char* nicol_version_string(void);
 const char* nicol_build_info(uint32_t index);
 const char* nicol_last_error(void);
 const char* nicol_result_name(nicol_result result);
+nicol_result nicol_device_count(uint32_t* count);
+nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info);
 nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
 nicol_result nicol_context_retain(nicol_context context);
 nicol_result nicol_context_release(nicol_context context);
@@ -332,6 +351,7 @@ nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options, nicol_framebuffer framebuffer);
 nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics);
 nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel, float* pixels, uint64_t row_stride, uint64_t byte_size);
+nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to);
 nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_picture* picture, const char* path);
 nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients, uint64_t count);
@@ -419,6 +439,11 @@ return {
         SKIP_HIDDEN = 32,
         SKIP_UNOCCLUDED = 64,
         SKIP_ALL = 127,
+        PLANES_DEPTH = 1,
+        PLANES_NORMALS = 2,
+        PLANES_POSITIONS = 4,
+        PLANES_INSTANCES = 8,
+        PLANES_ALL = 15,
         COMPONENTS_ALL = 0,
         COMPONENTS_S0 = 1,
         COMPONENTS_LINEAR = 3,
@@ -429,6 +454,16 @@ return {
         PLANE_STOKES = 4,
         PLANE_DOLP = 5,
         PLANE_AOLP = 6,
+        PLANE_DEPTH = 7,
+        PLANE_NORMAL = 8,
+        PLANE_POSITION = 9,
+        PLANE_INSTANCE = 10,
+        NO_INSTANCE = 4294967295,
+        FORMAT_AUTOMATIC = 0,
+        FORMAT_FLOAT32 = 1,
+        FORMAT_FLOAT16 = 2,
+        FORMAT_UINT32 = 3,
+        ALL_CHANNELS = 4294967295,
         PICTURE_S0 = 0,
         PICTURE_S1 = 1,
         PICTURE_S2 = 2,
@@ -453,6 +488,8 @@ return {
     },
     -- Functions that answer with a result code, and the handle that comes back through the last pointer.
     results = {
+        device_count = true,
+        device_get_info = true,
         context_create = "nicol_context",
         context_get_info = true,
         environment_load = "nicol_environment",
@@ -489,6 +526,7 @@ return {
         render = true,
         framebuffer_get_statistics = true,
         framebuffer_read = true,
+        framebuffer_read_plane = true,
         framebuffer_write_exr = true,
         framebuffer_write_png = true,
         psh_project_image = true,
@@ -523,6 +561,7 @@ return {
     -- Descriptors, and whether they begin with struct_size.
     structs = {
         spectrum = false,
+        device_info = true,
         context_options = true,
         context_info = true,
         image = true,
@@ -538,6 +577,7 @@ return {
         instance = true,
         render_options = true,
         statistics = true,
+        plane_buffer = true,
         picture = true,
         psh_sampling = true,
         psh_mueller_field = true,

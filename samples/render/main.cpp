@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <string>
 
 #include "common/handles.hpp"
 #include "options.hpp"
@@ -23,6 +24,7 @@ void log(void* user, std::uint32_t severity, nicol_result, const char* message) 
 Context make_context(const Options& options, ProgressBar& progress) {
     nicol_context_options wanted = NICOL_CONTEXT_OPTIONS_INIT;
     wanted.backend = options.backend;
+    wanted.device = options.device;
     wanted.log = log;
     wanted.log_user = &progress;
     wanted.cache_folder = options.cache.c_str();
@@ -66,6 +68,7 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.high_orders_at = options.high_orders_at;
     wanted.tolerance = options.tolerance;
     wanted.components = options.components;
+    wanted.planes = options.planes;
     wanted.shadows = options.shadows ? 1 : -1;
     wanted.bake_directions = options.bake_directions;
     wanted.dering = options.dering;
@@ -118,6 +121,20 @@ void print_version() {
     for (std::uint32_t i = 0; const char* fact = nicol_build_info(i); ++i) std::printf("%s\n", fact);
 }
 
+void list_devices() {
+    std::uint32_t count = 0;
+    check(nicol_device_count(&count));
+    for (std::uint32_t device = 1; device <= count; ++device) {
+        nicol_device_info info = NICOL_DEVICE_INFO_INIT;
+        check(nicol_device_get_info(device, &info));
+        const std::string vendor = *info.vendor != '\0' ? std::string(info.vendor) + ", " : "";
+        const std::string file =
+            *info.file != '\0' && std::string(info.file) != info.name ? std::string(", ") + info.file : "";
+        std::printf("%u: %s%s%s%s\n", device, vendor.c_str(), info.name, file.c_str(),
+                    info.software != 0 ? ", runs on the CPU" : "");
+    }
+}
+
 void run(const Options& options) {
     require_replaceable(options.output);
     ProgressBar progress;
@@ -139,6 +156,8 @@ int main(int argc, char** argv) {
             std::fputs(usage, stdout);
         else if (options.action == Options::Action::version)
             print_version();
+        else if (options.action == Options::Action::list_devices)
+            list_devices();
         else
             run(options);
         return 0;

@@ -14,6 +14,10 @@ const char* const usage =
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
     "      --pictures DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
+    "      --device N           the device to use, of those that --list-devices shows\n"
+    "      --list-devices       shows the devices that OpenGL can be opened on\n"
+    "      --planes NAMES       also writes planes of the surfaces: depth, normals, positions, ids or\n"
+    "                           several of them with commas in between\n"
     "      --method NAME        factored or dense, in real time, or reference, by rays: slow and noisy\n"
     "      --executor NAME      where relight and shade run: cpu (threads), compute (shaders) or automatic,\n"
     "                           which is compute where OpenGL does not run on the CPU; default automatic\n"
@@ -95,6 +99,27 @@ nicol_backend parse_backend(std::string_view text) {
     throw Failure("--backend: '" + std::string(text) + "' is neither egl nor osmesa");
 }
 
+std::uint32_t parse_planes(std::string_view text) {
+    std::uint32_t planes = 0;
+    for (bool more = true; more;) {
+        const std::size_t comma = text.find(',');
+        const std::string_view name = text.substr(0, comma);
+        if (name == "depth")
+            planes |= NICOL_PLANES_DEPTH;
+        else if (name == "normals")
+            planes |= NICOL_PLANES_NORMALS;
+        else if (name == "positions")
+            planes |= NICOL_PLANES_POSITIONS;
+        else if (name == "ids")
+            planes |= NICOL_PLANES_INSTANCES;
+        else
+            throw Failure("--planes: '" + std::string(name) + "' is none of: depth, normals, positions, ids");
+        more = comma != std::string_view::npos;
+        if (more) text.remove_prefix(comma + 1);
+    }
+    return planes;
+}
+
 nicol_method parse_method(std::string_view text) {
     if (text == "factored") return NICOL_METHOD_FACTORED;
     if (text == "dense") return NICOL_METHOD_DENSE;
@@ -166,6 +191,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.action = Options::Action::help;
         else if (name == "--version")
             options.action = Options::Action::version;
+        else if (name == "--list-devices" && !attached)
+            options.action = Options::Action::list_devices;
         else if (name == "-o" || name == "--output")
             options.output = path();
         else if (name == "-D" || name == "--define")
@@ -174,6 +201,10 @@ Options parse_options(int argc, const char* const* argv) {
             options.pictures = path();
         else if (name == "--backend")
             options.backend = parse_backend(value());
+        else if (name == "--device")
+            options.device = parse_count(name, value(), 1, 1024);
+        else if (name == "--planes")
+            options.planes = parse_planes(value());
         else if (name == "--method")
             options.method = parse_method(value());
         else if (name == "--executor")

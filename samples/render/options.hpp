@@ -12,7 +12,7 @@
 #include "common/failure.hpp"
 
 struct Options {
-    enum class Action { render, help, version };
+    enum class Action { render, help, version, list_devices };
     Action action = Action::render;
     std::string scene;
     std::string output;
@@ -20,6 +20,8 @@ struct Options {
     std::string pictures;                  ///< folder, empty: none
     std::string stats;                     ///< file, empty: none
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
+    std::uint32_t device = 0;  ///< of the library's list, 0: any
+    std::uint32_t planes = 0;  ///< NICOL_PLANES_...
     nicol_method method = NICOL_METHOD_FACTORED;
     nicol_executor executor = NICOL_EXECUTOR_AUTOMATIC;
     std::optional<std::int32_t> order_low, order_high;

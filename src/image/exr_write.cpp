@@ -9,10 +9,13 @@
 #include <ImfStringAttribute.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "files/atomic_file.hpp"
@@ -42,6 +45,12 @@ private:
     std::FILE* file_;
 };
 
+/// A frame buffer serves reading too and therefore wants a mutable pointer; writing only reads it.
+template <class Number>
+char* writable(const Number* values) {
+    return reinterpret_cast<char*>(const_cast<Number*>(values));
+}
+
 /// What stands behind "S<p>." for each channel.
 std::vector<std::string> exr_colours(const StokesImage& image) {
     std::vector<std::string> colours;
@@ -51,6 +60,25 @@ std::vector<std::string> exr_colours(const StokesImage& image) {
     if (image.channels == 3) return {"R", "G", "B"};
     for (int c = 0; c < image.channels; ++c) colours.push_back(std::to_string(c));
     return colours;
+}
+
+void insert_surfaces(const SurfacePlanes& surfaces, Imf::Header& header, Imf::FrameBuffer& buffer) {
+    const auto insert = [&]<class Number>(const char* name, const std::vector<Number>& plane,
+                                          std::size_t component, std::size_t components) {
+        if (plane.empty()) return;
+        constexpr Imf::PixelType type = std::is_same_v<Number, float> ? Imf::FLOAT : Imf::UINT;
+        header.channels().insert(name, Imf::Channel(type));
+        const std::size_t pixel_bytes = components * sizeof(Number);
+        buffer.insert(name, Imf::Slice(type, writable(plane.data() + component), pixel_bytes,
+                                       static_cast<std::size_t>(surfaces.width) * pixel_bytes));
+    };
+    insert("Z", surfaces.depth, 0, 1);
+    insert("id", surfaces.instances, 0, 1);
+    static constexpr std::array axes{"X", "Y", "Z"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        insert((std::string("N.") + axes[i]).c_str(), surfaces.normals, i, 3);
+        insert((std::string("P.") + axes[i]).c_str(), surfaces.positions, i, 3);
+    }
 }
 
 }  // namespace
@@ -66,6 +94,13 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
                     "write_exr: each wavelength must be larger than the one before");
     if ((options.components & ~kStokesAll) != 0)
         throw Error(ErrorCode::invalid_argument, "write_exr: components has bits beyond s0..s3 (0b1111)");
+
+    if (options.surfaces != nullptr) {
+        options.surfaces->check("write_exr: surfaces");
+        if (options.surfaces->width != image.width || options.surfaces->height != image.height)
+            throw Error(ErrorCode::invalid_argument,
+                        "write_exr: surfaces must have the picture's width and height");
+    }
 
     Imf::Header header(image.width, image.height);
     header.compression() = Imf::ZIP_COMPRESSION;
@@ -87,9 +122,7 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
     const auto insert = [&](const std::string& name, int channel, std::size_t component) {
         header.channels().insert(name, Imf::Channel(Imf::FLOAT));
         const float* base = image.data.data() + static_cast<std::size_t>(channel) * plane_floats + component;
-        // A frame buffer serves reading too and therefore wants a mutable pointer; writing only reads it.
-        buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(base)),
-                                       pixel_bytes, row_bytes));
+        buffer.insert(name, Imf::Slice(Imf::FLOAT, writable(base), pixel_bytes, row_bytes));
     };
     const std::vector<std::string> colours = exr_colours(image);
     const bool preview = image.wavelengths.empty() && (image.channels == 1 || image.channels == 3);
@@ -100,6 +133,8 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
             if ((options.components >> p & 1u) != 0 || (p == 0 && !preview))
                 insert(exr_channel(p, colour), c, p);
     }
+
+    if (options.surfaces != nullptr) insert_surfaces(*options.surfaces, header, buffer);
 
     AtomicFile file(path);
     try {

@@ -116,7 +116,8 @@ TEST_CASE("planes that do not fit are refused and nothing is written") {
               "row_stride");
         FAILS(read(NICOL_PLANE_S0, 0, std::uint64_t{1} << 62, 6144), NICOL_ERROR_INVALID_ARGUMENT,
               "row_stride");
-        FAILS(read(7, 0, 0, 6144), NICOL_ERROR_INVALID_ARGUMENT, "plane");
+        FAILS(read(7, 0, 0, 6144), NICOL_ERROR_INVALID_ARGUMENT, "plane NICOL_PLANE_DEPTH is not there");
+        FAILS(read(11, 0, 0, 6144), NICOL_ERROR_INVALID_ARGUMENT, "plane");
         FAILS(read(UINT32_MAX, 0, 0, 6144), NICOL_ERROR_INVALID_ARGUMENT, "plane");
         FAILS(read(NICOL_PLANE_S0, 3, 0, 6144), NICOL_ERROR_INVALID_ARGUMENT, "channel");
         FAILS(read(NICOL_PLANE_S0, UINT32_MAX, 0, 6144), NICOL_ERROR_INVALID_ARGUMENT, "channel");

@@ -58,6 +58,11 @@ SKIP_RESPONSE_ROWS = 16
 SKIP_HIDDEN = 32
 SKIP_UNOCCLUDED = 64
 SKIP_ALL = 127
+PLANES_DEPTH = 1
+PLANES_NORMALS = 2
+PLANES_POSITIONS = 4
+PLANES_INSTANCES = 8
+PLANES_ALL = 15
 COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
 COMPONENTS_LINEAR = 3
@@ -68,6 +73,16 @@ PLANE_S3 = 3
 PLANE_STOKES = 4
 PLANE_DOLP = 5
 PLANE_AOLP = 6
+PLANE_DEPTH = 7
+PLANE_NORMAL = 8
+PLANE_POSITION = 9
+PLANE_INSTANCE = 10
+NO_INSTANCE = 4294967295
+FORMAT_AUTOMATIC = 0
+FORMAT_FLOAT32 = 1
+FORMAT_FLOAT16 = 2
+FORMAT_UINT32 = 3
+ALL_CHANNELS = 4294967295
 PICTURE_S0 = 0
 PICTURE_S1 = 1
 PICTURE_S2 = 2
@@ -104,6 +119,16 @@ class Spectrum(Struct):
     _fields_ = [
         ("count", c_uint32),
         ("values", c_float * 16),
+    ]
+
+
+class DeviceInfo(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("software", c_uint32),
+        ("name", c_char_p),
+        ("vendor", c_char_p),
+        ("file", c_char_p),
     ]
 
 
@@ -303,7 +328,7 @@ class RenderOptions(Struct):
         ("components", c_uint32),
         ("unskipped", c_uint32),
         ("high_order_shadows", c_int32),
-        ("reserved_2", c_uint32),
+        ("planes", c_uint32),
     ]
 
 
@@ -341,6 +366,18 @@ class Statistics(Struct):
         ("order_low", c_uint32),
         ("reserved", c_uint32),
         ("predicted_error", c_double),
+    ]
+
+
+class PlaneBuffer(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("plane", c_uint32),
+        ("format", c_uint32),
+        ("channel", c_uint32),
+        ("pixels", c_void_p),
+        ("row_stride", c_uint64),
+        ("byte_size", c_uint64),
     ]
 
 
@@ -489,7 +526,8 @@ class Environment(Handle):
 
     @classmethod
     def create_constant(cls, context, radiance):
-        """Unpolarized and the same from everywhere; radiance of count 0: 1 in one channel; finite, not negative."""
+        """Unpolarized and the same from everywhere; radiance NULL or of count 0: 1 in one channel; finite, not
+        negative."""
         radiance = radiance if radiance is None or isinstance(radiance, Spectrum) else Spectrum.of(radiance)
         environment = cls()
         check(_environment_create_constant(context, byref(radiance) if radiance is not None else None, byref(environment)))
@@ -728,15 +766,22 @@ class Framebuffer(Handle):
 
     def read(self, plane, channel, pixels):
         """Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
-        byte_size is what pixels has room for."""
+        byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
+        NICOL_PLANE_INSTANCE, which holds no floats."""
         pixels = Buffer(pixels, c_float, writable=True, rows=True)
         check(_framebuffer_read(self, plane, channel, pixels.pointer, pixels.stride, pixels.nbytes))
+
+    def read_plane(self, to):
+        """Copies a plane in the format and of the channels that `to` asks for; only the rows are written. A call that
+        fails writes nothing."""
+        check(_framebuffer_read_plane(self, byref(to) if to is not None else None))
 
     def write_exr(self, path):
         """Channels of 32-bit floats, named by the number of colour channels:
           3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
           1             Y (which is s0) and S0.Y to S3.Y
-          2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ..."""
+          2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
+        and of the planes that the last render was asked for Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned)."""
         check(_framebuffer_write_exr(self, text(path)))
 
     def write_png(self, picture, path):
@@ -795,6 +840,21 @@ def last_error():
 def result_name(result):
     """"out of memory" and the like for a code; lives as long as the library."""
     return decoded(_result_name(result))
+
+
+def device_count():
+    """How many devices nicol_context_options.device can name: those that EGL lists, which no count of CUDA's or
+    the kernel's follows. 0 where there is no EGL. The list changes where devices and drivers come and go."""
+    count = c_uint32()
+    check(_device_count(byref(count)))
+    return count.value
+
+
+def device_get_info(device):
+    """device from 1 to nicol_device_count's. No context is made: the driver may yet fail to make one."""
+    info = DeviceInfo()
+    check(_device_get_info(device, byref(info)))
+    return info
 
 
 def render(scene, camera, options, framebuffer):
@@ -988,6 +1048,8 @@ _version_string = declare("nicol_version_string", c_char_p)
 _build_info = declare("nicol_build_info", c_char_p, c_uint32)
 _last_error = declare("nicol_last_error", c_char_p)
 _result_name = declare("nicol_result_name", c_char_p, c_int32)
+_device_count = declare("nicol_device_count", c_int32, POINTER(c_uint32))
+_device_get_info = declare("nicol_device_get_info", c_int32, c_uint32, POINTER(DeviceInfo))
 _context_create = declare("nicol_context_create", c_int32, POINTER(ContextOptions), POINTER(Context))
 Context._release = declare("nicol_context_release", c_int32, c_void_p)
 _context_get_info = declare("nicol_context_get_info", c_int32, Context, POINTER(ContextInfo))
@@ -1030,6 +1092,7 @@ Framebuffer._release = declare("nicol_framebuffer_release", c_int32, c_void_p)
 _render = declare("nicol_render", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), Framebuffer)
 _framebuffer_get_statistics = declare("nicol_framebuffer_get_statistics", c_int32, Framebuffer, POINTER(Statistics))
 _framebuffer_read = declare("nicol_framebuffer_read", c_int32, Framebuffer, c_uint32, c_uint32, POINTER(c_float), c_uint64, c_uint64)
+_framebuffer_read_plane = declare("nicol_framebuffer_read_plane", c_int32, Framebuffer, POINTER(PlaneBuffer))
 _framebuffer_write_exr = declare("nicol_framebuffer_write_exr", c_int32, Framebuffer, c_char_p)
 _framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Picture), c_char_p)
 _psh_project_image = declare("nicol_psh_project_image", c_int32, POINTER(Image), c_uint32, POINTER(c_double), c_uint64)
@@ -1063,6 +1126,7 @@ _material_write = declare("nicol_material_write", c_int32, Material, POINTER(Fil
 _psh_write_file = declare("nicol_psh_write_file", c_int32, c_char_p, c_uint32, c_uint64, POINTER(c_double), c_uint64)
 
 __all__ = [
+    "ALL_CHANNELS",
     "BACKEND_AUTOMATIC",
     "BACKEND_EGL",
     "BACKEND_OSMESA",
@@ -1077,6 +1141,7 @@ __all__ = [
     "ContextOptions",
     "DISTRIBUTION_BECKMANN",
     "DISTRIBUTION_GGX",
+    "DeviceInfo",
     "ERROR_CANCELLED",
     "ERROR_FILE_NOT_FOUND",
     "ERROR_INTERNAL",
@@ -1102,6 +1167,10 @@ __all__ = [
     "FILE_MATERIAL_PSH",
     "FILE_MATERIAL_TABLE",
     "FILE_PHYSICAL",
+    "FORMAT_AUTOMATIC",
+    "FORMAT_FLOAT16",
+    "FORMAT_FLOAT32",
+    "FORMAT_UINT32",
     "FileOptions",
     "Framebuffer",
     "HIGH_ORDERS_AT_AUTOMATIC",
@@ -1127,6 +1196,7 @@ __all__ = [
     "Measured",
     "Mesh",
     "MeshData",
+    "NO_INSTANCE",
     "OK",
     "PICTURE_AOLP",
     "PICTURE_DOLP",
@@ -1135,8 +1205,17 @@ __all__ = [
     "PICTURE_S1",
     "PICTURE_S2",
     "PICTURE_S3",
+    "PLANES_ALL",
+    "PLANES_DEPTH",
+    "PLANES_INSTANCES",
+    "PLANES_NORMALS",
+    "PLANES_POSITIONS",
     "PLANE_AOLP",
+    "PLANE_DEPTH",
     "PLANE_DOLP",
+    "PLANE_INSTANCE",
+    "PLANE_NORMAL",
+    "PLANE_POSITION",
     "PLANE_S0",
     "PLANE_S1",
     "PLANE_S2",
@@ -1151,6 +1230,7 @@ __all__ = [
     "PSH_MAX_MATRIX_ORDER",
     "PSH_MAX_ORDER",
     "Picture",
+    "PlaneBuffer",
     "Pplastic",
     "PshMuellerField",
     "PshSampling",
@@ -1175,6 +1255,8 @@ __all__ = [
     "WAVELENGTH_LINEAR",
     "WAVELENGTH_NEAREST",
     "build_info",
+    "device_count",
+    "device_get_info",
     "file_convert",
     "file_describe_light",
     "file_describe_material",

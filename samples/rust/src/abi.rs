@@ -55,6 +55,11 @@ pub const NICOL_SKIP_RESPONSE_ROWS: u32 = 16;
 pub const NICOL_SKIP_HIDDEN: u32 = 32;
 pub const NICOL_SKIP_UNOCCLUDED: u32 = 64;
 pub const NICOL_SKIP_ALL: u32 = 127;
+pub const NICOL_PLANES_DEPTH: u32 = 1;
+pub const NICOL_PLANES_NORMALS: u32 = 2;
+pub const NICOL_PLANES_POSITIONS: u32 = 4;
+pub const NICOL_PLANES_INSTANCES: u32 = 8;
+pub const NICOL_PLANES_ALL: u32 = 15;
 pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
 pub const NICOL_COMPONENTS_LINEAR: u32 = 3;
@@ -65,6 +70,16 @@ pub const NICOL_PLANE_S3: u32 = 3;
 pub const NICOL_PLANE_STOKES: u32 = 4;
 pub const NICOL_PLANE_DOLP: u32 = 5;
 pub const NICOL_PLANE_AOLP: u32 = 6;
+pub const NICOL_PLANE_DEPTH: u32 = 7;
+pub const NICOL_PLANE_NORMAL: u32 = 8;
+pub const NICOL_PLANE_POSITION: u32 = 9;
+pub const NICOL_PLANE_INSTANCE: u32 = 10;
+pub const NICOL_NO_INSTANCE: u32 = 4294967295;
+pub const NICOL_FORMAT_AUTOMATIC: u32 = 0;
+pub const NICOL_FORMAT_FLOAT32: u32 = 1;
+pub const NICOL_FORMAT_FLOAT16: u32 = 2;
+pub const NICOL_FORMAT_UINT32: u32 = 3;
+pub const NICOL_ALL_CHANNELS: u32 = 4294967295;
 pub const NICOL_PICTURE_S0: u32 = 0;
 pub const NICOL_PICTURE_S1: u32 = 1;
 pub const NICOL_PICTURE_S2: u32 = 2;
@@ -158,6 +173,32 @@ const _: () = {
     assert!(offset_of!(nicol_spectrum, values) == 4);
 };
 pub type nicol_backend = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_device_info {
+    pub struct_size: u32,
+    pub software: u32,
+    pub name: *const c_char,
+    pub vendor: *const c_char,
+    pub file: *const c_char,
+}
+impl Default for nicol_device_info {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_device_info>() == 32);
+    assert!(offset_of!(nicol_device_info, struct_size) == 0);
+    assert!(offset_of!(nicol_device_info, software) == 4);
+    assert!(offset_of!(nicol_device_info, name) == 8);
+    assert!(offset_of!(nicol_device_info, vendor) == 16);
+    assert!(offset_of!(nicol_device_info, file) == 24);
+};
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -595,7 +636,7 @@ pub struct nicol_render_options {
     pub components: nicol_components,
     pub unskipped: u32,
     pub high_order_shadows: i32,
-    pub reserved_2: u32,
+    pub planes: u32,
 }
 impl Default for nicol_render_options {
     fn default() -> Self {
@@ -627,7 +668,7 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, components) == 88);
     assert!(offset_of!(nicol_render_options, unskipped) == 92);
     assert!(offset_of!(nicol_render_options, high_order_shadows) == 96);
-    assert!(offset_of!(nicol_render_options, reserved_2) == 100);
+    assert!(offset_of!(nicol_render_options, planes) == 100);
 };
 
 /// What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run.
@@ -709,6 +750,37 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, predicted_error) == 216);
 };
 pub type nicol_plane = u32;
+pub type nicol_format = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_plane_buffer {
+    pub struct_size: u32,
+    pub plane: nicol_plane,
+    pub format: nicol_format,
+    pub channel: u32,
+    pub pixels: *mut c_void,
+    pub row_stride: u64,
+    pub byte_size: u64,
+}
+impl Default for nicol_plane_buffer {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_plane_buffer>() == 40);
+    assert!(offset_of!(nicol_plane_buffer, struct_size) == 0);
+    assert!(offset_of!(nicol_plane_buffer, plane) == 4);
+    assert!(offset_of!(nicol_plane_buffer, format) == 8);
+    assert!(offset_of!(nicol_plane_buffer, channel) == 12);
+    assert!(offset_of!(nicol_plane_buffer, pixels) == 16);
+    assert!(offset_of!(nicol_plane_buffer, row_stride) == 24);
+    assert!(offset_of!(nicol_plane_buffer, byte_size) == 32);
+};
 pub type nicol_picture_kind = u32;
 
 #[repr(C)]
@@ -975,6 +1047,11 @@ extern "C" {
     pub fn nicol_last_error() -> *const c_char;
     /// "out of memory" and the like for a code; lives as long as the library.
     pub fn nicol_result_name(result: nicol_result) -> *const c_char;
+    /// How many devices nicol_context_options.device can name: those that EGL lists, which no count of CUDA's or
+    /// the kernel's follows. 0 where there is no EGL. The list changes where devices and drivers come and go.
+    pub fn nicol_device_count(count: *mut u32) -> nicol_result;
+    /// device from 1 to nicol_device_count's. No context is made: the driver may yet fail to make one.
+    pub fn nicol_device_get_info(device: u32, info: *mut nicol_device_info) -> nicol_result;
     /// options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND where OpenGL cannot be opened as asked.
     pub fn nicol_context_create(options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
     pub fn nicol_context_retain(context: nicol_context) -> nicol_result;
@@ -992,7 +1069,8 @@ extern "C" {
     pub fn nicol_environment_load(context: nicol_context, path: *const c_char, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
     /// From memory.
     pub fn nicol_environment_create_image(context: nicol_context, image: *const nicol_image, environment: *mut nicol_environment) -> nicol_result;
-    /// Unpolarized and the same from everywhere; radiance of count 0: 1 in one channel; finite, not negative.
+    /// Unpolarized and the same from everywhere; radiance NULL or of count 0: 1 in one channel; finite, not
+    /// negative.
     pub fn nicol_environment_create_constant(context: nicol_context, radiance: *const nicol_spectrum, environment: *mut nicol_environment) -> nicol_result;
     /// A clear sky, without its sun.
     pub fn nicol_environment_create_sky(context: nicol_context, sky: *const nicol_sky, environment: *mut nicol_environment) -> nicol_result;
@@ -1086,12 +1164,17 @@ extern "C" {
     /// All zeros before the first render.
     pub fn nicol_framebuffer_get_statistics(framebuffer: nicol_framebuffer, statistics: *mut nicol_statistics) -> nicol_result;
     /// Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
-    /// byte_size is what pixels has room for.
+    /// byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
+    /// NICOL_PLANE_INSTANCE, which holds no floats.
     pub fn nicol_framebuffer_read(framebuffer: nicol_framebuffer, plane: nicol_plane, channel: u32, pixels: *mut f32, row_stride: u64, byte_size: u64) -> nicol_result;
+    /// Copies a plane in the format and of the channels that `to` asks for; only the rows are written. A call that
+    /// fails writes nothing.
+    pub fn nicol_framebuffer_read_plane(framebuffer: nicol_framebuffer, to: *const nicol_plane_buffer) -> nicol_result;
     /// Channels of 32-bit floats, named by the number of colour channels:
     ///   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
     ///   1             Y (which is s0) and S0.Y to S3.Y
     ///   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
+    /// and of the planes that the last render was asked for Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned).
     pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
     /// 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
     /// channels.

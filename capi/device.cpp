@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The devices that a context can be asked for.
+#include <mutex>
+#include <set>
+#include <vector>
+
+#include "boundary.hpp"
+#include "gl/device_list.hpp"
+
+using namespace nicol;
+using namespace nicol::capi;
+
+namespace {
+
+// A copy that lives as long as the library, the same for the same text. Never destroyed: strings are handed
+// out.
+const char* kept(const std::string& text) {
+    static std::mutex mutex;
+    static auto* texts = new std::set<std::string>;
+    const std::lock_guard lock(mutex);
+    return texts->insert(text).first->c_str();
+}
+
+}  // namespace
+
+nicol_result nicol_device_count(uint32_t* count) {
+    return guarded([&] {
+        require(count, "count");
+        *count = static_cast<uint32_t>(gl::list_devices().size());
+    });
+}
+
+nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info) {
+    return guarded([&] {
+        const std::vector<gl::Device> devices = gl::list_devices();
+        if (device < 1 || device > devices.size()) {
+            refuse("device is " + std::to_string(device) + "; there are " + std::to_string(devices.size()) +
+                   ", counted from 1");
+        }
+        const gl::Device& found = devices[device - 1];
+        nicol_device_info out = NICOL_DEVICE_INFO_INIT;
+        out.software = found.software ? 1 : 0;
+        out.name = kept(found.name);
+        out.vendor = kept(found.vendor);
+        out.file = kept(found.file);
+        write_struct(info, out, "info");
+    });
+}

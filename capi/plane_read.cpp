@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Planes of framebuffers in the caller's memory.
+#include <half.h>
+
+#include <array>
+#include <vector>
+
+#include "assets.hpp"
+#include "nicol/observer.hpp"
+#include "render/stopwatch.hpp"
+
+using namespace nicol;
+using namespace nicol::capi;
+
+namespace {
+
+struct PlaneKind {
+    const char* name;
+    std::size_t components;
+    std::uint32_t surface = 0;  // the PlaneBit of those that a render must be asked for
+};
+
+constexpr std::array<PlaneKind, 11> kinds{{{"NICOL_PLANE_S0", 1},
+                                           {"NICOL_PLANE_S1", 1},
+                                           {"NICOL_PLANE_S2", 1},
+                                           {"NICOL_PLANE_S3", 1},
+                                           {"NICOL_PLANE_STOKES", 4},
+                                           {"NICOL_PLANE_DOLP", 1},
+                                           {"NICOL_PLANE_AOLP", 1},
+                                           {"NICOL_PLANE_DEPTH", 1, plane_depth},
+                                           {"NICOL_PLANE_NORMAL", 3, plane_normals},
+                                           {"NICOL_PLANE_POSITION", 3, plane_positions},
+                                           {"NICOL_PLANE_INSTANCE", 1, plane_instances}}};
+
+// A request that has been understood.
+struct Request {
+    nicol_plane plane;
+    nicol_format format;  // never automatic
+    int first_channel;
+    int channels;
+};
+
+std::size_t bytes_of(nicol_format format) {
+    return format == NICOL_FORMAT_FLOAT16 ? 2 : 4;
+}
+
+Request understand(const nicol_plane_buffer& given, int channels) {
+    require_constant(given.plane, NICOL_PLANE_INSTANCE, "plane", "NICOL_PLANE_...");
+    require_constant(given.format, NICOL_FORMAT_UINT32, "format", "NICOL_FORMAT_...");
+    const PlaneKind& kind = kinds[given.plane];
+    const bool ids = given.plane == NICOL_PLANE_INSTANCE;
+    const nicol_format own = ids ? NICOL_FORMAT_UINT32 : NICOL_FORMAT_FLOAT32;
+    const nicol_format format = given.format == NICOL_FORMAT_AUTOMATIC ? own : given.format;
+    if (ids != (format == NICOL_FORMAT_UINT32)) {
+        refuse(std::string("the format of ") + kind.name + " must be " +
+               (ids ? "NICOL_FORMAT_UINT32" : "NICOL_FORMAT_FLOAT32 or NICOL_FORMAT_FLOAT16"));
+    }
+    if (kind.surface != 0) {
+        if (given.channel != 0) refuse(std::string("channel must be 0: ") + kind.name + " has none");
+        return {given.plane, format, 0, 1};
+    }
+    if (given.channel == NICOL_ALL_CHANNELS) return {given.plane, format, 0, channels};
+    if (given.channel >= static_cast<std::uint32_t>(channels)) {
+        refuse("channel is " + std::to_string(given.channel) + "; the framebuffer has " +
+               std::to_string(channels) + ", counted from 0");
+    }
+    return {given.plane, format, static_cast<int>(given.channel), 1};
+}
+
+// Rows in the caller's memory.
+class Rows {
+public:
+    Rows(const nicol_plane_buffer& given, std::size_t element, std::size_t elements, int height)
+        : pixels_(static_cast<std::byte*>(given.pixels)) {
+        require(given.pixels, "pixels");
+        const std::uint64_t row_bytes = elements * element;
+        stride_ = given.row_stride == 0 ? row_bytes : given.row_stride;
+        if (stride_ < row_bytes || stride_ % element != 0 || stride_ > (std::uint64_t{1} << 40)) {
+            refuse("row_stride is " + std::to_string(stride_) + "; a row takes " + std::to_string(row_bytes) +
+                   " bytes, and strides are multiples of " + std::to_string(element));
+        }
+        const std::uint64_t needed = stride_ * static_cast<std::uint64_t>(height - 1) + row_bytes;
+        if (given.byte_size < needed) {
+            refuse("byte_size is " + std::to_string(given.byte_size) + "; the plane takes " +
+                   std::to_string(needed) + " bytes");
+        }
+        if (reinterpret_cast<std::uintptr_t>(given.pixels) % element != 0) {
+            refuse("pixels must be aligned to " + std::to_string(element) + " bytes");
+        }
+    }
+    [[nodiscard]] std::byte* row(int y) const { return pixels_ + static_cast<std::size_t>(y) * stride_; }
+
+private:
+    std::byte* pixels_;
+    std::uint64_t stride_ = 0;
+};
+
+// The numbers of a plane, row by row.
+class Source {
+public:
+    Source(Framebuffer& from, const Request& request)
+        : request_(request), components_(kinds[request.plane].components) {
+        if (kinds[request.plane].surface != 0) {
+            surfaces_ = &from.surfaces();
+            return;
+        }
+        image_ = &from.image();
+        for (int c = 0; c < request.channels; ++c) {
+            const int channel = request.first_channel + c;
+            if (request.plane == NICOL_PLANE_DOLP) planes_.push_back(dolp(*image_, channel));
+            if (request.plane == NICOL_PLANE_AOLP) planes_.push_back(aolp(*image_, channel));
+        }
+    }
+
+    [[nodiscard]] std::size_t elements(int width) const {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(request_.channels) * components_;
+    }
+
+    // [column][channel][component]
+    void read(int y, std::span<float> row) const {
+        if (surfaces_ != nullptr) {
+            const std::vector<float>& plane = request_.plane == NICOL_PLANE_DEPTH    ? surfaces_->depth
+                                              : request_.plane == NICOL_PLANE_NORMAL ? surfaces_->normals
+                                                                                     : surfaces_->positions;
+            std::copy_n(plane.data() + static_cast<std::size_t>(y) * row.size(), row.size(), row.data());
+            return;
+        }
+        const auto channels = static_cast<std::size_t>(request_.channels);
+        for (std::size_t c = 0; c < channels; ++c) {
+            std::size_t step = 1;  // from pixel to pixel
+            const float* in = nullptr;
+            if (planes_.empty()) {
+                step = 4;
+                in = image_->at(request_.first_channel + static_cast<int>(c), y, 0).data();
+                if (request_.plane != NICOL_PLANE_STOKES) in += request_.plane;
+            } else {
+                in = planes_[c].values.data() +
+                     static_cast<std::size_t>(y) * static_cast<std::size_t>(planes_[c].width);
+            }
+            float* out = row.data() + c * components_;
+            for (std::size_t left = row.size() / (channels * components_); left > 0; --left) {
+                std::copy_n(in, components_, out);
+                in += step;
+                out += channels * components_;
+            }
+        }
+    }
+
+    [[nodiscard]] const std::uint32_t* instances(int y) const {
+        return surfaces_->instances.data() +
+               static_cast<std::size_t>(y) * static_cast<std::size_t>(surfaces_->width);
+    }
+
+private:
+    Request request_;
+    std::size_t components_;
+    const StokesImage* image_ = nullptr;
+    const SurfacePlanes* surfaces_ = nullptr;
+    std::vector<Plane> planes_;  // a channel each
+};
+
+void read(Framebuffer& from, const nicol_plane_buffer& to) {
+    const Request request = understand(to, from.channels());
+    const PlaneKind& kind = kinds[request.plane];
+    if ((from.planes() & kind.surface) != kind.surface) {
+        refuse(std::string("the plane ") + kind.name +
+               " is not there: the options of the last render into the framebuffer did not ask for it");
+    }
+    const std::size_t elements =
+        static_cast<std::size_t>(from.width()) * static_cast<std::size_t>(request.channels) * kind.components;
+    const Rows rows(to, bytes_of(request.format), elements, from.height());
+    const Source source(from, request);
+    const Stopwatch watch;
+    std::vector<float> single(request.format == NICOL_FORMAT_FLOAT16 ? elements : 0);
+    for (int y = 0; y < from.height(); ++y) {
+        std::byte* const row = rows.row(y);
+        switch (request.format) {
+            case NICOL_FORMAT_UINT32:
+                std::copy_n(source.instances(y), elements, reinterpret_cast<std::uint32_t*>(row));
+                break;
+            case NICOL_FORMAT_FLOAT16:
+                source.read(y, single);
+                std::transform(single.begin(), single.end(), reinterpret_cast<std::uint16_t*>(row),
+                               [](float value) { return Imath::half(value).bits(); });
+                break;
+            default:
+                source.read(y, {reinterpret_cast<float*>(row), elements});
+        }
+    }
+    from.statistics().observe_ms += watch.milliseconds();
+}
+
+}  // namespace
+
+nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        const nicol_plane_buffer wanted = read_struct(to, "to");
+        const Turn turn(self.session);
+        read(*self.content, wanted);
+    });
+}
+
+nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel,
+                                    float* pixels, uint64_t row_stride, uint64_t byte_size) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        nicol_plane_buffer wanted = NICOL_PLANE_BUFFER_INIT;
+        wanted.plane = plane;
+        wanted.format = NICOL_FORMAT_FLOAT32;
+        wanted.channel = channel;
+        wanted.pixels = pixels;
+        wanted.row_stride = row_stride;
+        wanted.byte_size = byte_size;
+        const Turn turn(self.session);
+        if (channel == NICOL_ALL_CHANNELS) refuse("channel must be one of the framebuffer's");
+        read(*self.content, wanted);
+    });
+}

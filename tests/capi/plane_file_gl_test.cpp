@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Planes of surfaces in OpenEXR files.
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+
+#include "nicol/stokes_image.hpp"
+#include "planes.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+template <class Number>
+std::vector<Number> channel(const std::string& path, const char* name) {
+    Imf::InputFile file(path.c_str());
+    const Imf::Channel* found = file.header().channels().findChannel(name);
+    REQUIRE(found != nullptr);
+    constexpr Imf::PixelType type = std::is_same_v<Number, float> ? Imf::FLOAT : Imf::UINT;
+    CHECK(found->type == type);
+    const Imath::Box2i window = file.header().dataWindow();
+    const auto width = static_cast<std::size_t>(window.max.x + 1);
+    std::vector<Number> pixels(width * static_cast<std::size_t>(window.max.y + 1));
+    Imf::FrameBuffer buffer;
+    buffer.insert(name, Imf::Slice(type, reinterpret_cast<char*>(pixels.data()), sizeof(Number),
+                                   width * sizeof(Number)));
+    file.setFrameBuffer(buffer);
+    file.readPixels(0, window.max.y);
+    return pixels;
+}
+
+std::set<std::string> channel_names(const std::string& path) {
+    Imf::InputFile file(path.c_str());
+    const Imf::ChannelList& channels = file.header().channels();
+    std::set<std::string> names;
+    for (auto i = channels.begin(); i != channels.end(); ++i) names.insert(i.name());
+    return names;
+}
+
+}  // namespace
+
+TEST_CASE("pictures have the planes that were asked for, and read as they did") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        const Folder folder;
+        const std::string bare = folder.file("bare.exr"), full = folder.file("full.exr");
+        stage.render();
+        OK(nicol_framebuffer_write_exr(stage.framebuffer, bare.c_str()));
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.planes = NICOL_PLANES_ALL;
+        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
+        const Surfaces seen(stage.framebuffer);
+        CHECK(channel<float>(full, "Z") == seen.depth);
+        CHECK(channel<std::uint32_t>(full, "id") == seen.instance);
+        const char* axes[] = {"X", "Y", "Z"};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::vector<float> normal = channel<float>(full, (std::string("N.") + axes[k]).c_str());
+            const std::vector<float> position = channel<float>(full, (std::string("P.") + axes[k]).c_str());
+            for (std::size_t i = 0; i < normal.size(); ++i) {
+                CHECK(normal[i] == seen.normal[3 * i + k]);
+                CHECK(position[i] == seen.position[3 * i + k]);
+            }
+        }
+        CHECK(nicol::read_exr(full).data == nicol::read_exr(bare).data);
+
+        std::set<std::string> expected = channel_names(bare);
+        options.planes = NICOL_PLANES_NORMALS;
+        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
+        expected.insert({"N.X", "N.Y", "N.Z"});
+        CHECK(channel_names(full) == expected);
+    });
+}

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Planes in every format, with strides and all channels at once.
+#include <bit>
+#include <cstring>
+
+#include "planes.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+// IEEE 754 half precision from its definition: the nearest of all 65536 values, ties to the even one.
+double half_value(std::uint32_t bits) {
+    const auto exponent = static_cast<int>(bits >> 10 & 31);
+    const double fraction = (bits & 1023) / 1024.0;
+    const double size = exponent == 31  ? std::numeric_limits<double>::infinity()
+                        : exponent == 0 ? std::ldexp(fraction, -14)
+                                        : std::ldexp(1 + fraction, exponent - 15);
+    return (bits & 0x8000) != 0 ? -size : size;
+}
+
+std::uint16_t nearest_half(float value) {
+    const double size = std::abs(static_cast<double>(value));
+    std::uint32_t below = 0, above = 0x7c00;  // of sizes, which grow with their bits
+    while (above - below > 1) {
+        const std::uint32_t middle = (below + above) / 2;
+        (half_value(middle) <= size ? below : above) = middle;
+    }
+    // Rounding sees infinity as the next power of two.
+    const double next = above == 0x7c00 ? 65536 : half_value(above);
+    const double down = size - half_value(below), up = next - size;
+    const std::uint32_t bits = down < up || (down == up && below % 2 == 0) ? below : above;
+    return static_cast<std::uint16_t>(bits | (std::signbit(value) ? 0x8000 : 0));
+}
+
+nicol_plane_buffer buffer(nicol_plane plane, nicol_format format, std::uint32_t channel, void* pixels,
+                          std::uint64_t bytes) {
+    nicol_plane_buffer to = NICOL_PLANE_BUFFER_INIT;
+    to.plane = plane;
+    to.format = format;
+    to.channel = channel;
+    to.pixels = pixels;
+    to.byte_size = bytes;
+    return to;
+}
+
+std::size_t components_of(nicol_plane plane) {
+    if (plane == NICOL_PLANE_STOKES) return 4;
+    return plane == NICOL_PLANE_NORMAL || plane == NICOL_PLANE_POSITION ? 3 : 1;
+}
+
+// A light of many magnitudes, seen directly: what half precision rounds, makes infinite and makes small.
+nicol_framebuffer picture_of_magnitudes(nicol_context context) {
+    std::vector<float> pixels;
+    for (int i = 0; i < 64 * 33; ++i) {
+        for (const double base : {1.0, 65000.0, 6e-8}) {
+            pixels.push_back(static_cast<float>(base * (1 + 0.0173 * (i % 61)) * (1 + 1e-4 * i)));
+        }
+    }
+    nicol_image image = NICOL_IMAGE_INIT;
+    image.width = 64;
+    image.height = 33;
+    image.channels = 3;
+    image.components = 1;
+    image.pixels = pixels.data();
+    image.byte_size = pixels.size() * sizeof(float);
+    nicol_environment light = nullptr;
+    OK(nicol_environment_create_image(context, &image, &light));
+    nicol_scene scene = nullptr;
+    OK(nicol_scene_create(context, &scene));
+    OK(nicol_scene_set_environment(scene, light, nullptr, 0));
+    nicol_framebuffer framebuffer = nullptr;
+    OK(nicol_framebuffer_create(context, 40, 30, 3, &framebuffer));
+    const nicol_camera camera = front_camera();
+    OK(nicol_render(scene, &camera, nullptr, framebuffer));
+    OK(nicol_scene_release(scene));
+    OK(nicol_environment_release(light));
+    return framebuffer;
+}
+
+}  // namespace
+
+TEST_CASE("half precision is the nearest number, ties to even, infinite beyond its range") {
+    CHECK(nearest_half(1) == 0x3c00);
+    CHECK(nearest_half(-2) == 0xc000);
+    CHECK(nearest_half(65504) == 0x7bff);
+    CHECK(nearest_half(65519) == 0x7bff);
+    CHECK(nearest_half(65520) == 0x7c00);
+    CHECK(nearest_half(1 + 1.0F / 2048) == 0x3c00);
+    CHECK(nearest_half(1 + 3.0F / 2048) == 0x3c02);
+    on_every_backend([](nicol_context context) {
+        const nicol_framebuffer framebuffer = picture_of_magnitudes(context);
+        std::set<bool> infinite, small;
+        for (std::uint32_t c = 0; c < 3; ++c) {
+            const std::vector<float> single = read_plane(framebuffer, NICOL_PLANE_STOKES, c);
+            std::vector<std::uint16_t> half(single.size());
+            const nicol_plane_buffer to =
+                buffer(NICOL_PLANE_STOKES, NICOL_FORMAT_FLOAT16, c, half.data(), 2 * half.size());
+            OK(nicol_framebuffer_read_plane(framebuffer, &to));
+            for (std::size_t i = 0; i < half.size(); ++i) {
+                CHECK(half[i] == nearest_half(single[i]));
+                infinite.insert(half[i] == 0x7c00);
+                small.insert(half[i] > 0 && half[i] < 0x400);
+            }
+        }
+        CHECK(infinite.size() == 2);
+        CHECK(small.size() == 2);
+        OK(nicol_framebuffer_release(framebuffer));
+    });
+}
+
+TEST_CASE("all channels are interleaved, in both formats, with and without a stride") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        stage.render();
+        for (nicol_plane plane = NICOL_PLANE_S0; plane <= NICOL_PLANE_AOLP; ++plane) {
+            CAPTURE(plane);
+            const std::size_t n = components_of(plane), row = 24 * 3 * n;
+            std::vector<float> channels[3];
+            for (std::uint32_t c = 0; c < 3; ++c) channels[c] = read_plane(stage.framebuffer, plane, c);
+            for (const std::size_t stride : {std::size_t{0}, row, row + 5}) {
+                const std::size_t step = stride == 0 ? row : stride;
+                std::vector<float> single(step * 15 + row, -7.5F);
+                std::vector<std::uint16_t> half(single.size(), 0x1234);
+                nicol_plane_buffer to = buffer(plane, NICOL_FORMAT_AUTOMATIC, NICOL_ALL_CHANNELS,
+                                               single.data(), 4 * single.size());
+                to.row_stride = 4 * stride;
+                OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
+                to = buffer(plane, NICOL_FORMAT_FLOAT16, NICOL_ALL_CHANNELS, half.data(), 2 * half.size());
+                to.row_stride = 2 * stride;
+                OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
+                for (std::size_t i = 0; i < single.size(); ++i) {
+                    const std::size_t y = i / step, in_row = i % step;
+                    if (in_row >= row) {
+                        CHECK(single[i] == -7.5F);
+                        CHECK(half[i] == 0x1234);
+                        continue;
+                    }
+                    const std::size_t x = in_row / (3 * n), c = in_row / n % 3, k = in_row % n;
+                    CHECK(single[i] == channels[c][(y * 24 + x) * n + k]);
+                    CHECK(half[i] == nearest_half(single[i]));
+                }
+            }
+        }
+    });
+}
+
+TEST_CASE("planes of surfaces come in their formats") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.planes = NICOL_PLANES_ALL;
+        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        for (const nicol_plane plane : {NICOL_PLANE_DEPTH, NICOL_PLANE_NORMAL, NICOL_PLANE_POSITION}) {
+            const std::size_t n = components_of(plane);
+            const std::vector<float> single = read_surface<float>(stage.framebuffer, plane, n);
+            std::vector<float> old(single.size());
+            OK(nicol_framebuffer_read(stage.framebuffer, plane, 0, old.data(), 0, 4 * old.size()));
+            CHECK(old == single);
+            std::vector<std::uint16_t> half(single.size());
+            const nicol_plane_buffer to =
+                buffer(plane, NICOL_FORMAT_FLOAT16, 0, half.data(), 2 * half.size());
+            OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
+            for (std::size_t i = 0; i < half.size(); ++i) CHECK(half[i] == nearest_half(single[i]));
+        }
+        const std::vector<std::uint32_t> ids =
+            read_surface<std::uint32_t>(stage.framebuffer, NICOL_PLANE_INSTANCE, 1);
+        std::vector<std::uint32_t> named(27 * 16, 5);
+        nicol_plane_buffer to =
+            buffer(NICOL_PLANE_INSTANCE, NICOL_FORMAT_UINT32, 0, named.data(), 4 * named.size());
+        to.row_stride = 4 * 27;
+        OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
+        for (std::size_t i = 0; i < named.size(); ++i)
+            CHECK(named[i] == (i % 27 < 24 ? ids[i / 27 * 24 + i % 27] : 5));
+    });
+}
+
+TEST_CASE("requests that make no sense are refused and nothing is written") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.planes = NICOL_PLANES_DEPTH | NICOL_PLANES_INSTANCES;
+        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        std::vector<std::uint32_t> pixels(24 * 16 * 12, 0xabcdef01);
+        const std::uint64_t bytes = 4 * pixels.size();
+        const auto refused = [&](const nicol_plane_buffer& to, const char* text) {
+            FAILS(nicol_framebuffer_read_plane(stage.framebuffer, &to), NICOL_ERROR_INVALID_ARGUMENT, text);
+        };
+        const auto with = [&](nicol_plane plane, nicol_format format, std::uint32_t channel) {
+            return buffer(plane, format, channel, pixels.data(), bytes);
+        };
+        refused(with(11, 0, 0), "plane is 11");
+        refused(with(UINT32_MAX, 0, 0), "plane");
+        refused(with(NICOL_PLANE_S0, 4, 0), "format");
+        refused(with(NICOL_PLANE_S0, NICOL_FORMAT_UINT32, 0), "NICOL_FORMAT_FLOAT32");
+        refused(with(NICOL_PLANE_INSTANCE, NICOL_FORMAT_FLOAT32, 0), "NICOL_FORMAT_UINT32");
+        refused(with(NICOL_PLANE_INSTANCE, NICOL_FORMAT_FLOAT16, 0), "NICOL_FORMAT_UINT32");
+        refused(with(NICOL_PLANE_S0, 0, 3), "channel is 3");
+        refused(with(NICOL_PLANE_DEPTH, 0, 1), "channel");
+        refused(with(NICOL_PLANE_DEPTH, 0, NICOL_ALL_CHANNELS), "channel");
+        refused(with(NICOL_PLANE_NORMAL, 0, 0), "NICOL_PLANE_NORMAL is not there");
+        refused(with(NICOL_PLANE_POSITION, 0, 0), "NICOL_PLANE_POSITION is not there");
+        refused(buffer(NICOL_PLANE_S0, 0, 0, nullptr, bytes), "pixels");
+        refused(buffer(NICOL_PLANE_S0, NICOL_FORMAT_FLOAT16, 0, pixels.data(), 24 * 16 * 2 - 1), "byte_size");
+        refused(buffer(NICOL_PLANE_STOKES, 0, NICOL_ALL_CHANNELS, pixels.data(), 24 * 16 * 48 - 1),
+                "byte_size");
+        refused(buffer(NICOL_PLANE_S0, 0, 0, reinterpret_cast<char*>(pixels.data()) + 2, bytes - 2),
+                "aligned");
+        nicol_plane_buffer strided = with(NICOL_PLANE_S0, NICOL_FORMAT_FLOAT16, 0);
+        strided.row_stride = 46;
+        refused(strided, "row_stride");
+        strided.row_stride = 49;
+        refused(strided, "row_stride");
+        strided.row_stride = UINT64_MAX - 1;
+        refused(strided, "row_stride");
+        nicol_plane_buffer unsized = with(NICOL_PLANE_S0, 0, 0);
+        unsized.struct_size = 0;
+        refused(unsized, "struct_size");
+        FAILS(nicol_framebuffer_read_plane(stage.framebuffer, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "to");
+        const nicol_plane_buffer good = with(NICOL_PLANE_S0, 0, 0);
+        FAILS(nicol_framebuffer_read_plane(nullptr, &good), NICOL_ERROR_INVALID_HANDLE, "NULL");
+        std::vector<float> floats(24 * 16);
+        FAILS(nicol_framebuffer_read(stage.framebuffer, NICOL_PLANE_INSTANCE, 0, floats.data(), 0,
+                                     4 * floats.size()),
+              NICOL_ERROR_INVALID_ARGUMENT, "NICOL_FORMAT_UINT32");
+        FAILS(nicol_framebuffer_read(stage.framebuffer, NICOL_PLANE_S0, NICOL_ALL_CHANNELS, floats.data(), 0,
+                                     4 * floats.size()),
+              NICOL_ERROR_INVALID_ARGUMENT, "channel");
+        for (const std::uint32_t value : pixels) REQUIRE(value == 0xabcdef01);
+
+        nicol_framebuffer fresh = nullptr;
+        OK(nicol_framebuffer_create(context, 4, 4, 1, &fresh));
+        const nicol_plane_buffer depth = with(NICOL_PLANE_DEPTH, 0, 0);
+        FAILS(nicol_framebuffer_read_plane(fresh, &depth), NICOL_ERROR_INVALID_ARGUMENT, "not there");
+        OK(nicol_framebuffer_release(fresh));
+        FAILS(nicol_framebuffer_read_plane(fresh, &depth), NICOL_ERROR_INVALID_HANDLE, "released");
+    });
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Reading planes of surfaces.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include "capi.hpp"
+
+namespace capi_test {
+
+/// A plane of surfaces: Number float or, of instances, std::uint32_t; so many numbers a pixel.
+template <class Number>
+std::vector<Number> read_surface(nicol_framebuffer framebuffer, nicol_plane plane, std::size_t components) {
+    std::uint32_t width = 0, height = 0, channels = 0;
+    OK(nicol_framebuffer_get_size(framebuffer, &width, &height, &channels));
+    std::vector<Number> pixels(std::size_t{width} * height * components);
+    nicol_plane_buffer to = NICOL_PLANE_BUFFER_INIT;
+    to.plane = plane;
+    to.pixels = pixels.data();
+    to.byte_size = pixels.size() * sizeof(Number);
+    OK(nicol_framebuffer_read_plane(framebuffer, &to));
+    return pixels;
+}
+
+struct Surfaces {
+    std::vector<float> depth, normal, position;
+    std::vector<std::uint32_t> instance;
+
+    explicit Surfaces(nicol_framebuffer framebuffer)
+        : depth(read_surface<float>(framebuffer, NICOL_PLANE_DEPTH, 1)),
+          normal(read_surface<float>(framebuffer, NICOL_PLANE_NORMAL, 3)),
+          position(read_surface<float>(framebuffer, NICOL_PLANE_POSITION, 3)),
+          instance(read_surface<std::uint32_t>(framebuffer, NICOL_PLANE_INSTANCE, 1)) {}
+};
+
+/// Every method that makes planes, with little work besides.
+inline std::vector<nicol_render_options> every_method() {
+    std::vector<nicol_render_options> all;
+    for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.method = method;
+        options.order_low = 1;
+        options.order_high = 1;
+        options.shadows = -1;
+        options.samples = 1;
+        options.planes = NICOL_PLANES_ALL;
+        all.push_back(options);
+    }
+    return all;
+}
+
+}  // namespace capi_test
