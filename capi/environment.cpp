@@ -100,8 +100,8 @@ nicol_result nicol_environment_create_image(nicol_context context, const nicol_i
 nicol_result nicol_environment_create_constant(nicol_context context, const nicol_spectrum* radiance,
                                                nicol_environment* environment) {
     return create(context, environment, "environment", [&] {
-        require(radiance, "radiance");
-        return constant_environment(spectrum(*radiance, 1, 1, "radiance"));
+        static constexpr nicol_spectrum unset = NICOL_SPECTRUM_INIT;
+        return constant_environment(spectrum(radiance ? *radiance : unset, 1, 1, "radiance"));
     });
 }
 
