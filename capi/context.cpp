@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "handles.hpp"
+#include "host.hpp"
 #include "nicol/response_table.hpp"
 
 namespace nicol::capi {
@@ -21,9 +22,25 @@ gl::Backend backend_of(nicol_backend backend) {
             return gl::Backend::egl;
         case NICOL_BACKEND_OSMESA:
             return gl::Backend::osmesa;
+        case NICOL_BACKEND_HOST:
+            refuse("backend is NICOL_BACKEND_HOST; nicol_context_create_host makes those contexts");
         default:
             refuse("backend is " + std::to_string(backend) + "; it must be one of NICOL_BACKEND_...");
     }
+}
+
+nicol_backend backend_of(gl::Backend backend) {
+    switch (backend) {
+        case gl::Backend::egl:
+            return NICOL_BACKEND_EGL;
+        case gl::Backend::osmesa:
+            return NICOL_BACKEND_OSMESA;
+        case gl::Backend::host:
+            return NICOL_BACKEND_HOST;
+        case gl::Backend::automatic:
+            break;
+    }
+    return NICOL_BACKEND_AUTOMATIC;
 }
 
 const char* cache_folder(const char* chosen) {
@@ -33,6 +50,28 @@ const char* cache_folder(const char* chosen) {
 }
 
 }  // namespace
+
+nicol_context_options context_options(const nicol_context_options* options) {
+    const nicol_context_options chosen = options != nullptr
+                                             ? read_struct(options, "options")
+                                             : nicol_context_options NICOL_CONTEXT_OPTIONS_INIT;
+    if (chosen.threads > 1024) {
+        refuse("threads is " + std::to_string(chosen.threads) + "; it must lie in 0 (one a core) to 1024");
+    }
+    return chosen;
+}
+
+nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_context_options& options) {
+    auto session = std::make_shared<Session>();
+    session->gl = std::move(context);
+    session->threads = static_cast<int>(options.threads);
+    session->log = options.log;
+    session->log_user = options.log_user;
+    session->cache = cache_folder(options.cache_folder);
+    // The information lives as long as the context whose part it is.
+    std::shared_ptr<const gl::ContextInfo> info(session->gl, &session->gl->info());
+    return make_handle<nicol_context_impl>(session, info);
+}
 
 nicol_result fail(ErrorCode code, const char* message) noexcept {
     std::size_t length = std::strlen(message);
@@ -66,7 +105,7 @@ const char* nicol_build_info(uint32_t index) {
         "source=" NICOL_SOURCE_ID,
         "build_type=" NICOL_BUILD_TYPE,
         "compiler=" __VERSION__,
-        "backends=egl,osmesa",
+        "backends=egl,osmesa,host",
         "methods=factored,dense,reference",
         "high_orders=split,convolution,none",
         "max_order=32",
@@ -105,6 +144,8 @@ const char* nicol_result_name(nicol_result result) {
             return "OpenGL error";
         case NICOL_ERROR_INTERNAL:
             return "internal error";
+        case NICOL_ERROR_NOT_CURRENT:
+            return "context not current";
         default:
             return "unknown result";
     }
@@ -113,28 +154,13 @@ const char* nicol_result_name(nicol_result result) {
 nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context) {
     return guarded([&] {
         require(context, "context");
-        const nicol_context_options chosen = options != nullptr
-                                                 ? read_struct(options, "options")
-                                                 : nicol_context_options NICOL_CONTEXT_OPTIONS_INIT;
-        if (chosen.threads > 1024) {
-            refuse("threads is " + std::to_string(chosen.threads) +
-                   "; it must lie in 0 (one a core) to 1024");
-        }
+        const nicol_context_options chosen = context_options(options);
         gl::ContextRequest request{.backend = backend_of(chosen.backend)};
         if (chosen.device > 1024) {
             refuse("device is " + std::to_string(chosen.device) + "; it must lie in 0 (choose) to 1024");
         }
         if (chosen.device > 0) request.device = static_cast<int>(chosen.device) - 1;
-
-        auto session = std::make_shared<Session>();
-        session->gl = gl::Context::create(request);
-        session->threads = static_cast<int>(chosen.threads);
-        session->log = chosen.log;
-        session->log_user = chosen.log_user;
-        session->cache = cache_folder(chosen.cache_folder);
-        // The information lives as long as the context whose part it is.
-        std::shared_ptr<const gl::ContextInfo> info(session->gl, &session->gl->info());
-        *context = make_handle<nicol_context_impl>(session, info);
+        *context = make_context(gl::Context::create(request), chosen);
     });
 }
 
@@ -149,7 +175,7 @@ nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* i
     return guarded([&] {
         const nicol_context_impl& self = resolve(context);
         nicol_context_info out = NICOL_CONTEXT_INFO_INIT;
-        out.backend = self.content->backend == gl::Backend::egl ? NICOL_BACKEND_EGL : NICOL_BACKEND_OSMESA;
+        out.backend = backend_of(self.content->backend);
         out.software = self.content->software ? 1 : 0;
         out.threads = self.session->threads > 0 ? static_cast<uint32_t>(self.session->threads)
                                                 : std::max(1U, std::thread::hardware_concurrency());

@@ -29,6 +29,7 @@ struct Session {
     nicol_log_callback log = nullptr;
     void* log_user = nullptr;
     std::filesystem::path cache;  ///< folder of tables; empty: none
+    std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws a picture
     std::mutex mutex;
     std::atomic<std::thread::id> busy{};  ///< the thread inside a call
 

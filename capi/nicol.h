@@ -9,8 +9,9 @@
  *              nicol_last_error() then tells the story, per thread.
  *   Structs    begin with struct_size = sizeof(the struct). Zero in a field asks for its default; where zero is a
  *              value of its own, the field's comment names what stands for it. NICOL_<TYPE>_INIT makes one.
- *   Threads    Any function may be called from any thread. Calls on objects of one context take turns; calls on
- *              different contexts run side by side. Callbacks come on the calling thread unless said otherwise.
+ *   Threads    Any function may be called from any thread (but see "inside a host's OpenGL"). Calls on objects of
+ *              one context take turns; calls on different contexts run side by side. Callbacks come on the calling
+ *              thread unless said otherwise.
  *   Strings    are UTF-8 and copied. Strings returned are owned by the library; each says for how long.
  *   Matrices   are row-major: a point's image is M * (x, y, z, 1)^T. All zeros means identity.
  *   World      right-handed, y up, units are the scene's own. Angles of the interface are degrees.
@@ -68,6 +69,7 @@ typedef int32_t nicol_result;
 #define NICOL_ERROR_CANCELLED 9      /* a progress callback answered 0 */
 #define NICOL_ERROR_OPENGL 10        /* the driver failed after the context was made */
 #define NICOL_ERROR_INTERNAL 11      /* a defect in Nicol */
+#define NICOL_ERROR_NOT_CURRENT 12   /* the host's OpenGL context is not current on the calling thread */
 
 /* What the last failing call on this thread had to say: one line that names the file, line, field or argument
  * and what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing
@@ -117,6 +119,7 @@ typedef uint32_t nicol_backend;
 #define NICOL_BACKEND_AUTOMATIC 0
 #define NICOL_BACKEND_EGL 1
 #define NICOL_BACKEND_OSMESA 2
+#define NICOL_BACKEND_HOST 3 /* what nicol_context_get_info says of nicol_context_create_host's contexts */
 
 /* How many devices nicol_context_options.device can name: those that EGL lists, which no count of CUDA's or
  * the kernel's follows. 0 where there is no EGL. The list changes where devices and drivers come and go. */
@@ -752,6 +755,93 @@ typedef struct nicol_picture {
  * channels. */
 NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer,
                                                    const nicol_picture* picture, const char* path);
+
+/* ---------------------------------------------------------------- inside a host's OpenGL */
+
+/* clang-format off */
+/* A context can be the caller's own, so that pictures stay on the device: nothing is made current, no thread of OpenGL's is
+ * started, and nicol_framebuffer_get_texture and nicol_framebuffer_draw_... hand the pictures over.
+ *
+ *   Current       That OpenGL context, and no other, must be current on the calling thread in nicol_context_create_host and in
+ *                 every call that uses OpenGL: nicol_framebuffer_create, nicol_render, and what reads, writes and draws pictures.
+ *                 Else they fail with NICOL_ERROR_NOT_CURRENT and touch nothing. It may move from thread to thread.
+ *   State         All of the host's OpenGL state is as before when a call returns: what Nicol changes it saves and restores, and
+ *                 what it depends on (scissor, masks, pixel storage, ...) it sets and restores. Objects are made with new names
+ *                 and others are left alone. Three things cannot be restored: calls must not be made while transform feedback
+ *                 runs unpaused or while a program that is deleted is still in use, which is NICOL_ERROR_UNSUPPORTED, nor within
+ *                 conditional rendering, which OpenGL does not tell. Queries of the host that are active count what is drawn. An
+ *                 error that waits in glGetError when a call begins is cleared and told to the log.
+ *   Callbacks     that come while Nicol renders must not call OpenGL.
+ *   Release       where the context is current deletes its OpenGL objects at once. Elsewhere they wait for the next call that
+ *                 finds it current, or go with the host's context. Release everything before the OpenGL library is unloaded.
+ */
+/* clang-format on */
+/* The address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and others
+ * answer. */
+typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
+/* Answer 1 where the host's context is current on the calling thread, else 0. */
+typedef int32_t (*nicol_is_current_callback)(void* user);
+
+typedef struct nicol_host {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    nicol_get_proc_address_callback get_proc_address;
+    /* NULL: OpenGL is asked itself, which needs OpenGL functions that may be called without a context, as
+     * those of libglvnd and Mesa may. */
+    nicol_is_current_callback is_current;
+    void* user; /* of both; used until the last object of the context is released */
+} nicol_host;
+#define NICOL_HOST_INIT \
+    { sizeof(nicol_host), 0, 0, 0, 0 }
+
+/* A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
+ * options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT where is_current answers
+ * 0, NICOL_ERROR_NO_BACKEND where there is no such OpenGL. */
+NICOL_API nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options,
+                                                 nicol_context* context);
+
+typedef struct nicol_texture {
+    uint32_t struct_size;
+    uint32_t name;            /* OpenGL's */
+    uint32_t target;          /* GL_TEXTURE_2D */
+    uint32_t internal_format; /* GL_RGBA32F */
+    uint32_t width;
+    uint32_t height;
+} nicol_texture;
+#define NICOL_TEXTURE_INIT \
+    { sizeof(nicol_texture), 0, 0, 0, 0, 0 }
+
+/* The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the picture's TOP.
+ * The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
+ * render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
+ * NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below. */
+NICOL_API nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel,
+                                                     nicol_texture* texture);
+
+typedef uint32_t nicol_encoding;
+#define NICOL_ENCODING_LINEAR 0 /* radiance; stored as far as the texture's format goes */
+#define NICOL_ENCODING_SRGB 1   /* clipped to 0 to 1 and through the sRGB curve, as in PNG files */
+
+/* A texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F
+ * or GL_RGBA32F, as large as the framebuffer. */
+typedef struct nicol_texture_target {
+    uint32_t struct_size;
+    uint32_t texture;
+    uint32_t bottom_up; /* 0: row 0 is the picture's top; 1: its bottom, as OpenGL's own pictures have it */
+    nicol_encoding
+        encoding; /* of the pictures S0 and POLARIZER; SRGB8_ALPHA8 gets these numbers as they are */
+} nicol_texture_target;
+#define NICOL_TEXTURE_TARGET_INIT \
+    { sizeof(nicol_texture_target), 0, 0, 0 }
+
+/* Copies the Stokes vectors of a channel. Nothing is read back. */
+NICOL_API nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel,
+                                                     const nicol_texture_target* target);
+/* The picture that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
+ * 1 here, since nothing is read back. */
+NICOL_API nicol_result nicol_framebuffer_draw_picture(nicol_framebuffer framebuffer,
+                                                      const nicol_picture* picture,
+                                                      const nicol_texture_target* target);
 
 /* ---------------------------------------------------------------- mathematics */
 

@@ -258,6 +258,7 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
                                                 : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
         if (chosen.reserved != 0) refuse("options->reserved must be 0");
         const Turn turn(self.session);
+        self.session->gl->require_current();  // before baking for minutes
         render(*self.session, *self.content, from, chosen, *target.content);
     });
 }

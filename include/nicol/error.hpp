@@ -21,6 +21,7 @@ enum class ErrorCode : std::int32_t {
     cancelled = 9,       ///< a callback asked to stop
     opengl = 10,         ///< the driver failed after the context was made
     internal = 11,       ///< a defect in Nicol
+    not_current = 12,    ///< the host's OpenGL context is not current on the calling thread
 };
 
 /// Thrown by the C++ API. The message names the file, line, field or argument and says what would be right.

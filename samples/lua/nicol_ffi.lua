@@ -220,6 +220,30 @@ typedef struct nicol_picture {
     float scale;
     float polarizer_angle;
 } nicol_picture;
+typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
+typedef int32_t (*nicol_is_current_callback)(void* user);
+typedef struct nicol_host {
+    uint32_t struct_size;
+    uint32_t reserved;
+    nicol_get_proc_address_callback get_proc_address;
+    nicol_is_current_callback is_current;
+    void* user;
+} nicol_host;
+typedef struct nicol_texture {
+    uint32_t struct_size;
+    uint32_t name;
+    uint32_t target;
+    uint32_t internal_format;
+    uint32_t width;
+    uint32_t height;
+} nicol_texture;
+typedef uint32_t nicol_encoding;
+typedef struct nicol_texture_target {
+    uint32_t struct_size;
+    uint32_t texture;
+    uint32_t bottom_up;
+    nicol_encoding encoding;
+} nicol_texture_target;
 typedef uint32_t nicol_psh_grid;
 typedef struct nicol_psh_sampling {
     uint32_t struct_size;
@@ -354,6 +378,10 @@ nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane p
 nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to);
 nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_picture* picture, const char* path);
+nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options, nicol_context* context);
+nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel, nicol_texture* texture);
+nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel, const nicol_texture_target* target);
+nicol_result nicol_framebuffer_draw_picture(nicol_framebuffer framebuffer, const nicol_picture* picture, const nicol_texture_target* target);
 nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients, uint64_t count);
 nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order, double* coefficients, uint64_t count);
 nicol_result nicol_psh_project_file(const char* path, uint32_t order, uint32_t* channels, double* coefficients, uint64_t count);
@@ -404,6 +432,7 @@ return {
         ERROR_CANCELLED = 9,
         ERROR_OPENGL = 10,
         ERROR_INTERNAL = 11,
+        ERROR_NOT_CURRENT = 12,
         LOG_INFO = 0,
         LOG_NOTICE = 1,
         LOG_WARNING = 2,
@@ -413,6 +442,7 @@ return {
         BACKEND_AUTOMATIC = 0,
         BACKEND_EGL = 1,
         BACKEND_OSMESA = 2,
+        BACKEND_HOST = 3,
         DISTRIBUTION_BECKMANN = 0,
         DISTRIBUTION_GGX = 1,
         WAVELENGTH_LINEAR = 0,
@@ -471,6 +501,8 @@ return {
         PICTURE_DOLP = 4,
         PICTURE_AOLP = 5,
         PICTURE_POLARIZER = 6,
+        ENCODING_LINEAR = 0,
+        ENCODING_SRGB = 1,
         PSH_MAX_ORDER = 4096,
         PSH_MAX_MATRIX_ORDER = 64,
         PSH_GRID_FEJER = 0,
@@ -529,6 +561,10 @@ return {
         framebuffer_read_plane = true,
         framebuffer_write_exr = true,
         framebuffer_write_png = true,
+        context_create_host = "nicol_context",
+        framebuffer_get_texture = true,
+        framebuffer_draw_stokes = true,
+        framebuffer_draw_picture = true,
         psh_project_image = true,
         psh_project_environment = true,
         psh_project_file = true,
@@ -579,6 +615,9 @@ return {
         statistics = true,
         plane_buffer = true,
         picture = true,
+        host = true,
+        texture = true,
+        texture_target = true,
         psh_sampling = true,
         psh_mueller_field = true,
         file_options = true,

@@ -109,9 +109,22 @@ std::shared_ptr<Context> Context::create(const ContextRequest& asked) {
     throw Error(ErrorCode::no_backend, text);
 }
 
+std::shared_ptr<Context> Context::create_in_host(HostAccess access) {
+    auto state = std::make_shared<State>();
+    state->open_in_host(std::move(access));
+    return std::shared_ptr<Context>(new Context(std::move(state)));
+}
+
 Context::Context(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
 Context::~Context() {
+    if (state_->host) {
+        if (state_->host->is_current(*state_)) {
+            state_->host->remove_waiting(*state_);
+            state_->close();
+        }
+        return;
+    }
     state_->worker.stop();
     join_or_leave(std::move(state_->thread));
 }
@@ -135,13 +148,20 @@ MemoryUse Context::memory() const noexcept {
 }
 
 bool Context::on_thread() const noexcept {
-    return state_->worker.on_thread();
+    return state_->host ? state_->host->on_thread() : state_->worker.on_thread();
+}
+
+void Context::require_current() const {
+    if (state_->host) state_->host->require_current(*state_);
 }
 
 void Context::execute(void (*call)(void*), void* argument) {
     // The called function may drop the last reference to this context.
     const std::shared_ptr<State> kept = state_;
-    kept->worker.execute(call, argument);
+    if (kept->host)
+        kept->host->execute(*kept, call, argument);
+    else
+        kept->worker.execute(call, argument);
 }
 
 void finish(Context& context) {

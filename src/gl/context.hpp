@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,7 +14,7 @@
 
 namespace nicol::gl {
 
-enum class Backend { automatic, egl, osmesa };
+enum class Backend { automatic, egl, osmesa, host };
 
 /// Which context to make. `automatic` tries EGL hardware devices, the EGL software device, EGL without a
 /// device, then OSMesa, and can be overridden by the environment variable NICOL_BACKEND (egl or osmesa).
@@ -24,8 +25,15 @@ struct ContextRequest {
     std::optional<int> device = std::nullopt;
 };
 
+/// A way into the context of a host. None of the functions may throw.
+struct HostAccess {
+    std::function<void (*(const char* name))()> function;  ///< as the host looks up OpenGL's functions
+    std::function<bool()> is_current;                      ///< on the calling thread; empty: OpenGL is asked
+    std::function<void(const std::string& message)> notice;  ///< may be empty
+};
+
 struct ContextInfo {
-    Backend backend = Backend::automatic;   ///< egl or osmesa, never automatic
+    Backend backend = Backend::automatic;   ///< never automatic
     std::string device;                     ///< what was opened, for example "EGL device 0 (/dev/dri/card0)"
     std::string vendor, renderer, version;  ///< GL_VENDOR, GL_RENDERER, GL_VERSION
     bool software = false;                  ///< the processor rasterises: prefer threads to compute shaders
@@ -70,6 +78,11 @@ public:
     /// Throws Error(no_backend) with the reason of every failed try, or Error(invalid_argument) for an
     /// unknown NICOL_BACKEND, a device that does not exist, or a device together with OSMesa.
     [[nodiscard]] static std::shared_ptr<Context> create(const ContextRequest& request = {});
+    /// Uses the context of the caller, which is current on this thread and of OpenGL 4.5 or newer, core or
+    /// compatibility. run() calls on the calling thread, finds the host's state (host_state.hpp) as it left
+    /// it, and throws Error(not_current) where the context is not current. Objects that are dropped where it
+    /// is not go at the next run(), or with the host's context. Throws Error(not_current), Error(no_backend).
+    [[nodiscard]] static std::shared_ptr<Context> create_in_host(HostAccess access);
     ~Context();
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
@@ -85,8 +98,11 @@ public:
     template <class F>
     auto run(F&& f) -> std::invoke_result_t<F&>;
 
-    /// Whether the caller runs on the context's thread, that is, inside run().
+    /// Whether the caller is inside run(), or on the context's own thread.
     [[nodiscard]] bool on_thread() const noexcept;
+
+    /// Throws what run() would where a host's context is not current; never for a context of our own.
+    void require_current() const;
 
     struct State;  ///< the thread, the platform's context and the function pointers (state.hpp)
     [[nodiscard]] State& state() noexcept { return *state_; }

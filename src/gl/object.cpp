@@ -38,7 +38,9 @@ GLuint make(const GladGLContext& gl, ObjectKind kind, unsigned detail) {
     return id;
 }
 
-void remove(const GladGLContext& gl, ObjectKind kind, GLuint id) noexcept {
+}  // namespace
+
+void delete_object(const GladGLContext& gl, ObjectKind kind, unsigned id) noexcept {
     switch (kind) {
         case ObjectKind::buffer:
             gl.DeleteBuffers(1, &id);
@@ -63,8 +65,6 @@ void remove(const GladGLContext& gl, ObjectKind kind, GLuint id) noexcept {
             break;
     }
 }
-
-}  // namespace
 
 Object::Object(std::shared_ptr<Context> context, ObjectKind kind, unsigned detail)
     : context_(std::move(context)), kind_(kind) {
@@ -110,12 +110,14 @@ void Object::drop() noexcept {
     Context::State& state = context_->state();
     state.bytes[static_cast<std::size_t>(memory_kind_)] -= bytes_;
     if (context_->on_thread()) {
-        remove(state.gl, kind_, id_);
+        delete_object(state.gl, kind_, id_);
+    } else if (state.host) {
+        state.host->remove(state, kind_, id_);
     } else {
         // Not waited for: the thread does it before whatever it is given next, and before it ends. The state
         // outlives the job because the thread holds it.
         try {
-            state.worker.post([&state, kind = kind_, id = id_] { remove(state.gl, kind, id); });
+            state.worker.post([&state, kind = kind_, id = id_] { delete_object(state.gl, kind, id); });
         } catch (...) {
             // No memory for the message: the object stays until its context goes.
         }

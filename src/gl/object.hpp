@@ -7,9 +7,14 @@
 
 #include "gl/context.hpp"
 
+struct GladGLContext;
+
 namespace nicol::gl {
 
 enum class ObjectKind { buffer, texture, renderbuffer, framebuffer, vertex_array, program, shader };
+
+/// With the context current.
+void delete_object(const GladGLContext& gl, ObjectKind kind, unsigned id) noexcept;
 
 /// Movable, not copyable. A moved-from object is empty and may only be destroyed or assigned to.
 class Object {

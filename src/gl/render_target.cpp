@@ -44,6 +44,26 @@ const RenderTargetDescription& checked(const RenderTargetDescription& descriptio
     return description;
 }
 
+/// Level 0 of a texture that is not ours.
+RenderTargetDescription described(Context& context, unsigned texture) {
+    const GladGLContext& gl = functions(context, "RenderTarget");
+    const std::string what = "the texture " + std::to_string(texture);
+    const auto refuse = [](const std::string& text) { throw Error(ErrorCode::invalid_argument, text); };
+    if (gl.IsTexture(texture) != GL_TRUE) refuse(what + " does not exist in the host's context");
+    GLint target = 0, format = 0, width = 0, height = 0;
+    gl.GetTextureParameteriv(texture, GL_TEXTURE_TARGET, &target);
+    if (target != GL_TEXTURE_2D) refuse(what + " is not a GL_TEXTURE_2D");
+    gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+    gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &width);
+    gl.GetTextureLevelParameteriv(texture, 0, GL_TEXTURE_HEIGHT, &height);
+    if (width < 1 || height < 1) refuse(what + " has no pixels yet");
+    if (format != GL_RGBA8 && format != GL_SRGB8_ALPHA8 && format != GL_RGBA16F && format != GL_RGBA32F)
+        refuse(what + " has the internal format " + std::to_string(format) +
+               "; it must be GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F or GL_RGBA32F");
+    context.state().check(what);
+    return {.width = width, .height = height, .colours = 1, .depth = false};
+}
+
 std::shared_ptr<Context> required(std::shared_ptr<Context> context) {
     if (!context) throw Error(ErrorCode::invalid_argument, "a render target needs a context, not null");
     return context;
@@ -81,6 +101,18 @@ RenderTarget::RenderTarget(std::shared_ptr<Context> context, const RenderTargetD
     if (has_depth) clear_depth();
 }
 
+RenderTarget::RenderTarget(const std::shared_ptr<Context>& context, unsigned borrowed_texture)
+    : description_(described(*required(context), borrowed_texture)),
+      framebuffer_(context, ObjectKind::framebuffer) {
+    const GladGLContext& gl = functions(*context, "RenderTarget");
+    gl.NamedFramebufferTexture(id(), GL_COLOR_ATTACHMENT0, borrowed_texture, 0);
+    const GLenum status = gl.CheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw Error(ErrorCode::invalid_argument, "the texture " + std::to_string(borrowed_texture) +
+                                                     " cannot be drawn into: " + text_of_status(status));
+    context->state().check("drawing into a texture");
+}
+
 void RenderTarget::clear(const glm::vec4& colour) {
     for (int i = 0; i < colours(); ++i) clear_colour(i, colour);
     if (has_depth()) clear_depth();
@@ -88,7 +120,8 @@ void RenderTarget::clear(const glm::vec4& colour) {
 
 void RenderTarget::clear_colour(int attachment, const glm::vec4& colour) {
     const GladGLContext& gl = functions(*context(), "RenderTarget::clear_colour");
-    static_cast<void>(this->colour(attachment));  // refuses an attachment that is not there
+    static_cast<void>(this->colour(attachment));       // refuses an attachment that is not there
+    gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);  // it masks clearing, too
     gl.ClearNamedFramebufferfv(id(), GL_COLOR, attachment, &colour.x);
     context()->state().check("RenderTarget::clear_colour");
 }
@@ -115,9 +148,9 @@ void RenderTarget::write(int attachment, std::span<const float> pixels) {
 }
 
 const Texture2D& RenderTarget::colour(int attachment) const {
-    if (attachment < 0 || attachment >= colours())
+    if (attachment < 0 || static_cast<std::size_t>(attachment) >= colours_.size())
         throw Error(ErrorCode::invalid_argument, "RenderTarget: attachment " + std::to_string(attachment) +
-                                                     " is not one of " + std::to_string(colours()) +
+                                                     " is not one of " + std::to_string(colours_.size()) +
                                                      ", counted from 0");
     return colours_[static_cast<std::size_t>(attachment)];
 }

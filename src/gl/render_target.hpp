@@ -27,6 +27,11 @@ class RenderTarget {
 public:
     RenderTarget(std::shared_ptr<Context> context, const RenderTargetDescription& description);
 
+    /// A texture that is not ours, as the only attachment, without depth: its first level of GL_TEXTURE_2D,
+    /// of RGBA8, SRGB8_ALPHA8, RGBA16F or RGBA32F. It must outlive the target. Error(invalid_argument) for
+    /// any other name.
+    RenderTarget(const std::shared_ptr<Context>& context, unsigned borrowed_texture);
+
     /// Every colour attachment, and depth to 1.
     void clear(const glm::vec4& colour = glm::vec4(0.0f));
     void clear_colour(int attachment, const glm::vec4& colour);
@@ -37,7 +42,7 @@ public:
     /// The reverse.
     void write(int attachment, std::span<const float> pixels);
 
-    /// To sample in a later pass; never in a pass that draws into it.
+    /// To sample in a later pass; never in a pass that draws into it. Not of a borrowed texture.
     [[nodiscard]] const Texture2D& colour(int attachment) const;
     [[nodiscard]] int width() const noexcept { return description_.width; }
     [[nodiscard]] int height() const noexcept { return description_.height; }

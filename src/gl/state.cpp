@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "gl/host_state.hpp"
 #include "nicol/error.hpp"
 
 namespace nicol::gl {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::size_t kept_messages = 8;
 
-GLADapiproc load(void* platform, const char* name) {
+GLADapiproc look_up(void* platform, const char* name) {
     return static_cast<Platform*>(platform)->function(name);
 }
 
@@ -23,7 +24,9 @@ void GLAD_API_PTR collect(GLenum, GLenum, GLuint, GLenum, GLsizei length, const 
     messages.push_back(length >= 0 ? std::string(text, static_cast<std::size_t>(length)) : std::string(text));
 }
 
-std::string name_of(GLenum error) {
+}  // namespace
+
+std::string error_name(GLenum error) {
     switch (error) {
         case GL_INVALID_ENUM:
             return "GL_INVALID_ENUM";
@@ -42,6 +45,8 @@ std::string name_of(GLenum error) {
     }
 }
 
+namespace {
+
 bool is_software(const std::string& renderer) {
     const auto names = {"llvmpipe", "softpipe", "swrast", "SWR", "Software", "software"};
     return std::any_of(names.begin(), names.end(),
@@ -52,17 +57,7 @@ bool is_software(const std::string& renderer) {
 
 void Context::State::open(std::unique_ptr<Platform> made, Backend backend, const std::string& device) {
     platform = std::move(made);
-    const int version = gladLoadGLContextUserPtr(&gl, load, platform.get());
-    if (version == 0) throw Error(ErrorCode::no_backend, "the OpenGL functions cannot be loaded");
-    const auto text = [this](GLenum name) {
-        const GLubyte* value = gl.GetString(name);
-        return value != nullptr ? std::string(reinterpret_cast<const char*>(value)) : std::string();
-    };
-    info = {backend, device, text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION), false};
-    info.software = is_software(info.renderer);
-    if (version < GLAD_MAKE_VERSION(4, 5))
-        throw Error(ErrorCode::no_backend, "OpenGL 4.5 is needed, " + info.renderer + " has " + info.version);
-    read_limits();
+    load(backend, device);
 
     gl.Enable(GL_DEBUG_OUTPUT);
     gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);  // messages arrive on this thread, inside the call they are about
@@ -72,13 +67,44 @@ void Context::State::open(std::unique_ptr<Platform> made, Backend backend, const
 
     gl.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);  // row 0 of every picture is its top
     gl.Disable(GL_DITHER);
-    gl.CreateVertexArrays(1, &empty_vertex_array);
     check("opening the context");
+}
+
+void Context::State::open_in_host(HostAccess access) {
+    auto made = std::make_unique<HostPlatform>(std::move(access));
+    host = std::make_unique<Host>(made->access());
+    if (made->access().is_current && !made->access().is_current())
+        throw Error(ErrorCode::not_current, "the host's OpenGL context is not current on the calling thread");
+    platform = std::move(made);
+    load(Backend::host, "the host's context");
+    compatibility = (integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0;
+    // As much as HostState keeps.
+    limits.texture_units = std::min(limits.texture_units, HostState::kTextureUnits);
+    limits.image_units = std::min(limits.image_units, HostState::kImageUnits);
+    limits.storage_bindings = std::min(limits.storage_bindings, HostState::kStorageBindings);
+    host->mark(*this);
+}
+
+void Context::State::load(Backend backend, const std::string& device) {
+    const int version = gladLoadGLContextUserPtr(&gl, look_up, platform.get());
+    if (version == 0)
+        throw Error(ErrorCode::no_backend,
+                    "no OpenGL context is current, or the OpenGL functions cannot be loaded");
+    const auto text = [this](GLenum name) {
+        const GLubyte* value = gl.GetString(name);
+        return value != nullptr ? std::string(reinterpret_cast<const char*>(value)) : std::string();
+    };
+    info = {backend, device, text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION), false};
+    info.software = is_software(info.renderer);
+    if (version < GLAD_MAKE_VERSION(4, 5))
+        throw Error(ErrorCode::no_backend, "OpenGL 4.5 is needed, " + info.renderer + " has " + info.version);
+    read_limits();
+    gl.CreateVertexArrays(1, &empty_vertex_array);
 }
 
 void Context::State::close() noexcept {
     if (empty_vertex_array != 0) gl.DeleteVertexArrays(1, &empty_vertex_array);
-    if (gl.DebugMessageCallback != nullptr) gl.DebugMessageCallback(nullptr, nullptr);
+    if (!host && gl.DebugMessageCallback != nullptr) gl.DebugMessageCallback(nullptr, nullptr);
     platform.reset();
 }
 
@@ -89,13 +115,13 @@ void Context::State::check(std::string_view what) {
         return;
     }
     bool memory = error == GL_OUT_OF_MEMORY;
-    std::string text = std::string(what) + ": " + name_of(error);
+    std::string text = std::string(what) + ": " + error_name(error);
     // OpenGL keeps one flag of each kind; a lost context would answer forever.
     for (int i = 0; i < 8; ++i) {
         const GLenum next = gl.GetError();
         if (next == GL_NO_ERROR) break;
         memory = memory || next == GL_OUT_OF_MEMORY;
-        text += ", " + name_of(next);
+        text += ", " + error_name(next);
     }
     for (const std::string& message : messages) text += "; " + message;
     messages.clear();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gl/context.hpp"
+#include "gl/host.hpp"
 #include "gl/platform.hpp"
 #include "gl/worker.hpp"
 
@@ -21,26 +22,36 @@ namespace nicol::gl {
 /// Shared by the Context and its thread, so that either may go first. Everything but the worker, the account
 /// and what is constant after open() belongs to the thread.
 struct Context::State {
-    Worker worker;
+    Worker worker;  ///< of a context of our own
     std::thread thread;
+    std::unique_ptr<Host> host;  ///< of a host's context, instead of worker and thread
     std::unique_ptr<Platform> platform;
     GladGLContext gl{};
     ContextInfo info;
     Limits limits;
     std::vector<Probe> failed_probes;
     std::array<std::atomic<std::size_t>, 5> bytes{};
+    bool compatibility = false;         ///< profile of a host's context
     GLuint empty_vertex_array = 0;      ///< core profiles draw nothing without one
     std::vector<std::string> messages;  ///< of KHR_debug since the last check()
 
     /// Makes the platform current and readies OpenGL. Throws Error(no_backend).
     void open(std::unique_ptr<Platform> made, Backend backend, const std::string& device);
+    /// The same with the host's context, which is current and stays as it is.
+    void open_in_host(HostAccess access);
     void close() noexcept;
     /// Throws Error(out_of_memory) or Error(opengl) naming `what`, with the driver's messages, if anything
     /// since the last check failed.
     void check(std::string_view what);
     [[nodiscard]] GLint integer(GLenum name) const;
+
+private:
+    void load(Backend backend, const std::string& device);
     void read_limits();
 };
+
+/// "GL_INVALID_ENUM" and the like.
+[[nodiscard]] std::string error_name(GLenum error);
 
 /// The function pointers, for a caller inside run(); throws Error(internal) naming `what` elsewhere.
 [[nodiscard]] const GladGLContext& functions(Context& context, std::string_view what);

@@ -24,6 +24,15 @@ static int32_t reflect(void* user, uint32_t channel, const double towards_light[
     return 1;
 }
 
+static void* find(void* user, const char* name) {
+    (void)name;
+    return user;
+}
+
+static int32_t current(void* user) {
+    return user != 0;
+}
+
 static void forget(void* user) {
     (void)user;
 }
@@ -59,9 +68,14 @@ int use_header(void) {
     nicol_file_options file_options = NICOL_FILE_OPTIONS_INIT;
     nicol_light_report light_report = NICOL_LIGHT_REPORT_INIT;
     nicol_material_report material_report = NICOL_MATERIAL_REPORT_INIT;
+    nicol_host host = NICOL_HOST_INIT;
+    nicol_texture texture = NICOL_TEXTURE_INIT;
+    nicol_texture_target texture_target = NICOL_TEXTURE_TARGET_INIT;
 
     context_options.log = log_nothing;
     render_options.progress = go_on;
+    host.get_proc_address = find;
+    host.is_current = current;
     image.release = forget;
     function.mueller = reflect;
     function.release = forget;
@@ -82,6 +96,8 @@ int use_header(void) {
     if (file_options.struct_size != sizeof file_options) return 13;
     if (light_report.struct_size != sizeof light_report) return 14;
     if (material_report.struct_size != sizeof material_report) return 15;
+    if (host.struct_size != sizeof host || texture.struct_size != sizeof texture) return 16;
+    if (texture_target.struct_size != sizeof texture_target) return 17;
     if (nicol_context_get_info(context, &info) != NICOL_ERROR_INVALID_HANDLE) return 6;
     if (nicol_render(scene, &camera, &render_options, framebuffer) != NICOL_ERROR_INVALID_HANDLE) return 7;
     return nicol_environment_release(environment) == NICOL_OK ? 0 : 8;

@@ -19,6 +19,7 @@ inline const char* name_of(Backend backend) {
             return "egl";
         case Backend::osmesa:
             return "osmesa";
+        case Backend::host:
         case Backend::automatic:
             break;
     }

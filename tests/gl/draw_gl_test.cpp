@@ -150,6 +150,21 @@ TEST_CASE("the nearer triangle wins in either order, unless the test is off") {
     });
 }
 
+TEST_CASE("clearing clears all components, whatever was drawn before") {
+    on_every_backend([](const std::shared_ptr<Context>& context) {
+        context->run([&] {
+            RenderTarget target(context, {4, 4, 2});
+            const Program program = coloured(context);
+            const VertexArray vertices = interleaved(context, upper_left, one_triangle);
+            target.clear(glm::vec4(7.0f));
+            draw(target, program, vertices, {.components = 1});
+            target.clear(glm::vec4(3.0f));
+            for (int attachment = 0; attachment < 2; ++attachment)
+                for (const float value : pixels_of(target, attachment)) REQUIRE(value == 3.0f);
+        });
+    });
+}
+
 TEST_CASE("culling drops the faces it names") {
     on_every_backend([](const std::shared_ptr<Context>& context) {
         context->run([&] {

@@ -23,6 +23,7 @@ ERROR_NO_BACKEND = 8
 ERROR_CANCELLED = 9
 ERROR_OPENGL = 10
 ERROR_INTERNAL = 11
+ERROR_NOT_CURRENT = 12
 LOG_INFO = 0
 LOG_NOTICE = 1
 LOG_WARNING = 2
@@ -32,6 +33,7 @@ MAX_SIZE = 16384
 BACKEND_AUTOMATIC = 0
 BACKEND_EGL = 1
 BACKEND_OSMESA = 2
+BACKEND_HOST = 3
 DISTRIBUTION_BECKMANN = 0
 DISTRIBUTION_GGX = 1
 WAVELENGTH_LINEAR = 0
@@ -90,6 +92,8 @@ PICTURE_S3 = 3
 PICTURE_DOLP = 4
 PICTURE_AOLP = 5
 PICTURE_POLARIZER = 6
+ENCODING_LINEAR = 0
+ENCODING_SRGB = 1
 PSH_MAX_ORDER = 4096
 PSH_MAX_MATRIX_ORDER = 64
 PSH_GRID_FEJER = 0
@@ -109,6 +113,8 @@ LogCallback = Callback(None, (c_void_p, None), (c_uint32, as_is), (c_int32, as_i
 ProgressCallback = Callback(c_int32, (c_void_p, None), (c_char_p, decoded), (c_double, as_is))
 ReleaseCallback = Callback(None, (c_void_p, None))
 MuellerCallback = Callback(c_int32, (c_void_p, None), (c_uint32, as_is), (POINTER(c_double * 3), pointee), (POINTER(c_double * 3), pointee), (POINTER(c_double * 16), pointee))
+GetProcAddressCallback = Callback(c_void_p, (c_void_p, None), (c_char_p, decoded))
+IsCurrentCallback = Callback(c_int32, (c_void_p, None))
 PshMuellerCallback = Callback(c_int32, (c_void_p, None), (POINTER(c_double * 3), pointee), (POINTER(c_double * 3), pointee), (POINTER(c_double * 16), pointee))
 PshKernelCallback = Callback(c_int32, (c_void_p, None), (c_double, as_is), (POINTER(c_double * 16), pointee))
 
@@ -391,6 +397,39 @@ class Picture(Struct):
     ]
 
 
+class Host(Struct):
+    _callbacks_ = {"get_proc_address": GetProcAddressCallback, "is_current": IsCurrentCallback}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("get_proc_address", GetProcAddressCallback.type),
+        ("is_current", IsCurrentCallback.type),
+        ("user", c_void_p),
+    ]
+
+
+class Texture(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("name", c_uint32),
+        ("target", c_uint32),
+        ("internal_format", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+    ]
+
+
+class TextureTarget(Struct):
+    """A texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F
+    or GL_RGBA32F, as large as the framebuffer."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("texture", c_uint32),
+        ("bottom_up", c_uint32),
+        ("encoding", c_uint32),
+    ]
+
+
 class PshSampling(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -497,6 +536,17 @@ class Context(Handle):
         info = ContextInfo()
         check(_context_get_info(self, byref(info)))
         return info
+
+    @classmethod
+    def create_host(cls, host, options=None):
+        """A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
+        options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT where is_current answers
+        0, NICOL_ERROR_NO_BACKEND where there is no such OpenGL."""
+        host = lend(host)
+        options = lend(options)
+        context = cls()
+        check(_context_create_host(byref(host) if host is not None else None, byref(options) if options is not None else None, byref(context)))
+        return context
 
 
 class Environment(Handle):
@@ -788,6 +838,24 @@ class Framebuffer(Handle):
         """8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
         channels."""
         check(_framebuffer_write_png(self, byref(picture) if picture is not None else None, text(path)))
+
+    def get_texture(self, channel):
+        """The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the picture's TOP.
+        The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
+        render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
+        NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below."""
+        texture = Texture()
+        check(_framebuffer_get_texture(self, channel, byref(texture)))
+        return texture
+
+    def draw_stokes(self, channel, target):
+        """Copies the Stokes vectors of a channel. Nothing is read back."""
+        check(_framebuffer_draw_stokes(self, channel, byref(target) if target is not None else None))
+
+    def draw_picture(self, picture, target):
+        """The picture that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
+        1 here, since nothing is read back."""
+        check(_framebuffer_draw_picture(self, byref(picture) if picture is not None else None, byref(target) if target is not None else None))
 
 
 class PshTransform(Handle):
@@ -1095,6 +1163,10 @@ _framebuffer_read = declare("nicol_framebuffer_read", c_int32, Framebuffer, c_ui
 _framebuffer_read_plane = declare("nicol_framebuffer_read_plane", c_int32, Framebuffer, POINTER(PlaneBuffer))
 _framebuffer_write_exr = declare("nicol_framebuffer_write_exr", c_int32, Framebuffer, c_char_p)
 _framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Picture), c_char_p)
+_context_create_host = declare("nicol_context_create_host", c_int32, POINTER(Host), POINTER(ContextOptions), POINTER(Context))
+_framebuffer_get_texture = declare("nicol_framebuffer_get_texture", c_int32, Framebuffer, c_uint32, POINTER(Texture))
+_framebuffer_draw_stokes = declare("nicol_framebuffer_draw_stokes", c_int32, Framebuffer, c_uint32, POINTER(TextureTarget))
+_framebuffer_draw_picture = declare("nicol_framebuffer_draw_picture", c_int32, Framebuffer, POINTER(Picture), POINTER(TextureTarget))
 _psh_project_image = declare("nicol_psh_project_image", c_int32, POINTER(Image), c_uint32, POINTER(c_double), c_uint64)
 _psh_project_environment = declare("nicol_psh_project_environment", c_int32, Environment, c_uint32, POINTER(c_double), c_uint64)
 _psh_project_file = declare("nicol_psh_project_file", c_int32, c_char_p, c_uint32, POINTER(c_uint32), POINTER(c_double), c_uint64)
@@ -1129,6 +1201,7 @@ __all__ = [
     "ALL_CHANNELS",
     "BACKEND_AUTOMATIC",
     "BACKEND_EGL",
+    "BACKEND_HOST",
     "BACKEND_OSMESA",
     "COMPONENTS_ALL",
     "COMPONENTS_LINEAR",
@@ -1142,12 +1215,15 @@ __all__ = [
     "DISTRIBUTION_BECKMANN",
     "DISTRIBUTION_GGX",
     "DeviceInfo",
+    "ENCODING_LINEAR",
+    "ENCODING_SRGB",
     "ERROR_CANCELLED",
     "ERROR_FILE_NOT_FOUND",
     "ERROR_INTERNAL",
     "ERROR_INVALID_ARGUMENT",
     "ERROR_INVALID_FILE",
     "ERROR_INVALID_HANDLE",
+    "ERROR_NOT_CURRENT",
     "ERROR_NO_BACKEND",
     "ERROR_OPENGL",
     "ERROR_OUT_OF_MEMORY",
@@ -1179,6 +1255,7 @@ __all__ = [
     "HIGH_ORDERS_CONVOLUTION",
     "HIGH_ORDERS_NONE",
     "HIGH_ORDERS_SPLIT",
+    "Host",
     "Image",
     "Instance",
     "LOG_INFO",
@@ -1248,6 +1325,8 @@ __all__ = [
     "Sky",
     "Spectrum",
     "Statistics",
+    "Texture",
+    "TextureTarget",
     "VERSION",
     "VERSION_MAJOR",
     "VERSION_MINOR",

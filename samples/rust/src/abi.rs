@@ -20,6 +20,7 @@ pub const NICOL_ERROR_NO_BACKEND: nicol_result = 8;
 pub const NICOL_ERROR_CANCELLED: nicol_result = 9;
 pub const NICOL_ERROR_OPENGL: nicol_result = 10;
 pub const NICOL_ERROR_INTERNAL: nicol_result = 11;
+pub const NICOL_ERROR_NOT_CURRENT: nicol_result = 12;
 pub const NICOL_LOG_INFO: u32 = 0;
 pub const NICOL_LOG_NOTICE: u32 = 1;
 pub const NICOL_LOG_WARNING: u32 = 2;
@@ -29,6 +30,7 @@ pub const NICOL_MAX_SIZE: u32 = 16384;
 pub const NICOL_BACKEND_AUTOMATIC: u32 = 0;
 pub const NICOL_BACKEND_EGL: u32 = 1;
 pub const NICOL_BACKEND_OSMESA: u32 = 2;
+pub const NICOL_BACKEND_HOST: u32 = 3;
 pub const NICOL_DISTRIBUTION_BECKMANN: u32 = 0;
 pub const NICOL_DISTRIBUTION_GGX: u32 = 1;
 pub const NICOL_WAVELENGTH_LINEAR: u32 = 0;
@@ -87,6 +89,8 @@ pub const NICOL_PICTURE_S3: u32 = 3;
 pub const NICOL_PICTURE_DOLP: u32 = 4;
 pub const NICOL_PICTURE_AOLP: u32 = 5;
 pub const NICOL_PICTURE_POLARIZER: u32 = 6;
+pub const NICOL_ENCODING_LINEAR: u32 = 0;
+pub const NICOL_ENCODING_SRGB: u32 = 1;
 pub const NICOL_PSH_MAX_ORDER: u32 = 4096;
 pub const NICOL_PSH_MAX_MATRIX_ORDER: u32 = 64;
 pub const NICOL_PSH_GRID_FEJER: u32 = 0;
@@ -808,6 +812,94 @@ const _: () = {
     assert!(offset_of!(nicol_picture, scale) == 12);
     assert!(offset_of!(nicol_picture, polarizer_angle) == 16);
 };
+
+/// The address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and others
+/// answer.
+pub type nicol_get_proc_address_callback = Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char) -> *mut c_void>;
+
+/// Answer 1 where the host's context is current on the calling thread, else 0.
+pub type nicol_is_current_callback = Option<unsafe extern "C" fn(user: *mut c_void) -> i32>;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_host {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub get_proc_address: nicol_get_proc_address_callback,
+    pub is_current: nicol_is_current_callback,
+    pub user: *mut c_void,
+}
+impl Default for nicol_host {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_host>() == 32);
+    assert!(offset_of!(nicol_host, struct_size) == 0);
+    assert!(offset_of!(nicol_host, reserved) == 4);
+    assert!(offset_of!(nicol_host, get_proc_address) == 8);
+    assert!(offset_of!(nicol_host, is_current) == 16);
+    assert!(offset_of!(nicol_host, user) == 24);
+};
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_texture {
+    pub struct_size: u32,
+    pub name: u32,
+    pub target: u32,
+    pub internal_format: u32,
+    pub width: u32,
+    pub height: u32,
+}
+impl Default for nicol_texture {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_texture>() == 24);
+    assert!(offset_of!(nicol_texture, struct_size) == 0);
+    assert!(offset_of!(nicol_texture, name) == 4);
+    assert!(offset_of!(nicol_texture, target) == 8);
+    assert!(offset_of!(nicol_texture, internal_format) == 12);
+    assert!(offset_of!(nicol_texture, width) == 16);
+    assert!(offset_of!(nicol_texture, height) == 20);
+};
+pub type nicol_encoding = u32;
+
+/// A texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F
+/// or GL_RGBA32F, as large as the framebuffer.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_texture_target {
+    pub struct_size: u32,
+    pub texture: u32,
+    pub bottom_up: u32,
+    pub encoding: nicol_encoding,
+}
+impl Default for nicol_texture_target {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_texture_target>() == 16);
+    assert!(offset_of!(nicol_texture_target, struct_size) == 0);
+    assert!(offset_of!(nicol_texture_target, texture) == 4);
+    assert!(offset_of!(nicol_texture_target, bottom_up) == 8);
+    assert!(offset_of!(nicol_texture_target, encoding) == 12);
+};
 pub type nicol_psh_grid = u32;
 
 #[repr(C)]
@@ -1179,6 +1271,20 @@ extern "C" {
     /// 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
     /// channels.
     pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, picture: *const nicol_picture, path: *const c_char) -> nicol_result;
+    /// A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
+    /// options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT where is_current answers
+    /// 0, NICOL_ERROR_NO_BACKEND where there is no such OpenGL.
+    pub fn nicol_context_create_host(host: *const nicol_host, options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
+    /// The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the picture's TOP.
+    /// The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
+    /// render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
+    /// NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below.
+    pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_texture) -> nicol_result;
+    /// Copies the Stokes vectors of a channel. Nothing is read back.
+    pub fn nicol_framebuffer_draw_stokes(framebuffer: nicol_framebuffer, channel: u32, target: *const nicol_texture_target) -> nicol_result;
+    /// The picture that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
+    /// 1 here, since nothing is read back.
+    pub fn nicol_framebuffer_draw_picture(framebuffer: nicol_framebuffer, picture: *const nicol_picture, target: *const nicol_texture_target) -> nicol_result;
     /// Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
     /// is channels * 4 (order+1)^2. A picture counts as the bilinear function between its pixels. As an
     /// environment, it must be physical: polarization up to s0.

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Contexts of the caller's.
+#include "host.hpp"
+
+#include "handles.hpp"
+#include "host_picture.hpp"
+
+using namespace nicol;
+using namespace nicol::capi;
+
+namespace {
+
+gl::HostAccess access_from(const nicol_host& host, const nicol_context_options& options) {
+    require(host.get_proc_address, "host->get_proc_address");
+    gl::HostAccess access;
+    access.function = [look_up = host.get_proc_address, user = host.user](const char* name) {
+        return reinterpret_cast<void (*)()>(look_up(user, name));
+    };
+    if (host.is_current != nullptr) {
+        access.is_current = [is_current = host.is_current, user = host.user] {
+            return is_current(user) != 0;
+        };
+    }
+    if (options.log != nullptr) {
+        access.notice = [log = options.log, user = options.log_user](const std::string& message) {
+            log(user, NICOL_LOG_NOTICE, NICOL_ERROR_OPENGL, message.c_str());
+        };
+    }
+    return access;
+}
+
+const Framebuffer& of_host(const nicol_framebuffer_impl& framebuffer) {
+    if (framebuffer.session->gl->info().backend != gl::Backend::host) {
+        throw Error(ErrorCode::unsupported,
+                    "the framebuffer's context is Nicol's own and shares no textures; it must come from "
+                    "nicol_context_create_host");
+    }
+    return *framebuffer.content;
+}
+
+}  // namespace
+
+nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options,
+                                       nicol_context* context) {
+    return guarded([&] {
+        const nicol_host access = read_struct(host, "host");
+        require(context, "context");
+        if (access.reserved != 0) refuse("host->reserved must be 0");
+        const nicol_context_options chosen = context_options(options);
+        if (chosen.backend != NICOL_BACKEND_AUTOMATIC || chosen.device != 0) {
+            refuse("backend and device must be 0: the context is the host's");
+        }
+        *context = make_context(gl::Context::create_in_host(access_from(access, chosen)), chosen);
+    });
+}
+
+nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel,
+                                           nicol_texture* texture) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        static_cast<void>(of_host(self));
+        require_channel(*self.content, channel);
+        const gl::Texture2D& from = channel_texture(*self.content, static_cast<int>(channel));
+        nicol_texture out = NICOL_TEXTURE_INIT;
+        out.name = from.id();
+        out.target = 0x0DE1;           // GL_TEXTURE_2D
+        out.internal_format = 0x8814;  // GL_RGBA32F
+        out.width = static_cast<uint32_t>(from.width());
+        out.height = static_cast<uint32_t>(from.height());
+        write_struct(texture, out, "texture");
+    });
+}
+
+nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel,
+                                           const nicol_texture_target* target) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        static_cast<void>(of_host(self));
+        const nicol_texture_target wanted = read_struct(target, "target");
+        require_channel(*self.content, channel);
+        const Turn turn(self.session);
+        draw_stokes(*self.session, *self.content, static_cast<int>(channel), wanted);
+    });
+}
+
+nicol_result nicol_framebuffer_draw_picture(nicol_framebuffer framebuffer, const nicol_picture* picture,
+                                            const nicol_texture_target* target) {
+    return guarded([&] {
+        const nicol_framebuffer_impl& self = resolve(framebuffer);
+        static_cast<void>(of_host(self));
+        const nicol_picture seen = read_struct(picture, "picture");
+        const nicol_texture_target wanted = read_struct(target, "target");
+        const Turn turn(self.session);
+        draw_picture(*self.session, *self.content, seen, wanted);
+    });
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Calls in a host's context.
+#include "gl/host.hpp"
+
+#include <array>
+#include <utility>
+
+#include "gl/host_state.hpp"
+#include "gl/state.hpp"
+#include "nicol/error.hpp"
+
+namespace nicol::gl {
+namespace {
+
+/// The host's errors from before: not ours, and they must not be taken for ours.
+void forget_errors(const GladGLContext& gl, const HostAccess& access) {
+    for (int i = 0; i < 8; ++i) {  // a lost context would answer forever
+        const GLenum error = gl.GetError();
+        if (error == GL_NO_ERROR) return;
+        if (access.notice) {
+            access.notice("an error of the host's own was waiting in its OpenGL context and is forgotten: " +
+                          error_name(error));
+        }
+    }
+}
+
+void require_idle(const GladGLContext& gl) {
+    const auto refuse = [](const char* text) { throw Error(ErrorCode::unsupported, text); };
+    GLboolean active = GL_FALSE, paused = GL_FALSE;
+    gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_ACTIVE, &active);
+    gl.GetBooleanv(GL_TRANSFORM_FEEDBACK_PAUSED, &paused);
+    if (active == GL_TRUE && paused == GL_FALSE)
+        refuse("the host's transform feedback is active; end or pause it around calls of Nicol");
+    GLint program = 0, deleted = GL_FALSE;
+    gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
+    if (program != 0) gl.GetProgramiv(static_cast<GLuint>(program), GL_DELETE_STATUS, &deleted);
+    if (deleted == GL_TRUE)
+        refuse(
+            "the host's current program is deleted and would be gone once another one is used; use another "
+            "or none around calls of Nicol");
+}
+
+}  // namespace
+
+void Host::mark(const Context::State& state) {
+    static std::atomic<unsigned long> contexts = 0;
+    mark_ = "nicol " + std::to_string(++contexts);
+    state.gl.ObjectLabel(GL_VERTEX_ARRAY, state.empty_vertex_array, static_cast<GLsizei>(mark_.size()),
+                         mark_.data());
+}
+
+bool Host::is_current(const Context::State& state) const noexcept {
+    if (on_thread()) return true;
+    if (access_.is_current && !access_.is_current()) return false;
+    // Without a context OpenGL answers nothing; another context has other vertex arrays, for they are never
+    // shared. Calls that an older context lacks come only after its version is known.
+    const GLubyte* version = state.gl.GetString(GL_VERSION);
+    if (version == nullptr || state.info.version != reinterpret_cast<const char*>(version)) return false;
+    if (state.gl.IsVertexArray(state.empty_vertex_array) != GL_TRUE) return false;
+    std::array<GLchar, 32> label{};
+    state.gl.GetObjectLabel(GL_VERTEX_ARRAY, state.empty_vertex_array, static_cast<GLsizei>(label.size()),
+                            nullptr, label.data());
+    return mark_ == label.data();
+}
+
+void Host::require_current(const Context::State& state) const {
+    if (!is_current(state))
+        throw Error(ErrorCode::not_current,
+                    "the host's OpenGL context that Nicol was given is not current on the calling thread");
+}
+
+void Host::execute(Context::State& state, void (*call)(void*), void* argument) {
+    if (on_thread()) {
+        call(argument);
+        return;
+    }
+    require_current(state);
+    forget_errors(state.gl, access_);
+    require_idle(state.gl);
+    remove_waiting(state);
+    const HostState host_state(state);
+    struct Inside {
+        explicit Inside(std::atomic<std::thread::id>& place) : thread(place) {
+            thread = std::this_thread::get_id();
+        }
+        ~Inside() { thread = std::thread::id(); }
+        Inside(const Inside&) = delete;
+        Inside& operator=(const Inside&) = delete;
+        std::atomic<std::thread::id>& thread;
+    } const inside(inside_);
+    call(argument);
+}
+
+void Host::remove(const Context::State& state, ObjectKind kind, unsigned id) noexcept {
+    if (is_current(state)) {
+        delete_object(state.gl, kind, id);
+        return;
+    }
+    try {
+        const std::lock_guard lock(mutex_);
+        waiting_.push_back({kind, id});
+    } catch (...) {
+        // No memory for the name: the object stays until the host's context goes.
+    }
+}
+
+void Host::remove_waiting(const Context::State& state) noexcept {
+    std::vector<Name> names;
+    {
+        const std::lock_guard lock(mutex_);
+        names.swap(waiting_);
+    }
+    for (const Name& name : names) delete_object(state.gl, name.kind, name.id);
+}
+
+}  // namespace nicol::gl

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// A context that belongs to the host: calls run where it is current, and find and leave it as it was.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "gl/object.hpp"
+#include "gl/platform.hpp"
+
+namespace nicol::gl {
+
+/// Looks functions up as the host does. Its context is neither made, made current nor destroyed here.
+class HostPlatform final : public Platform {
+public:
+    explicit HostPlatform(HostAccess access) : access_(std::move(access)) {}
+    [[nodiscard]] Function function(const char* name) const override { return access_.function(name); }
+    [[nodiscard]] const HostAccess& access() const noexcept { return access_; }
+
+private:
+    HostAccess access_;
+};
+
+/// What Worker is to a context of our own: where calls run, and how objects go that are dropped elsewhere.
+class Host {
+public:
+    explicit Host(const HostAccess& access) : access_(access) {}
+
+    /// Names the context by an object that contexts do not share. With the context current.
+    void mark(const Context::State& state);
+    /// Whether the marked context is current on the calling thread. Asks the host first, where it can.
+    [[nodiscard]] bool is_current(const Context::State& state) const noexcept;
+    /// Throws Error(not_current) unless it is.
+    void require_current(const Context::State& state) const;
+    /// Calls call(argument) between saving and restoring the host's state. Throws Error(not_current), or
+    /// Error(unsupported) where the host is in the middle of something that cannot be put back.
+    void execute(Context::State& state, void (*call)(void*), void* argument);
+    [[nodiscard]] bool on_thread() const noexcept { return inside_.load() == std::this_thread::get_id(); }
+
+    /// Deletes an object at once where the context is current, else at the next call that finds it so.
+    void remove(const Context::State& state, ObjectKind kind, unsigned id) noexcept;
+    /// Deletes what waits. With the context current.
+    void remove_waiting(const Context::State& state) noexcept;
+
+private:
+    struct Name {
+        ObjectKind kind;
+        unsigned id;
+    };
+    const HostAccess& access_;
+    std::string mark_;
+    std::atomic<std::thread::id> inside_{};
+    std::mutex mutex_;
+    std::vector<Name> waiting_;
+};
+
+}  // namespace nicol::gl

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// An application with OpenGL contexts of its own, as far as the library under test can tell: EGL without a
+// surface.
+#pragma once
+
+#define EGL_NO_X11
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <dlfcn.h>
+#include <glad/gl.h>
+
+#include "capi/capi.hpp"
+
+namespace host_test {
+
+struct Egl {
+    void* library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+#define EGL_FUNCTION(member, name) \
+    decltype(&name) member = reinterpret_cast<decltype(&name)>(dlsym(library, #name))
+    EGL_FUNCTION(proc_address, eglGetProcAddress);
+    EGL_FUNCTION(initialize, eglInitialize);
+    EGL_FUNCTION(bind_api, eglBindAPI);
+    EGL_FUNCTION(create_context, eglCreateContext);
+    EGL_FUNCTION(destroy_context, eglDestroyContext);
+    EGL_FUNCTION(make_current, eglMakeCurrent);
+    EGL_FUNCTION(current_context, eglGetCurrentContext);
+#undef EGL_FUNCTION
+    EGLDisplay display = EGL_NO_DISPLAY;
+
+    Egl() {
+        REQUIRE(library != nullptr);
+        const auto get =
+            reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(proc_address("eglGetPlatformDisplayEXT"));
+        display = get(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        REQUIRE(initialize(display, nullptr, nullptr) == EGL_TRUE);
+    }
+};
+
+inline Egl& egl() {
+    static Egl instance;
+    return instance;
+}
+
+enum class Profile { core, compatibility };
+inline constexpr Profile every_profile[] = {Profile::core, Profile::compatibility};
+
+/// A context of the application's, current on this thread from the start.
+class Application {
+public:
+    explicit Application(Profile profile = Profile::core, EGLContext shared = EGL_NO_CONTEXT) {
+        REQUIRE(egl().bind_api(EGL_OPENGL_API) == EGL_TRUE);
+        const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                     4,
+                                     EGL_CONTEXT_MINOR_VERSION,
+                                     5,
+                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                     profile == Profile::core ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
+                                                              : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                                     EGL_NONE};
+        context_ = egl().create_context(egl().display, EGL_NO_CONFIG_KHR, shared, attributes);
+        REQUIRE(context_ != EGL_NO_CONTEXT);
+        enter();
+        REQUIRE(gladLoadGLContextUserPtr(
+                    &gl,
+                    [](void*, const char* name) {
+                        return reinterpret_cast<GLADapiproc>(egl().proc_address(name));
+                    },
+                    nullptr) != 0);
+    }
+    ~Application() {
+        if (egl().current_context() == context_) leave();
+        egl().destroy_context(egl().display, context_);
+    }
+    Application(const Application&) = delete;
+    Application& operator=(const Application&) = delete;
+
+    void enter() const {
+        egl().bind_api(EGL_OPENGL_API);
+        REQUIRE(egl().make_current(egl().display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE);
+    }
+    static void leave() {
+        REQUIRE(egl().make_current(egl().display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT) ==
+                EGL_TRUE);
+    }
+    [[nodiscard]] EGLContext handle() const { return context_; }
+
+    GladGLContext gl{};
+
+private:
+    EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+inline void* proc_address(void*, const char* name) {
+    return reinterpret_cast<void*>(egl().proc_address(name));
+}
+
+inline nicol_host host() {
+    nicol_host access = NICOL_HOST_INIT;
+    access.get_proc_address = proc_address;
+    return access;
+}
+
+/// A context of the library's inside the one that is current.
+inline nicol_context make_host_context() {
+    const nicol_host access = host();
+    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
+    options.threads = 2;
+    nicol_context context = nullptr;
+    OK(nicol_context_create_host(&access, &options, &context));
+    return context;
+}
+
+}  // namespace host_test

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Contexts inside an application's: where they work, where they refuse to, and how they go.
+#include <optional>
+#include <thread>
+
+#include "host/egl_host.hpp"
+#include "host/gl_state.hpp"
+
+using namespace capi_test;
+using namespace host_test;
+
+namespace {
+
+nicol_result try_render(const Stage& stage) {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.unskipped = NICOL_SKIP_UNCHANGED;
+    options.progress = [](void* called, const char*, double) {
+        *static_cast<bool*>(called) = true;
+        return std::int32_t{1};
+    };
+    bool begun = false;
+    options.progress_user = &begun;
+    const nicol_result result = nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer);
+    CHECK(begun == (result == NICOL_OK));
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("a host's context says what it is") {
+    const Application application;
+    const nicol_context context = make_host_context();
+    nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
+    OK(nicol_context_get_info(context, &info));
+    CHECK(info.backend == NICOL_BACKEND_HOST);
+    CHECK(info.threads == 2);
+    CHECK(std::string(info.version) == reinterpret_cast<const char*>(application.gl.GetString(GL_VERSION)));
+    CHECK(std::string(info.renderer) == reinterpret_cast<const char*>(application.gl.GetString(GL_RENDERER)));
+    OK(nicol_context_release(context));
+}
+
+TEST_CASE("a wrong host is refused by name") {
+    nicol_context context = marker<nicol_context>();
+    nicol_host access = host();
+    FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NO_BACKEND, "current");
+    access.is_current = [](void*) -> std::int32_t { return 0; };
+    FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NOT_CURRENT, "not current");
+    const Application application;
+    FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NOT_CURRENT, "not current");
+    access = host();
+    FAILS(nicol_context_create_host(nullptr, nullptr, &context), NICOL_ERROR_INVALID_ARGUMENT, "host");
+    FAILS(nicol_context_create_host(&access, nullptr, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "context");
+    access.reserved = 1;
+    FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_INVALID_ARGUMENT, "reserved");
+    access = host();
+    access.get_proc_address = nullptr;
+    FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_INVALID_ARGUMENT,
+          "get_proc_address");
+    access.get_proc_address = [](void*, const char*) -> void* { return nullptr; };
+    FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NO_BACKEND, "functions");
+    access = host();
+    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
+    options.device = 1;
+    FAILS(nicol_context_create_host(&access, &options, &context), NICOL_ERROR_INVALID_ARGUMENT, "device");
+    options = NICOL_CONTEXT_OPTIONS_INIT;
+    options.backend = NICOL_BACKEND_HOST;
+    FAILS(nicol_context_create_host(&access, &options, &context), NICOL_ERROR_INVALID_ARGUMENT, "backend");
+    FAILS(nicol_context_create(&options, &context), NICOL_ERROR_INVALID_ARGUMENT,
+          "nicol_context_create_host");
+    CHECK(context == marker<nicol_context>());
+}
+
+TEST_CASE("a context of an older OpenGL is refused") {
+    const Application application;
+    nicol_host access = host();
+    access.get_proc_address = [](void*, const char* name) -> void* {
+        using GetString = const char* (*)(GLenum);
+        const GetString older = [](GLenum what) {
+            return what == GL_VERSION ? "4.4 (Core Profile) of another driver" : "another driver";
+        };
+        return std::string(name) == "glGetString" ? reinterpret_cast<void*>(older)
+                                                  : proc_address(nullptr, name);
+    };
+    nicol_context context = marker<nicol_context>();
+    FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NO_BACKEND, "4.5");
+    CHECK(context == marker<nicol_context>());
+}
+
+TEST_CASE("calls refuse to work where the host's context is not current") {
+    const Application application;
+    const nicol_context context = make_host_context();
+    {
+        const Stage stage(context);
+        stage.render();
+        const std::vector<float> picture = read_all(stage.framebuffer);
+        nicol_framebuffer framebuffer = marker<nicol_framebuffer>();
+        const auto refused = [&] {
+            FAILS(try_render(stage), NICOL_ERROR_NOT_CURRENT, "not current");
+            FAILS(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer), NICOL_ERROR_NOT_CURRENT,
+                  "not current");
+        };
+        std::thread(refused).join();
+        Application::leave();
+        refused();
+        {
+            // Of the same driver, with the same names in it, but another one.
+            const Application other;
+            GLuint arrays[8] = {};
+            other.gl.CreateVertexArrays(8, arrays);
+            const GlState before = gl_state(other.gl);
+            refused();
+            CHECK(difference(before, gl_state(other.gl)) == "");
+        }
+        {
+            const Application sharing(Profile::core, application.handle());
+            refused();
+        }
+        CHECK(framebuffer == marker<nicol_framebuffer>());
+        application.enter();
+        OK(try_render(stage));
+        CHECK(read_all(stage.framebuffer) == picture);
+    }
+    OK(nicol_context_release(context));
+}
+
+TEST_CASE("the host's word that its context is not current counts") {
+    const Application application;
+    bool current = true;
+    nicol_host access = host();
+    access.is_current = [](void* user) -> std::int32_t { return *static_cast<bool*>(user) ? 1 : 0; };
+    access.user = &current;
+    nicol_context context = nullptr;
+    OK(nicol_context_create_host(&access, nullptr, &context));
+    nicol_framebuffer framebuffer = marker<nicol_framebuffer>();
+    current = false;
+    FAILS(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer), NICOL_ERROR_NOT_CURRENT, "not current");
+    current = true;
+    OK(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer));
+    OK(nicol_framebuffer_release(framebuffer));
+    OK(nicol_context_release(context));
+}
+
+TEST_CASE("the host's context may move to another thread, and Nicol with it") {
+    const Application application;
+    const nicol_context context = make_host_context();
+    {
+        const Stage stage(context);
+        stage.render();
+        const std::vector<float> picture = read_all(stage.framebuffer);
+        Application::leave();
+        std::thread([&] {
+            application.enter();
+            CHECK(try_render(stage) == NICOL_OK);
+            CHECK(read_all(stage.framebuffer) == picture);
+            Application::leave();
+        }).join();
+        application.enter();
+    }
+    OK(nicol_context_release(context));
+}
+
+TEST_CASE("objects dropped elsewhere go at the next call that finds the context") {
+    const Application application;
+    const GlState nothing = gl_names(application.gl);
+    const nicol_context context = make_host_context();
+    const GlState empty = gl_names(application.gl);
+    nicol_framebuffer framebuffers[2] = {};
+    for (nicol_framebuffer& framebuffer : framebuffers)
+        OK(nicol_framebuffer_create(context, 4, 4, 3, &framebuffer));
+    CHECK(difference(empty, gl_names(application.gl)) != "");
+    std::thread([&] { CHECK(nicol_framebuffer_release(framebuffers[0]) == NICOL_OK); }).join();
+    CHECK(difference(empty, gl_names(application.gl)) != "");
+    OK(nicol_framebuffer_release(framebuffers[1]));
+    nicol_framebuffer next = nullptr;
+    OK(nicol_framebuffer_create(context, 4, 4, 3, &next));
+    OK(nicol_framebuffer_release(next));
+    CHECK(difference(empty, gl_names(application.gl)) == "");
+    OK(nicol_framebuffer_create(context, 4, 4, 3, &next));
+    std::thread([&] { CHECK(nicol_framebuffer_release(next) == NICOL_OK); }).join();
+    OK(nicol_context_release(context));
+    CHECK(difference(nothing, gl_names(application.gl)) == "");
+}
+
+TEST_CASE("everything may be released after the host's context is gone") {
+    nicol_context context = nullptr;
+    std::optional<Stage> stage;
+    {
+        const Application application;
+        context = make_host_context();
+        stage.emplace(context);
+        stage->render();
+    }
+    FAILS(try_render(*stage), NICOL_ERROR_NOT_CURRENT, "not current");
+    const Application other;
+    const GlState names = gl_names(other.gl);
+    stage.reset();
+    OK(nicol_context_release(context));
+    CHECK(difference(names, gl_names(other.gl)) == "");
+    CHECK(other.gl.GetError() == GL_NO_ERROR);
+}
+
+TEST_CASE("a host's context and one of our own render side by side") {
+    const nicol_context own = make_context(NICOL_BACKEND_EGL);
+    const Application application;
+    const nicol_context context = make_host_context();
+    {
+        const Stage ours(own), theirs(context);
+        for (int round = 0; round < 3; ++round) {
+            OK(try_render(ours));
+            OK(try_render(theirs));
+        }
+        CHECK(read_all(ours.framebuffer) == read_all(theirs.framebuffer));
+        FAILS(nicol_render(ours.scene, &ours.camera, nullptr, theirs.framebuffer), NICOL_ERROR_INVALID_HANDLE,
+              "different contexts");
+    }
+    OK(nicol_context_release(context));
+    OK(nicol_context_release(own));
+}
