@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "connection.hpp"
+
+#include <sys/socket.h>
+
+#include <boost/asio/write.hpp>
+#include <boost/beast/core/stream_traits.hpp>
+#include <boost/beast/http/error.hpp>
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/span_body.hpp>
+#include <boost/beast/http/write.hpp>
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using boost::system::error_code;
+
+namespace {
+
+std::chrono::steady_clock::duration duration(Seconds seconds) {
+    return std::chrono::duration_cast<std::chrono::steady_clock::duration>(seconds);
+}
+
+/// What a request that cannot be read is told.
+Problem problem_of(const error_code& error) {
+    if (error == http::error::header_limit)
+        return {.status = 431, .detail = "The request's header is too long."};
+    if (error == http::error::body_limit) return {.status = 413, .detail = "The request's body is too long."};
+    if (error == beast::error::timeout)
+        return {.status = 408, .detail = "The request took too long to arrive."};
+    return {.status = 400, .detail = "The request is not HTTP: " + error.message() + "."};
+}
+
+std::string text_of(beast::string_view text) {
+    return {text.data(), text.size()};
+}
+
+}  // namespace
+
+Connection::Connection(asio::ip::tcp::socket socket, const Surroundings& surroundings)
+    : stream_(std::move(socket)), around_(surroundings), deadline_(stream_.get_executor()) {
+    // Answers go out in one piece; waiting for more would only delay their end.
+    error_code ignored;
+    stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
+}
+
+Connection::~Connection() {
+    around_.ended(this);
+}
+
+void Connection::start() {
+    wait_for_request();
+}
+
+void Connection::refuse(const Problem& problem) {
+    answer(around_.service.respond(problem), false);
+}
+
+void Connection::drain() {
+    draining_ = true;
+    if (!in_request_) close();
+}
+
+void Connection::wait_for_request() {
+    parser_.emplace();
+    parser_->header_limit(around_.options.header_bytes);
+    parser_->body_limit(around_.options.body_bytes);
+    in_request_ = false;
+    if (buffer_.size() > 0) return read();
+    stream_.expires_after(duration(around_.options.idle_limit));
+    http::async_read_some(stream_, buffer_, *parser_,
+                          [self = shared_from_this()](const error_code& error, std::size_t) {
+                              // A client that says nothing, or leaves, is told nothing.
+                              if (error && !self->parser_->got_some()) return self->close();
+                              if (error || self->parser_->is_done()) return self->finish_read(error);
+                              self->read();
+                          });
+}
+
+void Connection::read() {
+    in_request_ = true;
+    stream_.expires_after(duration(around_.options.read_limit));
+    http::async_read(
+        stream_, buffer_, *parser_,
+        [self = shared_from_this()](const error_code& error, std::size_t) { self->finish_read(error); });
+}
+
+void Connection::finish_read(const error_code& error) {
+    in_request_ = true;
+    if (error == http::error::end_of_stream || error == http::error::partial_message ||
+        error == asio::error::connection_reset || error == asio::error::operation_aborted)
+        return close();
+    if (error) return answer(around_.service.respond(problem_of(error)), false);
+    handle();
+}
+
+void Connection::handle() {
+    const auto& message = parser_->get();
+    std::variant<Response, Render> outcome =
+        around_.service.handle({.method = text_of(message.method_string()),
+                                .target = text_of(message.target()),
+                                .if_none_match = text_of(message[http::field::if_none_match])});
+    if (const auto* wanted = std::get_if<Render>(&outcome)) return render(*wanted);
+    answer(std::move(std::get<Response>(outcome)), message.keep_alive());
+}
+
+void Connection::render(const Render& render) {
+    asked_ = std::chrono::steady_clock::now();
+    ticket_ = around_.dispatcher.ask(
+        render.tag, render.request, [self = shared_from_this(), render](const AnswerPtr& made) {
+            self->ticket_.reset();
+            self->deadline_.cancel();
+            error_code ignored;
+            self->stream_.socket().cancel(ignored);  // of watch()
+            const Seconds waited = std::chrono::steady_clock::now() - self->asked_;
+            self->around_.metrics.waited.add(waited.count());
+            self->answer(self->around_.service.respond(render, made), self->parser_->get().keep_alive());
+        });
+    if (!ticket_) {
+        ++around_.metrics.refused_queue;
+        return answer(around_.service.respond(Problem{.status = 503,
+                                                      .detail = "Too many requests wait to be rendered.",
+                                                      .retry_after = around_.service.retry_after()}),
+                      parser_->get().keep_alive());
+    }
+    around_.metrics.hits_flight += ticket_->joined ? 1 : 0;
+    stream_.expires_never();
+    deadline_.expires_after(duration(around_.options.deadline));
+    deadline_.async_wait([self = shared_from_this(), job = ticket_->job](const error_code& error) {
+        if (error || !self->ticket_ || self->ticket_->job != job) return;
+        self->leave();
+        self->answer(self->around_.service.respond(
+                         Problem{.status = 504, .detail = "The picture was not done in time."}),
+                     self->parser_->get().keep_alive());
+    });
+    watch();
+}
+
+/// Nothing is read while a picture is made, but the end of the stream tells that nobody waits for it.
+void Connection::watch() {
+    stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
+                                [self = shared_from_this(), job = ticket_->job](const error_code& error) {
+                                    if (error || !self->ticket_ || self->ticket_->job != job) return;
+                                    char byte = 0;
+                                    const ssize_t got = ::recv(self->stream_.socket().native_handle(), &byte,
+                                                               1, MSG_PEEK | MSG_DONTWAIT);
+                                    // The next request may come early; then its connection is there as long
+                                    // as this answer takes.
+                                    if (got > 0 || (got < 0 && (errno == EAGAIN || errno == EINTR))) return;
+                                    ++self->around_.metrics.clients_gone;
+                                    self->leave();
+                                    self->close();
+                                });
+}
+
+void Connection::leave() {
+    around_.dispatcher.leave(*ticket_);
+    ticket_.reset();
+    deadline_.cancel();
+    error_code ignored;
+    stream_.socket().cancel(ignored);
+}
+
+void Connection::answer(Response response, bool keep_alive) {
+    in_request_ = true;
+    keep_alive = keep_alive && !draining_;
+    ++around_.metrics.requests[response.status];
+    const bool head = parser_ && parser_->get().method() == http::verb::head;
+
+    using Body = http::span_body<const char>;
+    struct Outgoing {
+        http::response<Body> message;
+        std::shared_ptr<const void> owner;
+    };
+    const auto out = std::make_shared<Outgoing>();
+    out->owner = response.owner;
+    out->message.version(11);
+    out->message.result(static_cast<unsigned>(response.status));
+    out->message.keep_alive(keep_alive);
+    out->message.set(http::field::server, "nicol-serve");
+    if (!response.type.empty()) {
+        out->message.set(http::field::content_type, response.type);
+        out->message.set("X-Content-Type-Options", "nosniff");
+    }
+    for (const auto& [name, value] : response.headers) out->message.set(name, value);
+    // The length of a picture that was not made is not known, and a 304 has no content at all.
+    const bool unknown = response.status == 304 || (head && response.content.empty());
+    if (!unknown) out->message.content_length(response.content.size());
+    if (!head) out->message.body() = {response.content.data(), response.content.size()};
+
+    stream_.expires_after(duration(around_.options.write_limit));
+    http::async_write(stream_, out->message,
+                      [self = shared_from_this(), out, keep_alive](const error_code& error, std::size_t) {
+                          if (error || !keep_alive || self->draining_) return self->close();
+                          self->wait_for_request();
+                      });
+}
+
+void Connection::close() {
+    error_code ignored;
+    stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
+    stream_.close();
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// One client's connection: requests are read within limits and answered one after another.
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "options.hpp"
+#include "service.hpp"
+
+class Connection : public std::enable_shared_from_this<Connection> {
+public:
+    struct Surroundings {
+        const Options& options;
+        Service& service;
+        Dispatcher& dispatcher;
+        Metrics& metrics;
+        std::function<void(Connection*)> ended;  ///< once, from the destructor
+    };
+
+    Connection(boost::asio::ip::tcp::socket socket, const Surroundings& surroundings);
+    ~Connection();
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
+
+    /// Serves requests until the client or a limit ends it; it keeps itself alive.
+    void start();
+    /// Answers this and closes, without reading a request.
+    void refuse(const Problem& problem);
+    /// Closes now where no request is under way, else after its answer.
+    void drain();
+
+private:
+    using Parser = boost::beast::http::request_parser<boost::beast::http::string_body>;
+
+    void wait_for_request();
+    void read();
+    void finish_read(const boost::system::error_code& error);
+    void handle();
+    void render(const Render& render);
+    void watch();
+    void leave();
+    void answer(Response response, bool keep_alive);
+    void close();
+
+    boost::beast::tcp_stream stream_;
+    const Surroundings& around_;
+    boost::beast::flat_buffer buffer_;
+    std::optional<Parser> parser_;
+    boost::asio::steady_timer deadline_;
+    std::optional<Dispatcher::Ticket> ticket_;  ///< where a picture is under way
+    std::chrono::steady_clock::time_point asked_;
+    bool in_request_ = false, draining_ = false;
+};

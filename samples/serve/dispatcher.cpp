@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "dispatcher.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace {
+
+constexpr const char* outdated = "The scenes have changed since the request came.";
+
+AnswerPtr unavailable(const char* why) {
+    auto answer = std::make_shared<Answer>();
+    answer->head.status = 503;
+    answer->content = why;
+    return answer;
+}
+
+}  // namespace
+
+Dispatcher::Dispatcher(std::size_t queue_limit, Workers workers)
+    : queue_limit_(queue_limit), workers_(std::move(workers)) {}
+
+std::optional<Dispatcher::Ticket> Dispatcher::ask(const std::string& key, const PictureRequest& request,
+                                                  Done done) {
+    if (const auto known = by_key_.find(key); known != by_key_.end()) {
+        const JobPtr& job = known->second;
+        job->waiters.emplace(++last_id_, std::move(done));
+        return Ticket{.job = job->id, .waiter = last_id_, .joined = true};
+    }
+    // An idle worker takes it at once; the queue is for those that must wait.
+    if (idle_.empty() && queue_.size() >= queue_limit_) return std::nullopt;
+    const auto job = std::make_shared<Job>();
+    job->id = ++last_id_;
+    job->key = key;
+    job->request = request;
+    job->generation = generation_;
+    job->waiters.emplace(++last_id_, std::move(done));
+    by_key_.emplace(key, job);
+    by_id_.emplace(job->id, job);
+    queue_.push_back(job);
+    const Ticket ticket{.job = job->id, .waiter = last_id_, .joined = false};
+    dispatch();
+    return ticket;
+}
+
+void Dispatcher::leave(const Ticket& ticket) {
+    const auto found = by_id_.find(ticket.job);
+    if (found == by_id_.end()) return;
+    const JobPtr job = found->second;
+    job->waiters.erase(ticket.waiter);
+    if (!job->waiters.empty()) return;
+    forget(*job);
+    if (job->worker < 0)
+        std::erase(queue_, job);
+    else
+        workers_.cancel(job->worker, job->id);
+}
+
+void Dispatcher::worker_idle(int worker) {
+    idle_.insert(worker);
+    dispatch();
+}
+
+void Dispatcher::worker_done(int worker, std::uint64_t id, const AnswerPtr& answer) {
+    const auto found = running_.find(worker);
+    if (found == running_.end() || found->second->id != id) return;
+    const JobPtr job = found->second;
+    running_.erase(found);
+    finish(job, answer);
+}
+
+void Dispatcher::worker_lost(int worker) {
+    idle_.erase(worker);
+    last_view_.erase(worker);
+    const auto found = running_.find(worker);
+    if (found == running_.end()) return;
+    const JobPtr job = found->second;
+    running_.erase(found);
+    job->worker = -1;
+    if (job->waiters.empty()) return;
+    if (job->generation != generation_) return finish(job, unavailable(outdated));
+    if (job->attempts >= 2) return finish(job, unavailable("The renderer failed on this request twice."));
+    queue_.push_front(job);
+    dispatch();
+}
+
+void Dispatcher::begin_generation() {
+    ++generation_;
+    by_key_.clear();
+    for (const JobPtr& job : std::exchange(queue_, {})) finish(job, unavailable(outdated));
+}
+
+void Dispatcher::dispatch() {
+    while (!queue_.empty() && !idle_.empty()) {
+        const JobPtr job = queue_.front();
+        queue_.pop_front();
+        // Who rendered this view last has it still.
+        const auto warm = std::ranges::find_if(idle_, [&](int worker) {
+            const auto last = last_view_.find(worker);
+            return last != last_view_.end() && last->second == job->request.view;
+        });
+        const int worker = warm != idle_.end() ? *warm : *idle_.begin();
+        idle_.erase(worker);
+        last_view_[worker] = job->request.view;
+        job->worker = worker;
+        ++job->attempts;
+        running_[worker] = job;
+        workers_.start(worker, job->id, job->request);
+    }
+}
+
+void Dispatcher::forget(const Job& job) {
+    if (const auto found = by_key_.find(job.key); found != by_key_.end() && found->second->id == job.id)
+        by_key_.erase(found);
+    by_id_.erase(job.id);
+}
+
+void Dispatcher::finish(const JobPtr& job, const AnswerPtr& answer) {
+    forget(*job);
+    // Whoever is told may ask anew, which must not disturb the list.
+    for (auto& [waiter, done] : std::exchange(job->waiters, {})) done(answer);
+}

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Which request is rendered when and by which worker: a bounded queue, equal requests once, retries. No
+// sockets, no clocks: it is told what happens, and tells workers what to do.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "message.hpp"
+#include "picture_request.hpp"
+
+/// What all who asked for the same get.
+struct Answer {
+    ResultHead head;
+    std::string content;  ///< of the picture, or what went wrong
+};
+using AnswerPtr = std::shared_ptr<const Answer>;
+
+class Dispatcher {
+public:
+    struct Workers {
+        std::function<void(int worker, std::uint64_t job, const PictureRequest&)> start;
+        std::function<void(int worker, std::uint64_t job)> cancel;
+    };
+    using Done = std::function<void(const AnswerPtr&)>;
+    struct Ticket {
+        std::uint64_t job = 0, waiter = 0;
+        bool joined = false;  ///< an equal request was under way
+    };
+
+    Dispatcher(std::size_t queue_limit, Workers workers);
+
+    /// `key` is the same for equal requests. Nothing where the queue is full. `done` is called once, later,
+    /// unless leave() comes first.
+    std::optional<Ticket> ask(const std::string& key, const PictureRequest& request, Done done);
+    /// Nobody waits for this answer any more. Where it was the last who did, the job leaves the queue or is
+    /// cancelled.
+    void leave(const Ticket& ticket);
+
+    /// It takes a job now, at once or later.
+    void worker_idle(int worker);
+    /// Tells all who wait. It gets no other job before worker_idle().
+    void worker_done(int worker, std::uint64_t job, const AnswerPtr& answer);
+    /// It crashed or was killed: its job is tried once more by another one, and then answered 503.
+    void worker_lost(int worker);
+    /// Requests of before mean nothing any more: those that wait are answered 503, those that run are not
+    /// tried again.
+    void begin_generation();
+
+    [[nodiscard]] std::size_t queued() const { return queue_.size(); }
+    [[nodiscard]] std::size_t running() const { return running_.size(); }
+
+private:
+    struct Job {
+        std::uint64_t id = 0;
+        std::string key;
+        PictureRequest request;
+        std::uint64_t generation = 0;
+        int attempts = 0;
+        int worker = -1;  ///< -1: in the queue
+        std::map<std::uint64_t, Done> waiters;
+    };
+    using JobPtr = std::shared_ptr<Job>;
+
+    void dispatch();
+    void forget(const Job& job);
+    void finish(const JobPtr& job, const AnswerPtr& answer);
+
+    std::size_t queue_limit_;
+    Workers workers_;
+    std::uint64_t last_id_ = 0, generation_ = 0;
+    std::deque<JobPtr> queue_;
+    std::map<int, JobPtr> running_;          ///< by worker
+    std::map<std::string, JobPtr> by_key_;   ///< those that can be joined
+    std::map<std::uint64_t, JobPtr> by_id_;  ///< all that somebody waits for
+    std::set<int> idle_;
+    std::map<int, View> last_view_;  ///< of workers
+};

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "observe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "render_error.hpp"
+
+namespace {
+
+constexpr std::size_t table_size = 4096;
+
+double srgb_curve(double v) {
+    return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+}
+
+/// The 8-bit code of each linear value, exactly: a table brings it near, thresholds to the code itself.
+class SrgbCodes {
+public:
+    SrgbCodes() {
+        for (std::size_t i = 0; i < table_size; ++i)
+            near_[i] =
+                static_cast<std::uint8_t>(std::floor(255 * srgb_curve(static_cast<double>(i) / table_size)));
+        for (std::size_t code = 0; code < 255; ++code) {
+            const double s = (static_cast<double>(code) + 0.5) / 255;
+            next_[code] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+        }
+        next_[255] = 2;  // beyond all
+    }
+    [[nodiscard]] std::uint8_t operator()(float linear) const {
+        if (!(linear > 0)) return 0;
+        if (linear >= 1) return 255;
+        std::size_t code = near_[static_cast<std::size_t>(linear * static_cast<float>(table_size))];
+        while (linear >= next_[code]) ++code;
+        return static_cast<std::uint8_t>(code);
+    }
+
+private:
+    std::array<std::uint8_t, table_size> near_{};
+    std::array<float, 256> next_{};  ///< from which on the next code is nearer
+};
+
+std::uint8_t code(float unit) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(unit, 0.0f, 1.0f)));
+}
+
+float finite(float v) {
+    return std::isfinite(v) ? v : 0.0f;
+}
+
+std::vector<float> read(nicol_framebuffer framebuffer, nicol_plane plane, std::uint32_t channel,
+                        std::size_t floats) {
+    std::vector<float> data(floats);
+    must(nicol_framebuffer_read(framebuffer, plane, channel, data.data(), 0, floats * sizeof(float)));
+    return data;
+}
+
+/// One value for each Stokes vector of each channel.
+template <typename Function>
+void each_channel(nicol_framebuffer framebuffer, FloatPicture& picture, nicol_plane plane, std::size_t floats,
+                  Function function) {
+    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    for (std::uint32_t c = 0; c < picture.values; ++c) {
+        const std::vector<float> data = read(framebuffer, plane, c, pixels * floats);
+        for (std::size_t i = 0; i < pixels; ++i)
+            picture.data[i * picture.values + c] = function(data.data() + i * floats);
+    }
+}
+
+/// Angle and degree of the channels' mean.
+void polarization(nicol_framebuffer framebuffer, FloatPicture& picture, std::uint32_t channels) {
+    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    std::vector<float> sum(pixels * 4);
+    for (std::uint32_t c = 0; c < channels; ++c) {
+        const std::vector<float> data = read(framebuffer, NICOL_PLANE_STOKES, c, pixels * 4);
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += finite(data[i]);
+    }
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const float s0 = sum[4 * i], s1 = sum[4 * i + 1], s2 = sum[4 * i + 2];
+        if (!(s0 > 0) || (s1 == 0 && s2 == 0)) continue;
+        // s2 = -0 must not turn vertical into -pi/2.
+        const float angle = 0.5f * std::atan2(s2 + 0.0f, s1);
+        constexpr auto right_angle = static_cast<float>(std::numbers::pi / 2);
+        picture.data[2 * i] = angle <= -right_angle ? right_angle : angle;
+        picture.data[2 * i + 1] = std::min(std::hypot(s1, s2) / s0, 1.0f);
+    }
+}
+
+void hue(float turn, float value, std::uint8_t* rgb) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float shifted = 6 * turn + std::array<float, 3>{0, 4, 2}[i];
+        const float distance = std::abs(shifted - 6 * std::floor(shifted / 6) - 3);
+        rgb[i] = code(value * std::clamp(distance - 1, 0.0f, 1.0f));
+    }
+}
+
+float mean(const float* values, std::uint32_t count) {
+    float sum = 0;
+    for (std::uint32_t c = 0; c < count; ++c) sum += finite(values[c]);
+    return sum / static_cast<float>(count);
+}
+
+}  // namespace
+
+FloatPicture observe(nicol_framebuffer framebuffer, const PictureRequest& request) {
+    FloatPicture picture;
+    std::uint32_t channels = 0;
+    must(nicol_framebuffer_get_size(framebuffer, &picture.width, &picture.height, &channels));
+    const bool polar = request.observer == Observer::dolp || request.observer == Observer::aolp;
+    picture.values = polar ? 2 : channels;
+    picture.data.resize(std::size_t{picture.width} * picture.height * picture.values);
+    const auto gain = static_cast<float>(std::exp2(request.exposure));
+    if (polar) {
+        polarization(framebuffer, picture, channels);
+    } else if (request.observer == Observer::polarizer) {
+        const double angle = request.polarizer * std::numbers::pi / 180;
+        const auto c = static_cast<float>(std::cos(2 * angle)), s = static_cast<float>(std::sin(2 * angle));
+        each_channel(framebuffer, picture, NICOL_PLANE_STOKES, 4, [&](const float* stokes) {
+            return gain * 0.5f * (finite(stokes[0]) + c * finite(stokes[1]) + s * finite(stokes[2]));
+        });
+    } else {
+        const auto plane = static_cast<nicol_plane>(request.observer);  // both begin with s0, s1, s2, s3
+        const float factor = request.observer == Observer::s0 ? gain : 1;
+        each_channel(framebuffer, picture, plane, 1, [&](const float* value) { return factor * *value; });
+    }
+    return picture;
+}
+
+std::vector<std::uint8_t> colours(const FloatPicture& picture, Observer observer, float& scale) {
+    static const SrgbCodes srgb;
+    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    const std::uint32_t values = picture.values;
+    const float* data = picture.data.data();
+    std::vector<std::uint8_t> rgb(pixels * 3);
+    if (observer == Observer::s0 || observer == Observer::polarizer) {
+        for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = srgb(data[values == 1 ? i / 3 : i]);
+    } else if (observer == Observer::dolp) {
+        for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = code(data[i / 3 * 2 + 1]);
+    } else if (observer == Observer::aolp) {
+        for (std::size_t i = 0; i < pixels; ++i)
+            hue(data[2 * i] / static_cast<float>(std::numbers::pi), data[2 * i + 1], &rgb[3 * i]);
+    } else {
+        std::vector<float> means(pixels);
+        for (std::size_t i = 0; i < pixels; ++i) means[i] = mean(data + i * values, values);
+        if (scale == 0) {
+            for (const float value : means) scale = std::max(scale, std::abs(value));
+            if (scale == 0) scale = 1;
+        }
+        for (std::size_t i = 0; i < pixels; ++i)
+            rgb[3 * i + (means[i] < 0 ? 0 : 1)] = code(std::abs(means[i]) / scale);
+    }
+    return rgb;
+}

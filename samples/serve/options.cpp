@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+const char* const usage =
+    "usage: nicol-serve --scenes DIR [options]\n"
+    "Renders the Mitsuba 3 scenes of a folder over HTTP: pictures, Stokes data and a page to look at them.\n"
+    "\n"
+    "  --scenes DIR            every *.xml in it is a scene\n"
+    "  --listen ADDRESS:PORT   default 127.0.0.1:8080; port 0 takes one that is free and prints it\n"
+    "  --workers N             processes that render, default one a core\n"
+    "  --threads N             of each of them, default 1\n"
+    "  --backend NAME          egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
+    "  --cache DIR             keeps bakes of shadows and tables of materials there; default NICOL_CACHE\n"
+    "  --scratch DIR           for files that live a moment, default /dev/shm\n"
+    "  --keys FILE             keys in hexadecimal, one a line: pictures then need a signature in their URL\n"
+    "  --sign TARGET           prints TARGET (/scenes/...) signed with the first key of --keys, and ends\n"
+    "\n"
+    "Limits; sizes in bytes, pixels or MiB, times in seconds:\n"
+    "  --max-side N            of a picture, default 2048\n"
+    "  --max-pixels N          of a picture, default 2097152\n"
+    "  --max-order N           of light, 4 to 64, default 16\n"
+    "  --queue N               requests that may wait for a worker, default 64; more are answered 503\n"
+    "  --connections N         open at once, default 512; more are answered 503\n"
+    "  --max-header BYTES      of a request, 256 to 1048576, default 8192\n"
+    "  --max-body BYTES        of a request, default 1024; bodies are ignored\n"
+    "  --results MIB           of answers kept for equal requests, default 64\n"
+    "  --answers MIB           of answers not yet sent, above which pictures are refused, default 512\n"
+    "  --max-age S             that clients may keep a picture without asking, default 0\n"
+    "  --deadline S            for an answer, from when the request was read, default 15; then 504\n"
+    "  --render-limit S        for one render, default 10; its worker is then replaced\n"
+    "  --start-limit S         for a worker to load and bake all scenes, default 600\n"
+    "  --idle-limit S          of a connection without request, default 60\n"
+    "  --read-limit S          for a request to arrive, default 10\n"
+    "  --write-limit S         for an answer to be taken, default 60\n"
+    "  --drain-limit S         for open requests after SIGTERM or SIGINT, default 30\n"
+    "\n"
+    "  --help                  shows this text\n"
+    "  --version               shows the version\n"
+    "\n"
+    "Exit code 0, or 2 and a one-line message on the standard error.\n";
+
+namespace {
+
+std::uint32_t parse_count(std::string_view option, std::string_view text, std::uint32_t least,
+                          std::uint32_t most) {
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value < least || value > most)
+        throw Failure(std::string(option) + ": '" + std::string(text) + "' is not a whole number from " +
+                      std::to_string(least) + " to " + std::to_string(most));
+    return value;
+}
+
+Seconds parse_seconds(std::string_view option, std::string_view text, double least) {
+    constexpr double most = 1e6;
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !(value >= least && value <= most))
+        throw Failure(std::string(option) + ": '" + std::string(text) + "' is not a number of seconds from " +
+                      (least > 0 ? "0.01" : "0") + " to 1000000");
+    return Seconds(value);
+}
+
+void parse_listen(Options& options, std::string_view text) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string_view::npos || colon == 0)
+        throw Failure("--listen: '" + std::string(text) +
+                      "' is not ADDRESS:PORT, like 127.0.0.1:8080 or [::1]:8080");
+    std::string_view address = text.substr(0, colon);
+    if (address.starts_with('[') && address.ends_with(']')) address = address.substr(1, address.size() - 2);
+    options.address = address;
+    options.port = static_cast<std::uint16_t>(parse_count("--listen", text.substr(colon + 1), 0, 65535));
+}
+
+nicol_backend parse_backend(std::string_view text) {
+    if (text == "egl") return NICOL_BACKEND_EGL;
+    if (text == "osmesa") return NICOL_BACKEND_OSMESA;
+    throw Failure("--backend: '" + std::string(text) + "' is neither egl nor osmesa");
+}
+
+std::uint32_t parse_mib(std::string_view option, std::string_view text) {
+    return parse_count(option, text, 0, 4095) << 20u;
+}
+
+/// False where there is no such option.
+bool parse_limit(Options& o, std::string_view name, std::string_view text) {
+    constexpr std::uint32_t million = 1000000;
+    constexpr double shortest = 0.01;
+    if (name == "--max-side")
+        o.limits.max_side = parse_count(name, text, 1, NICOL_MAX_SIZE);
+    else if (name == "--max-pixels")
+        o.limits.max_pixels = parse_count(name, text, 1, 1u << 25u);
+    else if (name == "--max-order")
+        o.limits.max_order = static_cast<std::int32_t>(parse_count(name, text, 4, 64));
+    else if (name == "--queue")
+        o.queue = parse_count(name, text, 0, million);
+    else if (name == "--connections")
+        o.connections = parse_count(name, text, 1, million);
+    else if (name == "--max-header")
+        o.header_bytes = parse_count(name, text, 256, 1u << 20u);
+    else if (name == "--max-body")
+        o.body_bytes = parse_count(name, text, 0, 1u << 20u);
+    else if (name == "--results")
+        o.result_bytes = parse_mib(name, text);
+    else if (name == "--answers")
+        o.answer_bytes = parse_mib(name, text);
+    else if (name == "--max-age")
+        o.max_age = parse_seconds(name, text, 0);
+    else if (name == "--deadline")
+        o.deadline = parse_seconds(name, text, shortest);
+    else if (name == "--render-limit")
+        o.render_limit = parse_seconds(name, text, shortest);
+    else if (name == "--start-limit")
+        o.start_limit = parse_seconds(name, text, shortest);
+    else if (name == "--idle-limit")
+        o.idle_limit = parse_seconds(name, text, shortest);
+    else if (name == "--read-limit")
+        o.read_limit = parse_seconds(name, text, shortest);
+    else if (name == "--write-limit")
+        o.write_limit = parse_seconds(name, text, shortest);
+    else if (name == "--drain-limit")
+        o.drain_limit = parse_seconds(name, text, 0);
+    else
+        return false;
+    return true;
+}
+
+void parse_option(Options& o, std::string_view name, std::string_view text) {
+    constexpr std::uint32_t most_processes = 1024;
+    if (name == "--scenes")
+        o.scenes = text;
+    else if (name == "--listen")
+        parse_listen(o, text);
+    else if (name == "--workers")
+        o.workers = parse_count(name, text, 1, most_processes);
+    else if (name == "--threads")
+        o.threads = parse_count(name, text, 1, most_processes);
+    else if (name == "--backend")
+        o.backend = parse_backend(text);
+    else if (name == "--cache")
+        o.cache = text;
+    else if (name == "--scratch")
+        o.scratch = text;
+    else if (name == "--keys")
+        o.keys = text;
+    else if (name == "--sign")
+        o.target = text;
+    else if (name == "--worker")
+        o.socket = static_cast<int>(parse_count(name, text, 0, 1u << 20u));
+    else if (!parse_limit(o, name, text))
+        throw Failure("unknown option '" + std::string(name) + "'; --help lists them all");
+}
+
+}  // namespace
+
+Options parse_options(int argc, const char* const* argv) {
+    Options options;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view argument = argv[i];
+        if (argument == "--help" || argument == "--version") {
+            options.action = argument == "--help" ? Options::Action::help : Options::Action::version;
+            return options;
+        }
+        if (!argument.starts_with("--"))
+            throw Failure("unknown argument '" + std::string(argument) + "'; --help lists the options");
+        const std::size_t equals = argument.find('=');
+        const std::string_view name = argument.substr(0, equals);
+        if (equals == std::string_view::npos && i + 1 >= argc)
+            throw Failure(std::string(name) + ": a value must follow");
+        const std::string_view value =
+            equals != std::string_view::npos ? argument.substr(equals + 1) : argv[++i];
+        if (value.empty()) throw Failure(std::string(name) + ": the value is empty");
+        parse_option(options, name, value);
+    }
+    if (!options.target.empty()) {
+        options.action = Options::Action::sign;
+        if (options.keys.empty()) throw Failure("--sign: needs --keys");
+        return options;
+    }
+    if (options.scenes.empty()) throw Failure("no scenes given; usage: nicol-serve --scenes DIR");
+    if (options.socket >= 0) options.action = Options::Action::worker;
+    return options;
+}

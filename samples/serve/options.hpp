@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The command line of nicol-serve.
+#pragma once
+
+#include <nicol.h>
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "common/failure.hpp"
+#include "picture_request.hpp"
+
+using Seconds = std::chrono::duration<double>;
+
+struct Options {
+    enum class Action { serve, help, version, sign, worker };
+    Action action = Action::serve;
+    std::string scenes;  ///< folder
+    std::string address = "127.0.0.1";
+    std::uint16_t port = 8080;  ///< 0: any that is free
+    std::uint32_t workers = 0;  ///< 0: one a core
+    std::uint32_t threads = 1;  ///< of each worker
+    nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
+    std::string cache;  ///< folder, empty: what NICOL_CACHE says
+    std::string scratch = "/dev/shm";
+    std::string keys;    ///< file, empty: requests need no signature
+    std::string target;  ///< to sign
+    int socket = -1;     ///< of a worker
+
+    Limits limits;
+    std::uint32_t queue = 64;  ///< requests that wait for a worker
+    std::uint32_t connections = 512;
+    std::uint32_t header_bytes = 8192;
+    std::uint32_t body_bytes = 1024;
+    std::uint32_t result_bytes = 64u << 20u;  ///< of answers kept
+    std::uint32_t answer_bytes = 512u
+                                 << 20u;  ///< of answers not sent yet, above which new pictures are refused
+    Seconds max_age{0};        ///< that a client may keep a picture without asking; 0: asks each time
+    Seconds deadline{15};      ///< for an answer
+    Seconds render_limit{10};  ///< for one render, after which its worker counts as hung
+    Seconds start_limit{600};  ///< for a worker to be warm
+    Seconds idle_limit{60};    ///< of a connection between requests
+    Seconds read_limit{10};    ///< for a request to arrive
+    Seconds write_limit{60};   ///< for an answer to be taken
+    Seconds drain_limit{30};   ///< for open requests, once told to end
+};
+
+/// The text of --help.
+extern const char* const usage;
+
+/// Throws Failure naming the argument and what would be right.
+Options parse_options(int argc, const char* const* argv);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The target of a request: its path, and what stands behind the question mark.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+struct Target {
+    std::string path;                                        ///< percent-decoded, begins with '/'
+    std::vector<std::pair<std::string, std::string>> query;  ///< decoded, as they came
+
+    [[nodiscard]] const std::string* find(std::string_view name) const;
+};
+
+/// Throws Refusal (400) where the target does not begin with '/', an escape is broken or stands for a control
+/// character, a parameter comes twice, has no '=' or there are more than 32.
+Target parse_target(std::string_view target);

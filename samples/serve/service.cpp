@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "service.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "assets.hpp"
+#include "digest.hpp"
+#include "json.hpp"
+#include "openapi.hpp"
+#include "query.hpp"
+#include "signature.hpp"
+
+namespace {
+
+constexpr int not_ready_seconds = 2;
+
+[[noreturn]] void refuse(int status, const std::string& detail, int retry_after = 0) {
+    throw Refusal({.status = status, .detail = detail, .retry_after = retry_after});
+}
+
+std::string build_text() {
+    std::string text = nicol_version_string();
+    for (std::uint32_t i = 0; const char* fact = nicol_build_info(i); ++i) text.append(" ").append(fact);
+    return text;
+}
+
+std::string scene_json(const SceneInfo& scene) {
+    const std::string path = "/scenes/" + scene.id + "/";
+    const double side = std::max(scene.width, scene.height);
+    const auto fit = [&](std::uint32_t length) {
+        constexpr double preview_side = 256;
+        return std::to_string(std::max(1L, std::lround(length * std::min(1.0, preview_side / side))));
+    };
+    const bool colour = scene.channels == 1 || scene.channels == 3;
+    std::string text = "{\"id\":" + json_string(scene.id);
+    text += ",\"channels\":" + std::to_string(scene.channels);
+    text += ",\"size\":[" + std::to_string(scene.width) + "," + std::to_string(scene.height) + "]";
+    text += std::string(",\"up\":\"") + "xyz"[scene.up] + "\",\"fov\":" + json_number(scene.fov);
+    text += ",\"azimuth\":" + json_number(scene.orbit.azimuth);
+    text += ",\"elevation\":" + json_number(scene.orbit.elevation);
+    text += ",\"distance\":" + json_number(scene.orbit.distance) + ",\"target\":[";
+    for (std::size_t i = 0; i < 3; ++i) text += (i == 0 ? "" : ",") + json_number(scene.orbit.target[i]);
+    text += "],\"preview\":" + json_string(path + "image.png?size=" + fit(scene.width) + "x" +
+                                           fit(scene.height) + (colour ? "" : "&observer=dolp"));
+    for (const Resource& resource : resources)
+        text += "," + json_string(resource.name) + ":" + json_string(path + std::string(resource.name));
+    return text + "}";
+}
+
+}  // namespace
+
+Service::Service(const Options& options, Pool& pool, Metrics& metrics)
+    : options_(options),
+      pool_(pool),
+      metrics_(metrics),
+      cache_(options.result_bytes),
+      build_(build_text()),
+      openapi_(openapi(options)) {
+    if (!options.keys.empty()) keys_ = read_keys(options.keys);
+    pool.scenes_changed = [this] { cache_.clear(); };
+}
+
+std::variant<Response, Render> Service::handle(const Request& request) {
+    try {
+        return route(request);
+    } catch (const Refusal& refusal) {
+        return respond(refusal.problem);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "nicol-serve: %s\n", one_line(error.what()).c_str());
+        return respond(Problem{.status = 500, .detail = "The service failed."});
+    }
+}
+
+std::variant<Response, Render> Service::route(const Request& request) {
+    const Target target = parse_target(request.target);
+    if (request.method != "GET" && request.method != "HEAD") {
+        Response response = respond(Problem{.status = 405, .detail = "There is GET and HEAD alone."});
+        response.headers.emplace_back("Allow", "GET, HEAD");
+        return response;
+    }
+    if (target.path.starts_with("/scenes/")) return picture(request, target);
+    if (target.path == "/scenes") return scenes();
+    if (target.path == "/health") return state(false);
+    if (target.path == "/ready") return state(true);
+    if (target.path == "/metrics") return text("text/plain; version=0.0.4", metrics_text());
+    if (target.path == "/openapi.json") return text("application/json", openapi_);
+    return page(request, target);
+}
+
+std::variant<Response, Render> Service::picture(const Request& request, const Target& target) {
+    constexpr std::size_t id_begin = 8;  // behind "/scenes/"
+    const std::size_t slash = target.path.find('/', id_begin);
+    const std::string id = target.path.substr(id_begin, slash - id_begin);
+    const std::string name = slash == std::string::npos ? "" : target.path.substr(slash + 1);
+    const auto* const resource = std::ranges::find(resources, name, &Resource::name);
+    if (resource == resources.end())
+        refuse(404, "A scene has image.png, image.exr, stokes.exr, stokes.f16 and stokes.f32.");
+    if (!keys_.empty()) check_signature(request.target, keys_, std::time(nullptr));
+    const std::vector<SceneInfo>& known = hello().scenes;
+    const auto scene = std::ranges::find(known, id, &SceneInfo::id);
+    if (scene == known.end()) refuse(404, "There is no scene of this name; /scenes lists them.");
+    Render render{.request = parse_picture(target, resource->format,
+                                           static_cast<std::uint32_t>(scene - known.begin()), *scene,
+                                           options_.limits)};
+    render.tag = entity_tag(build_ + '\n' + hello().renderer + '\n' + scene->digest + '\n' +
+                            canonical(render.request, *scene));
+    if (matches(request.if_none_match, render.tag)) {
+        ++metrics_.hits_tag;
+        Response response{.status = 304, .type = ""};
+        response.headers.emplace_back("ETag", render.tag);
+        return response;
+    }
+    if (request.method == "HEAD") {
+        Response response{.status = 200, .type = std::string(resource->type)};
+        response.headers.emplace_back("ETag", render.tag);
+        return response;
+    }
+    if (const AnswerPtr kept = cache_.find(render.tag)) {
+        ++metrics_.hits_result;
+        return respond(render, kept);
+    }
+    if (draining) refuse(503, "The service is about to end.", not_ready_seconds);
+    if (*answer_bytes_ > options_.answer_bytes)
+        refuse(503, "Too many answers wait to be taken.", retry_after());
+    return render;
+}
+
+Response Service::respond(const Render& render, const AnswerPtr& answer) {
+    const ResultHead& head = answer->head;
+    if (head.status != 200) {
+        // What went wrong inside is for the log.
+        const bool telling = head.status == 400 || head.status == 503;
+        return respond(Problem{.status = head.status,
+                               .detail = telling ? answer->content : "The picture could not be rendered.",
+                               .retry_after = head.status == 503 ? retry_after() : 0});
+    }
+    cache_.keep(render.tag, answer);
+    *answer_bytes_ += answer->content.size();
+    // Counted until the last byte is sent.
+    const std::shared_ptr<const void> owner(
+        answer.get(), [answer, bytes = answer_bytes_](const void*) { *bytes -= answer->content.size(); });
+    const Resource& resource = resource_of(render.request.format);
+    Response response{
+        .status = 200, .type = std::string(resource.type), .owner = owner, .content = answer->content};
+    response.headers.emplace_back("ETag", render.tag);
+    const std::string age = std::to_string(static_cast<long>(options_.max_age.count()));
+    response.headers.emplace_back("Cache-Control",
+                                  options_.max_age.count() >= 1 ? "max-age=" + age : "no-cache");
+    response.headers.emplace_back("Nicol-Size", std::to_string(render.request.view.width) + "x" +
+                                                    std::to_string(render.request.view.height));
+    if (head.scale > 0)
+        response.headers.emplace_back("Nicol-Scale", json_number(static_cast<double>(head.scale)));
+    return response;
+}
+
+Response Service::respond(const Problem& problem) const {
+    Response response = text("application/problem+json", problem_json(problem));
+    response.status = problem.status;
+    if (problem.retry_after > 0)
+        response.headers.emplace_back("Retry-After", std::to_string(problem.retry_after));
+    return response;
+}
+
+int Service::retry_after() const {
+    const Dispatcher& dispatcher = pool_.dispatcher();
+    const double waiting = static_cast<double>(dispatcher.queued() + dispatcher.running());
+    const auto workers = static_cast<double>(std::max<std::size_t>(1, pool_.warm_workers()));
+    constexpr double longest = 60;
+    return static_cast<int>(
+        std::clamp(std::ceil(waiting / workers * metrics_.render_seconds.mean()), 1.0, longest));
+}
+
+Response Service::text(std::string type, std::string content) const {
+    const auto owner = std::make_shared<const std::string>(std::move(content));
+    Response response{.status = 200, .type = std::move(type), .owner = owner, .content = *owner};
+    response.headers.emplace_back("Cache-Control", "no-store");
+    return response;
+}
+
+Response Service::scenes() const {
+    std::string list;
+    for (const SceneInfo& scene : hello().scenes) list += (list.empty() ? "" : ",") + scene_json(scene);
+    return text("application/json",
+                "{\"scenes\":[" + list + "],\"signed\":" + (keys_.empty() ? "false" : "true") +
+                    ",\"max_side\":" + std::to_string(options_.limits.max_side) +
+                    ",\"max_pixels\":" + std::to_string(options_.limits.max_pixels) + "}\n");
+}
+
+Response Service::state(bool must_be_ready) const {
+    const bool ready = pool_.warm_workers() > 0 && !draining;
+    Response response =
+        text("application/json", std::string("{\"alive\":true,\"ready\":") + (ready ? "true" : "false") +
+                                     ",\"draining\":" + (draining ? "true" : "false") + "}\n");
+    if (must_be_ready && !ready) {
+        response.status = 503;
+        response.headers.emplace_back("Retry-After", std::to_string(not_ready_seconds));
+    }
+    return response;
+}
+
+Response Service::page(const Request& request, const Target& target) const {
+    const std::span<const Asset> all = assets();
+    const auto asset = std::ranges::find(all, target.path, &Asset::path);
+    if (asset == all.end()) refuse(404, "There is nothing here; /openapi.json says what there is.");
+    Response response{.status = 200, .type = std::string(asset->type), .content = asset->content};
+    const std::string tag = entity_tag(asset->content);
+    response.headers.emplace_back("ETag", tag);
+    response.headers.emplace_back("Cache-Control", "no-cache");
+    response.headers.emplace_back("Content-Security-Policy", "default-src 'self'");
+    if (!matches(request.if_none_match, tag)) return response;
+    response.status = 304;
+    response.content = {};
+    return response;
+}
+
+std::string Service::metrics_text() const {
+    const Dispatcher& dispatcher = pool_.dispatcher();
+    return metrics_.text({.queued = dispatcher.queued(),
+                          .running = dispatcher.running(),
+                          .connections = connections ? connections() : 0,
+                          .cached_bytes = cache_.bytes(),
+                          .answer_bytes = *answer_bytes_,
+                          .ready = pool_.warm_workers() > 0 && !draining,
+                          .workers = pool_.states()});
+}
+
+const Hello& Service::hello() const {
+    if (const Hello* known = pool_.hello()) return *known;
+    refuse(503, "The scenes are still being prepared.", not_ready_seconds);
+}

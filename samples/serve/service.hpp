@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What each URL means: requests become answers, or pictures to be rendered.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "metrics.hpp"
+#include "pool.hpp"
+#include "problem.hpp"
+#include "result_cache.hpp"
+
+/// What the answers of the service look at in a request.
+struct Request {
+    std::string method, target, if_none_match;
+};
+
+struct Response {
+    int status = 200;
+    std::string type = "application/json";
+    std::vector<std::pair<std::string, std::string>> headers = {};
+    std::shared_ptr<const void> owner = {};  ///< of the content
+    std::string_view content = {};
+};
+
+/// A picture that has to be made.
+struct Render {
+    PictureRequest request;
+    std::string tag = {};  ///< its entity tag, quotes included; the same for equal requests
+};
+
+class Service {
+public:
+    Service(const Options& options, Pool& pool, Metrics& metrics);
+
+    /// Never throws: what goes wrong is an answer too.
+    std::variant<Response, Render> handle(const Request& request);
+    /// The answer to a picture's request, once there is one.
+    Response respond(const Render& render, const AnswerPtr& answer);
+    Response respond(const Problem& problem) const;
+    /// When to come again, in seconds: about when the queue of now is done.
+    [[nodiscard]] int retry_after() const;
+
+    bool draining = false;
+    std::function<std::size_t()> connections;  ///< for the metrics
+
+private:
+    std::variant<Response, Render> route(const Request& request);
+    std::variant<Response, Render> picture(const Request& request, const Target& target);
+    [[nodiscard]] Response text(std::string type, std::string content) const;
+    [[nodiscard]] Response scenes() const;
+    [[nodiscard]] Response state(bool must_be_ready) const;
+    [[nodiscard]] Response page(const Request& request, const Target& target) const;
+    [[nodiscard]] std::string metrics_text() const;
+    const Hello& hello() const;
+
+    const Options& options_;
+    Pool& pool_;
+    Metrics& metrics_;
+    ResultCache cache_;
+    std::vector<std::string> keys_;
+    std::string build_;  ///< of the library, part of every entity tag
+    std::string openapi_;
+    /// Of pictures that are being sent.
+    std::shared_ptr<std::size_t> answer_bytes_ = std::make_shared<std::size_t>(0);
+};

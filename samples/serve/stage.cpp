@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "stage.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+
+#include "camera.hpp"
+#include "exr.hpp"
+#include "observe.hpp"
+#include "png.hpp"
+#include "render_error.hpp"
+#include "scene_files.hpp"
+
+namespace {
+
+constexpr std::uint32_t probe_side = 33;  // odd: a pixel lies in the middle
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// In the ABI zero stands for the default order, and -1 for order zero; in a request -1 for the default.
+std::int32_t abi_order(std::int32_t order) {
+    return order < 0 ? 0 : (order == 0 ? -1 : order);
+}
+
+std::vector<std::string> exr_names(std::uint32_t channels) {
+    if (channels == 1) return {"Y"};
+    if (channels == 3) return {"B", "G", "R"};
+    std::vector<std::string> names;
+    for (std::uint32_t c = 0; c < channels; ++c) names.push_back((c < 10 ? "0" : "") + std::to_string(c));
+    return names;
+}
+
+std::string encode_float_picture(FloatPicture picture, Observer observer) {
+    if (observer == Observer::dolp || observer == Observer::aolp) {
+        const std::size_t at = observer == Observer::aolp ? 0 : 1;
+        for (std::size_t i = 0; i < picture.data.size() / 2; ++i) picture.data[i] = picture.data[2 * i + at];
+        picture.data.resize(picture.data.size() / 2);
+        picture.values = 1;
+    }
+    if (picture.values == 3)  // B G R
+        for (std::size_t i = 0; i < picture.data.size(); i += 3)
+            std::swap(picture.data[i], picture.data[i + 2]);
+    return encode_exr(picture.width, picture.height, exr_names(picture.values), picture.data);
+}
+
+}  // namespace
+
+Stage::Stage(nicol_context context, const std::filesystem::path& path) : context_(context) {
+    info_.id = path.stem();
+    info_.digest = scene_digest(path);
+    nicol_scene scene = nullptr;
+    must(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
+    scene_.reset(scene);
+    must(nicol_scene_get_camera(scene, &camera_));
+    must(nicol_scene_get_film_size(scene, &info_.width, &info_.height));
+    must(nicol_scene_get_channels(scene, &info_.channels));
+    nicol_environment environment = nullptr;
+    must(nicol_scene_get_environment(scene, &environment, light_to_world_, &light_scale_));
+    environment_.reset(environment);
+    info_.up = vertical_axis(camera_);
+    info_.fov = camera_.fov > 0 ? camera_.fov : 45;
+    info_.orbit = orbit_of(camera_, info_.up, centre_depth());
+}
+
+/// How far the middle of the scene's own picture is, or where nothing is there, half of what is to be seen.
+double Stage::centre_depth() const {
+    nicol_framebuffer framebuffer = nullptr;
+    must(nicol_framebuffer_create(context_, probe_side, probe_side, info_.channels, &framebuffer));
+    const Framebuffer owner(framebuffer);
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.planes = NICOL_PLANES_DEPTH;
+    must(nicol_render(scene_.get(), &camera_, &options, framebuffer));
+    std::vector<float> depth(std::size_t{probe_side} * probe_side);
+    must(nicol_framebuffer_read(framebuffer, NICOL_PLANE_DEPTH, 0, depth.data(), 0,
+                                depth.size() * sizeof(float)));
+    const auto middle = static_cast<double>(depth[depth.size() / 2]);
+    if (std::isfinite(middle)) return middle;
+    std::erase_if(depth, [](float d) { return !std::isfinite(d); });
+    if (depth.empty()) return 1;
+    const auto half = depth.begin() + static_cast<std::ptrdiff_t>(depth.size() / 2);
+    std::ranges::nth_element(depth, half);
+    return static_cast<double>(*half);
+}
+
+void Stage::make_framebuffer(std::uint32_t width, std::uint32_t height) {
+    if (framebuffer_ && width == width_ && height == height_) return;
+    nicol_framebuffer framebuffer = nullptr;
+    must(nicol_framebuffer_create(context_, width, height, info_.channels, &framebuffer));
+    framebuffer_.reset(framebuffer);
+    width_ = width;
+    height_ = height;
+    has_view_ = false;
+}
+
+void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
+    head.unchanged = has_view_ && view == view_ ? 1 : 0;
+    if (head.unchanged != 0) return;
+    const nicol_camera camera = camera_of(view, camera_, info_.up);
+    make_framebuffer(view.width, view.height);
+    has_view_ = false;
+    if (environment_ && (view.light != light_ || view.light_tilt != light_tilt_)) {
+        double turned[16];
+        turn_light(view, info_.up, light_to_world_, turned);
+        must(nicol_scene_set_environment(scene_.get(), environment_.get(), turned, light_scale_));
+        light_ = view.light;
+        light_tilt_ = view.light_tilt;
+    }
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.order_low = abi_order(view.order_low);
+    options.order_high = abi_order(view.order_high);
+    options.tolerance = view.tolerance;
+    options.progress = progress.callback;
+    options.progress_user = progress.user;
+    must(nicol_render(scene_.get(), &camera, &options, framebuffer_.get()));
+    view_ = view;
+    has_view_ = true;
+    nicol_statistics statistics = NICOL_STATISTICS_INIT;
+    must(nicol_framebuffer_get_statistics(framebuffer_.get(), &statistics));
+    head.ms = {statistics.project_ms, statistics.bake_ms, statistics.relight_ms,
+               statistics.shade_ms,   statistics.draw_ms, 0};
+}
+
+std::string Stage::render(const PictureRequest& request, const Progress& progress, const std::string& scratch,
+                          ResultHead& head) {
+    draw(request.view, progress, head);
+    const auto start = std::chrono::steady_clock::now();
+    head.scale = static_cast<float>(request.scale);
+    std::string content = encode(request, scratch, head.scale);
+    head.ms.back() = milliseconds_since(start);
+    return content;
+}
+
+std::string Stage::encode(const PictureRequest& request, const std::string& scratch, float& scale) const {
+    switch (request.format) {
+        case Format::stokes_f16:
+        case Format::stokes_f32:
+            return stokes(request.format == Format::stokes_f16);
+        case Format::stokes_exr: {
+            // The library writes files alone.
+            const std::string path = scratch + "/nicol-serve-" + std::to_string(getpid()) + ".exr";
+            must(nicol_framebuffer_write_exr(framebuffer_.get(), path.c_str()));
+            std::ifstream file(path, std::ios::binary | std::ios::ate);
+            std::string content(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
+            file.seekg(0);
+            file.read(content.data(), static_cast<std::streamsize>(content.size()));
+            unlink(path.c_str());
+            if (!file) throw Failure(path + ": cannot be read back");
+            return content;
+        }
+        case Format::exr:
+            return encode_float_picture(observe(framebuffer_.get(), request), request.observer);
+        default: {
+            const FloatPicture seen = observe(framebuffer_.get(), request);
+            const bool curve = request.observer == Observer::s0 || request.observer == Observer::polarizer;
+            return encode_png(seen.width, seen.height, colours(seen, request.observer, scale), curve);
+        }
+    }
+}
+
+/// [channel][row][column][4], little-endian.
+std::string Stage::stokes(bool half) const {
+    const std::size_t plane = std::size_t{width_} * height_ * 4 * (half ? 2 : 4);
+    std::string content(plane * info_.channels, '\0');
+    for (std::uint32_t c = 0; c < info_.channels; ++c) {
+        nicol_plane_buffer to = NICOL_PLANE_BUFFER_INIT;
+        to.plane = NICOL_PLANE_STOKES;
+        to.format = half ? NICOL_FORMAT_FLOAT16 : NICOL_FORMAT_FLOAT32;
+        to.channel = c;
+        to.pixels = content.data() + c * plane;
+        to.byte_size = plane;
+        must(nicol_framebuffer_read_plane(framebuffer_.get(), &to));
+    }
+    return content;
+}

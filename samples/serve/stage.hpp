@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A warm scene: loaded, baked, and rendered at least once.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "common/handles.hpp"
+#include "message.hpp"
+#include "picture_request.hpp"
+
+/// Asked about ten times a second whether to go on; 0 ends the render.
+struct Progress {
+    nicol_progress_callback callback = nullptr;
+    void* user = nullptr;
+};
+
+class Stage {
+public:
+    /// Loads the scene and renders it, which bakes it or takes the bake from the cache. Throws Failure.
+    Stage(nicol_context context, const std::filesystem::path& path);
+
+    [[nodiscard]] const SceneInfo& info() const { return info_; }
+
+    /// The answer's content; fills in the head but for its status. `scratch` is a folder for files that live
+    /// for this call. Throws RenderError.
+    std::string render(const PictureRequest& request, const Progress& progress, const std::string& scratch,
+                       ResultHead& head);
+
+private:
+    void draw(const View& view, const Progress& progress, ResultHead& head);
+    void make_framebuffer(std::uint32_t width, std::uint32_t height);
+    [[nodiscard]] double centre_depth() const;
+    [[nodiscard]] std::string encode(const PictureRequest& request, const std::string& scratch,
+                                     float& scale) const;
+    [[nodiscard]] std::string stokes(bool half) const;
+
+    nicol_context context_;
+    Scene scene_;
+    SceneInfo info_;
+    nicol_camera camera_ = NICOL_CAMERA_INIT;
+    Environment environment_;
+    double light_to_world_[16] = {};
+    double light_scale_ = 1;
+    Framebuffer framebuffer_;
+    std::uint32_t width_ = 0, height_ = 0;
+    double light_ = 0, light_tilt_ = 0;  ///< as it is turned now
+    bool has_view_ = false;
+    View view_;  ///< what the framebuffer shows
+};

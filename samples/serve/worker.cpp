@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "worker.hpp"
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <new>
+
+#include "message.hpp"
+#include "render_error.hpp"
+#include "scene_files.hpp"
+#include "stage.hpp"
+
+namespace {
+
+constexpr int cancelled = 499;
+
+/// The front process is gone: there is nobody left to work for.
+struct Gone {};
+
+class Channel {
+public:
+    explicit Channel(int socket) : socket_(socket) {}
+
+    void send(Head head, std::string_view first, std::string_view second = {}) const {
+        head.length = static_cast<std::uint32_t>(first.size() + second.size());
+        for (const std::string_view part : {bytes_of(head), first, second})
+            for (std::string_view rest = part; !rest.empty();) {
+                const ssize_t sent = ::send(socket_, rest.data(), rest.size(), MSG_NOSIGNAL);
+                if (sent < 0 && errno == EINTR) continue;
+                if (sent <= 0) throw Gone();
+                rest.remove_prefix(static_cast<std::size_t>(sent));
+            }
+    }
+
+    template <typename T>
+    T receive() const {
+        T value{};
+        auto* at = reinterpret_cast<char*>(&value);
+        for (std::size_t left = sizeof value; left > 0;) {
+            const ssize_t got = ::recv(socket_, at, left, 0);
+            if (got < 0 && errno == EINTR) continue;
+            if (got <= 0) throw Gone();
+            at += got;
+            left -= static_cast<std::size_t>(got);
+        }
+        return value;
+    }
+
+    [[nodiscard]] bool readable() const {
+        pollfd wanted{.fd = socket_, .events = POLLIN, .revents = 0};
+        return ::poll(&wanted, 1, 0) > 0;
+    }
+
+private:
+    int socket_;
+};
+
+/// What a render under way looks at: whether its job was cancelled, or everybody left.
+struct Watch {
+    const Channel& channel;
+    std::uint64_t job;
+
+    static std::int32_t ask(void* user, const char*, double) {
+        const auto& watch = *static_cast<const Watch*>(user);
+        while (watch.channel.readable()) {
+            // Exceptions must not pass through the library; the main loop meets the end of the stream again.
+            try {
+                if (watch.channel.receive<Head>().job == watch.job) return 0;
+            } catch (const Gone&) {
+                return 0;
+            }
+        }
+        return 1;
+    }
+};
+
+int status_of(nicol_result result) {
+    switch (result) {
+        case NICOL_ERROR_INVALID_ARGUMENT:
+        case NICOL_ERROR_UNSUPPORTED:
+            return 400;
+        case NICOL_ERROR_CANCELLED:
+            return cancelled;
+        case NICOL_ERROR_OUT_OF_MEMORY:
+            return 503;
+        default:
+            return 500;
+    }
+}
+
+void log(void*, std::uint32_t severity, nicol_result, const char* message) {
+    if (severity >= NICOL_LOG_NOTICE)
+        std::fprintf(stderr, "nicol-serve: worker %d: %s\n", getpid(), one_line(message).c_str());
+}
+
+Context make_context(const Options& options) {
+    nicol_context_options wanted = NICOL_CONTEXT_OPTIONS_INIT;
+    wanted.backend = options.backend;
+    wanted.threads = options.threads;
+    wanted.log = log;
+    wanted.cache_folder = options.cache.c_str();
+    nicol_context context = nullptr;
+    must(nicol_context_create(&wanted, &context));
+    return Context(context);
+}
+
+void render(const Channel& channel, std::uint64_t id, const PictureRequest& request,
+            std::vector<Stage>& stages, const Options& options) {
+    Watch watch{.channel = channel, .job = id};
+    ResultHead result;
+    std::string content;
+    try {
+        content = stages.at(request.view.scene)
+                      .render(request, {.callback = Watch::ask, .user = &watch}, options.scratch, result);
+        result.status = 200;
+    } catch (const RenderError& error) {
+        result.status = status_of(error.code);
+        content = error.what();
+    } catch (const std::bad_alloc&) {
+        result.status = 503;
+        content = "out of memory";
+    } catch (const std::exception& error) {
+        content = error.what();
+    }
+    if (result.status >= 500) log(nullptr, NICOL_LOG_WARNING, NICOL_OK, content.c_str());
+    channel.send({.kind = MessageKind::result, .length = 0, .job = id}, bytes_of(result), content);
+}
+
+void serve(const Channel& channel, const Options& options) {
+    const Context context = make_context(options);
+    std::vector<Stage> stages;
+    Hello hello;
+    nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
+    must(nicol_context_get_info(context.get(), &info));
+    hello.renderer = std::string(info.renderer) + ", " + info.version;
+    for (const std::filesystem::path& path : find_scenes(options.scenes)) {
+        stages.emplace_back(context.get(), path);
+        hello.scenes.push_back(stages.back().info());
+    }
+    channel.send({.kind = MessageKind::hello, .length = 0, .job = 0}, pack(hello));
+    for (;;) {
+        const Head head = channel.receive<Head>();
+        // A cancel that comes here is of a job that was done already.
+        if (head.kind == MessageKind::job)
+            render(channel, head.job, channel.receive<PictureRequest>(), stages, options);
+    }
+}
+
+}  // namespace
+
+int run_worker(int socket, const Options& options) {
+    // The front process alone decides when a worker ends, also where a terminal's signals reach both.
+    std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGTERM, SIG_IGN);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // Mesa's software renderer would start a thread a core in every worker.
+    if (options.threads > 0) setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), 0);
+    const Channel channel(socket);
+    try {
+        try {
+            serve(channel, options);
+        } catch (const std::exception& error) {
+            channel.send({.kind = MessageKind::failed, .length = 0, .job = 0}, one_line(error.what()));
+        }
+    } catch (const Gone&) {
+        return 0;
+    }
+    return 2;
+}

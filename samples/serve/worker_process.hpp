@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// One worker process as the front process sees it: started, spoken to, killed.
+#pragma once
+
+#include <sys/types.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "message.hpp"
+
+class WorkerProcess : public std::enable_shared_from_this<WorkerProcess> {
+public:
+    struct Events {
+        std::function<void(const Head&, std::string content)> message;
+        std::function<void()> lost;  ///< its end of the socket closed: it is gone, or about to be
+    };
+
+    /// Starts this program again with its arguments and --worker. Throws Failure.
+    static std::shared_ptr<WorkerProcess> start(boost::asio::io_context& io,
+                                                const std::vector<std::string>& arguments, Events events);
+    ~WorkerProcess();
+    WorkerProcess(const WorkerProcess&) = delete;
+    WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+    [[nodiscard]] pid_t pid() const { return pid_; }
+    void send(const Head& head, std::string_view content);
+    /// No event comes any more. Returns the process that is to be waited for, -1 the second time.
+    pid_t kill();
+
+private:
+    WorkerProcess(boost::asio::io_context& io, Events events) : socket_(io), events_(std::move(events)) {}
+    void read_head();
+    void read_content();
+    void write();
+    void lose();
+
+    boost::asio::local::stream_protocol::socket socket_;
+    Events events_;
+    pid_t pid_ = -1;
+    Head head_;
+    std::string content_;
+    std::deque<std::string> outgoing_;
+    bool over_ = false;
+};
+
+/// Bytes of memory that the process holds, 0 where that cannot be told.
+std::uint64_t resident_bytes(pid_t pid);
