@@ -8,10 +8,11 @@ layout(location = 1) in vec3 normal;
 layout(location = 0) out vec3 vertex_position;
 layout(location = 1) out vec3 vertex_normal;
 
-uniform mat4 world_to_clip;
+uniform mat4 to_clip;   // from the vertices' axes
+uniform mat4 to_world;  // likewise; a turn and a shift
 
 void main() {
-    vertex_position = position;
-    vertex_normal = normal;
-    gl_Position = world_to_clip * vec4(position, 1.0);
+    vertex_position = (to_world * vec4(position, 1.0)).xyz;
+    vertex_normal = mat3(to_world) * normal;
+    gl_Position = to_clip * vec4(position, 1.0);
 }

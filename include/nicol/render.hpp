@@ -117,6 +117,14 @@ struct Statistics {
     std::uint64_t camera_rays = 0;  ///< of the reference method
     std::uint64_t shadow_rays = 0;  ///< likewise
     double trace_ms = 0;            ///< likewise
+    // What was made again; 0 where all could be kept.
+    std::uint64_t lights_projected = 0;  ///< environments to coefficients
+    std::uint64_t materials_projected =
+        0;  ///< tables, matrices and sets of lobes of materials, also from a cache
+    std::uint64_t vertices_traced = 0;  ///< from which the bake traced rays
+    std::uint64_t matrices_baked = 0;   ///< dense: of vertices
+    std::uint64_t vertices_relit = 0;   ///< into whose frames light was brought
+    std::uint64_t vertices_shaded = 0;  ///< whose Stokes vectors were computed
 };
 
 }  // namespace nicol

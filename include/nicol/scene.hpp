@@ -24,32 +24,48 @@ struct Instance {
 /// once.
 class Scene {
 public:
-    /// Returns the new instance's id, counting from 0. Throws Error(invalid_argument) for null pointers, a
-    /// transform that is not affine and invertible, or channels that do not fit the scene's.
+    /// Returns the new instance's id. They count up from 0 and are never given twice. Throws
+    /// Error(invalid_argument) for null pointers, a transform that is not affine and invertible, or channels
+    /// that do not fit the scene's.
     std::uint32_t add(Instance instance);
+    /// These throw Error(invalid_argument) for ids of no instance, and as add().
+    void remove(std::uint32_t id);
     void set_transform(std::uint32_t id, const glm::dmat4& to_world);
+    void set_material(std::uint32_t id, MaterialPtr material);
+    [[nodiscard]] const Instance& at(std::uint32_t id) const { return instances_[index_of(id)]; }
+
     /// Null is darkness. `rotation` turns the light's axes into the world's; it must be a proper rotation.
     /// `scale` multiplies the radiance and must be finite and not negative.
     void set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale);
 
     [[nodiscard]] const std::vector<Instance>& instances() const noexcept { return instances_; }
+    /// Of instances(), ascending.
+    [[nodiscard]] const std::vector<std::uint32_t>& ids() const noexcept { return ids_; }
     [[nodiscard]] const EnvironmentPtr& environment() const noexcept { return environment_; }
     [[nodiscard]] const glm::dmat3& light_rotation() const noexcept { return rotation_; }
     [[nodiscard]] double light_scale() const noexcept { return scale_; }
     /// Colour channels: the largest number of any part; parts of one channel serve all.
     [[nodiscard]] int channels() const;
 
+    /// Counts the changes of where triangles are and which of their sides reflect.
     [[nodiscard]] std::uint64_t geometry_revision() const noexcept { return geometry_revision_; }
+    /// Counts the changes of which materials there are, and where.
+    [[nodiscard]] std::uint64_t material_revision() const noexcept { return material_revision_; }
     [[nodiscard]] std::uint64_t light_revision() const noexcept { return light_revision_; }
 
 private:
-    void check_channels(int channels, const char* what) const;
+    [[nodiscard]] std::size_t index_of(std::uint32_t id) const;
+    /// Of everything but one instance.
+    [[nodiscard]] int channels_without(std::size_t index) const;
 
     std::vector<Instance> instances_;
+    std::vector<std::uint32_t> ids_;
+    std::uint32_t next_id_ = 0;
     EnvironmentPtr environment_;
     glm::dmat3 rotation_{1.0};
     double scale_ = 1;
     std::uint64_t geometry_revision_ = 1;
+    std::uint64_t material_revision_ = 1;
     std::uint64_t light_revision_ = 1;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -22,6 +23,8 @@ public:
         DenseTransfer matrices;
         std::shared_ptr<const OutgoingShade> shade;
         OutgoingLight light;
+        /// 1 for vertices whose matrices are new since their light was made; empty: all are.
+        std::vector<std::uint8_t> fresh;
     };
 
     /// project and bake of the matrices, as far as changes make it necessary. Adds to `statistics`.
@@ -38,13 +41,25 @@ public:
     [[nodiscard]] std::uint64_t runs_revision() const noexcept { return runs_revision_; }
 
 private:
-    void bake(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);
+    struct Projected {
+        std::vector<IsotropicMatrix> channels;
+        std::shared_ptr<const DenseMaterial> material;
+        std::shared_ptr<const OutgoingShade> shade;
+    };
 
-    std::map<std::pair<MaterialPtr, int>, std::vector<IsotropicMatrix>> matrices_;  // by material and order
+    void project(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);
+    // `stale`: vertices whose matrices are wrong though their material is the same.
+    void bake(const TransferInput& input, const std::function<bool(std::size_t)>& stale, Workers& workers,
+              Progress& progress, Statistics& statistics);
+
+    std::map<MaterialPtr, Projected> materials_;
+    int order_ = -1;  // that the materials are of
+    LightKind kind_ = LightKind::unpolarized;
     std::vector<Run> runs_;
     std::uint64_t runs_revision_ = 0;
-    RelightKey baked_for_;  // light not counted
-    RelightKey lit_for_;
+    RelightKey baked_for_;               // light not counted
+    std::uint64_t baked_materials_ = 0;  // revision of the materials
+    std::uint64_t lit_for_ = 0;          // revision of the light
 };
 
 }  // namespace nicol

@@ -52,9 +52,10 @@ std::size_t parts_of(LightKind kind) {
 }  // namespace
 
 ErrorBudget::Orders ErrorBudget::choose(const Scene& scene, const WorldGeometry& geometry,
-                                        const Shadows& shadows, double tolerance, bool split) {
-    const Key key(scene.environment().get(), scene.geometry_revision(),
-                  shadows.visibility == nullptr ? 0 : shadows.revision, shadows.horizon);
+                                        std::uint64_t revision, const Shadows& shadows, double tolerance,
+                                        bool split) {
+    const Key key(scene.environment().get(), revision, shadows.visibility == nullptr ? 0 : shadows.revision,
+                  shadows.horizon);
     if (key_ != key) {
         key_.reset();
         asked_.reset();

@@ -43,8 +43,9 @@ public:
 
     /// The fastest orders for the factored method with a predicted error of at most `tolerance`, or where
     /// there are none those of the least error. split: whether there may be high orders in that form.
-    Orders choose(const Scene& scene, const WorldGeometry& geometry, const Shadows& shadows, double tolerance,
-                  bool split);
+    /// `revision` counts the changes of the geometry and its materials.
+    Orders choose(const Scene& scene, const WorldGeometry& geometry, std::uint64_t revision,
+                  const Shadows& shadows, double tolerance, bool split);
 
 private:
     static constexpr std::size_t kOutputs = ResponsePower::kOutputs;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/factored_method.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace nicol {
@@ -37,6 +39,7 @@ void FactoredMethod::project(const TransferInput& input, Workers& workers, Progr
         progress.report("project", static_cast<double>(tables.size()) /
                                        static_cast<double>(input.geometry.ranges.size()));
         ++tables_revision_;
+        ++statistics.materials_projected;
         workers.run([&] {
             tables.emplace(range.material,
                            load_or_build(*range.material, input.layout, input.channels, folder_, notice_));
@@ -50,13 +53,22 @@ void FactoredMethod::project(const TransferInput& input, Workers& workers, Progr
 void FactoredMethod::prepare_shadows(const TransferInput& input, Workers& workers, Statistics& statistics) {
     const RelightKey key = RelightKey(input).without_light();
     if (shadows_for_ == key) return;
+    const auto before = RelightKey::before(input);
+    const bool follows = shadows_ && before && shadows_for_ == before->without_light();
     shadows_for_ = {};
+    std::optional<ShadowProduct> former = std::move(shadows_);
     shadows_.reset();
     if (input.visibility != nullptr) {
         const Stopwatch watch;
         workers.run([&] {
-            shadows_.emplace(*input.visibility, *input.directions, input.geometry.normals, input.layout,
-                             input.horizon);
+            const std::span normals(input.geometry.normals);
+            if (follows) {
+                shadows_.emplace(std::move(*former), input.unchanged->vertices, *input.visibility,
+                                 *input.directions, normals);
+            } else {
+                former.reset();
+                shadows_.emplace(*input.visibility, *input.directions, normals, input.layout, input.horizon);
+            }
         });
         statistics.bake_ms += watch.milliseconds();
     }
@@ -67,17 +79,31 @@ void FactoredMethod::relight(const TransferInput& input, Workers& workers, Progr
                              Statistics& statistics) {
     const RelightKey key(input);
     if (lit_for_ == key) return;
+    const std::size_t vertices = input.geometry.positions.size();
+    const std::size_t blocks = vertex_light_.blocks();
+    vertex_light_.resize(input.layout, input.light.channels(), vertices);
+    const bool follows =
+        vertex_light_.blocks() == blocks && lit_for_ == RelightKey::before(input).value_or(RelightKey());
     lit_for_ = {};
     const Stopwatch watch;
-    const std::size_t vertices = input.geometry.positions.size();
     const std::span normals(input.geometry.normals);
     const Relight turn(input.layout, input.light);
-    vertex_light_.resize(input.layout, input.light.channels(), vertices);
-    workers.for_blocks(vertex_light_.blocks(), "relight", progress, [&](std::size_t begin, std::size_t end) {
-        turn.run(normals, begin, end, vertex_light_);
-        if (shadows_) shadows_->run(vertex_light_, begin, end);
+    const auto stale = [&](std::size_t block) {
+        if (!follows) return true;
+        const auto same = input.unchanged->vertices.subspan(block * kLanes);
+        return std::ranges::any_of(same.first(std::min(kLanes, same.size())),
+                                   [](std::uint8_t one) { return one == 0; });
+    };
+    std::atomic<std::size_t> relit = 0;
+    workers.for_blocks(vertex_light_.blocks(), "relight", progress, [&](std::size_t first, std::size_t last) {
+        for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
+            turn.run(normals, begin, end, vertex_light_);
+            if (shadows_) shadows_->run(vertex_light_, begin, end);
+            relit += std::min(end * kLanes, vertices) - begin * kLanes;
+        });
     });
     lit_for_ = key;
+    statistics.vertices_relit += relit;
     statistics.relight_ms += watch.milliseconds();
 }
 

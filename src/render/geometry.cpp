@@ -7,40 +7,8 @@
 #include <algorithm>
 #include <atomic>
 #include <glm/geometric.hpp>
-#include <limits>
-
-#include "nicol/error.hpp"
 
 namespace nicol {
-
-WorldGeometry world_geometry(const Scene& scene) {
-    WorldGeometry world;
-    std::vector<glm::uvec3> two_sided;
-    const auto append = [&world](const Mesh& mesh, const MaterialPtr& material,
-                                 std::vector<glm::uvec3>& triangles) {
-        const std::size_t first = world.positions.size();
-        if (first + mesh.positions.size() > std::numeric_limits<std::uint32_t>::max()) {
-            throw Error(ErrorCode::invalid_argument, "the scene has more than 2^32 vertices");
-        }
-        world.positions.insert(world.positions.end(), mesh.positions.begin(), mesh.positions.end());
-        world.normals.insert(world.normals.end(), mesh.normals.begin(), mesh.normals.end());
-        for (const glm::uvec3& triangle : mesh.triangles) {
-            triangles.push_back(triangle + static_cast<std::uint32_t>(first));
-        }
-        world.ranges.push_back({first, world.positions.size(), material});
-    };
-    for (const Instance& instance : scene.instances()) {
-        Mesh mesh = transformed(*instance.mesh, instance.to_world);
-        const bool both = instance.material->twosided();
-        append(mesh, instance.material, both ? two_sided : world.triangles);
-        if (!both) continue;
-        flip_normals(mesh);
-        append(mesh, instance.material, two_sided);
-    }
-    world.one_sided = world.triangles.size();
-    world.triangles.insert(world.triangles.end(), two_sided.begin(), two_sided.end());
-    return world;
-}
 
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
                          std::vector<std::uint8_t>& visible) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's instances as one list of vertices and triangles in the world.
+// A scene's instances as one list of vertices and triangles.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,8 @@ struct VertexRange {
     std::size_t first;
     std::size_t last;
     MaterialPtr material;
+    std::uint32_t instance;  ///< id
+    bool operator==(const VertexRange&) const = default;
 };
 
 /// An instance of a two-sided material appears twice, the second time turned inside out, so that each side
@@ -32,9 +34,6 @@ struct WorldGeometry {
                triangles.size() * sizeof(glm::uvec3);
     }
 };
-
-/// Throws Error(invalid_argument) where there are more than 2^32 vertices.
-[[nodiscard]] WorldGeometry world_geometry(const Scene& scene);
 
 /// 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one side of the view;
 /// the others cannot reach the picture. Resizes `visible`; returns how many are 0. Runs on the calling

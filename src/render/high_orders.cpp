@@ -21,41 +21,48 @@ void HighOrderTransfer::update(const TransferInput& input, const DistantLight& l
                   .high = light.high,
                   .channels = input.channels,
                   .polarized = light.polarized};
-    const bool same_parts = key_ == key && fitted_ == input.geometry_revision;
+    const bool same_parts = key_ == key && fitted_ == input.material_revision;
     if (!same_parts) {
         fitted_ = 0;
-        fit(input, key, workers, progress);
-        fitted_ = input.geometry_revision;
+        fit(input, key, workers, progress, statistics);
+        fitted_ = input.material_revision;
     }
     if (!same_parts || filtered_ != light.revision) {
+        if (filtered_ != light.revision) {
+            light_.reset();
+            for (auto& [material, part] : parts_) part.filtered = false;
+        }
         filtered_ = 0;
         ++parts_revision_;
-        filter(input, light, workers);
+        filter(light, workers);
         filtered_ = light.revision;
     }
     statistics.project_ms += projecting.milliseconds();
 
     const int order = 2 * light.low;
-    if (visibility_revision_ == input.visibility_revision && visibility_order_ == order &&
-        visibility_horizon_ == input.horizon) {
-        return;
-    }
+    const bool same_form = visibility_order_ == order && visibility_horizon_ == input.horizon;
+    if (same_form && visibility_revision_ == input.visibility_revision) return;
     const Stopwatch baking;
+    const bool follows = same_form && input.unchanged && !visibility_.empty() &&
+                         visibility_revision_ == input.unchanged->visibility &&
+                         visibility_geometry_ == input.unchanged->geometry;
     visibility_revision_ = 0;
     visibility_order_ = -1;
     ++visibility_count_;
-    visibility_.clear();
-    if (input.visibility != nullptr) expand_visibility(input, order, workers, progress);
+    if (!follows) visibility_.clear();
+    if (input.visibility != nullptr) expand_visibility(input, order, follows, workers, progress);
     visibility_order_ = order;
     visibility_horizon_ = input.horizon;
     visibility_revision_ = input.visibility_revision;
+    visibility_geometry_ = input.geometry_revision;
     statistics.bake_ms += baking.milliseconds();
 }
 
-void HighOrderTransfer::fit(const TransferInput& input, const Key& key, Workers& workers,
-                            Progress& progress) {
+void HighOrderTransfer::fit(const TransferInput& input, const Key& key, Workers& workers, Progress& progress,
+                            Statistics& statistics) {
     if (key_ != key) {
         parts_.clear();
+        light_.reset();
         kernels_.clear();
         key_ = key;
     }
@@ -71,16 +78,20 @@ void HighOrderTransfer::fit(const TransferInput& input, const Key& key, Workers&
         }
         progress.report(
             "project", static_cast<double>(parts.size()) / static_cast<double>(input.geometry.ranges.size()));
+        ++statistics.materials_projected;
         workers.run([&] {
             if (key.form == HighOrders::convolution) {
                 const int channels = material->channels() == 1 ? 1 : key.channels;
                 kernels[material] = mirrored_kernels(*material, key.high, channels);
-                parts.emplace(material,
-                              Part{.factors = HighOrderFactors::mirror(), .convolved = {}, .maps = {}});
+                parts.emplace(material, Part{.factors = HighOrderFactors::mirror(),
+                                             .convolved = {},
+                                             .filtered = false,
+                                             .maps = {}});
             } else {
                 parts.emplace(material, Part{.factors = load_or_fit(*material, key.low, key.high,
                                                                     key.channels, folder_, notice_),
                                              .convolved = {},
+                                             .filtered = false,
                                              .maps = {}});
             }
         });
@@ -89,33 +100,32 @@ void HighOrderTransfer::fit(const TransferInput& input, const Key& key, Workers&
     kernels_ = std::move(kernels);
 }
 
-void HighOrderTransfer::filter(const TransferInput& input, const DistantLight& light, Workers& workers) {
-    light_.reset();
-    if (input.geometry.ranges.empty()) return;
+void HighOrderTransfer::filter(const DistantLight& light, Workers& workers) {
     workers.run([&] {
-        if (key_.form == HighOrders::split) {
-            light_.emplace(light.coefficients, light.low, light.high, light.polarized);
-        }
         for (auto& [material, part] : parts_) {
+            if (part.filtered) continue;
             if (key_.form == HighOrders::convolution) {
                 part.convolved =
                     convolved_map(light.coefficients, kernels_.at(material), light.low, light.high);
                 part.maps = {.centre = &*part.convolved};
             } else {
+                if (!light_) light_.emplace(light.coefficients, light.low, light.high, light.polarized);
                 part.maps = light_->maps(part.factors);
             }
+            part.filtered = true;
         }
     });
 }
 
-void HighOrderTransfer::expand_visibility(const TransferInput& input, int order, Workers& workers,
-                                          Progress& progress) {
+void HighOrderTransfer::expand_visibility(const TransferInput& input, int order, bool follows,
+                                          Workers& workers, Progress& progress) {
     const std::size_t vertices = input.geometry.positions.size();
     const std::size_t count = psh_count(order);
     const VisibilityHarmonics harmonics(*input.directions, order, input.horizon);
     visibility_.resize(vertices * count);
     workers.for_vertices(0, vertices, vertices, "bake", progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
+            if (follows && input.unchanged->vertices[v] != 0) continue;
             harmonics.project(*input.visibility, v, input.geometry.normals[v],
                               std::span(visibility_).subspan(v * count, count));
         }

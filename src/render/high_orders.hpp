@@ -52,6 +52,7 @@ public:
     struct Part {
         HighOrderFactors factors;
         std::optional<LobeMap> convolved;  ///< of the published form
+        bool filtered = false;             ///< the maps are there
         HighOrderMaps maps;
     };
     [[nodiscard]] const std::map<MaterialPtr, Part>& parts() const noexcept { return parts_; }
@@ -81,9 +82,11 @@ private:
         bool operator==(const Key&) const = default;
     };
 
-    void fit(const TransferInput& input, const Key& key, Workers& workers, Progress& progress);
-    void filter(const TransferInput& input, const DistantLight& light, Workers& workers);
-    void expand_visibility(const TransferInput& input, int order, Workers& workers, Progress& progress);
+    void fit(const TransferInput& input, const Key& key, Workers& workers, Progress& progress,
+             Statistics& statistics);
+    void filter(const DistantLight& light, Workers& workers);
+    void expand_visibility(const TransferInput& input, int order, bool follows, Workers& workers,
+                           Progress& progress);
 
     std::filesystem::path folder_;
     CacheNotice notice_;
@@ -93,13 +96,14 @@ private:
     std::optional<HighOrderLight> light_;
     std::uint64_t parts_revision_ = 0;
     std::uint64_t filtered_ = 0;  // revision of the light that the maps are of
-    std::uint64_t fitted_ = 0;    // revision of the geometry, and with it of the materials
+    std::uint64_t fitted_ = 0;    // revision of the materials
 
     std::vector<float> visibility_;  // [vertex][psh_index(l, m)]
     int visibility_order_ = -1;
     HorizonExtension visibility_horizon_ = HorizonExtension::mirrored;
     std::uint64_t visibility_count_ = 0;
     std::uint64_t visibility_revision_ = 0;
+    std::uint64_t visibility_geometry_ = 0;
     std::vector<glm::vec2> fractions_;
 };
 

@@ -55,7 +55,8 @@ LightKind light_kind(const Environment* light) {
     return light->circular() ? LightKind::full : LightKind::linear;
 }
 
-void LightProjection::update(const Scene& scene, const RenderOptions& options, Statistics& statistics) {
+void LightProjection::update(const Scene& scene, const RenderOptions& options, const glm::dmat3& rotation,
+                             Statistics& statistics) {
     const Stopwatch watch;
     const int high = options.high_orders == HighOrders::none ? options.order_low : options.order_high;
     const LightKind kind = (options.unskipped & skip_light_components) != 0
@@ -65,7 +66,6 @@ void LightProjection::update(const Scene& scene, const RenderOptions& options, S
     if (!projected_ || environment_ != scene.environment() || !same_layout || light_.order() != high ||
         dering_ != options.dering || unskipped_ != options.unskipped) {
         projected_ = false;
-        scene_light_revision_ = 0;
         scale_ = -1;
         environment_ = scene.environment();
         light_ = environment_ ? environment_->project(high) : PshVector(high, 1);
@@ -78,19 +78,23 @@ void LightProjection::update(const Scene& scene, const RenderOptions& options, S
                           ? high
                           : std::max(options.order_low, last_order_of(light_));
         projected_ = true;
+        ++statistics.lights_projected;
         statistics.project_ms += watch.milliseconds();
     }
-    if (scene_light_revision_ == scene.light_revision()) return;
+    const bool same_scale = scale_ == scene.light_scale();
+    if (same_scale && turned_by_ == rotation && turned_from_ == distant_revision_) return;
     const Stopwatch turning;
-    if (scale_ != scene.light_scale()) {
+    if (!same_scale) {
         distant_ = light_;
         for (double& coefficient : distant_.data()) coefficient *= scene.light_scale();
         scale_ = scene.light_scale();
         ++distant_revision_;
     }
-    turned_ = rotated(with_order(distant_, options.order_low), scene.light_rotation());
+    turned_from_ = 0;
+    turned_ = rotated(with_order(distant_, options.order_low), rotation);
     ++turned_revision_;
-    scene_light_revision_ = scene.light_revision();
+    turned_by_ = rotation;
+    turned_from_ = distant_revision_;
     statistics.relight_ms += turning.milliseconds();
 }
 

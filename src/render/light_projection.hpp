@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/mat3x3.hpp>
 #include <optional>
 
 #include "nicol/light_layout.hpp"
@@ -14,12 +15,14 @@ namespace nicol {
 /// The Stokes components that a light has; null: darkness.
 [[nodiscard]] LightKind light_kind(const Environment* light);
 
-/// Low orders are kept in the world's axes, for the methods of transfer; all orders in the light's own, for
-/// the high orders. Both are scaled, and have one channel where all are equal.
+/// Low orders are kept in the axes of the scene's geometry, for the methods of transfer; all orders in the
+/// light's own, for the high orders. Both are scaled, and have one channel where all are equal.
 class LightProjection {
 public:
-    /// As far as changes make it necessary. Adds its times to `statistics`.
-    void update(const Scene& scene, const RenderOptions& options, Statistics& statistics);
+    /// As far as changes make it necessary. `rotation`: from the light's axes to the geometry's. Adds its
+    /// times and counts to `statistics`.
+    void update(const Scene& scene, const RenderOptions& options, const glm::dmat3& rotation,
+                Statistics& statistics);
 
     /// Of the low orders.
     [[nodiscard]] const LightLayout& layout() const { return *layout_; }
@@ -41,9 +44,10 @@ private:
     int last_order_ = -1;
     double dering_ = 0;
     std::uint32_t unskipped_ = 0;
-    double scale_ = 1;                        // of distant_
-    std::uint64_t scene_light_revision_ = 0;  // that turned_ belongs to
+    double scale_ = 1;  // of distant_
     PshVector turned_;
+    glm::dmat3 turned_by_{1.0};
+    std::uint64_t turned_from_ = 0;  // revision of distant_
     std::uint64_t turned_revision_ = 0;
     PshVector distant_;
     std::uint64_t distant_revision_ = 0;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "render/rigid_motion.hpp"
 #include "render/view_uniforms.hpp"
 
 namespace nicol {
@@ -59,17 +60,19 @@ std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& ge
 
 Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)), planes_(context_) {}
 
-void Painter::draw(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
+void Painter::draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuffers& buffers,
                    const HighOrdersOfPixels& high_orders, const Wanted& wanted, const Projection& projection,
                    Framebuffer& target) {
     const int channels = target.channels();
+    const bool by_material = high_orders.textures != nullptr;
     const Binding binding{.buffers = buffers.revision(),
+                          .materials = by_material ? surfaces.material_revision() : 0,
                           .channels = channels,
-                          .high_orders = high_orders.textures != nullptr,
+                          .high_orders = by_material,
                           .shadowed = high_orders.shadowed};
     if (bound_ != binding) {
         bound_ = {};
-        bind_vertices(geometry, buffers, binding);
+        bind_vertices(surfaces.geometry(), buffers, binding);
         bound_ = binding;
     }
     if (environment_ != scene.environment() || channels_ != channels) {
@@ -77,17 +80,20 @@ void Painter::draw(const Scene& scene, const WorldGeometry& geometry, VertexBuff
     }
     environment_ = scene.environment();
     channels_ = channels;
-    planes_.prepare(scene, geometry, buffers, wanted.planes, target);
+    planes_.prepare(surfaces.geometry(), buffers, wanted.planes, target);
 
+    const Projection of_surfaces = in_axes(projection, surfaces.to_world());
+    const glm::mat3 to_light(glm::transpose(scene.light_rotation()) * glm::dmat3(surfaces.to_world()));
     for (std::size_t g = 0; g < groups_.size(); ++g)
-        draw_surface(scene, high_orders, wanted.components, projection, g, target);
+        draw_surface(high_orders, wanted.components, of_surfaces, to_light, g, target);
     if (environment_) draw_background(scene, wanted.components, projection, target);
-    planes_.draw(projection, target);
+    planes_.draw(projection, surfaces.to_world(), target);
     gl::finish(*context_);
 }
 
-void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
-                           const Projection& projection, std::size_t group, Framebuffer& target) {
+void Painter::draw_surface(const HighOrdersOfPixels& high_orders, int components,
+                           const Projection& projection, const glm::mat3& to_light, std::size_t group,
+                           Framebuffer& target) {
     gl::RenderTarget& picture = target.groups()[group];
     std::set<std::string> features;
     if (high_orders.textures != nullptr) {
@@ -100,7 +106,7 @@ void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_or
     surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
     if (high_orders.textures != nullptr) {
         set_view_uniforms(surface, projection.view);
-        surface.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
+        surface.set("to_light", to_light);
         surface.set("physical", high_orders.physical ? 1 : 0);
     }
     if (environment_ && components == 4) {

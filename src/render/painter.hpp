@@ -15,6 +15,7 @@
 #include "render/high_order_textures.hpp"
 #include "render/plane_painter.hpp"
 #include "render/projection.hpp"
+#include "render/scene_geometry.hpp"
 #include "render/vertex_buffers.hpp"
 
 namespace nicol {
@@ -36,9 +37,9 @@ public:
         std::uint32_t planes = 0;  ///< of surfaces, bits of PlaneBit
     };
 
-    /// `buffers` are of `geometry`. Everything that can fail for want of memory happens before the
-    /// framebuffer is touched.
-    void draw(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
+    /// `buffers` are of `surfaces`; `projection` is of the world. Everything that can fail for want of memory
+    /// happens before the framebuffer is touched.
+    void draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuffers& buffers,
               const HighOrdersOfPixels& high_orders, const Wanted& wanted, const Projection& projection,
               Framebuffer& target);
 
@@ -51,7 +52,8 @@ private:
 
     // What vertex arrays are bound for.
     struct Binding {
-        std::uint64_t buffers = 0;  // revision
+        std::uint64_t buffers = 0;    // revision
+        std::uint64_t materials = 0;  // likewise, where they matter
         int channels = 0;
         bool high_orders = false;
         bool shadowed = false;
@@ -70,8 +72,9 @@ private:
     gl::Program& program(const char* vertex, const char* fragment, int channels,
                          const std::set<std::string>& features);
     void bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers, const Binding& binding);
-    void draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
-                      const Projection& projection, std::size_t group, Framebuffer& target);
+    // `projection` and `to_light` are of the surfaces' axes.
+    void draw_surface(const HighOrdersOfPixels& high_orders, int components, const Projection& projection,
+                      const glm::mat3& to_light, std::size_t group, Framebuffer& target);
     void upload_environment(const Environment* environment, int channels);
     void draw_background(const Scene& scene, int components, const Projection& projection,
                          Framebuffer& target);

@@ -12,15 +12,6 @@
 namespace nicol {
 namespace {
 
-// Of the geometry's ranges, which follow the scene's instances; two-sided ones have two.
-std::vector<std::uint32_t> instances_of_ranges(const Scene& scene) {
-    std::vector<std::uint32_t> ids;
-    for (std::uint32_t id = 0; id < scene.instances().size(); ++id) {
-        ids.insert(ids.end(), scene.instances()[id].material->twosided() ? 2 : 1, id);
-    }
-    return ids;
-}
-
 std::vector<gl::Define> defines_of(const PlaneLayout& layout) {
     std::vector<gl::Define> defines{{.name = "ATTACHMENTS", .value = std::to_string(layout.attachments())}};
     const auto define = [&](const char* name, int place) {
@@ -48,8 +39,8 @@ glm::vec4 PlaneLayout::background(int attachment) const {
     return values;
 }
 
-void PlanePainter::prepare(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
-                           std::uint32_t planes, Framebuffer& target) {
+void PlanePainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t planes,
+                           Framebuffer& target) {
     attachments_.reset();
     planes_ = planes;
     if (planes == 0) {
@@ -58,7 +49,7 @@ void PlanePainter::prepare(const Scene& scene, const WorldGeometry& geometry, Ve
         bound_ = 0;
         return;
     }
-    if (bound_ != buffers.revision()) bind(scene, geometry, buffers);
+    if (bound_ != buffers.revision()) bind(geometry, buffers);
     if (programs_.find(planes) == programs_.end()) {
         const std::vector<gl::Define> defines = defines_of(PlaneLayout(planes));
         programs_.emplace(planes, gl::Program::graphics(context_, "planes.vert", "planes.frag", defines));
@@ -66,7 +57,7 @@ void PlanePainter::prepare(const Scene& scene, const WorldGeometry& geometry, Ve
     attachments_ = target.plane_attachments(planes);
 }
 
-void PlanePainter::bind(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers) {
+void PlanePainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
     bound_ = 0;
     vertices_.reset();
     batches_.clear();
@@ -75,7 +66,6 @@ void PlanePainter::bind(const Scene& scene, const WorldGeometry& geometry, Verte
             {.location = 0, .components = 3, .buffer = buffers.positions()},
             {.location = 1, .components = 3, .buffer = buffers.normals(geometry)}};
         vertices_.emplace(context_, attributes, buffers.indices());
-        const std::vector<std::uint32_t> ids = instances_of_ranges(scene);
         std::size_t range = 0;
         for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
             const std::size_t vertex = geometry.triangles[i].x;
@@ -84,7 +74,7 @@ void PlanePainter::bind(const Scene& scene, const WorldGeometry& geometry, Verte
             if (another) {
                 const auto found = std::ranges::upper_bound(geometry.ranges, vertex, {}, &VertexRange::last);
                 range = static_cast<std::size_t>(found - geometry.ranges.begin());
-                batches_.push_back({.instance = ids[range],
+                batches_.push_back({.instance = geometry.ranges[range].instance,
                                     .two_sided = i >= geometry.one_sided,
                                     .first = 3 * i,
                                     .last = 3 * i});
@@ -95,11 +85,12 @@ void PlanePainter::bind(const Scene& scene, const WorldGeometry& geometry, Verte
     bound_ = buffers.revision();
 }
 
-void PlanePainter::draw(const Projection& projection, Framebuffer& target) {
+void PlanePainter::draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target) {
     if (planes_ != 0) {
         const PlaneLayout layout(planes_);
         gl::Program& program = programs_.at(planes_);
-        program.set("world_to_clip", glm::mat4(projection.world_to_clip));
+        program.set("to_clip", glm::mat4(projection.world_to_clip * to_world));
+        if (program.uses("to_world")) program.set("to_world", glm::mat4(to_world));
         set_view_uniforms(program, projection.view);
         for (int i = 0; i < layout.attachments(); ++i) attachments_->clear_colour(i, layout.background(i));
         attachments_->clear_depth();

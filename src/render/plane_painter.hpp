@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/mat4x4.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "gl/draw.hpp"
-#include "nicol/scene.hpp"
 #include "render/framebuffer.hpp"
 #include "render/projection.hpp"
 #include "render/vertex_buffers.hpp"
@@ -24,10 +24,11 @@ public:
 
     /// Everything that can fail for want of memory; the framebuffer keeps its content. `planes`: bits of
     /// PlaneBit.
-    void prepare(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers,
-                 std::uint32_t planes, Framebuffer& target);
-    /// Draws what was prepared.
-    void draw(const Projection& projection, Framebuffer& target);
+    void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t planes,
+                 Framebuffer& target);
+    /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the
+    /// geometry.
+    void draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target);
 
 private:
     // Consecutive triangles of one side of one instance.
@@ -38,7 +39,7 @@ private:
         std::size_t last;
     };
 
-    void bind(const Scene& scene, const WorldGeometry& geometry, VertexBuffers& buffers);
+    void bind(const WorldGeometry& geometry, VertexBuffers& buffers);
 
     std::shared_ptr<gl::Context> context_;
     std::map<std::uint32_t, gl::Program> programs_;  // by planes

@@ -51,8 +51,8 @@ void check(const RenderOptions& options) {
 // All but the callback.
 auto values(const RenderOptions& o) {
     return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
-                    o.high_orders, o.high_orders_at, o.high_order_shadows, o.tolerance, o.dering, o.physical, o.components,
-                    o.planes, o.unskipped);
+                    o.high_orders, o.high_orders_at, o.high_order_shadows, o.tolerance, o.dering, o.physical,
+                    o.components, o.planes, o.unskipped);
 }
 
 }  // namespace
@@ -78,8 +78,8 @@ ComputeExecutor* Renderer::device_for(Executor executor) {
 bool Renderer::holds(const Framebuffer& target, const Scene& scene, const Camera& camera,
                      const RenderOptions& options) const {
     return made_ && made_->content == target.content() && made_->geometry == scene.geometry_revision() &&
-           made_->light == scene.light_revision() && made_->camera == camera &&
-           values(made_->options) == values(options);
+           made_->materials == scene.material_revision() && made_->light == scene.light_revision() &&
+           made_->camera == camera && values(made_->options) == values(options);
 }
 
 void Renderer::render(const Scene& scene, const Camera& camera, const RenderOptions& options,
@@ -96,7 +96,11 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
                            &kept.shade_ms, &kept.draw_ms, &kept.observe_ms}) {
             *ms = 0;
         }
-        kept.bake_rays = 0;
+        for (std::uint64_t* made :
+             {&kept.bake_rays, &kept.lights_projected, &kept.materials_projected, &kept.vertices_traced,
+              &kept.matrices_baked, &kept.vertices_relit, &kept.vertices_shaded}) {
+            *made = 0;
+        }
         return;
     }
     const Projection projection = project(camera, target.width(), target.height());
@@ -114,15 +118,15 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
 
     const Stopwatch watch;
     context_->run([&] {
-        const WorldGeometry& geometry = transfer_.geometry();
-        buffers_.update(geometry, transfer_.geometry_revision(), target.channels());
+        const SceneGeometry& surfaces = transfer_.surfaces();
+        buffers_.update(surfaces.geometry(), surfaces.revision(), target.channels());
         if (device == nullptr) buffers_.upload(transfer_.stokes());
         const HighOrderTransfer* const high_orders = transfer_.pixel_high_orders();
         if (high_orders != nullptr) {
             textures_.update(*high_orders, target.channels());
             if (device == nullptr) buffers_.upload(high_orders->fractions());
         }
-        painter_.draw(scene, geometry, buffers_,
+        painter_.draw(scene, surfaces, buffers_,
                       {.textures = high_orders != nullptr ? &textures_ : nullptr,
                        .shadowed = high_orders != nullptr && !high_orders->visibility().empty(),
                        .physical = options.physical},
@@ -137,6 +141,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     target.rendered(statistics);
     made_ = {.content = target.content(),
              .geometry = scene.geometry_revision(),
+             .materials = scene.material_revision(),
              .light = scene.light_revision(),
              .camera = camera,
              .options = options};

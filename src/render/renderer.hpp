@@ -36,8 +36,9 @@ private:
 
     // What a picture was made of; where all of it is the same, so is the picture.
     struct Made {
-        std::uint64_t content;  // of the framebuffer
-        std::uint64_t geometry;
+        std::uint64_t content;   // of the framebuffer
+        std::uint64_t geometry;  // revisions of the scene
+        std::uint64_t materials;
         std::uint64_t light;
         Camera camera;
         RenderOptions options;

@@ -12,10 +12,11 @@
 #include "render/dense_method.hpp"
 #include "render/error_budget.hpp"
 #include "render/factored_method.hpp"
-#include "render/geometry.hpp"
 #include "render/high_orders.hpp"
 #include "render/light_projection.hpp"
 #include "render/progress.hpp"
+#include "render/scene_geometry.hpp"
+#include "render/shaded_vertices.hpp"
 #include "render/transfer_input.hpp"
 #include "render/workers.hpp"
 #include "transfer/visibility.hpp"
@@ -33,12 +34,12 @@ public:
     /// Shades every vertex that can be seen; the result is in stokes(), or in the buffers of `device` where
     /// that is not null. High orders are at vertices where `options` leaves that open. Adds its times and
     /// counts to `statistics`.
+    /// `projection`: of the world.
     void update(const Scene& scene, const Projection& projection, const RenderOptions& options,
                 ComputeExecutor* device, Progress& progress, Statistics& statistics);
 
-    [[nodiscard]] const WorldGeometry& geometry() const noexcept { return geometry_; }
-    /// Counts the times geometry() changed.
-    [[nodiscard]] std::uint64_t geometry_revision() const noexcept { return geometry_revision_; }
+    /// What is drawn, in axes of its own.
+    [[nodiscard]] const SceneGeometry& surfaces() const noexcept { return surfaces_; }
     [[nodiscard]] const VertexStokes& stokes() const noexcept { return stokes_; }
     /// What the last update() left for pixels to add; null where nothing.
     [[nodiscard]] const HighOrderTransfer* pixel_high_orders() const noexcept {
@@ -46,24 +47,34 @@ public:
     }
 
 private:
+    /// The bake and what it made of the vertices that a change of the scene left as they were.
+    void follow_geometry(const Scene& scene, const RenderOptions& options, Progress& progress,
+                         Statistics& statistics);
     /// The options with the orders that their tolerance allows.
-    RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, bool shadowed,
-                                Statistics& statistics);
-    void bake(const Scene& scene, const RenderOptions& options, Progress& progress, Statistics& statistics);
+    RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, Statistics& statistics);
+    void bake(const RenderOptions& options, Progress& progress, Statistics& statistics);
 
     Workers workers_;
     std::filesystem::path folder_;
     CacheNotice notice_;
 
-    WorldGeometry geometry_;
-    std::uint64_t geometry_revision_ = 0;
+    SceneGeometry surfaces_;
 
     std::optional<DirectionSet> lattice_;
-    std::optional<DirectionSet> directions_;  // of the bake: the lattice along the scene's own axes
+    std::optional<DirectionSet> directions_;  // of the bake: the lattice along the surfaces' own axes
+    glm::dmat3 directions_axes_{1.0};
     Visibility visibility_;
     bool shadow_all_ = false;                // vertices that see all count as occluded
-    std::uint64_t baked_geometry_ = 0;       // geometry_revision_ that visibility_ belongs to
+    std::uint64_t baked_geometry_ = 0;       // revision of the surfaces that visibility_ belongs to
     std::uint64_t visibility_revision_ = 0;  // counts the bakes
+    bool rebaked_ = false;                   // the last bake took over what it could of the one before
+    bool shadowed_ = false;                  // anything is
+
+    // Of the last update: revisions, the second 0 where nothing was shadowed.
+    std::uint64_t last_geometry_ = 0;
+    std::uint64_t last_visibility_ = 0;
+    bool follows_ = false;                 // this update's state from that one
+    std::vector<std::uint8_t> unchanged_;  // vertices, where it does
 
     ErrorBudget budget_;
     LightProjection light_;
@@ -74,6 +85,7 @@ private:
     bool at_pixels_ = false;
 
     std::vector<std::uint8_t> visible_;
+    ShadedVertices shaded_;
     VertexStokes stokes_;
 };
 

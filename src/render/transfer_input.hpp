@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,12 +17,21 @@
 
 namespace nicol {
 
+/// An earlier state of a scene and what of it still holds.
+struct Unchanged {
+    std::uint64_t geometry;  ///< revisions of that state
+    std::uint64_t visibility;
+    /// 1 for vertices that have the same number, place, normal and visibility as then.
+    std::span<const std::uint8_t> vertices;
+};
+
 /// A scene as numbers. Revisions count changes; what depends on the same ones need not be computed again.
 struct TransferInput {
     const WorldGeometry& geometry;
-    std::uint64_t geometry_revision;
+    std::uint64_t geometry_revision;  ///< of vertices and triangles
+    std::uint64_t material_revision;  ///< of the materials of the geometry's ranges
     const LightLayout& layout;
-    const PshVector& light;  ///< in the world's axes, scaled; one channel where all are equal
+    const PshVector& light;  ///< in the geometry's axes, scaled; one channel where all are equal
     std::uint64_t light_revision;
     int channels;                  ///< of the picture
     const Visibility* visibility;  ///< of the vertices; null where nothing casts shadows
@@ -32,6 +42,7 @@ struct TransferInput {
     std::size_t least_components = 1;
     /// ... and so many where they are not.
     std::size_t most_components = 4;
+    std::optional<Unchanged> unchanged;
 };
 
 /// The state that a method's per-vertex light was made for.
@@ -57,8 +68,30 @@ struct RelightKey {
         key.light = 0;
         return key;
     }
+    /// The state before that input.unchanged tells of, else as `input`.
+    [[nodiscard]] static std::optional<RelightKey> before(const TransferInput& input) {
+        if (!input.unchanged) return std::nullopt;
+        RelightKey key(input);
+        key.geometry = input.unchanged->geometry;
+        key.visibility = input.unchanged->visibility;
+        return key;
+    }
     bool operator==(const RelightKey&) const = default;
 };
+
+/// Calls body(begin, end) for the longest runs of first <= i < last with stale(i).
+template <class Stale, class Body>
+void for_runs(std::size_t first, std::size_t last, const Stale& stale, const Body& body) {
+    for (std::size_t i = first; i < last;) {
+        if (!stale(i)) {
+            ++i;
+            continue;
+        }
+        const std::size_t begin = i;
+        while (i < last && stale(i)) ++i;
+        body(begin, i);
+    }
+}
 
 /// One Stokes vector a vertex for each channel of the picture.
 using VertexStokes = std::vector<std::vector<glm::vec4>>;

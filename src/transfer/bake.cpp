@@ -11,12 +11,14 @@
 #include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
 #include "nicol/error.hpp"
 #include "transfer/bake_origins.hpp"
+#include "transfer/bundle_cones.hpp"
 #include "transfer/simd.hpp"
 
 namespace nicol {
@@ -67,9 +69,16 @@ std::uint16_t above(const RayBundle& bundle, const glm::vec3& normal, float leas
     return all;
 }
 
+// What a former bake says of one vertex: its bits, and which bundles of directions to trace again.
+struct Former {
+    std::span<const std::uint64_t> bits;
+    std::span<const std::uint8_t> disturbed;
+};
+
 // Fills the bits of one vertex; returns the number of rays.
 std::uint64_t look_around(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
-                          const glm::vec3& normal, std::size_t vertex, Visibility& visibility) {
+                          const glm::vec3& normal, std::size_t vertex, const std::optional<Former>& former,
+                          Visibility& visibility) {
     const std::span<std::uint64_t> words = visibility.at(vertex);
     const std::size_t last = directions.bundles().size() - 1;
     const std::size_t rest = directions.size() - last * RayBundle::kRays;
@@ -80,9 +89,14 @@ std::uint64_t look_around(const RayScene& scene, const DirectionSet& directions,
         const unsigned real = b < last || rest == RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
         const auto up = static_cast<std::uint16_t>(above(bundle, normal, 0) & real);
         if (up == 0) continue;
-        const auto asked = static_cast<std::uint16_t>(above(bundle, normal, grazing) & real);
-        const std::uint16_t blocked = asked != 0 ? scene.occluded(origin, bundle, asked) : std::uint16_t{0};
-        rays += static_cast<std::uint64_t>(std::popcount(asked));
+        std::uint16_t blocked = 0;
+        if (former && former->disturbed[b] == 0) {
+            blocked = static_cast<std::uint16_t>(up & ~(former->bits[b / 4] >> (16 * (b % 4))));
+        } else {
+            const auto asked = static_cast<std::uint16_t>(above(bundle, normal, grazing) & real);
+            if (asked != 0) blocked = scene.occluded(origin, bundle, asked);
+            rays += static_cast<std::uint64_t>(std::popcount(asked));
+        }
         open = open && blocked == 0;
         words[b / 4] |= static_cast<std::uint64_t>(up & ~blocked) << (16 * (b % 4));
     }
@@ -90,14 +104,34 @@ std::uint64_t look_around(const RayScene& scene, const DirectionSet& directions,
     return rays;
 }
 
+// Where each vertex was in the list of a former bake, or none.
+constexpr std::size_t none = ~std::size_t{0};
+
+std::vector<std::size_t> places_before(const FormerBake& former, std::size_t vertices) {
+    std::vector<std::size_t> places(vertices, none);
+    for (const VertexRun& run : former.kept) {
+        const std::size_t there = run.last - std::min(run.first, run.last) + run.before;
+        if (run.first > run.last || run.last > vertices || there > former.visibility.vertices()) {
+            refuse("vertices " + std::to_string(run.first) + " to " + std::to_string(run.last) +
+                   " are not all in both bakes");
+        }
+        for (std::size_t v = run.first; v < run.last; ++v) places[v] = run.before + (v - run.first);
+    }
+    return places;
+}
+
 }  // namespace
 
 Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, const BakeProgress& progress,
-                BakeStatistics* statistics) {
+                BakeStatistics* statistics, const FormerBake* former) {
     const std::size_t vertices = geometry.positions.size();
     if (geometry.normals.size() != vertices) {
         refuse(std::to_string(geometry.normals.size()) + " normals for " + std::to_string(vertices) +
                " vertices; there must be one for each");
+    }
+    if (former != nullptr && former->visibility.directions() != directions.size()) {
+        refuse("the former bake has " + std::to_string(former->visibility.directions()) +
+               " directions and this one " + std::to_string(directions.size()) + "; they must be the same");
     }
     const std::vector<glm::vec3> normals = unit_normals(geometry.normals);
     const auto tell = [&](std::size_t done) {
@@ -110,25 +144,47 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     const RaySurface surface{.positions = geometry.positions, .triangles = geometry.triangles};
     const RayScene scene({&surface, 1});
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
+    std::vector<std::size_t> before;
+    std::optional<BundleCones> cones;
+    if (former != nullptr) {
+        before = places_before(*former, vertices);
+        cones.emplace(directions);
+    }
     const double build_milliseconds = milliseconds_since(building);
 
     const auto tracing = std::chrono::steady_clock::now();
     Visibility visibility(directions.size(), vertices);
     std::atomic<std::uint64_t> rays = 0;
+    std::atomic<std::uint64_t> from = 0;
     const std::size_t chunk = 2 * rays_at_a_time / directions.size();
     for (std::size_t first = 0; first < vertices; first += chunk) {
         const std::size_t last = std::min(first + chunk, vertices);
         tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 4), [&](const auto& range) {
             std::uint64_t traced = 0;
+            std::uint64_t tracing_vertices = 0;
+            std::vector<std::uint8_t> disturbed(directions.bundles().size());
             for (std::size_t v = range.begin(); v < range.end(); ++v) {
-                traced += look_around(scene, directions, origins[v], normals[v], v, visibility);
+                std::optional<Former> known;
+                if (former != nullptr && before[v] != none) {
+                    std::ranges::fill(disturbed, std::uint8_t{0});
+                    for (const Ball& ball : former->disturbances) {
+                        cones->mark(origins[v], normals[v], ball, disturbed);
+                    }
+                    known = {.bits = former->visibility.at(before[v]), .disturbed = disturbed};
+                }
+                const std::uint64_t count =
+                    look_around(scene, directions, origins[v], normals[v], v, known, visibility);
+                traced += count;
+                tracing_vertices += count > 0 ? 1 : 0;
             }
             rays += traced;
+            from += tracing_vertices;
         });
         tell(last);
     }
     if (statistics != nullptr) {
         *statistics = {.rays = rays,
+                       .vertices = from,
                        .milliseconds = milliseconds_since(tracing),
                        .build_milliseconds = build_milliseconds,
                        .unoccluded = visibility.unoccluded_count(),

@@ -54,9 +54,11 @@ ShadowProduct::Form choose(ShadowProduct::Form form, HorizonExtension extension,
 }  // namespace
 
 struct ShadowProduct::Blocks {
-    Blocks(const LightLayout& layout, Form form_)
-        : basis(layout),
+    Blocks(const LightLayout& layout, Form form_, ShadowStorage storage_)
+        : order(layout.order()),
+          basis(layout),
           form(form_),
+          storage(storage_),
           product(
               form == Form::matrix
                   ? Product(std::in_place_type<ShadowMatrices>, basis, 2 * layout.order())
@@ -64,8 +66,10 @@ struct ShadowProduct::Blocks {
 
     using Product = std::variant<ShadowMatrices, ShadowGrid>;
 
+    int order;
     MirrorBasis basis;
     Form form;
+    ShadowStorage storage;
     Product product;
     bool dark = false;
     std::vector<std::uint32_t> vertices;
@@ -74,6 +78,8 @@ struct ShadowProduct::Blocks {
     Numbers numbers;
 
     void find_vertices(const Visibility& visibility);
+    void allocate();
+    void take_over(const Numbers& before, std::size_t from, std::size_t to);
     void make(std::size_t block, const Visibility& visibility, const VisibilityHarmonics& harmonics,
               std::span<const glm::vec3> normals);
     template <class Number>
@@ -82,6 +88,8 @@ struct ShadowProduct::Blocks {
 };
 
 void ShadowProduct::Blocks::find_vertices(const Visibility& visibility) {
+    vertices.clear();
+    shadow_of.clear();
     std::uint32_t count = 0;
     for (std::size_t begin = 0; begin < visibility.vertices(); begin += kLanes) {
         const std::size_t end = std::min(begin + kLanes, visibility.vertices());
@@ -92,6 +100,27 @@ void ShadowProduct::Blocks::find_vertices(const Visibility& visibility) {
         for (std::size_t v = begin; shadowed && v < end; ++v) {
             vertices.push_back(static_cast<std::uint32_t>(v));
         }
+    }
+}
+
+void ShadowProduct::Blocks::allocate() {
+    const std::size_t count = (vertices.size() + kLanes - 1) / kLanes;
+    if (storage == ShadowStorage::fixed16) {
+        numbers = std::vector<FixedPair>(count * stride / 2);
+    } else {
+        numbers = std::vector<Lanes>(count * stride);
+    }
+}
+
+void ShadowProduct::Blocks::take_over(const Numbers& before, std::size_t from, std::size_t to) {
+    const auto copy = [&]<class Element>(const std::vector<Element>& old, std::size_t size) {
+        std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(from * size), size,
+                    std::get<std::vector<Element>>(numbers).begin() + static_cast<std::ptrdiff_t>(to * size));
+    };
+    if (const auto* pairs = std::get_if<std::vector<FixedPair>>(&before)) {
+        copy(*pairs, stride / 2);
+    } else {
+        copy(std::get<std::vector<Lanes>>(before), stride);
     }
 }
 
@@ -142,9 +171,10 @@ void ShadowProduct::Blocks::multiply(const Number* from, std::span<const Lanes* 
     }
 }
 
-ShadowProduct::ShadowProduct(const Visibility& visibility, const DirectionSet& directions,
-                             std::span<const glm::vec3> normals, const LightLayout& layout,
-                             HorizonExtension extension, Form form, ShadowStorage storage) {
+namespace {
+
+void check_sizes(const Visibility& visibility, const DirectionSet& directions,
+                 std::span<const glm::vec3> normals) {
     if (normals.size() != visibility.vertices() || directions.size() != visibility.directions()) {
         throw Error(ErrorCode::invalid_argument,
                     "visibility of " + std::to_string(visibility.vertices()) + " vertices and " +
@@ -152,8 +182,16 @@ ShadowProduct::ShadowProduct(const Visibility& visibility, const DirectionSet& d
                         std::to_string(normals.size()) + " normals and " + std::to_string(directions.size()) +
                         " directions");
     }
+}
+
+}  // namespace
+
+ShadowProduct::ShadowProduct(const Visibility& visibility, const DirectionSet& directions,
+                             std::span<const glm::vec3> normals, const LightLayout& layout,
+                             HorizonExtension extension, Form form, ShadowStorage storage) {
+    check_sizes(visibility, directions, normals);
     const VisibilityHarmonics harmonics(directions, 2 * layout.order(), extension);
-    blocks_ = std::make_unique<Blocks>(layout, choose(form, extension, layout.order()));
+    blocks_ = std::make_unique<Blocks>(layout, choose(form, extension, layout.order()), storage);
     Blocks& b = *blocks_;
     b.dark = extension == HorizonExtension::dark;
     b.find_vertices(visibility);
@@ -162,13 +200,42 @@ ShadowProduct::ShadowProduct(const Visibility& visibility, const DirectionSet& d
     } else {
         b.stride = std::get<ShadowGrid>(b.product).samples() * (b.dark ? 2 : 1);
     }
-    if (storage == ShadowStorage::fixed16) {
-        b.numbers = std::vector<FixedPair>(blocks() * b.stride / 2);
-    } else {
-        b.numbers = std::vector<Lanes>(blocks() * b.stride);
-    }
+    b.allocate();
     tbb::parallel_for(std::size_t{0}, blocks(),
                       [&](std::size_t block) { b.make(block, visibility, harmonics, normals); });
+}
+
+ShadowProduct::ShadowProduct(ShadowProduct&& before, std::span<const std::uint8_t> unchanged,
+                             const Visibility& visibility, const DirectionSet& directions,
+                             std::span<const glm::vec3> normals) {
+    check_sizes(visibility, directions, normals);
+    if (unchanged.size() != visibility.vertices()) {
+        throw Error(ErrorCode::invalid_argument,
+                    "there must be a number of what is unchanged for each vertex");
+    }
+    blocks_ = std::move(before.blocks_);
+    Blocks& b = *blocks_;
+    const VisibilityHarmonics harmonics(directions, 2 * b.order,
+                                        b.dark ? HorizonExtension::dark : HorizonExtension::mirrored);
+    const std::vector<std::uint32_t> places = std::move(b.shadow_of);
+    const std::size_t vertices = b.vertices.size();
+    b.find_vertices(visibility);
+    const bool moved = places != b.shadow_of || vertices != b.vertices.size();
+    const Numbers numbers = moved ? std::move(b.numbers) : Numbers();
+    if (moved) b.allocate();
+    tbb::parallel_for(std::size_t{0}, b.shadow_of.size(), [&](std::size_t block) {
+        const std::size_t shadow = b.shadow_of[block];
+        if (shadow == open) return;
+        const std::size_t first = block * kLanes;
+        const std::span same = unchanged.subspan(first, std::min(kLanes, unchanged.size() - first));
+        const bool known = block < places.size() && places[block] != open &&
+                           std::ranges::all_of(same, [](std::uint8_t one) { return one != 0; });
+        if (!known) {
+            b.make(shadow, visibility, harmonics, normals);
+        } else if (moved) {
+            b.take_over(numbers, places[block], shadow);
+        }
+    });
 }
 
 ShadowProduct::~ShadowProduct() = default;

@@ -44,6 +44,12 @@ public:
                   std::span<const glm::vec3> normals, const LightLayout& layout,
                   HorizonExtension extension = HorizonExtension::mirrored, Form form = Form::best,
                   ShadowStorage storage = ShadowStorage::fixed16);
+    /// The same from one of an earlier state, of the same directions, layout, extension, form and storage:
+    /// what it has of sixteen vertices that are all `unchanged` is taken over. `unchanged` has a number for
+    /// each vertex: 1 where it had the same visibility and normal under the same number.
+    ShadowProduct(ShadowProduct&& before, std::span<const std::uint8_t> unchanged,
+                  const Visibility& visibility, const DirectionSet& directions,
+                  std::span<const glm::vec3> normals);
     ~ShadowProduct();
     ShadowProduct(ShadowProduct&&) noexcept;
     ShadowProduct& operator=(ShadowProduct&&) noexcept;

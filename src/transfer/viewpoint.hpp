@@ -15,6 +15,7 @@ struct Viewpoint {
     glm::dvec3 forward{0, 0, 1};  ///< unit
     glm::dvec3 up{0, 1, 0};       ///< unit, orthogonal to forward
     glm::dvec3 right{-1, 0, 0};   ///< unit, to the picture's right
+    bool operator==(const Viewpoint&) const = default;
 
     /// Unit vector from a point of the scene to the camera: the propagation of the light that makes its
     /// pixel. A point at the camera itself counts as one straight ahead.

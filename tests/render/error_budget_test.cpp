@@ -75,7 +75,7 @@ public:
             exact_.update(scene_, from(eye), all, nullptr, progress_, unused);
             result.statistics = {};
             chosen_.update(scene_, from(eye), chosen, nullptr, progress_, result.statistics);
-            const WorldGeometry& geometry = exact_.geometry();
+            const WorldGeometry& geometry = exact_.surfaces().geometry();
             for (std::size_t v = 0; v < geometry.positions.size(); ++v) {
                 const double seen = glm::dot(glm::dvec3(geometry.normals[v]),
                                              glm::normalize(eye - glm::dvec3(geometry.positions[v])));
@@ -143,10 +143,12 @@ TEST_CASE("diffuse surfaces need few orders, darkness none") {
 TEST_CASE("what cannot be reached is said, and the least error taken") {
     const Scene scene = spheres(pplastic({.alpha = 0.1}), pplastic({.alpha = 0.1}), natural_light(false, 24));
     ErrorBudget budget;
-    const WorldGeometry geometry = world_geometry(scene);
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const WorldGeometry& geometry = surfaces.geometry();
     const ErrorBudget::Shadows none{nullptr, nullptr, 0, HorizonExtension::mirrored};
-    const auto orders = budget.choose(scene, geometry, none, 1e-9, false);
+    const auto orders = budget.choose(scene, geometry, 1, none, 1e-9, false);
     CHECK(orders.error > 1e-9);
     CHECK(orders.low == ErrorBudget::kHighestLow);
-    CHECK(budget.choose(scene, geometry, none, 1e-9, true).error < orders.error);
+    CHECK(budget.choose(scene, geometry, 1, none, 1e-9, true).error < orders.error);
 }

@@ -353,7 +353,9 @@ TEST_CASE("changes reach pixels") {
         options.order_high = 6;
         const auto compare = [&](const Camera& camera = some_camera()) {
             Studio fresh(context);
-            CHECK(render(scene, options, camera).data == fresh(scene, options, camera).data);
+            const StokesImage here = render(scene, options, camera);
+            // What has moved is computed in other axes.
+            CHECK(largest_difference(here, fresh(scene, options, camera)) <= 1e-5 * largest(here));
         };
         compare();
         options.high_orders_at = HighOrdersAt::vertices;

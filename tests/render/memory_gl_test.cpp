@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "coarse_sphere.hpp"
@@ -101,10 +100,10 @@ TEST_CASE("a picture of another size costs its own size alone") {
         scene.set_environment(falling_light(4, true, 3), glm::dmat3(1), 1);
         Renderer renderer(context, 0);
         for (const auto& way : ways) {
-            std::optional<Framebuffer> target;
+            std::unique_ptr<Framebuffer> target;
             const auto use_at = [&](int width, int height) {
                 target.reset();
-                target.emplace(context, width, height, 3);
+                target = std::make_unique<Framebuffer>(context, width, height, 3);
                 renderer.render(scene, some_camera(), by(way), *target);
                 return use_of(target->statistics());
             };

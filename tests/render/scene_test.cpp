@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "nicol/error.hpp"
-#include "render/geometry.hpp"
+#include "render/scene_geometry.hpp"
 
 using namespace nicol;
 
@@ -17,6 +17,12 @@ namespace {
 
 std::shared_ptr<const Mesh> cube() {
     return std::make_shared<const Mesh>(make_cube(1));
+}
+
+WorldGeometry world_geometry(const Scene& scene) {
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    return surfaces.geometry();
 }
 
 Projection looking_down_z(double distance) {
@@ -110,4 +116,33 @@ TEST_CASE("triangles outside one side of the view are skipped, those that stradd
     CHECK(find_visible(world_geometry(large), looking_down_z(5), visible) == 0);
     // Behind the camera.
     CHECK(find_visible(world_geometry(large), looking_down_z(-5), visible) == 4);
+}
+
+TEST_CASE("instances are removed and their materials swapped by ids that are not given again") {
+    Scene scene;
+    const auto first = scene.add({.mesh = cube(), .material = diffuse({0.5})});
+    const auto second = scene.add({.mesh = cube(), .material = diffuse({0.1, 0.2, 0.3})});
+    const auto materials = scene.material_revision();
+    const auto geometry = scene.geometry_revision();
+    CHECK_THROWS_AS(scene.set_material(first, diffuse({0.1, 0.2})), Error);
+    CHECK_THROWS_AS(scene.set_material(first, nullptr), Error);
+    CHECK_THROWS_AS(scene.set_material(7, diffuse({0.1})), Error);
+    CHECK(scene.material_revision() == materials);
+    // The only one with three channels may get others.
+    const MaterialPtr two = diffuse({0.1, 0.2});
+    scene.set_material(second, two);
+    CHECK(scene.at(second).material == two);
+    CHECK(scene.channels() == 2);
+    CHECK(scene.material_revision() > materials);
+    CHECK(scene.geometry_revision() == geometry);
+
+    scene.remove(first);
+    CHECK(scene.geometry_revision() > geometry);
+    CHECK(scene.ids() == std::vector{second});
+    CHECK_THROWS_AS(scene.remove(first), Error);
+    CHECK_THROWS_AS(scene.set_transform(first, glm::dmat4(1.0)), Error);
+    CHECK_THROWS_AS(static_cast<void>(scene.at(first)), Error);
+    scene.remove(second);
+    CHECK(scene.instances().empty());
+    CHECK(scene.add({.mesh = cube(), .material = diffuse({0.5})}) == second + 1);
 }

@@ -61,6 +61,7 @@ void ComputeExecutor::run_on(Device& device, Method& method, const Extras& extra
         }
         if (extras.physical) statistics.vertices_unphysical += make_physical(input);
         gl::finish(*context_);
+        statistics.vertices_shaded += input.geometry.positions.size();
         statistics.shade_ms += watch.milliseconds();
     });
     statistics.compute = true;

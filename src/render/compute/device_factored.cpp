@@ -24,6 +24,7 @@ void DeviceFactored::relight(const FactoredMethod& method, const TransferInput& 
         if (shadow_grid_) shadow_grid_->run(light);
     }
     gl::finish(*context_);
+    statistics.vertices_relit += input.geometry.positions.size();
     statistics.relight_ms += watch.milliseconds();
     lit_for_ = key;
 }

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <utility>
+
+#include "geometry/principal_axes.hpp"
+#include "nicol/error.hpp"
+#include "render/rigid_motion.hpp"
+
+namespace nicol {
+namespace {
+
+Ball ball_around(std::span<const glm::vec3> points) {
+    if (points.empty()) return {.centre = glm::vec3(0), .radius = 0};
+    glm::vec3 low = points.front();
+    glm::vec3 high = low;
+    for (const glm::vec3& point : points) {
+        low = glm::min(low, point);
+        high = glm::max(high, point);
+    }
+    const glm::vec3 centre = low + 0.5F * (high - low);
+    double radius = 0;
+    for (const glm::vec3& point : points) {
+        radius = std::max(radius, glm::distance(glm::dvec3(point), glm::dvec3(centre)));
+    }
+    return {.centre = centre, .radius = static_cast<float>(1.00001 * radius)};
+}
+
+// Whether two placements of one mesh differ by no more than rounding. Shifts were found as differences of
+// numbers as large as `shift`.
+bool near(const glm::dmat4& a, const glm::dmat4& b, const Ball& ball, double shift) {
+    double size = 0;
+    double linear = 0;
+    double offset = 0;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            const double difference = std::abs(a[column][row] - b[column][row]);
+            (column < 3 ? linear : offset) = std::max(column < 3 ? linear : offset, difference);
+            if (column < 3) size = std::max(size, std::abs(b[column][row]));
+        }
+    }
+    constexpr double of_floats = 2e-7;
+    return linear <= kTurnTolerance * size &&
+           offset <= kTurnTolerance * static_cast<double>(ball.radius) + of_floats * shift;
+}
+
+std::vector<std::uint8_t> same(const std::vector<glm::vec3>& before, const std::vector<glm::vec3>& after) {
+    std::vector<std::uint8_t> out(after.size(), 0);
+    const std::size_t both = std::min(before.size(), after.size());
+    for (std::size_t i = 0; i < both; ++i) out[i] = before[i] == after[i] ? 1 : 0;
+    return out;
+}
+
+void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::vector<glm::uvec3>& triangles) {
+    const auto offset = static_cast<std::uint32_t>(first);
+    for (const glm::uvec3& t : mesh.triangles) {
+        triangles.push_back((flipped ? glm::uvec3(t.x, t.z, t.y) : t) + offset);
+    }
+}
+
+}  // namespace
+
+void SceneGeometry::update(const Scene& scene) {
+    if (scene_geometry_ != scene.geometry_revision()) {
+        scene_geometry_ = 0;
+        std::vector<Piece> pieces = place(scene);
+        bool same = revision_ != 0 && pieces.size() == pieces_.size();
+        for (const Piece& piece : pieces) same = same && piece.former != none;
+        if (!same) build(scene, pieces);
+        scene_geometry_ = scene.geometry_revision();
+    }
+    if (scene_materials_ != scene.material_revision()) {
+        set_materials(scene);
+        scene_materials_ = scene.material_revision();
+    }
+}
+
+void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
+    const Instance& instance = scene.instances()[largest];
+    const bool same = largest_mesh_ == instance.mesh && largest_ == scene.ids()[largest];
+    if (same) {
+        if (const auto motion = rigid_motion(largest_placement_, instance.to_world)) {
+            to_world_ = *motion;
+            return;
+        }
+    }
+    if (largest_mesh_ != instance.mesh) mesh_axes_ = principal_axes(instance.mesh->positions);
+    largest_mesh_ = instance.mesh;
+    largest_ = scene.ids()[largest];
+    largest_placement_ = instance.to_world;
+    to_world_ = glm::dmat4(1.0);
+    // Askew: directions of a bake that lie in a mesh's own planes of symmetry would be above the horizons of
+    // its vertices or not as rounding has it.
+    const glm::dmat3 askew = glm::mat3_cast(glm::normalize(glm::dquat(0.9, 0.31, 0.17, 0.23)));
+    own_axes_ = turn_in(glm::dmat3(instance.to_world)) * mesh_axes_ * askew;
+}
+
+std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
+    const std::vector<Instance>& instances = scene.instances();
+    std::vector<Piece> pieces;
+    if (instances.empty()) return pieces;
+    const auto largest = std::ranges::max_element(
+        instances, {}, [](const Instance& instance) { return instance.mesh->positions.size(); });
+    find_axes(scene, static_cast<std::size_t>(largest - instances.begin()));
+    const bool moved = to_world_ != glm::dmat4(1.0);
+    const glm::dmat4 from_world = inverse_motion(to_world_);
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        const Instance& instance = instances[i];
+        Piece& piece =
+            pieces.emplace_back(Piece{.id = scene.ids()[i],
+                                      .mesh = instance.mesh,
+                                      .twosided = instance.material->twosided(),
+                                      .placement = moved ? from_world * instance.to_world : instance.to_world,
+                                      .first = 0,
+                                      .last = 0,
+                                      .ball = {},
+                                      .former = none});
+        const auto former = std::ranges::lower_bound(pieces_, piece.id, {}, &Piece::id);
+        if (former == pieces_.end() || former->id != piece.id || former->mesh != piece.mesh ||
+            former->twosided != piece.twosided) {
+            continue;
+        }
+        const double shift = glm::length(glm::dvec3(instance.to_world[3])) +
+                             glm::length(glm::dvec3(to_world_[3])) +
+                             glm::length(glm::dvec3(former->placement[3]));
+        if (near(piece.placement, former->placement, former->ball, moved ? shift : 0)) {
+            piece.placement = former->placement;
+            piece.ball = former->ball;
+            piece.former = static_cast<std::size_t>(former - pieces_.begin());
+        }
+    }
+    return pieces;
+}
+
+void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
+    WorldGeometry next;
+    Change change{.before = revision_, .kept = {}, .disturbances = {}, .same_normals = {}, .same_places = {}};
+    std::vector<glm::uvec3> two_sided;
+    std::vector<char> stays(pieces_.size(), 0);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Piece& piece = pieces[i];
+        const Mesh& mesh = *piece.mesh;
+        const std::size_t count = mesh.positions.size();
+        const std::size_t sides = piece.twosided ? 2 : 1;
+        piece.first = next.positions.size();
+        piece.last = piece.first + sides * count;
+        if (piece.last > std::numeric_limits<std::uint32_t>::max()) {
+            throw Error(ErrorCode::invalid_argument, "the scene has more than 2^32 vertices");
+        }
+        if (piece.former != none) {
+            const Piece& former = pieces_[piece.former];
+            stays[piece.former] = 1;
+            const auto copy = [&](const std::vector<glm::vec3>& from, std::vector<glm::vec3>& to) {
+                to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(former.first),
+                          from.begin() + static_cast<std::ptrdiff_t>(former.last));
+            };
+            copy(geometry_.positions, next.positions);
+            copy(geometry_.normals, next.normals);
+            change.kept.push_back({.first = piece.first, .last = piece.last, .before = former.first});
+        } else {
+            const Mesh placed = transformed(mesh, piece.placement);
+            piece.ball = ball_around(placed.positions);
+            change.disturbances.push_back(piece.ball);
+            for (std::size_t side = 0; side < sides; ++side) {
+                next.positions.insert(next.positions.end(), placed.positions.begin(), placed.positions.end());
+                for (const glm::vec3& n : placed.normals) next.normals.push_back(side == 0 ? n : -n);
+            }
+        }
+        const bool mirrored = glm::determinant(glm::dmat3(piece.placement)) < 0;
+        for (std::size_t side = 0; side < sides; ++side) {
+            const std::size_t first = piece.first + side * count;
+            append_triangles(mesh, mirrored != (side == 1), first,
+                             piece.twosided ? two_sided : next.triangles);
+            next.ranges.push_back({.first = first,
+                                   .last = first + count,
+                                   .material = scene.instances()[i].material,
+                                   .instance = piece.id});
+        }
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        if (stays[i] == 0) change.disturbances.push_back(pieces_[i].ball);
+    }
+    next.one_sided = next.triangles.size();
+    next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());
+
+    change.same_normals = same(geometry_.normals, next.normals);
+    change.same_places = same(geometry_.positions, next.positions);
+    if (geometry_.ranges != next.ranges) ++material_revision_;
+    geometry_ = std::move(next);
+    pieces_ = std::move(pieces);
+    change_ = std::move(change);
+    ++revision_;
+}
+
+void SceneGeometry::set_materials(const Scene& scene) {
+    bool changed = false;
+    for (VertexRange& range : geometry_.ranges) {
+        const MaterialPtr& material = scene.at(range.instance).material;
+        if (range.material == material) continue;
+        range.material = material;
+        changed = true;
+    }
+    if (changed) ++material_revision_;
+}
+
+}  // namespace nicol

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// A scene's surfaces, and what of them a change leaves as it was.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <vector>
+
+#include "nicol/scene.hpp"
+#include "render/geometry.hpp"
+#include "transfer/bake.hpp"
+
+namespace nicol {
+
+/// Keeps surfaces in axes that ride on the scene's largest instance, that with the most vertices. What turns
+/// and shifts as a whole stays as it is in them, and with it all that was computed for it: light and camera
+/// move instead. The axes are the world's when an instance becomes the largest or changes its shape.
+class SceneGeometry {
+public:
+    /// Follows the scene's changes. Throws Error(invalid_argument) where there are more than 2^32 vertices;
+    /// then the next call begins anew.
+    void update(const Scene& scene);
+
+    [[nodiscard]] const WorldGeometry& geometry() const noexcept { return geometry_; }
+    /// Counts the changes of vertices and triangles.
+    [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
+    /// Counts the changes of the ranges' materials.
+    [[nodiscard]] std::uint64_t material_revision() const noexcept { return material_revision_; }
+
+    /// From geometry()'s axes to the world's: a turn and a shift.
+    [[nodiscard]] const glm::dmat4& to_world() const noexcept { return to_world_; }
+    /// The axes of the largest instance, which turn with its transform and its vertices.
+    [[nodiscard]] const glm::dmat3& own_axes() const noexcept { return own_axes_; }
+
+    /// From the revision before to this one.
+    struct Change {
+        std::uint64_t before = 0;        ///< revision; 0: nothing is as it was
+        std::vector<VertexRun> kept;     ///< vertices of instances that stand where they stood
+        std::vector<Ball> disturbances;  ///< all other triangles of both revisions lie in these
+        /// 1 for vertices of this revision that had the same normal, or place, under the same number.
+        std::vector<std::uint8_t> same_normals;
+        std::vector<std::uint8_t> same_places;
+    };
+    [[nodiscard]] const Change& change() const noexcept { return change_; }
+
+private:
+    // One instance in geometry_.
+    struct Piece {
+        std::uint32_t id;
+        std::shared_ptr<const Mesh> mesh;
+        bool twosided;
+        glm::dmat4 placement;  // in geometry()'s axes
+        std::size_t first;     // vertex
+        std::size_t last;
+        Ball ball;
+        std::size_t former;  // index among the pieces before where it stands as it stood, or none
+    };
+    static constexpr std::size_t none = ~std::size_t{0};
+
+    [[nodiscard]] std::vector<Piece> place(const Scene& scene);
+    void find_axes(const Scene& scene, std::size_t largest);
+    void build(const Scene& scene, std::vector<Piece>& pieces);
+    void set_materials(const Scene& scene);
+
+    WorldGeometry geometry_;
+    std::vector<Piece> pieces_;
+    glm::dmat4 to_world_{1.0};
+    glm::dmat3 own_axes_{1.0};
+    glm::dmat3 mesh_axes_{1.0};  // of largest_mesh_ alone
+    std::shared_ptr<const Mesh> largest_mesh_;
+    std::uint32_t largest_ = 0;          // its id
+    glm::dmat4 largest_placement_{1.0};  // in geometry()'s axes
+    std::uint64_t revision_ = 0;
+    std::uint64_t material_revision_ = 0;
+    std::uint64_t scene_geometry_ = 0;  // revisions of the scene that all this is of
+    std::uint64_t scene_materials_ = 0;
+    Change change_;
+};
+
+}  // namespace nicol

@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: MIT
+// A change of the scene costs what it touches, and the picture is that of a fresh start.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <glm/gtc/matrix_transform.hpp>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "coarse_sphere.hpp"
+#include "falling_light.hpp"
+#include "gl/contexts.hpp"
+#include "nicol/conductor.hpp"
+#include "nicol/error.hpp"
+#include "render/renderer.hpp"
+
+using namespace nicol;
+using test::coarse_sphere;
+using test::falling_light;
+
+namespace {
+
+constexpr int width = 40;
+constexpr int height = 30;
+
+Camera some_camera() {
+    Camera camera;
+    camera.to_world = look_at({3, 4, 6}, {0, 0.3, 0}, {0, 1, 0});
+    return camera;
+}
+
+RenderOptions by(Method method) {
+    return {.method = method,
+            .executor = Executor::cpu,
+            .bake_directions = 256,
+            .order_low = 2,
+            .order_high = 5,
+            .high_orders_at = HighOrdersAt::vertices,
+            .progress = {}};
+}
+
+glm::dmat4 at(double x, double y, double z, double size = 1) {
+    return glm::scale(glm::translate(glm::dmat4(1), {x, y, z}), glm::dvec3(size));
+}
+
+/// Some turn and shift.
+glm::dmat4 motion() {
+    return glm::rotate(glm::translate(glm::dmat4(1), {0.4, -0.3, 0.2}), 0.7, glm::dvec3(1, 2, -0.5));
+}
+
+const std::array<MaterialPtr, 3>& materials() {
+    static const std::array<MaterialPtr, 3> some{
+        pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.3}), diffuse({0.5}),
+        twosided(rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.4}))};
+    return some;
+}
+
+/// A large ball (id 0) above a plate (id 1), a small one (id 2) beside it.
+Scene balls_on_plate() {
+    Scene scene;
+    scene.set_environment(falling_light(5, true, 3), glm::dmat3(1), 1);
+    scene.add({.mesh = coarse_sphere(8), .material = materials()[0]});
+    scene.add(
+        {.mesh = std::make_shared<const Mesh>(make_rectangle(9)),
+         .material = materials()[1],
+         .to_world = at(0, -1, 0, 3) * glm::rotate(glm::dmat4(1), glm::radians(-90.0), glm::dvec3(1, 0, 0))});
+    scene.add({.mesh = coarse_sphere(4), .material = materials()[1], .to_world = at(1.8, -0.5, 0.8, 0.5)});
+    return scene;
+}
+
+/// For what takes long to make, shared by all renderers but for bakes.
+struct Folder {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("nicol-change-" + std::to_string(std::random_device()()));
+    ~Folder() { std::filesystem::remove_all(path); }
+};
+
+const std::filesystem::path& tables() {
+    static const Folder folder;
+    return folder.path;
+}
+
+struct Studio {
+    Studio(const std::shared_ptr<gl::Context>& context_, Method method)
+        : context(context_),
+          options(by(method)),
+          renderer(context, 0),
+          target(context, width, height, 3),
+          folder(tables()) {
+        std::filesystem::create_directories(folder);
+        for (const auto& file : std::filesystem::directory_iterator(folder)) {
+            if (file.path().extension() == ".visibility") std::filesystem::remove(file.path());
+        }
+        renderer.set_cache(folder, {});
+    }
+
+    const Statistics& operator()(const Scene& scene, const Camera& camera = some_camera()) {
+        renderer.render(scene, camera, options, target);
+        return target.statistics();
+    }
+
+    /// That of a renderer that has seen nothing else.
+    StokesImage fresh(const Scene& scene, const Camera& camera = some_camera()) const {
+        Studio other(context, options.method);
+        other.options = options;
+        other(scene, camera);
+        return other.target.image();
+    }
+
+    std::shared_ptr<gl::Context> context;
+    RenderOptions options;
+    Renderer renderer;
+    Framebuffer target;
+    std::filesystem::path folder;
+};
+
+double largest(const StokesImage& image) {
+    float most = 0;
+    for (const float value : image.data) most = std::max(most, std::abs(value));
+    return static_cast<double>(most);
+}
+
+/// Root mean square over the largest value: a pixel at an edge may fall to either side.
+double difference(const StokesImage& a, const StokesImage& b) {
+    REQUIRE(a.data.size() == b.data.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < a.data.size(); ++i) sum += std::pow(a.data[i] - b.data[i], 2);
+    return std::sqrt(sum / static_cast<double>(a.data.size())) / largest(b);
+}
+
+constexpr std::array methods{Method::factored, Method::dense};
+
+void check_nothing_projected(const Statistics& s) {
+    CHECK(s.lights_projected == 0);
+    CHECK(s.materials_projected == 0);
+}
+
+void check_nothing_baked(const Statistics& s) {
+    CHECK(s.bake_rays == 0);
+    CHECK(s.vertices_traced == 0);
+    CHECK(s.matrices_baked == 0);
+}
+
+}  // namespace
+
+TEST_CASE("what has not changed is not computed") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    for (const Method method : methods) {
+        Scene scene = balls_on_plate();
+        Studio studio(context, method);
+        const Statistics first = studio(scene);
+        CHECK(first.lights_projected == 1);
+        CHECK(first.materials_projected == 4);  // tables or matrices, and lobes, of two
+        CHECK(first.vertices_traced == first.vertices);
+        CHECK(first.matrices_baked == (method == Method::dense ? first.vertices : 0));
+        CHECK(first.vertices_relit == first.vertices);
+        CHECK(first.vertices_shaded == first.vertices - first.vertices_skipped);
+
+        const std::uint64_t content = studio.target.content();
+        scene.set_environment(scene.environment(), glm::dmat3(1), 1);
+        scene.set_transform(0, glm::dmat4(1));
+        scene.set_material(0, materials()[0]);
+        const Statistics still = studio(scene);
+        CHECK(studio.target.content() == content);
+        check_nothing_projected(still);
+        check_nothing_baked(still);
+        CHECK(still.vertices_relit == 0);
+        CHECK(still.vertices_shaded == 0);
+        CHECK(still.draw_ms == 0);
+
+        Camera camera = some_camera();
+        camera.to_world = look_at({-3, 4, 5}, {0, 0, 0}, {0, 1, 0});
+        const Statistics seen = studio(scene, camera);
+        check_nothing_projected(seen);
+        check_nothing_baked(seen);
+        CHECK(seen.vertices_relit == 0);
+        CHECK(seen.relight_ms == 0);
+        CHECK(seen.vertices_shaded == seen.vertices - seen.vertices_skipped);
+        CHECK(studio.target.image().data == studio.fresh(scene, camera).data);
+
+        // What was seen from there looks the same with another lens.
+        camera.fov *= 0.7;
+        const Statistics nearer = studio(scene, camera);
+        CHECK(nearer.vertices_shaded == 0);
+        CHECK(nearer.draw_ms > 0);
+        CHECK(studio.target.image().data == studio.fresh(scene, camera).data);
+
+        scene.set_environment(scene.environment(), glm::dmat3(motion()), 1);
+        const Statistics lit = studio(scene, camera);
+        check_nothing_projected(lit);
+        check_nothing_baked(lit);
+        CHECK(lit.vertices_relit == lit.vertices);
+        CHECK(studio.target.image().data == studio.fresh(scene, camera).data);
+
+        scene.set_environment(falling_light(3, false, 3), glm::dmat3(1), 2);
+        const Statistics other = studio(scene, camera);
+        CHECK(other.lights_projected == 1);
+        CHECK(other.vertices_traced == 0);
+        CHECK(studio.target.image().data == studio.fresh(scene, camera).data);
+    }
+}
+
+TEST_CASE("what turns and shifts as a whole is relit alone") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        for (const Method method : methods) {
+            for (const HighOrdersAt where : {HighOrdersAt::vertices, HighOrdersAt::pixels}) {
+                Scene scene = balls_on_plate();
+                Studio studio(context, method);
+                studio.options.high_orders_at = where;
+                studio.options.planes = plane_depth | plane_normals | plane_positions;
+                studio(scene);
+                for (const std::uint32_t id : scene.ids()) {
+                    scene.set_transform(id, motion() * scene.at(id).to_world);
+                }
+                const Statistics turned = studio(scene);
+                CAPTURE(static_cast<int>(method));
+                CAPTURE(static_cast<int>(where));
+                check_nothing_projected(turned);
+                check_nothing_baked(turned);
+                CHECK(turned.vertices_relit == turned.vertices);
+                CHECK(difference(studio.target.image(), studio.fresh(scene)) < 2e-5);
+
+                Studio other(context, method);
+                other.options = studio.options;
+                other(scene);
+                const SurfacePlanes& here = studio.target.surfaces();
+                const SurfacePlanes& there = other.target.surfaces();
+                std::size_t differing = 0;
+                for (std::size_t i = 0; i < here.normals.size(); ++i) {
+                    const bool same = std::abs(here.normals[i] - there.normals[i]) < 1e-4F &&
+                                      std::abs(here.positions[i] - there.positions[i]) < 1e-4F;
+                    differing += same ? 0 : 1;
+                }
+                for (std::size_t i = 0; i < here.depth.size(); ++i) {
+                    differing += !(here.depth[i] > there.depth[i] + 1e-4F) ? 0 : 1;
+                }
+                CHECK(differing < here.depth.size() / 200);
+            }
+        }
+    });
+}
+
+TEST_CASE("a moved instance is traced anew, and others where it can be in their light") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        for (const Method method : methods) {
+            Scene scene = balls_on_plate();
+            Studio studio(context, method);
+            const Statistics first = studio(scene);
+            scene.set_transform(2, at(1.6, 0.6, -0.9, 0.5) * glm::rotate(glm::dmat4(1), 0.3, {1, 1, 0}));
+            const Statistics moved = studio(scene);
+            check_nothing_projected(moved);
+            CHECK(moved.vertices_traced > scene.at(2).mesh->positions.size());
+            CHECK(moved.bake_rays < first.bake_rays / 2);
+            CHECK(moved.vertices_relit < moved.vertices);
+            CHECK(moved.vertices_shaded < moved.vertices - moved.vertices_skipped);
+            CHECK(studio.target.image().data == studio.fresh(scene).data);
+
+            // Away from all: the others see what they saw, but for where it was.
+            scene.set_transform(2, at(0, -40, 0, 0.5));
+            studio(scene);
+            CHECK(studio.target.image().data == studio.fresh(scene).data);
+            scene.set_transform(2, at(0, -60, 0, 0.5));
+            const Statistics far = studio(scene);
+            CHECK(far.vertices_relit < 2 * scene.at(2).mesh->positions.size());
+            CHECK(studio.target.image().data == studio.fresh(scene).data);
+        }
+    });
+}
+
+TEST_CASE("without shadows a shifted instance keeps its light and a turned one is relit alone") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    for (const Method method : methods) {
+        Scene scene = balls_on_plate();
+        Studio studio(context, method);
+        studio.options.shadows = false;
+        studio(scene);
+        scene.set_transform(2, at(1.6, 0.6, -0.9, 0.5));
+        const Statistics shifted = studio(scene);
+        check_nothing_projected(shifted);
+        check_nothing_baked(shifted);
+        CHECK(shifted.vertices_relit == 0);
+        CHECK(shifted.vertices_shaded > 0);
+        const std::size_t count = scene.at(2).mesh->positions.size();
+        CHECK(shifted.vertices_shaded <= count);
+        CHECK(studio.target.image().data == studio.fresh(scene).data);
+
+        scene.set_transform(2, at(1.6, 0.6, -0.9, 0.5) * glm::rotate(glm::dmat4(1), 0.4, {1, 0.3, 0.2}));
+        const Statistics turned = studio(scene);
+        CHECK(turned.bake_rays == 0);
+        CHECK(turned.vertices_relit >= count);
+        CHECK(turned.vertices_relit < count + 32);  // whole blocks of sixteen
+        CHECK(turned.matrices_baked == (method == Method::dense ? count : 0));
+        CHECK(studio.target.image().data == studio.fresh(scene).data);
+    }
+}
+
+TEST_CASE("a material that is swapped is projected alone and its instance shaded alone") {
+    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+        for (const Method method : methods) {
+            Scene scene = balls_on_plate();
+            Studio studio(context, method);
+            studio(scene);
+            const std::size_t count = scene.at(2).mesh->positions.size();
+            const MaterialPtr grey = diffuse({0.2});
+            scene.set_material(2, grey);
+            const Statistics swapped = studio(scene);
+            CHECK(swapped.lights_projected == 0);
+            CHECK(swapped.materials_projected == 2);  // a table or matrices, and lobes
+            CHECK(swapped.vertices_traced == 0);
+            CHECK(swapped.matrices_baked == (method == Method::dense ? count : 0));
+            CHECK(swapped.vertices_relit == (method == Method::dense ? count : 0));
+            CHECK(swapped.vertices_shaded > 0);
+            CHECK(swapped.vertices_shaded <= count);
+            CHECK(studio.target.image().data == studio.fresh(scene).data);
+
+            // A second side is geometry.
+            scene.set_material(2, materials()[2]);
+            CHECK(studio(scene).vertices_traced > 0);
+            CHECK(studio.target.image().data == studio.fresh(scene).data);
+            scene.set_material(2, grey);
+            studio(scene);
+            CHECK(studio.target.image().data == studio.fresh(scene).data);
+        }
+    });
+}
+
+TEST_CASE("instances come and go, and a cancelled render leaves nothing half done") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    for (const Method method : methods) {
+        Scene scene = balls_on_plate();
+        Studio studio(context, method);
+        const Statistics first = studio(scene);
+        const auto added = scene.add(
+            {.mesh = coarse_sphere(3), .material = materials()[2], .to_world = at(-1.5, -0.3, 1.2, 0.4)});
+        CHECK(studio(scene).bake_rays < first.bake_rays);
+        CHECK(studio.target.image().data == studio.fresh(scene).data);
+        scene.remove(1);
+        studio(scene);
+        CHECK(studio.target.image().data == studio.fresh(scene).data);
+
+        // Nobody is asked more than ten times a second, so that the first report counts.
+        studio.options.progress = [](const char*, double) { return false; };
+        for (int step = 0; step < 4; ++step) {
+            scene.set_transform(added, at(-1.5, 0.1 * step, 1.2, 0.4));
+            if (step > 1) scene.set_environment(scene.environment(), glm::dmat3(motion()), step);
+            CHECK_THROWS_AS(studio(scene), Error);
+        }
+        studio.options.progress = nullptr;
+        studio(scene);
+        CHECK(studio.target.image().data == studio.fresh(scene).data);
+
+        scene.remove(0);
+        scene.remove(2);
+        scene.remove(added);
+        studio(scene);
+        CHECK(studio.target.image().data == studio.fresh(scene).data);
+    }
+}
+
+TEST_CASE("any row of changes ends where a fresh start does") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    for (const Method method : methods) {
+        std::mt19937 random(method == Method::dense ? 3 : 5);
+        std::uniform_real_distribution<double> value(-1, 1);
+        const auto pick = [&random](std::size_t count) { return random() % count; };
+        Scene scene = balls_on_plate();
+        Studio studio(context, method);
+        const auto some_place = [&] {
+            return glm::rotate(at(2 * value(random), value(random), 2 * value(random), 0.4), value(random),
+                               glm::dvec3(value(random), 1, value(random)));
+        };
+        for (int step = 0; step < 24; ++step) {
+            const std::size_t edits = 1 + pick(2);
+            for (std::size_t edit = 0; edit < edits; ++edit) {
+                const std::uint32_t id = scene.ids()[pick(scene.ids().size())];
+                switch (pick(7)) {
+                    case 0:
+                        scene.set_transform(id, some_place());
+                        break;
+                    case 1:
+                        for (const std::uint32_t each : scene.ids())
+                            scene.set_transform(each, motion() * scene.at(each).to_world);
+                        break;
+                    case 2:
+                        scene.set_material(id, materials()[pick(3)]);
+                        break;
+                    case 3:
+                        scene.add({.mesh = coarse_sphere(3),
+                                   .material = materials()[pick(3)],
+                                   .to_world = some_place()});
+                        break;
+                    case 4:
+                        if (scene.ids().size() > 2) scene.remove(id);
+                        break;
+                    case 5:
+                        scene.set_environment(scene.environment(), glm::dmat3(some_place()) / 0.4, 1);
+                        break;
+                    default:
+                        studio.options.shadows = !studio.options.shadows;
+                        break;
+                }
+            }
+            Camera camera;
+            camera.to_world =
+                look_at(glm::dvec3(5 * value(random), 5, 6), glm::dvec3(0), glm::dvec3(0, 1, 0));
+            camera.fov = 60;
+            if (step % 3 == 0) camera = some_camera();
+            studio(scene, camera);
+            CAPTURE(step);
+            CHECK(difference(studio.target.image(), studio.fresh(scene, camera)) < 2e-5);
+        }
+    }
+}

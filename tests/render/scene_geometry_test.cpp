@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene_geometry.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <memory>
+
+#include "coarse_sphere.hpp"
+#include "nicol/error.hpp"
+
+using namespace nicol;
+using test::coarse_sphere;
+
+namespace {
+
+glm::dmat4 at(double x, double y, double z) {
+    return glm::translate(glm::dmat4(1), {x, y, z});
+}
+
+Scene two_balls() {
+    Scene scene;
+    scene.add({.mesh = coarse_sphere(4), .material = diffuse({0.5})});
+    scene.add({.mesh = coarse_sphere(2), .material = diffuse({0.4}), .to_world = at(3, 0, 0)});
+    return scene;
+}
+
+bool inside(const Ball& ball, const glm::vec3& point) {
+    return glm::distance(ball.centre, point) <= ball.radius;
+}
+
+}  // namespace
+
+TEST_CASE("the largest instance carries the axes") {
+    Scene scene = two_balls();
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const std::uint64_t first = surfaces.revision();
+    const glm::dmat4 motion = glm::rotate(at(1, 2, 3), 0.5, glm::dvec3(1, 1, 0));
+    const glm::dmat3 axes = surfaces.own_axes();
+    for (const auto id : scene.ids()) scene.set_transform(id, motion * scene.at(id).to_world);
+    surfaces.update(scene);
+    CHECK(surfaces.revision() == first);
+    CHECK(surfaces.own_axes() == axes);
+    for (int i = 0; i < 4; ++i) CHECK(glm::distance(surfaces.to_world()[i], motion[i]) < 1e-12);
+
+    // A fresh start finds the same axes, turned.
+    SceneGeometry fresh;
+    fresh.update(scene);
+    CHECK(fresh.to_world() == glm::dmat4(1));
+    for (int i = 0; i < 3; ++i)
+        CHECK(glm::distance(fresh.own_axes()[i], glm::dmat3(motion) * axes[i]) < 1e-12);
+
+    // Scaled, it is another shape; the other one is where it was.
+    scene.set_transform(0, glm::scale(motion, glm::dvec3(1.1)));
+    surfaces.update(scene);
+    CHECK(surfaces.revision() > first);
+    CHECK(surfaces.to_world() == glm::dmat4(1));
+}
+
+TEST_CASE("a change says what is kept and where the rest is") {
+    Scene scene = two_balls();
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    CHECK(surfaces.change().before == 0);
+    const WorldGeometry before = surfaces.geometry();
+    scene.set_transform(1, at(3, 1, 0));
+    surfaces.update(scene);
+    const WorldGeometry& after = surfaces.geometry();
+    const SceneGeometry::Change& change = surfaces.change();
+    CHECK(change.before + 1 == surfaces.revision());
+    REQUIRE(change.kept.size() == 1);
+    CHECK(change.kept[0].first == 0);
+    CHECK(change.kept[0].last == after.ranges[1].first);
+    REQUIRE(change.disturbances.size() == 2);
+    for (std::size_t v = after.ranges[1].first; v < after.ranges[1].last; ++v) {
+        CHECK(inside(change.disturbances[0], after.positions[v]));
+        CHECK(inside(change.disturbances[1], before.positions[v]));
+        CHECK(change.same_normals[v] == 1);
+        CHECK(change.same_places[v] == 0);
+    }
+    CHECK(std::ranges::count(change.same_places, 1) == static_cast<std::ptrdiff_t>(after.ranges[1].first));
+
+    scene.remove(0);
+    surfaces.update(scene);
+    REQUIRE(surfaces.geometry().ranges.size() == 1);
+    CHECK(surfaces.geometry().ranges[0].instance == 1);
+    // It is the largest now, and was kept in other axes.
+    CHECK(surfaces.to_world() == glm::dmat4(1));
+    scene.remove(1);
+    surfaces.update(scene);
+    CHECK(surfaces.geometry().positions.empty());
+}
+
+TEST_CASE("materials change without the geometry, unless sides do") {
+    Scene scene = two_balls();
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const std::uint64_t geometry = surfaces.revision();
+    const std::uint64_t materials = surfaces.material_revision();
+    const MaterialPtr other = diffuse({0.1});
+    scene.set_material(1, other);
+    surfaces.update(scene);
+    CHECK(surfaces.revision() == geometry);
+    CHECK(surfaces.material_revision() > materials);
+    CHECK(surfaces.geometry().ranges[1].material == other);
+    scene.set_material(1, twosided(other));
+    surfaces.update(scene);
+    CHECK(surfaces.revision() > geometry);
+    CHECK(surfaces.geometry().ranges.size() == 3);
+    CHECK(surfaces.geometry().ranges[2].instance == 1);
+}
