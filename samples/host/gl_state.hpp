@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// What OpenGL tells of its state, to see that a library leaves it alone.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gl.hpp"
+
+using GlState = std::map<std::string, std::vector<double>>;
+
+[[nodiscard]] GlState gl_state(const Gl& gl);
+/// "GL_BLEND was 1, is 0; ..."; empty where nothing differs.
+[[nodiscard]] std::string difference(const GlState& before, const GlState& after);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "common/failure.hpp"
+
+const char* const usage =
+    "usage: nicol-host [OPTION...]\n"
+    "Shows polarized light inside an application with OpenGL of its own. Left and right turn the polarizer.\n"
+    "  --polarizer ANGLE   degrees counter-clockwise from the right\n"
+    "  --frames N          end after N frames; the first one faces the viewer\n"
+    "  --screenshot FILE   write the last frame as a PPM picture; needs --frames\n"
+    "  --planes FILE       write what the picture on the quad is made of: 256 x 256 x 3 Stokes vectors as "
+    "floats\n"
+    "  --without-nicol     leave the quad out\n";
+
+namespace {
+
+double number(const std::string& option, const char* text) {
+    char* end = nullptr;
+    const double value = std::strtod(text, &end);
+    if (end == text || *end != '\0' || !std::isfinite(value))
+        throw Failure(option + ": " + text + " is not a number");
+    return value;
+}
+
+}  // namespace
+
+Options parse(int count, char** arguments) {
+    Options options;
+    for (int i = 1; i < count; ++i) {
+        const std::string option = arguments[i];
+        const auto value = [&] {
+            if (++i >= count) throw Failure(option + " needs a value");
+            return arguments[i];
+        };
+        if (option == "--help") {
+            options.help = true;
+        } else if (option == "--without-nicol") {
+            options.nicol = false;
+        } else if (option == "--screenshot") {
+            options.screenshot = value();
+        } else if (option == "--planes") {
+            options.planes = value();
+        } else if (option == "--polarizer") {
+            options.polarizer = number(option, value());
+        } else if (option == "--frames") {
+            const double frames = number(option, value());
+            if (frames < 1 || frames > 1e6 || frames != std::floor(frames))
+                throw Failure("--frames must be a whole number from 1 to 1000000");
+            options.frames = static_cast<int>(frames);
+        } else {
+            throw Failure("unknown option " + option + "; --help lists them");
+        }
+    }
+    if (!options.screenshot.empty() && options.frames == 0) throw Failure("--screenshot needs --frames");
+    if (!options.planes.empty() && !options.nicol)
+        throw Failure("--planes and --without-nicol exclude each other");
+    return options;
+}

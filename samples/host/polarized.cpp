@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "polarized.hpp"
+
+#include <SDL.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+void* find_function(void*, const char* name) {
+    return SDL_GL_GetProcAddress(name);
+}
+
+std::int32_t is_current(void* context) {
+    return SDL_GL_GetCurrentContext() == context ? 1 : 0;
+}
+
+/// Calls a function of the interface that makes an object, and owns the object.
+template <class Owner, class Create, class... Arguments>
+Owner made(Create create, Arguments... arguments) {
+    typename Owner::pointer object = nullptr;
+    check(create(arguments..., &object));
+    return Owner(object);
+}
+
+}  // namespace
+
+Polarized::Polarized() {
+    nicol_host host = NICOL_HOST_INIT;
+    host.get_proc_address = find_function;
+    host.is_current = is_current;
+    host.user = SDL_GL_GetCurrentContext();
+    context_ = made<Context>(nicol_context_create_host, &host, nullptr);
+
+    nicol_sky sky = NICOL_SKY_INIT;
+    sky.sun_direction[0] = 1;
+    sky.sun_direction[1] = 0.5F;
+    sky_ = made<Environment>(nicol_environment_create_sky, context_.get(), &sky);
+    nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
+    plastic.diffuse_reflectance = {3, {0.6F, 0.3F, 0.1F}};
+    const auto material = made<Material>(nicol_material_create_pplastic, context_.get(), &plastic);
+    const auto mesh = made<Mesh>(nicol_mesh_create_sphere, context_.get());
+    scene_ = made<Scene>(nicol_scene_create, context_.get());
+    nicol_instance ball = NICOL_INSTANCE_INIT;
+    ball.mesh = mesh.get();
+    ball.material = material.get();
+    check(nicol_scene_add_instance(scene_.get(), &ball, nullptr));
+    framebuffer_ = made<Framebuffer>(nicol_framebuffer_create, context_.get(), std::uint32_t{size},
+                                     std::uint32_t{size}, std::uint32_t{3});
+    const double origin[] = {0, 0.5, 3.5}, target[] = {0, 0, 0}, up[] = {0, 1, 0};
+    check(nicol_camera_look_at(&camera_, origin, target, up));
+}
+
+void Polarized::draw(double sun, double polarizer, unsigned texture) {
+    const double c = std::cos(sun * std::numbers::pi / 180), s = std::sin(sun * std::numbers::pi / 180);
+    const double to_world[] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
+    check(nicol_scene_set_environment(scene_.get(), sky_.get(), to_world, 0));
+    check(nicol_render(scene_.get(), &camera_, nullptr, framebuffer_.get()));
+
+    nicol_picture seen = NICOL_PICTURE_INIT;
+    seen.kind = NICOL_PICTURE_POLARIZER;
+    seen.polarizer_angle = static_cast<float>(polarizer);
+    nicol_texture_target target = NICOL_TEXTURE_TARGET_INIT;
+    target.texture = texture;
+    target.bottom_up = 1;
+    target.encoding = NICOL_ENCODING_SRGB;
+    check(nicol_framebuffer_draw_picture(framebuffer_.get(), &seen, &target));
+}
+
+std::vector<float> Polarized::planes() const {
+    constexpr std::size_t plane = std::size_t{4} * size * size;
+    std::vector<float> stokes(3 * plane);
+    for (std::uint32_t c = 0; c < 3; ++c)
+        check(nicol_framebuffer_read(framebuffer_.get(), NICOL_PLANE_STOKES, c, stokes.data() + c * plane, 0,
+                                     plane * sizeof(float)));
+    return stokes;
+}

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""nicol-host: inside an application the picture follows Malus' law, and what the application draws stays as it is."""
+
+import array
+import math
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+from program_test import PROGRAM, ProgramTest
+
+WIDTH, HEIGHT = 640, 360
+LEFT, TOP, SIZE = 352, 52, 256  # of the quad, while it faces the viewer
+
+
+def srgb(value):
+    value = min(max(value, 0.0), 1.0)
+    return 12.92 * value if value <= 0.0031308 else 1.055 * value ** (1 / 2.4) - 0.055
+
+
+def pixel(picture, x, y):
+    at = 3 * (y * WIDTH + x)
+    return picture[at : at + 3]
+
+
+def without_quad(picture):
+    """All that the application draws alone."""
+    rows = [bytearray(picture[3 * WIDTH * y : 3 * WIDTH * (y + 1)]) for y in range(HEIGHT)]
+    for row in rows[TOP : TOP + SIZE]:
+        row[3 * LEFT : 3 * (LEFT + SIZE)] = bytes(3 * SIZE)
+    return b"".join(rows)
+
+
+def left_part(picture):
+    """Where the triangles are; a quad that is turned is larger on its near side, but does not reach there."""
+    return b"".join(picture[3 * WIDTH * y : 3 * (WIDTH * y + LEFT - 10)] for y in range(HEIGHT))
+
+
+class HostTest(ProgramTest):
+    def run_program(self, *arguments, **environment):
+        return subprocess.run(
+            ["xvfb-run", "-a", "-s", "-screen 0 800x600x24", PROGRAM, *arguments],
+            cwd=self.folder,
+            env={**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", "SDL_VIDEODRIVER": "x11", **environment},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+
+    def screenshot(self, *arguments):
+        path = self.path("shot.ppm")
+        self.assert_succeeds("--screenshot", path, *arguments)
+        with open(path, "rb") as file:
+            magic, size, most, pixels = file.read().split(b"\n", 3)
+        self.assertEqual((magic, size, most), (b"P6", b"%d %d" % (WIDTH, HEIGHT), b"255"))
+        self.assertEqual(len(pixels), 3 * WIDTH * HEIGHT)
+        return pixels
+
+    def test_the_quad_follows_malus_law_and_the_rest_stays(self):
+        alone = self.screenshot("--frames", "1", "--without-nicol")
+        self.assertEqual(len(set(alone[i : i + 3] for i in range(0, len(alone), 3))) > 1000, True)
+        shown = []
+        for angle in (0, 30, 90, -45):
+            picture = self.screenshot("--frames", "1", "--polarizer", str(angle), "--planes", self.path("planes"))
+            self.assertEqual(without_quad(picture), without_quad(alone))
+            with open(self.path("planes"), "rb") as file:
+                stokes = array.array("f", file.read())
+            self.assertEqual(len(stokes), 3 * SIZE * SIZE * 4)
+            c, s = math.cos(math.radians(2 * angle)), math.sin(math.radians(2 * angle))
+            worst = 0
+            for y in range(SIZE):
+                for x in range(SIZE):
+                    codes = pixel(picture, LEFT + x, TOP + y)
+                    for channel in range(3):
+                        at = 4 * ((channel * SIZE + y) * SIZE + x)
+                        passed = 0.5 * (stokes[at] + c * stokes[at + 1] + s * stokes[at + 2])
+                        worst = max(worst, abs(codes[channel] - 255 * srgb(passed)))
+            self.assertLess(worst, 0.6, f"codes off at {angle} degrees")
+            shown.append(picture)
+        # A polarizer that makes no difference would satisfy the law for unpolarized light.
+        darkest, brightest = (pixel(shown[i], LEFT + 200, TOP + 20)[0] for i in (0, 2))
+        self.assertGreater(abs(brightest - darkest), 20)
+
+    def test_the_quad_spins_and_the_application_goes_on(self):
+        alone = self.screenshot("--frames", "16", "--without-nicol")
+        spun = self.screenshot("--frames", "16")
+        self.assertEqual(left_part(spun), left_part(alone))
+        middle = TOP + SIZE // 2
+        self.assertEqual(pixel(spun, LEFT + 4, middle), pixel(alone, LEFT + 4, middle))
+        self.assertNotEqual(pixel(spun, LEFT + SIZE // 2, middle), pixel(alone, LEFT + SIZE // 2, middle))
+
+    def test_wrong_options_are_refused(self):
+        self.assert_fails(["--fraems"], "--fraems", "3")
+        self.assert_fails(["--frames"], "--screenshot", "shot.ppm")
+        self.assert_fails(["--frames"], "--frames", "0")
+        self.assert_fails(["--polarizer", "up"], "--frames", "1", "--polarizer", "up")
+        self.assert_fails(["shot.ppm"], "--frames", "1", "--screenshot", "nowhere/shot.ppm")
+        self.assertIn("--polarizer", self.assert_succeeds("--help").stdout)
+
+
+if __name__ == "__main__":
+    if shutil.which("xvfb-run") is None or shutil.which("xauth") is None:
+        print("skipped: xvfb-run or xauth is absent (Debian: xvfb, xauth)")
+        sys.exit(77)
+    unittest.main()
