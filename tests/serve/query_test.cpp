@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "query.hpp"
+
+#include <doctest/doctest.h>
+
+#include "json.hpp"
+#include "refused.hpp"
+
+TEST_CASE("a target is a path and named values") {
+    const Target target = parse_target("/a%20b/c?x=1&y=&z=%C3%A9%3d");
+    CHECK(target.path == "/a b/c");
+    REQUIRE(target.query.size() == 3);
+    CHECK(*target.find("x") == "1");
+    CHECK(target.find("y")->empty());
+    CHECK(*target.find("z") == "\xc3\xa9=");
+    CHECK(target.find("w") == nullptr);
+    CHECK(parse_target("/?").query.empty());
+    CHECK(parse_target("/?a=1&").query.size() == 1);
+}
+
+TEST_CASE("a target that means nothing is refused") {
+    for (const char* bad : {"", "x", "http://a/", "*", "/%", "/%4", "/%zz", "/a%00", "/a\n", "/%7f", "/?a",
+                            "/?=1", "/?a=%1", "/?&a=1"})
+        CHECK_MESSAGE(refused([&] { parse_target(bad); }).status == 400, bad);
+    const Problem twice = refused([] { parse_target("/?a=1&b=2&%61=3"); });
+    CHECK(twice.parameter == "a");
+    std::string many = "/?";
+    for (int i = 0; i < 33; ++i) many += "p" + std::to_string(i) + "=1&";
+    CHECK(refused([&] { parse_target(many); }).detail.find("32") != std::string::npos);
+}
+
+TEST_CASE("JSON is JSON, whatever bytes come") {
+    CHECK(json_string("a\"b\\c\n\x01\x7f") == "\"a\\\"b\\\\c\\u000a\\u0001\\u007f\"");
+    CHECK(json_string("\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80") == "\"\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\"");
+    const std::string mark = "\xef\xbf\xbd";
+    CHECK(json_string("\xff") == '"' + mark + '"');
+    CHECK(json_string("a\xc3") == "\"a" + mark + '"');
+    CHECK(json_string("\xed\xa0\x80") == '"' + mark + mark + mark + '"');  // a surrogate
+    CHECK(json_string("\xc0\xaf") == '"' + mark + mark + '"');             // overlong
+    CHECK(json_string("\xf4\x90\x80\x80") == '"' + mark + mark + mark + mark + '"');
+    CHECK(json_number(0.1) == "0.1");
+    CHECK(json_number(-0.0) == "0");
+    CHECK(json_number(1e300) == "1e+300");
+}
+
+TEST_CASE("a problem names the parameter and its range") {
+    CHECK(problem_json({.status = 400, .detail = "d", .parameter = "p", .range = "1 to 2"}) ==
+          "{\"type\":\"about:blank\",\"title\":\"Bad "
+          "Request\",\"status\":400,\"detail\":\"d\",\"parameter\":\"p\","
+          "\"range\":\"1 to 2\"}\n");
+    CHECK(problem_json({.status = 404, .detail = "d"}) ==
+          "{\"type\":\"about:blank\",\"title\":\"Not Found\",\"status\":404,\"detail\":\"d\"}\n");
+}
