@@ -26,8 +26,6 @@ Problem problem_of(const error_code& error) {
     if (error == http::error::header_limit)
         return {.status = 431, .detail = "The request's header is too long."};
     if (error == http::error::body_limit) return {.status = 413, .detail = "The request's body is too long."};
-    if (error == beast::error::timeout)
-        return {.status = 408, .detail = "The request took too long to arrive."};
     return {.status = 400, .detail = "The request is not HTTP: " + error.message() + "."};
 }
 
@@ -67,19 +65,24 @@ void Connection::wait_for_request() {
     parser_->body_limit(around_.options.body_bytes);
     in_request_ = false;
     if (buffer_.size() > 0) return read();
-    stream_.expires_after(duration(around_.options.idle_limit));
-    http::async_read_some(stream_, buffer_, *parser_,
-                          [self = shared_from_this()](const error_code& error, std::size_t) {
-                              // A client that says nothing, or leaves, is told nothing.
-                              if (error && !self->parser_->got_some()) return self->close();
-                              if (error || self->parser_->is_done()) return self->finish_read(error);
-                              self->read();
-                          });
+    stream_.expires_never();
+    limit(around_.options.idle_limit, [this] { close(); });
+    stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
+                                [self = shared_from_this()](const error_code& error) {
+                                    if (!error) self->read();
+                                });
 }
 
 void Connection::read() {
     in_request_ = true;
-    stream_.expires_after(duration(around_.options.read_limit));
+    // The stream's own limit would close it, and the client be told nothing.
+    stream_.expires_never();
+    late_ = false;
+    limit(around_.options.read_limit, [this] {
+        late_ = true;
+        error_code ignored;
+        stream_.socket().cancel(ignored);
+    });
     http::async_read(
         stream_, buffer_, *parser_,
         [self = shared_from_this()](const error_code& error, std::size_t) { self->finish_read(error); });
@@ -87,11 +90,31 @@ void Connection::read() {
 
 void Connection::finish_read(const error_code& error) {
     in_request_ = true;
+    unlimit();
+    if (error && late_)
+        return answer(
+            around_.service.respond(Problem{.status = 408, .detail = "The request took too long to arrive."}),
+            false);
     if (error == http::error::end_of_stream || error == http::error::partial_message ||
         error == asio::error::connection_reset || error == asio::error::operation_aborted)
         return close();
     if (error) return answer(around_.service.respond(problem_of(error)), false);
     handle();
+}
+
+/// One limit holds at a time: setting another, or unlimit(), ends it.
+void Connection::limit(Seconds time, std::function<void()> over) {
+    deadline_.expires_after(duration(time));
+    deadline_.async_wait(
+        [self = shared_from_this(), over = std::move(over), now = ++limits_](const error_code& error) {
+            // A timer that had expired when it was cancelled still comes here.
+            if (!error && self->limits_ == now) over();
+        });
+}
+
+void Connection::unlimit() {
+    ++limits_;
+    deadline_.cancel();
 }
 
 void Connection::handle() {
@@ -109,7 +132,7 @@ void Connection::render(const Render& render) {
     ticket_ = around_.dispatcher.ask(
         render.tag, render.request, [self = shared_from_this(), render](const AnswerPtr& made) {
             self->ticket_.reset();
-            self->deadline_.cancel();
+            self->unlimit();
             error_code ignored;
             self->stream_.socket().cancel(ignored);  // of watch()
             const Seconds waited = std::chrono::steady_clock::now() - self->asked_;
@@ -125,13 +148,10 @@ void Connection::render(const Render& render) {
     }
     around_.metrics.hits_flight += ticket_->joined ? 1 : 0;
     stream_.expires_never();
-    deadline_.expires_after(duration(around_.options.deadline));
-    deadline_.async_wait([self = shared_from_this(), job = ticket_->job](const error_code& error) {
-        if (error || !self->ticket_ || self->ticket_->job != job) return;
-        self->leave();
-        self->answer(self->around_.service.respond(
-                         Problem{.status = 504, .detail = "The picture was not done in time."}),
-                     self->parser_->get().keep_alive());
+    limit(around_.options.deadline, [this] {
+        leave();
+        answer(around_.service.respond(Problem{.status = 504, .detail = "The picture was not done in time."}),
+               parser_->get().keep_alive());
     });
     watch();
 }
@@ -156,13 +176,14 @@ void Connection::watch() {
 void Connection::leave() {
     around_.dispatcher.leave(*ticket_);
     ticket_.reset();
-    deadline_.cancel();
+    unlimit();
     error_code ignored;
     stream_.socket().cancel(ignored);
 }
 
 void Connection::answer(Response response, bool keep_alive) {
     in_request_ = true;
+    unlimit();
     keep_alive = keep_alive && !draining_;
     ++around_.metrics.requests[response.status];
     const bool head = parser_ && parser_->get().method() == http::verb::head;
@@ -197,6 +218,7 @@ void Connection::answer(Response response, bool keep_alive) {
 }
 
 void Connection::close() {
+    unlimit();
     error_code ignored;
     stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_both, ignored);
     stream_.close();

@@ -48,14 +48,18 @@ private:
     void watch();
     void leave();
     void answer(Response response, bool keep_alive);
+    void limit(Seconds time, std::function<void()> over);
+    void unlimit();
     void close();
 
     boost::beast::tcp_stream stream_;
     const Surroundings& around_;
     boost::beast::flat_buffer buffer_;
     std::optional<Parser> parser_;
-    boost::asio::steady_timer deadline_;
+    boost::asio::steady_timer deadline_;        ///< of limit()
+    std::uint64_t limits_ = 0;                  ///< how many there were
     std::optional<Dispatcher::Ticket> ticket_;  ///< where a picture is under way
     std::chrono::steady_clock::time_point asked_;
+    bool late_ = false;  ///< the request took too long to arrive
     bool in_request_ = false, draining_ = false;
 };

@@ -37,8 +37,9 @@ pid_t spawn(const std::vector<std::string>& arguments, int socket) {
     argv.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    // Everything else closes on exec.
     posix_spawn_file_actions_adddup2(&actions, socket, child_socket);
+    // Neither the listening socket nor those of clients may live on in a worker.
+    posix_spawn_file_actions_addclosefrom_np(&actions, child_socket + 1);
     pid_t pid = -1;
     const int error = posix_spawn(&pid, "/proc/self/exe", &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
