@@ -472,13 +472,23 @@ NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* sc
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
-/* id may be NULL; ids count up from 0. Materials and environment must have one colour channel or the same
- * number of them, here and in nicol_scene_set_environment. */
+/* id may be NULL; ids count up from 0, past those of removed instances too. Materials and environment must
+ * have one colour channel or the same number of them, here and in nicol_scene_set_environment. */
 NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance,
                                                 uint32_t* id);
-/* id as nicol_scene_add_instance gave it; to_world as nicol_instance's. What the instance hides from the
- * light changes with it: the next render bakes again. */
+/* id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again what the
+ * instance may hide from the light, before or now; what turns and shifts as a whole is lit anew alone. */
 NICOL_API nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
+/* The next render projects the material, where it is new to the scene, and shades its instance. */
+NICOL_API nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
+/* Its id is never given again; the others keep theirs. */
+NICOL_API nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id);
+/* What an instance is made of: mesh and material as handles to release. Each of the three may be NULL. */
+NICOL_API nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh,
+                                                nicol_material* material, double to_world[16]);
+NICOL_API nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instances);
+/* The ids of all instances, ascending; count: of the instances. */
+NICOL_API nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 /* environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
  * one), scale multiplies (0: 1; finite, not negative). */
 NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
@@ -655,12 +665,19 @@ typedef struct nicol_statistics {
     uint32_t reserved;              /* 0 */
     double predicted_error;         /* where a tolerance was given: of the orders left out; may exceed it where no orders
                                        reach it. Interpolation between vertices is not in it */
+    /* What this render made anew; 0 where all could be kept from the one before. */
+    uint64_t lights_projected;      /* environments to coefficients */
+    uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, from the cache folder too */
+    uint64_t vertices_traced;       /* that the bake traced rays from */
+    uint64_t matrices_baked;        /* dense: of vertices */
+    uint64_t vertices_relit;        /* into whose frames light was brought */
+    uint64_t vertices_shaded;       /* whose Stokes vectors were computed */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0                                                                                    \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                                  \
     }
 
 /* All zeros before the first render. */

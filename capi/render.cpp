@@ -298,6 +298,12 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.high_orders_at = high_orders_at_of(s.high_orders_at);
         out.order_low = static_cast<uint32_t>(s.order_low);
         out.predicted_error = s.predicted_error;
+        out.lights_projected = s.lights_projected;
+        out.materials_projected = s.materials_projected;
+        out.vertices_traced = s.vertices_traced;
+        out.matrices_baked = s.matrices_baked;
+        out.vertices_relit = s.vertices_relit;
+        out.vertices_shaded = s.vertices_shaded;
         write_struct(statistics, out, "statistics");
     });
 }

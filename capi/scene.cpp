@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Cameras and scenes.
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "handles.hpp"
 
@@ -78,6 +80,67 @@ nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const dou
         require(to_world, "to_world");
         const Turn turn(self.session);
         self.content->scene.set_transform(id, matrix_or_identity(to_world));
+    });
+}
+
+nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const nicol_material_impl& given = resolve(material);
+        require_same_context(self, given);
+        const Turn turn(self.session);
+        self.content->scene.set_material(id, given.content);
+    });
+}
+
+nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const Turn turn(self.session);
+        self.content->scene.remove(id);
+    });
+}
+
+nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh,
+                                      nicol_material* material, double to_world[16]) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const Turn turn(self.session);
+        const Instance& instance = self.content->scene.at(id);
+        nicol_mesh shape =
+            mesh != nullptr ? make_handle<nicol_mesh_impl>(self.session, instance.mesh) : nullptr;
+        try {
+            if (material != nullptr)
+                *material = make_handle<nicol_material_impl>(self.session, instance.material);
+        } catch (...) {
+            release(shape);
+            throw;
+        }
+        if (mesh != nullptr) *mesh = shape;
+        if (to_world != nullptr) write_matrix(instance.to_world, to_world);
+    });
+}
+
+nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instances) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(instances, "instances");
+        const Turn turn(self.session);
+        *instances = static_cast<uint32_t>(self.content->scene.ids().size());
+    });
+}
+
+nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        const Turn turn(self.session);
+        const std::vector<std::uint32_t>& all = self.content->scene.ids();
+        if (count != all.size()) {
+            refuse("count is " + std::to_string(count) + "; the scene has " + std::to_string(all.size()) +
+                   " instances");
+        }
+        if (count > 0) require(ids, "ids");
+        std::ranges::copy(all, ids);
     });
 }
 

@@ -200,6 +200,12 @@ typedef struct nicol_statistics {
     uint32_t order_low;
     uint32_t reserved;
     double predicted_error;
+    uint64_t lights_projected;
+    uint64_t materials_projected;
+    uint64_t vertices_traced;
+    uint64_t matrices_baked;
+    uint64_t vertices_relit;
+    uint64_t vertices_shaded;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;
@@ -361,6 +367,11 @@ nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 nicol_result nicol_scene_load(nicol_context context, const char* path, const char* const* definitions, uint32_t definition_count, nicol_scene* scene);
 nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance, uint32_t* id);
 nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
+nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
+nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id);
+nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh, nicol_material* material, double to_world[16]);
+nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instances);
+nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment, const double to_world[16], double scale);
 nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment, double to_world[16], double* scale);
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
@@ -548,6 +559,11 @@ return {
         scene_load = "nicol_scene",
         scene_add_instance = true,
         scene_set_transform = true,
+        scene_set_material = true,
+        scene_remove_instance = true,
+        scene_get_instance = true,
+        scene_get_instance_count = true,
+        scene_get_instance_ids = true,
         scene_set_environment = true,
         scene_get_environment = true,
         scene_get_camera = true,

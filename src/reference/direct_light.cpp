@@ -29,6 +29,7 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     }
     std::vector<RaySurface> triangles;
     surfaces_.reserve(scene.instances().size());
+    ids_ = scene.ids();
     for (const Instance& instance : scene.instances()) {
         const Material& material = *instance.material;
         channels_ = std::max(channels_, material.channels());
@@ -44,7 +45,7 @@ std::optional<DirectLight::Seen> DirectLight::look(const Ray& ray) const {
     const std::optional<RayHit> found = rays_->intersect(ray);
     if (!found) return std::nullopt;
     const Hit hit = hit_at(*found, -ray.direction);
-    return Seen{.instance = found->surface, .position = hit.position, .normal = hit.frame[2]};
+    return Seen{.instance = ids_[found->surface], .position = hit.position, .normal = hit.frame[2]};
 }
 
 void DirectLight::add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,

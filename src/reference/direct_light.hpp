@@ -36,7 +36,7 @@ public:
 
     /// What a ray meets first.
     struct Seen {
-        std::uint32_t instance;
+        std::uint32_t instance;  ///< id
         glm::dvec3 position;
         glm::dvec3 normal;  ///< shading, unit; of a two-sided material on the side that is seen
     };
@@ -71,6 +71,7 @@ private:
     int channels_ = 1;
     std::uint64_t triangles_ = 0;
     std::vector<Surface> surfaces_;
+    std::vector<std::uint32_t> ids_;  // of their instances
     std::map<const Material*, SurfaceSampler> samplers_;
     std::unique_ptr<LightSampler> light_sampler_;
     std::unique_ptr<RayScene> rays_;

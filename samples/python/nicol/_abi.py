@@ -372,6 +372,12 @@ class Statistics(Struct):
         ("order_low", c_uint32),
         ("reserved", c_uint32),
         ("predicted_error", c_double),
+        ("lights_projected", c_uint64),
+        ("materials_projected", c_uint64),
+        ("vertices_traced", c_uint64),
+        ("matrices_baked", c_uint64),
+        ("vertices_relit", c_uint64),
+        ("vertices_shaded", c_uint64),
     ]
 
 
@@ -743,16 +749,42 @@ class Scene(Handle):
         return scene
 
     def add_instance(self, instance):
-        """id may be NULL; ids count up from 0. Materials and environment must have one colour channel or the same
-        number of them, here and in nicol_scene_set_environment."""
+        """id may be NULL; ids count up from 0, past those of removed instances too. Materials and environment must
+        have one colour channel or the same number of them, here and in nicol_scene_set_environment."""
         id = c_uint32()
         check(_scene_add_instance(self, byref(instance) if instance is not None else None, byref(id)))
         return id.value
 
     def set_transform(self, id, to_world):
-        """id as nicol_scene_add_instance gave it; to_world as nicol_instance's. What the instance hides from the
-        light changes with it: the next render bakes again."""
+        """id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again what the
+        instance may hide from the light, before or now; what turns and shifts as a whole is lit anew alone."""
         check(_scene_set_transform(self, id, array(to_world, c_double, 16)))
+
+    def set_material(self, id, material):
+        """The next render projects the material, where it is new to the scene, and shades its instance."""
+        check(_scene_set_material(self, id, material))
+
+    def remove_instance(self, id):
+        """Its id is never given again; the others keep theirs."""
+        check(_scene_remove_instance(self, id))
+
+    def get_instance(self, id):
+        """What an instance is made of: mesh and material as handles to release. Each of the three may be NULL."""
+        mesh = Mesh()
+        material = Material()
+        to_world = (c_double * 16)()
+        check(_scene_get_instance(self, id, byref(mesh), byref(material), to_world))
+        return mesh if mesh.value else None, material if material.value else None, tuple(to_world)
+
+    def get_instance_count(self):
+        instances = c_uint32()
+        check(_scene_get_instance_count(self, byref(instances)))
+        return instances.value
+
+    def get_instance_ids(self, ids):
+        """The ids of all instances, ascending; count: of the instances."""
+        ids = Buffer(ids, c_uint32, writable=True)
+        check(_scene_get_instance_ids(self, ids.pointer, ids.count))
 
     def set_environment(self, environment, to_world, scale):
         """environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
@@ -1148,6 +1180,11 @@ _scene_create = declare("nicol_scene_create", c_int32, Context, POINTER(Scene))
 _scene_load = declare("nicol_scene_load", c_int32, Context, c_char_p, POINTER(c_char_p), c_uint32, POINTER(Scene))
 _scene_add_instance = declare("nicol_scene_add_instance", c_int32, Scene, POINTER(Instance), POINTER(c_uint32))
 _scene_set_transform = declare("nicol_scene_set_transform", c_int32, Scene, c_uint32, POINTER(c_double))
+_scene_set_material = declare("nicol_scene_set_material", c_int32, Scene, c_uint32, Material)
+_scene_remove_instance = declare("nicol_scene_remove_instance", c_int32, Scene, c_uint32)
+_scene_get_instance = declare("nicol_scene_get_instance", c_int32, Scene, c_uint32, POINTER(Mesh), POINTER(Material), POINTER(c_double))
+_scene_get_instance_count = declare("nicol_scene_get_instance_count", c_int32, Scene, POINTER(c_uint32))
+_scene_get_instance_ids = declare("nicol_scene_get_instance_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_set_environment = declare("nicol_scene_set_environment", c_int32, Scene, Environment, POINTER(c_double), c_double)
 _scene_get_environment = declare("nicol_scene_get_environment", c_int32, Scene, POINTER(Environment), POINTER(c_double), POINTER(c_double))
 _scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))

@@ -710,6 +710,12 @@ pub struct nicol_statistics {
     pub order_low: u32,
     pub reserved: u32,
     pub predicted_error: f64,
+    pub lights_projected: u64,
+    pub materials_projected: u64,
+    pub vertices_traced: u64,
+    pub matrices_baked: u64,
+    pub vertices_relit: u64,
+    pub vertices_shaded: u64,
 }
 impl Default for nicol_statistics {
     fn default() -> Self {
@@ -720,7 +726,7 @@ impl Default for nicol_statistics {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 224);
+    assert!(size_of::<nicol_statistics>() == 272);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -752,6 +758,12 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, order_low) == 208);
     assert!(offset_of!(nicol_statistics, reserved) == 212);
     assert!(offset_of!(nicol_statistics, predicted_error) == 216);
+    assert!(offset_of!(nicol_statistics, lights_projected) == 224);
+    assert!(offset_of!(nicol_statistics, materials_projected) == 232);
+    assert!(offset_of!(nicol_statistics, vertices_traced) == 240);
+    assert!(offset_of!(nicol_statistics, matrices_baked) == 248);
+    assert!(offset_of!(nicol_statistics, vertices_relit) == 256);
+    assert!(offset_of!(nicol_statistics, vertices_shaded) == 264);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;
@@ -1218,12 +1230,21 @@ extern "C" {
     /// A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
     /// that override its <default>s.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
-    /// id may be NULL; ids count up from 0. Materials and environment must have one colour channel or the same
-    /// number of them, here and in nicol_scene_set_environment.
+    /// id may be NULL; ids count up from 0, past those of removed instances too. Materials and environment must
+    /// have one colour channel or the same number of them, here and in nicol_scene_set_environment.
     pub fn nicol_scene_add_instance(scene: nicol_scene, instance: *const nicol_instance, id: *mut u32) -> nicol_result;
-    /// id as nicol_scene_add_instance gave it; to_world as nicol_instance's. What the instance hides from the
-    /// light changes with it: the next render bakes again.
+    /// id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again what the
+    /// instance may hide from the light, before or now; what turns and shifts as a whole is lit anew alone.
     pub fn nicol_scene_set_transform(scene: nicol_scene, id: u32, to_world: *const [f64; 16]) -> nicol_result;
+    /// The next render projects the material, where it is new to the scene, and shades its instance.
+    pub fn nicol_scene_set_material(scene: nicol_scene, id: u32, material: nicol_material) -> nicol_result;
+    /// Its id is never given again; the others keep theirs.
+    pub fn nicol_scene_remove_instance(scene: nicol_scene, id: u32) -> nicol_result;
+    /// What an instance is made of: mesh and material as handles to release. Each of the three may be NULL.
+    pub fn nicol_scene_get_instance(scene: nicol_scene, id: u32, mesh: *mut nicol_mesh, material: *mut nicol_material, to_world: *mut [f64; 16]) -> nicol_result;
+    pub fn nicol_scene_get_instance_count(scene: nicol_scene, instances: *mut u32) -> nicol_result;
+    /// The ids of all instances, ascending; count: of the instances.
+    pub fn nicol_scene_get_instance_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
     /// environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
     /// one), scale multiplies (0: 1; finite, not negative).
     pub fn nicol_scene_set_environment(scene: nicol_scene, environment: nicol_environment, to_world: *const [f64; 16], scale: f64) -> nicol_result;
