@@ -68,6 +68,8 @@ int use_header(void) {
     nicol_file_options file_options = NICOL_FILE_OPTIONS_INIT;
     nicol_light_report light_report = NICOL_LIGHT_REPORT_INIT;
     nicol_material_report material_report = NICOL_MATERIAL_REPORT_INIT;
+    nicol_device_info device_info = NICOL_DEVICE_INFO_INIT;
+    nicol_plane_buffer plane_buffer = NICOL_PLANE_BUFFER_INIT;
     nicol_host host = NICOL_HOST_INIT;
     nicol_texture texture = NICOL_TEXTURE_INIT;
     nicol_texture_target texture_target = NICOL_TEXTURE_TARGET_INIT;
@@ -98,6 +100,9 @@ int use_header(void) {
     if (material_report.struct_size != sizeof material_report) return 15;
     if (host.struct_size != sizeof host || texture.struct_size != sizeof texture) return 16;
     if (texture_target.struct_size != sizeof texture_target) return 17;
+    if (device_info.struct_size != sizeof device_info || plane_buffer.struct_size != sizeof plane_buffer) {
+        return 18;
+    }
     if (nicol_context_get_info(context, &info) != NICOL_ERROR_INVALID_HANDLE) return 6;
     if (nicol_render(scene, &camera, &render_options, framebuffer) != NICOL_ERROR_INVALID_HANDLE) return 7;
     return nicol_environment_release(environment) == NICOL_OK ? 0 : 8;
