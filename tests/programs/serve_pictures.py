@@ -6,23 +6,26 @@ import zlib
 
 
 def read_png(data):
-    """Width, height and the bytes R G B of an 8-bit picture."""
+    """Width, height and the bytes of an 8-bit picture of colours, with alpha where it has that."""
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError("no PNG")
-    at, packed, width, height = 8, b"", 0, 0
+    at, packed, width, height, step = 8, b"", 0, 0, 3
     while at < len(data):
         length, kind = struct.unpack_from(">I4s", data, at)
         if kind == b"IHDR":
-            width, height = struct.unpack_from(">II", data, at + 8)
+            width, height, depth, colour = struct.unpack_from(">IIBB", data, at + 8)
+            if depth != 8 or colour not in (2, 6):
+                raise ValueError("not 8 bits of R G B")
+            step = 3 if colour == 2 else 4
         if kind == b"IDAT":
             packed += data[at + 8 : at + 8 + length]
         at += length + 12
-    raw, stride, rows, before = zlib.decompress(packed), 3 * width, [], bytes(3 * width)
+    raw, stride, rows, before = zlib.decompress(packed), step * width, [], bytes(step * width)
     for y in range(height):
         kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1 : (y + 1) * (stride + 1)])
         for x in range(stride):
-            left = row[x - 3] if x >= 3 else 0
-            above, corner = before[x], before[x - 3] if x >= 3 else 0
+            left = row[x - step] if x >= step else 0
+            above, corner = before[x], before[x - step] if x >= step else 0
             estimate = left + above - corner
             paeth = min((left, above, corner), key=lambda v: abs(estimate - v))
             row[x] = (row[x] + (0, left, above, (left + above) // 2, paeth)[kind]) % 256

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// The page: what is shown, when it is fetched again, and where each number stands.
+import { listenToDial, listenToKeys, listenToPicture } from "/controls.js";
+import { showProbe } from "/probe.js";
+import { Stokes } from "/stokes.js";
+import { VIEWS, View, drawWheel } from "/view.js";
+
+const element = (id) => document.getElementById(id);
+const canvas = element("picture");
+
+const state = {
+  scene: null, azimuth: 0, elevation: 0, distance: 1, nearest: 0.1, farthest: 10, moved: false, light: 0, light_tilt: 0,
+  polarizer: 0, view: "polarizer", exposure: 0, split: false, dragLight: false, probe: [0.5, 0.5],
+};
+let view, stokes, limits, scenes, moving = false, wanted = 0, shown = -1, fetching = false;
+
+function say(text) {
+  element("message").textContent = text;
+}
+
+// ---------------------------------------------------------------- pictures
+
+// Half the resolution while something moves.
+function size() {
+  const [width, height] = state.scene.size, pixels = Math.min(devicePixelRatio, 2) * canvas.clientWidth;
+  const side = Math.min(768, limits.max_side, Math.max(64, pixels)) / (moving ? 2 : 1);
+  const factor = Math.min(side / Math.max(width, height), Math.sqrt(limits.max_pixels / (width * height)));
+  return [width, height].map((length) => Math.max(1, Math.floor(length * factor)));
+}
+
+function target([width, height]) {
+  const round = (value) => Math.round(value * 1e4) / 1e4;
+  const query = new URLSearchParams({ size: `${width}x${height}` });
+  if (state.moved) for (const name of ["azimuth", "elevation", "distance"]) query.set(name, round(state[name]));
+  for (const name of ["light", "light_tilt"]) if (state[name] !== 0) query.set(name, round(state[name]));
+  return `${state.scene["stokes.f16"]}?${query}`;
+}
+
+const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
+
+// One request at a time; what changes meanwhile is asked for next, and what lies between is never rendered.
+async function refresh() {
+  if (fetching) return;
+  fetching = true;
+  while (shown !== wanted) {
+    const now = wanted, start = performance.now(), pixels = size();
+    try {
+      const response = await fetch(target(pixels));
+      if (response.status === 503) {
+        say("The service is busy.");
+        await pause(Number(response.headers.get("Retry-After")) || 1);
+        continue;
+      }
+      if (!response.ok) throw new Error((await response.json()).detail);
+      stokes = new Stokes(...pixels, await response.arrayBuffer());
+      const fetched = performance.now();
+      view.show(stokes);
+      draw();
+      element("time").textContent =
+        `${pixels[0]} × ${pixels[1]}: ${(fetched - start).toFixed(0)} ms to render and fetch, ` +
+        `${(performance.now() - fetched).toFixed(0)} ms to show`;
+      say("");
+    } catch (error) {
+      say(error.message);
+    }
+    shown = now;
+  }
+  fetching = false;
+  document.body.dataset.shown = shown;
+}
+
+function draw() {
+  if (!stokes) return;
+  view.draw(state);
+  const sides = [stokes.width, stokes.height];
+  showProbe(stokes, ...state.probe.map((part, i) => Math.min(Math.floor(part * sides[i]), sides[i] - 1)));
+}
+
+// ---------------------------------------------------------------- changes
+
+function move(changed, dragging) {
+  const ended = moving && !dragging;
+  if (Object.keys(changed).length === 0 && !ended) return;
+  moving = dragging;
+  for (const name of ["azimuth", "elevation", "distance"]) if (name in changed) state.moved = true;
+  Object.assign(state, changed);
+  ++wanted;
+  document.body.dataset.wanted = wanted;
+  refresh();
+}
+
+function change(changed) {
+  Object.assign(state, changed);
+  state.polarizer = ((state.polarizer % 180) + 180) % 180;
+  element("needle").setAttribute("transform", `rotate(${-state.polarizer})`);
+  element("dial").setAttribute("aria-valuenow", state.polarizer);
+  element("angle").textContent = `${state.polarizer}°`;
+  element("wheel").hidden = state.view !== "AoLP";
+  for (const button of element("views").querySelectorAll("input")) button.checked = button.value === state.view;
+  draw();
+}
+
+function probe(x, y) {
+  if (!stokes) return;
+  state.probe = [(x + 0.5) / stokes.width, (y + 0.5) / stokes.height];
+  draw();
+}
+
+function nudge(dx, dy) {
+  if (!stokes) return;
+  const part = (value) => Math.max(0, Math.min(1, value));
+  state.probe = [part(state.probe[0] + dx / stokes.width), part(state.probe[1] + dy / stokes.height)];
+  draw();
+}
+
+function choose(scene) {
+  const { azimuth, elevation, distance } = scene;
+  // Its own camera may do what an orbit cannot, such as roll: it holds until something moves.
+  Object.assign(state, { scene, azimuth, elevation, distance, moved: false });
+  move({ nearest: distance / 10, farthest: distance * 10, light: 0, light_tilt: 0 }, false);
+}
+
+// ---------------------------------------------------------------- start
+
+function build() {
+  for (const name of VIEWS) {
+    const label = document.createElement("label"), button = document.createElement("input");
+    Object.assign(button, { type: "radio", name: "view", value: name });
+    button.addEventListener("change", () => change({ view: name }));
+    label.append(button, ` ${name}`);
+    element("views").append(label);
+  }
+  for (const scene of scenes) element("scene").add(new Option(scene.id));
+  element("scene").addEventListener("change", (event) => choose(scenes[event.target.selectedIndex]));
+  element("split").addEventListener("change", (event) => change({ split: event.target.checked }));
+  element("light").addEventListener("change", (event) => (state.dragLight = event.target.checked));
+  element("exposure").addEventListener("input", (event) => change({ exposure: Number(event.target.value) }));
+  drawWheel(element("wheel"));
+  listenToPicture(canvas, { state, move, hover: probe });
+  listenToDial(element("dial"), { state, change });
+  listenToKeys(canvas, { state, move, change, nudge, views: VIEWS, reset: () => choose(state.scene) });
+}
+
+async function start() {
+  try {
+    view = new View(canvas);
+    for (;;) {
+      const response = await fetch("/scenes");
+      if (response.ok) {
+        ({ scenes, ...limits } = await response.json());
+        break;
+      }
+      say("The scenes are still being prepared.");
+      await pause(Number(response.headers.get("Retry-After")) || 1);
+    }
+    if (limits.signed) return say("This service takes signed requests only.");
+    build();
+    change({});
+    choose(scenes[0]);
+  } catch (error) {
+    say(error.message);
+  }
+}
+
+start();

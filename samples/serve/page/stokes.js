@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// A picture of Stokes vectors as the service sends it: half precision, [channel][row][column][4].
+
+const numbers = new Float32Array(65536);
+for (let bits = 0; bits < 65536; ++bits) {
+  const exponent = (bits >> 10) & 31, fraction = bits & 1023;
+  const magnitude = exponent === 0 ? fraction * 2 ** -24
+    : exponent === 31 ? (fraction ? NaN : Infinity)
+    : (1024 + fraction) * 2 ** (exponent - 25);
+  numbers[bits] = bits & 0x8000 ? -magnitude : magnitude;
+}
+
+export class Stokes {
+  constructor(width, height, buffer) {
+    this.width = width;
+    this.height = height;
+    this.halves = new Uint16Array(buffer);
+    this.channels = this.halves.length / (4 * width * height);
+  }
+
+  // The three planes that are shown as red, green and blue, as halves.
+  colours() {
+    const size = 4 * this.width * this.height, last = this.channels - 1;
+    return [0, Math.floor(last / 2), last].map((c) => this.halves.subarray(c * size, (c + 1) * size));
+  }
+
+  // The mean of the channels at a pixel, counted from the top left.
+  at(x, y) {
+    const size = 4 * this.width * this.height, place = 4 * (y * this.width + x), sum = [0, 0, 0, 0];
+    for (let c = 0; c < this.channels; ++c)
+      for (let p = 0; p < 4; ++p) sum[p] += numbers[this.halves[c * size + place + p]] / this.channels;
+    return sum;
+  }
+
+  // The largest magnitude of s1, s2 and s3 each, or 1 where there is none; at index 0 that of s0.
+  largest() {
+    const found = [0, 0, 0, 0];
+    for (let i = 0; i < this.halves.length; ++i) {
+      const value = Math.abs(numbers[this.halves[i]]);
+      if (value > found[i & 3] && value < Infinity) found[i & 3] = value;
+    }
+    return found.map((value) => value || 1);
+  }
+}
+
+// What a Stokes vector says: degree and angle (radians from the right, counter-clockwise) of linear polarization, and
+// the ellipticity angle (above 0: right-handed, seen against the light).
+export function polarization([s0, s1, s2, s3]) {
+  const polarized = Math.hypot(s1, s2, s3);
+  return {
+    dolp: s0 > 0 ? Math.min(1, Math.hypot(s1, s2) / s0) : 0,
+    aolp: 0.5 * Math.atan2(s2, s1),
+    degree: s0 > 0 ? Math.min(1, polarized / s0) : 0,
+    ellipticity: polarized > 0 ? 0.5 * Math.asin(Math.max(-1, Math.min(1, s3 / polarized))) : 0,
+  };
+}

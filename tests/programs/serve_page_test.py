@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+# The page of nicol-serve in a browser. The command line: the program, then what unittest takes.
+import os
+import struct
+import sys
+import tempfile
+import unittest
+
+from serve_browser import Browser, find_browser
+from serve_client import Server, write_scenes
+from serve_pictures import read_png
+
+PROGRAM = os.path.abspath(sys.argv.pop(1))
+SHIFT = 8
+
+
+@unittest.skipUnless(find_browser(), "no Chromium here")
+class Page(unittest.TestCase):
+    size = (1000, 700)
+    mobile = False
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        write_scenes(folder.name)
+        cls.server = Server(PROGRAM, folder.name)
+        cls.addClassCleanup(cls.server.stop)
+        cls.browser = Browser(*cls.size, mobile=cls.mobile)
+        cls.addClassCleanup(cls.browser.close)
+
+    def setUp(self):
+        self.browser.errors.clear()
+        self.browser.open(f"http://127.0.0.1:{self.server.port}/")
+        self.settle()
+
+    def tearDown(self):
+        self.assertEqual(self.browser.errors, [])
+        self.assertEqual(self.browser.evaluate("document.getElementById('message').textContent"), "")
+
+    def settle(self):
+        """Until the picture is that of what was asked for last, drawn."""
+        self.browser.wait("document.body !== null && 'shown' in document.body.dataset && "
+                          "document.body.dataset.shown === document.body.dataset.wanted")  # fmt: skip
+        self.browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+    def picture(self):
+        """A screenshot of what the canvas shows, small."""
+        return self.browser.screenshot(*self.box(), 0.25)
+
+    def rows(self):
+        width, height, pixels = read_png(self.picture())
+        stride = len(pixels) // height
+        return [pixels[y * stride : (y + 1) * stride] for y in range(height)]
+
+    def box(self):
+        return self.browser.evaluate("(() => { const b = document.getElementById('picture').getBoundingClientRect();"
+                                     "return [b.left, b.top, b.width, b.height]; })()")  # fmt: skip
+
+    def centre(self):
+        left, top, width, height = self.box()
+        return [left + width / 2, top + height / 2]
+
+    def text(self, name):
+        return self.browser.evaluate(f"document.getElementById('{name}').textContent")
+
+
+class Desktop(Page):
+    def test_drag_orbits_and_shift_drag_turns_the_light(self):
+        first = self.picture()
+        self.assertGreater(len(set(read_png(first)[2])), 30)
+        x, y = self.centre()
+        self.browser.drag((x, y), (x + 120, y + 30))
+        self.settle()
+        turned = self.picture()
+        self.assertNotEqual(first, turned)
+        self.browser.drag((x, y), (x + 120, y), modifiers=SHIFT)
+        self.settle()
+        self.assertNotEqual(turned, self.picture())
+
+    def test_the_polarizer_turns_without_the_service(self):
+        before = self.picture()
+        asked = self.server.metric("answer_seconds_count")
+        left, top, width, height = self.browser.evaluate(
+            "(() => { const b = document.getElementById('dial').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()")
+        x, y = left + width / 2, top + height / 2
+        self.browser.drag((x + width / 3, y), (x, y - height / 3))
+        self.assertEqual(self.text("angle"), "90°")
+        self.settle()
+        self.assertNotEqual(before, self.picture())
+        self.assertEqual(self.server.metric("answer_seconds_count"), asked)
+
+    def test_views(self):
+        pictures = []
+        for key in "1234567":
+            self.browser.key(key)
+            self.settle()
+            pictures.append(self.picture())
+        self.assertEqual(len(set(pictures)), 7)
+        self.assertFalse(self.browser.evaluate("document.getElementById('wheel').hidden"))
+        self.browser.evaluate("document.getElementById('split').click()")
+        self.settle()
+        split = self.rows()
+        self.browser.evaluate("document.getElementById('split').click()")
+        self.browser.key("2")
+        self.settle()
+        # Its left is s0, its right what it was.
+        half, whole = len(split[0]) // 2 - 30, self.rows()
+        self.assertEqual([row[:half] for row in split], [row[:half] for row in whole])
+        self.assertNotEqual([row[-half:] for row in split], [row[-half:] for row in whole])
+
+    def test_keys(self):
+        self.browser.evaluate("document.getElementById('picture').focus()")
+        seen = [self.picture()]
+        for key, modifiers in (("ArrowLeft", 0), ("ArrowUp", 0), ("ArrowRight", SHIFT), ("+", 0), ("]", 0)):
+            self.browser.key(key, modifiers)
+            self.settle()
+            seen.append(self.picture())
+        for one, other in zip(seen, seen[1:]):
+            self.assertNotEqual(one, other)
+        pixel = self.text("pixel")
+        self.browser.key("l")
+        self.assertNotEqual(self.text("pixel"), pixel)
+        self.browser.key("0")
+        self.browser.key("[")
+        self.settle()
+        self.assertEqual(self.picture(), seen[0])
+
+    def test_probe_tells_the_numbers_of_the_service(self):
+        self.browser.mouse("mouseMoved", *self.centre())
+        x, y = map(int, self.text("pixel").split(", "))
+        width, height = self.browser.evaluate("[picture.width, picture.height]")
+        halves = self.server.get(f"/scenes/box/stokes.f16?size={width}x{height}").body
+        planes = [struct.unpack_from("<4e", halves, 8 * (c * width * height + y * width + x)) for c in range(3)]
+        means = [sum(plane[p] for plane in planes) / 3 for p in range(4)]
+        for p in range(4):
+            self.assertAlmostEqual(float(self.text(f"s{p}")), means[p], delta=1e-3 * means[0])
+        degree = 100 * (means[1] ** 2 + means[2] ** 2) ** 0.5 / means[0]
+        self.assertAlmostEqual(float(self.text("dolp").rstrip(" %")), degree, delta=0.1)
+        self.assertTrue(self.browser.evaluate("document.getElementById('path').getAttribute('d').startsWith('M')"))
+        self.assertIn("ms to render and fetch", self.text("time"))
+
+    def test_scenes(self):
+        before = self.picture()
+        self.browser.evaluate("(() => { const s = document.getElementById('scene'); s.selectedIndex = 1; s.dispatchEvent(new Event('change')); })()")
+        self.settle()
+        self.assertNotEqual(before, self.picture())
+
+
+class Phone(Page):
+    size = (390, 800)
+    mobile = True
+
+    def test_layout(self):
+        self.assertLessEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 390)
+        _, top, width, height = self.box()
+        self.assertGreater(width, 350)
+        self.assertLess(top + height, 800)
+        panel = self.browser.evaluate("document.getElementById('panel').getBoundingClientRect().top")
+        self.assertGreaterEqual(panel, top + height - 1)
+        size = self.browser.evaluate("parseFloat(getComputedStyle(document.body).fontSize)")
+        self.assertGreaterEqual(size, 16)
+
+    def test_the_light_by_touch(self):
+        before = self.picture()
+        self.browser.evaluate("document.getElementById('light').click()")
+        x, y = self.centre()
+        touch = lambda kind, *points: self.browser.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": a, "y": b} for a, b in points])  # noqa: E731
+        touch("touchStart", (x, y))
+        for step in range(1, 5):
+            touch("touchMove", (x + 20 * step, y))
+        touch("touchEnd")
+        self.settle()
+        self.assertNotEqual(before, self.picture())
+
+
+if __name__ == "__main__":
+    unittest.main()
