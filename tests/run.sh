@@ -1,15 +1,18 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Sets up, builds and runs every test. With NICOL_CI_SANITIZE=1 or --sanitize also under AddressSanitizer and UBSan.
+# Sets up, builds and runs every test. With NICOL_CI_SANITIZE=1 or --sanitize also under AddressSanitizer and UBSan,
+# with --threads those of several threads under ThreadSanitizer.
 set -eu
 cd "$(dirname "$0")/.."
 
 sanitize=${NICOL_CI_SANITIZE:-0}
+threads=0
 for argument in "$@"; do
     case $argument in
     --sanitize) sanitize=1 ;;
+    --threads) threads=1 ;;
     *)
-        echo "usage: sh tests/run.sh [--sanitize]" >&2
+        echo "usage: sh tests/run.sh [--sanitize] [--threads]" >&2
         exit 2
         ;;
     esac
@@ -21,6 +24,12 @@ if [ "$sanitize" = 1 ]; then
     cmake -S . -B build-asan -G Ninja -DCMAKE_BUILD_TYPE=Debug -DNICOL_SANITIZE=ON -DNICOL_BUILD_TESTS=ON
     cmake --build build-asan
     ctest --test-dir build-asan --output-on-failure -j2
+fi
+
+if [ "$threads" = 1 ]; then
+    cmake -S . -B build-tsan -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DNICOL_SANITIZE=thread -DNICOL_BUILD_TESTS=ON
+    cmake --build build-tsan --target test_threads
+    ctest --test-dir build-tsan --output-on-failure -R '^threads\.'
 fi
 
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DNICOL_BUILD_TESTS=ON

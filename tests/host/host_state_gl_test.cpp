@@ -27,6 +27,18 @@ GLuint program_of(const GladGLContext& gl) {
 
 /// Nothing as a fresh context has it; most of it would spoil a picture drawn with it.
 void disarrange(const GladGLContext& gl, bool compatibility) {
+    if (compatibility) {
+        gl.Enable(0x0BC0);               // GL_ALPHA_TEST
+        gl.Enable(0x0B42);               // GL_POLYGON_STIPPLE
+        gl.ClampColor(0x891B, GL_TRUE);  // GL_CLAMP_FRAGMENT_COLOR
+        const auto function = [](const char* name) { return egl().proc_address(name); };
+        const auto transfer = reinterpret_cast<void (*)(GLenum, GLfloat)>(function("glPixelTransferf"));
+        transfer(0x0D14, 0.25F);  // GL_RED_SCALE
+        transfer(0x0D1B, 0.5F);   // GL_BLUE_BIAS
+        reinterpret_cast<void (*)(GLenum, GLfloat)>(function("glAlphaFunc"))(GL_NEVER, 0);
+        const GLubyte stipple[128] = {};
+        reinterpret_cast<void (*)(const GLubyte*)>(function("glPolygonStipple"))(stipple);
+    }
     for (const GLenum capability :
          {GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL, GL_POLYGON_SMOOTH,
           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
@@ -45,7 +57,8 @@ void disarrange(const GladGLContext& gl, bool compatibility) {
     gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     for (GLuint i = 0; i < 8; ++i) {
-        gl.Enablei(i % 3 == 0 ? GL_BLEND : GL_SCISSOR_TEST, i);
+        if (i % 3 == 0) gl.Enablei(GL_BLEND, i);
+        if (i % 4 != 1) gl.Enablei(GL_SCISSOR_TEST, i);
         gl.BlendFunci(i, GL_ZERO, GL_ONE);
         gl.ColorMaski(i, i % 2 == 0, i % 3 == 0, GL_FALSE, i % 2 == 1);
         const auto n = static_cast<float>(i);
@@ -79,7 +92,8 @@ void disarrange(const GladGLContext& gl, bool compatibility) {
     for (const GLuint texture : textures) gl.TextureStorage2D(texture, 2, GL_RGBA32F, 4, 4);
     GLuint sampler = 0;
     gl.CreateSamplers(1, &sampler);
-    gl.SamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.SamplerParameteri(sampler, filter, GL_NEAREST);
     for (GLuint unit = 0; unit < 20; ++unit) {
         gl.ActiveTexture(GL_TEXTURE0 + unit);
         if (unit % 3 != 1) gl.BindTexture(GL_TEXTURE_2D, textures[unit % 2]);
@@ -100,15 +114,6 @@ void disarrange(const GladGLContext& gl, bool compatibility) {
     gl.CreateRenderbuffers(1, &renderbuffer);
     gl.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
     gl.UseProgram(program_of(gl));
-    if (compatibility) {
-        gl.Enable(0x0BC0);               // GL_ALPHA_TEST
-        gl.Enable(0x0B42);               // GL_POLYGON_STIPPLE
-        gl.ClampColor(0x891B, GL_TRUE);  // GL_CLAMP_FRAGMENT_COLOR
-        const auto transfer =
-            reinterpret_cast<void (*)(GLenum, GLfloat)>(egl().proc_address("glPixelTransferf"));
-        transfer(0x0D14, 0.25F);  // GL_RED_SCALE
-        transfer(0x0D1B, 0.5F);   // GL_BLUE_BIAS
-    }
     REQUIRE(gl.GetError() == GL_NO_ERROR);
 }
 

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// A render that runs out of memory anywhere says so, and the next one works.
+#include <algorithm>
+
+#include "capi/capi.hpp"
+#include "memory/failing_new.hpp"
+
+using namespace capi_test;
+using namespace memory_test;
+
+namespace {
+
+constexpr std::uint32_t size = 8;
+
+struct Variant {
+    const char* name;
+    nicol_method method;
+    nicol_executor executor;
+    nicol_high_orders_at at;
+};
+
+constexpr Variant variants[] = {
+    {"factored", NICOL_METHOD_FACTORED, NICOL_EXECUTOR_CPU, NICOL_HIGH_ORDERS_AT_VERTICES},
+    {"compute, pixels", NICOL_METHOD_FACTORED, NICOL_EXECUTOR_COMPUTE, NICOL_HIGH_ORDERS_AT_PIXELS},
+    {"dense", NICOL_METHOD_DENSE, NICOL_EXECUTOR_CPU, NICOL_HIGH_ORDERS_AT_VERTICES},
+    {"reference", NICOL_METHOD_REFERENCE, NICOL_EXECUTOR_AUTOMATIC, NICOL_HIGH_ORDERS_AT_AUTOMATIC}};
+
+/// A tent of two triangles, which shadow each other, under a sky; two framebuffers.
+struct Tent {
+    nicol_environment environment = nullptr;
+    nicol_material material = nullptr;
+    nicol_mesh mesh = nullptr;
+
+    explicit Tent(nicol_context context) {
+        const nicol_sky sky = NICOL_SKY_INIT;
+        OK(nicol_environment_create_sky(context, &sky, &environment));
+        const nicol_spectrum grey = spectrum({0.5F});
+        OK(nicol_material_create_diffuse(context, &grey, &material));
+        const float positions[] = {-1, 1, -1, 0, -1, 0, 0, 1, 0, 1, 1, -1, 0, -1, 0.5F, 0, 1, 0.5F};
+        const std::uint32_t indices[] = {0, 1, 2, 3, 5, 4};
+        nicol_mesh_data data = NICOL_MESH_DATA_INIT;
+        data.vertex_count = 6;
+        data.triangle_count = 2;
+        data.positions = positions;
+        data.indices = indices;
+        OK(nicol_mesh_create(context, &data, &mesh));
+    }
+    ~Tent() {
+        CHECK(nicol_mesh_release(mesh) == NICOL_OK);
+        CHECK(nicol_material_release(material) == NICOL_OK);
+        CHECK(nicol_environment_release(environment) == NICOL_OK);
+    }
+    Tent(const Tent&) = delete;
+    Tent& operator=(const Tent&) = delete;
+};
+
+nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer framebuffer) {
+    static const nicol_camera camera = front_camera();
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.method = variant.method;
+    options.executor = variant.executor;
+    options.high_orders_at = variant.at;
+    options.order_low = 2;
+    options.order_high = variant.method == NICOL_METHOD_DENSE ? 2 : 4;
+    options.bake_directions = 256;
+    options.samples = 4;
+    return nicol_render(scene, &camera, &options, framebuffer);
+}
+
+}  // namespace
+
+TEST_CASE("a render that lacks memory says so and harms nothing") {
+    nicol_context_options context_options = NICOL_CONTEXT_OPTIONS_INIT;
+    context_options.threads = 1;
+    nicol_context context = nullptr;
+    OK(nicol_context_create(&context_options, &context));
+    {
+        const Tent tent(context);
+        for (const Variant& variant : variants) {
+            CAPTURE(std::string(variant.name));
+            std::vector<float> expected;
+            std::int64_t allocations = 0, failed = 0;
+            std::int64_t step = 1;
+            for (std::int64_t position = -1; position < allocations || position < 0; position += step) {
+                CAPTURE(position);
+                const nicol_scene scene = simple_scene(context, tent.environment, tent.mesh, tent.material);
+                nicol_framebuffer framebuffer = nullptr;
+                OK(nicol_framebuffer_create(context, size, size, 3, &framebuffer));
+                if (position < 0) {
+                    {
+                        const Shortage none;
+                        OK(render(scene, variant, framebuffer));
+                        allocations = none.count();
+                    }
+                    expected = read_all(framebuffer);
+                    step = std::max<std::int64_t>(1, allocations / 100);
+                    MESSAGE(std::string(variant.name), ": ", allocations, " allocations, every ", step);
+                } else {
+                    nicol_result result = NICOL_OK;
+                    {
+                        const Shortage shortage(position, position / step % 2 == 1);
+                        result = render(scene, variant, framebuffer);
+                    }
+                    // What is not an error was made up for, such as a larger room that a container asked for.
+                    if (result != NICOL_OK) {
+                        ++failed;
+                        CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);
+                        CHECK(std::string(nicol_last_error()).find("memory") != std::string::npos);
+                        OK(render(scene, variant, framebuffer));
+                    }
+                    REQUIRE(read_all(framebuffer) == expected);
+                }
+                OK(nicol_framebuffer_release(framebuffer));
+                OK(nicol_scene_release(scene));
+            }
+            CHECK(failed > allocations / step / 2);
+        }
+    }
+    OK(nicol_context_release(context));
+}
