@@ -10,19 +10,21 @@
 
 namespace {
 
+/// So fine that no two of the 8-bit codes begin within one step.
 constexpr std::size_t table_size = 4096;
 
 double srgb_curve(double v) {
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
 }
 
-/// The 8-bit code of each linear value, exactly: a table brings it near, thresholds to the code itself.
+/// The 8-bit code of each linear value, exactly and without branches: that at the beginning of its step of
+/// the table, or the next one.
 class SrgbCodes {
 public:
     SrgbCodes() {
-        for (std::size_t i = 0; i < table_size; ++i)
-            near_[i] =
-                static_cast<std::uint8_t>(std::floor(255 * srgb_curve(static_cast<double>(i) / table_size)));
+        for (std::size_t i = 0; i <= table_size; ++i)
+            first_[i] =
+                static_cast<std::uint8_t>(std::lround(255 * srgb_curve(static_cast<double>(i) / table_size)));
         for (std::size_t code = 0; code < 255; ++code) {
             const double s = (static_cast<double>(code) + 0.5) / 255;
             next_[code] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
@@ -30,15 +32,14 @@ public:
         next_[255] = 2;  // beyond all
     }
     [[nodiscard]] std::uint8_t operator()(float linear) const {
-        if (!(linear > 0)) return 0;
-        if (linear >= 1) return 255;
-        std::size_t code = near_[static_cast<std::size_t>(linear * static_cast<float>(table_size))];
-        while (linear >= next_[code]) ++code;
-        return static_cast<std::uint8_t>(code);
+        // What is no number becomes 0 here.
+        const float v = std::min(std::max(0.0f, linear), 1.0f);
+        const std::uint8_t code = first_[static_cast<std::size_t>(v * static_cast<float>(table_size))];
+        return static_cast<std::uint8_t>(code + (v >= next_[code] ? 1 : 0));
     }
 
 private:
-    std::array<std::uint8_t, table_size> near_{};
+    std::array<std::uint8_t, table_size + 1> first_{};
     std::array<float, 256> next_{};  ///< from which on the next code is nearer
 };
 
@@ -50,41 +51,32 @@ float finite(float v) {
     return std::isfinite(v) ? v : 0.0f;
 }
 
-std::vector<float> read(nicol_framebuffer framebuffer, nicol_plane plane, std::uint32_t channel,
-                        std::size_t floats) {
+/// [row][column][channel][value].
+std::vector<float> read(nicol_framebuffer framebuffer, nicol_plane plane, std::size_t floats) {
     std::vector<float> data(floats);
-    must(nicol_framebuffer_read(framebuffer, plane, channel, data.data(), 0, floats * sizeof(float)));
+    nicol_plane_buffer to = NICOL_PLANE_BUFFER_INIT;
+    to.plane = plane;
+    to.format = NICOL_FORMAT_FLOAT32;
+    to.channel = NICOL_ALL_CHANNELS;
+    to.pixels = data.data();
+    to.byte_size = floats * sizeof(float);
+    must(nicol_framebuffer_read_plane(framebuffer, &to));
     return data;
 }
 
-/// One value for each Stokes vector of each channel.
-template <typename Function>
-void each_channel(nicol_framebuffer framebuffer, FloatPicture& picture, nicol_plane plane, std::size_t floats,
-                  Function function) {
-    const std::size_t pixels = std::size_t{picture.width} * picture.height;
-    for (std::uint32_t c = 0; c < picture.values; ++c) {
-        const std::vector<float> data = read(framebuffer, plane, c, pixels * floats);
-        for (std::size_t i = 0; i < pixels; ++i)
-            picture.data[i * picture.values + c] = function(data.data() + i * floats);
-    }
-}
-
 /// Angle and degree of the channels' mean.
-void polarization(nicol_framebuffer framebuffer, FloatPicture& picture, std::uint32_t channels) {
-    const std::size_t pixels = std::size_t{picture.width} * picture.height;
-    std::vector<float> sum(pixels * 4);
-    for (std::uint32_t c = 0; c < channels; ++c) {
-        const std::vector<float> data = read(framebuffer, NICOL_PLANE_STOKES, c, pixels * 4);
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += finite(data[i]);
-    }
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const float s0 = sum[4 * i], s1 = sum[4 * i + 1], s2 = sum[4 * i + 2];
+void polarization(const std::vector<float>& stokes, std::uint32_t channels, std::vector<float>& into) {
+    for (std::size_t i = 0; i < into.size() / 2; ++i) {
+        std::array<float, 3> sum{};
+        for (std::size_t c = 0; c < channels; ++c)
+            for (std::size_t p = 0; p < 3; ++p) sum[p] += finite(stokes[(i * channels + c) * 4 + p]);
+        const auto [s0, s1, s2] = sum;
         if (!(s0 > 0) || (s1 == 0 && s2 == 0)) continue;
         // s2 = -0 must not turn vertical into -pi/2.
         const float angle = 0.5f * std::atan2(s2 + 0.0f, s1);
         constexpr auto right_angle = static_cast<float>(std::numbers::pi / 2);
-        picture.data[2 * i] = angle <= -right_angle ? right_angle : angle;
-        picture.data[2 * i + 1] = std::min(std::hypot(s1, s2) / s0, 1.0f);
+        into[2 * i] = angle <= -right_angle ? right_angle : angle;
+        into[2 * i + 1] = std::min(std::hypot(s1, s2) / s0, 1.0f);
     }
 }
 
@@ -108,22 +100,29 @@ FloatPicture observe(nicol_framebuffer framebuffer, const PictureRequest& reques
     FloatPicture picture;
     std::uint32_t channels = 0;
     must(nicol_framebuffer_get_size(framebuffer, &picture.width, &picture.height, &channels));
-    const bool polar = request.observer == Observer::dolp || request.observer == Observer::aolp;
-    picture.values = polar ? 2 : channels;
-    picture.data.resize(std::size_t{picture.width} * picture.height * picture.values);
+    const std::size_t pixels = std::size_t{picture.width} * picture.height;
     const auto gain = static_cast<float>(std::exp2(request.exposure));
-    if (polar) {
-        polarization(framebuffer, picture, channels);
-    } else if (request.observer == Observer::polarizer) {
-        const double angle = request.polarizer * std::numbers::pi / 180;
-        const auto c = static_cast<float>(std::cos(2 * angle)), s = static_cast<float>(std::sin(2 * angle));
-        each_channel(framebuffer, picture, NICOL_PLANE_STOKES, 4, [&](const float* stokes) {
-            return gain * 0.5f * (finite(stokes[0]) + c * finite(stokes[1]) + s * finite(stokes[2]));
-        });
-    } else {
+    const bool polar = request.observer == Observer::dolp || request.observer == Observer::aolp;
+    if (!polar && request.observer != Observer::polarizer) {
         const auto plane = static_cast<nicol_plane>(request.observer);  // both begin with s0, s1, s2, s3
-        const float factor = request.observer == Observer::s0 ? gain : 1;
-        each_channel(framebuffer, picture, plane, 1, [&](const float* value) { return factor * *value; });
+        picture.values = channels;
+        picture.data = read(framebuffer, plane, pixels * channels);
+        if (request.observer == Observer::s0 && gain != 1)
+            for (float& value : picture.data) value *= gain;
+        return picture;
+    }
+    const std::vector<float> stokes = read(framebuffer, NICOL_PLANE_STOKES, pixels * channels * 4);
+    picture.values = polar ? 2 : channels;
+    picture.data.resize(pixels * picture.values);
+    if (polar) {
+        polarization(stokes, channels, picture.data);
+        return picture;
+    }
+    const double angle = request.polarizer * std::numbers::pi / 180;
+    const auto c = static_cast<float>(std::cos(2 * angle)), s = static_cast<float>(std::sin(2 * angle));
+    for (std::size_t i = 0; i < picture.data.size(); ++i) {
+        const float* vector = stokes.data() + 4 * i;
+        picture.data[i] = gain * 0.5f * (finite(vector[0]) + c * finite(vector[1]) + s * finite(vector[2]));
     }
     return picture;
 }
@@ -135,7 +134,10 @@ std::vector<std::uint8_t> colours(const FloatPicture& picture, Observer observer
     const float* data = picture.data.data();
     std::vector<std::uint8_t> rgb(pixels * 3);
     if (observer == Observer::s0 || observer == Observer::polarizer) {
-        for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = srgb(data[values == 1 ? i / 3 : i]);
+        if (values == 1)
+            for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = srgb(data[i / 3]);
+        else
+            for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = srgb(data[i]);
     } else if (observer == Observer::dolp) {
         for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = code(data[i / 3 * 2 + 1]);
     } else if (observer == Observer::aolp) {

@@ -25,9 +25,9 @@ bool write(png_structp png, png_infop info, std::string* file, std::uint32_t wid
     png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_RELATIVE);
-    // Of rendered pictures this is within a fifth of the size that zlib's default takes five times as long
+    // Of rendered pictures this is within a tenth of the size that zlib's default takes six times as long
     // for.
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
     png_set_compression_level(png, 1);
     png_set_compression_strategy(png, Z_RLE);
     png_write_info(png, info);
