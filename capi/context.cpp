@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "gl/program_cache.hpp"
 #include "handles.hpp"
 #include "host.hpp"
 #include "nicol/response_table.hpp"
@@ -68,6 +69,7 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     session->log = options.log;
     session->log_user = options.log_user;
     session->cache = cache_folder(options.cache_folder);
+    session->gl->run([&] { gl::keep_programs(*session->gl, session->cache); });
     // The information lives as long as the context whose part it is.
     std::shared_ptr<const gl::ContextInfo> info(session->gl, &session->gl->info());
     return make_handle<nicol_context_impl>(session, info);

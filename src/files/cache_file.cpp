@@ -26,16 +26,32 @@ CacheFile::CacheFile(const std::filesystem::path& folder, std::string_view magic
     path_ = folder / (ContentHash().add(header_).text() + std::string(suffix));
 }
 
-CacheFile::Outcome CacheFile::read(std::span<const std::span<unsigned char>> parts) const {
+CacheFile::Outcome CacheFile::find(std::uint64_t& length) const {
     std::error_code error;
     if (!std::filesystem::exists(path_, error)) return {State::missing, {}};
     if (!std::filesystem::is_regular_file(path_, error)) return {State::unfit, "cannot be read"};
+    const std::uintmax_t all = std::filesystem::file_size(path_, error);
+    if (error || all < header_.size() + hash_size) return {State::unfit, "has another length than it must"};
+    length = all - header_.size() - hash_size;
+    return {State::complete, {}};
+}
+
+CacheFile::Outcome CacheFile::read(std::vector<unsigned char>& part, std::uint64_t most) const {
+    std::uint64_t length = 0;
+    if (Outcome outcome = find(length); outcome.state != State::complete) return outcome;
+    if (length > most) return {State::unfit, "has another length than it must"};
+    part.resize(length);
+    const std::span<unsigned char> whole(part);
+    return read({&whole, 1});
+}
+
+CacheFile::Outcome CacheFile::read(std::span<const std::span<unsigned char>> parts) const {
     // The length says whether anything need be read.
-    std::uint64_t length = header_.size() + hash_size;
-    for (const auto& part : parts) length += part.size();
-    if (std::filesystem::file_size(path_, error) != length || error) {
-        return {State::unfit, "has another length than it must"};
-    }
+    std::uint64_t length = 0;
+    if (Outcome outcome = find(length); outcome.state != State::complete) return outcome;
+    std::uint64_t wanted = 0;
+    for (const auto& part : parts) wanted += part.size();
+    if (length != wanted) return {State::unfit, "has another length than it must"};
     std::ifstream in(path_, std::ios::binary);
     if (!in) return {State::unfit, "cannot be read"};
     std::string found(header_.size(), '\0');

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace nicol {
 
@@ -32,11 +33,16 @@ public:
 
     /// Fills the parts, one after the other. Unless the result is complete their content means nothing.
     [[nodiscard]] Outcome read(std::span<const std::span<unsigned char>> parts) const;
+    /// The same of one part of unknown length, at most `most` bytes.
+    [[nodiscard]] Outcome read(std::vector<unsigned char>& part, std::uint64_t most) const;
     /// Makes the folder where it is missing; the file appears complete or not at all. Returns why it could
     /// not be written, or an empty string.
     [[nodiscard]] std::string write(std::span<const std::span<const unsigned char>> parts) const;
 
 private:
+    // The length of the content, or why there is none that fits.
+    [[nodiscard]] Outcome find(std::uint64_t& length) const;
+
     std::string header_;
     std::filesystem::path path_;
 };

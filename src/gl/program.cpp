@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "gl/program_cache.hpp"
 #include "gl/state.hpp"
 #include "nicol/error.hpp"
 
@@ -107,11 +108,22 @@ Program::Program(std::shared_ptr<Context> context, std::span<const Stage> stages
                  std::span<const Define> defines)
     : object_(std::move(context), ObjectKind::program), compute_(stages.front().type == GL_COMPUTE_SHADER) {
     const GladGLContext& gl = functions(*this->context(), "linking a program");
+    const ProgramCache cache(*this->context());
+    ProgramKey key;
+    for (const Stage& stage : stages) {
+        label_ += (label_.empty() ? "" : " + ") + std::string(stage.source.file);
+        if (cache.enabled()) key.add(stage.type, with_defines(stage.source, defines));
+    }
+    if (cache.load(key, id())) {
+        find_uniforms();
+        this->context()->state().check("loading " + label_);
+        return;
+    }
     for (const Stage& stage : stages) {
         const Object shader = compiled(this->context(), stage.type, stage.source, defines);
         gl.AttachShader(id(), shader.id());  // keeps the shader until the program goes
-        label_ += (label_.empty() ? "" : " + ") + std::string(stage.source.file);
     }
+    if (cache.enabled()) gl.ProgramParameteri(id(), GL_PROGRAM_BINARY_RETRIEVABLE_HINT, GL_TRUE);
     gl.LinkProgram(id());
     GLint done = GL_FALSE;
     gl.GetProgramiv(id(), GL_LINK_STATUS, &done);
@@ -122,6 +134,7 @@ Program::Program(std::shared_ptr<Context> context, std::span<const Stage> stages
     }
     find_uniforms();
     this->context()->state().check("linking " + label_);
+    cache.store(key, id());
 }
 
 void Program::find_uniforms() {

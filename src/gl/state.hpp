@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -34,6 +35,7 @@ struct Context::State {
     bool compatibility = false;         ///< profile of a host's context
     GLuint empty_vertex_array = 0;      ///< core profiles draw nothing without one
     std::vector<std::string> messages;  ///< of KHR_debug since the last check()
+    std::filesystem::path programs;     ///< where linked programs are kept; empty: nowhere
 
     /// Makes the platform current and readies OpenGL. Throws Error(no_backend).
     void open(std::unique_ptr<Platform> made, Backend backend, const std::string& device);

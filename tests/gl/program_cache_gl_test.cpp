@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Programs kept on disk.
+#include "gl/program_cache.hpp"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "gl/contexts.hpp"
+#include "gl/draw.hpp"
+#include "gl/object.hpp"
+#include "gl/test_shaders.hpp"
+#include "nicol/error.hpp"
+
+using namespace nicol;
+using namespace nicol::gl;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Folder {
+    fs::path path = fs::temp_directory_path() / ("nicol-programs-" + std::to_string(std::random_device()()));
+    ~Folder() { fs::remove_all(path); }
+
+    [[nodiscard]] std::vector<fs::path> files() const {
+        std::vector<fs::path> found;
+        if (!fs::exists(path)) return found;
+        for (const auto& entry : fs::directory_iterator(path)) found.push_back(entry.path());
+        return found;
+    }
+};
+
+Program make(const std::shared_ptr<Context>& context, const std::string& wide) {
+    const std::array<Define, 2> defines{{{"WIDE", wide}, {"HIGH", "2.0"}}};
+    return Program::graphics(context, embedded_shader("fullscreen.vert"), test_shader("lines.frag"), defines);
+}
+
+float drawn(const std::shared_ptr<Context>& context, const Program& program) {
+    RenderTarget target(context, {1, 1, 1, false});
+    draw_fullscreen(target, program);
+    std::array<float, 4> pixel{};
+    target.read(0, pixel);
+    return pixel[2];
+}
+
+bool keep(Context& context, const Folder& folder) {
+    keep_programs(context, folder.path);
+    if (ProgramCache(context).enabled()) return true;
+    MESSAGE("skipped: the driver has no form to keep programs in");
+    return false;
+}
+
+std::string content_of(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write(const fs::path& path, const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+}
+
+}  // namespace
+
+TEST_CASE("a program is kept once and serves again") {
+    on_every_backend([](const std::shared_ptr<Context>& context) {
+        context->run([&] {
+            const Folder folder;
+            CHECK(drawn(context, make(context, "1.5")) == 1.5F);
+            CHECK(folder.files().empty());
+            if (!keep(*context, folder)) return;
+            CHECK(drawn(context, make(context, "1.5")) == 1.5F);
+            REQUIRE(folder.files().size() == 1);
+            const auto written = fs::last_write_time(folder.files()[0]);
+            CHECK(drawn(context, make(context, "1.5")) == 1.5F);
+            CHECK(folder.files().size() == 1);
+            CHECK(fs::last_write_time(folder.files()[0]) == written);
+            CHECK(drawn(context, make(context, "3.5")) == 3.5F);
+            CHECK(folder.files().size() == 2);
+            keep_programs(*context, {});
+            CHECK(drawn(context, make(context, "4.5")) == 4.5F);
+            CHECK(folder.files().size() == 2);
+        });
+    });
+}
+
+TEST_CASE("what is loaded is what was kept, with its uniforms") {
+    on_every_backend([](const std::shared_ptr<Context>& context) {
+        context->run([&] {
+            const Folder folder;
+            if (!keep(*context, folder)) return;
+            const ProgramCache cache(*context);
+            ProgramKey key;
+            key.add(1, "anything");
+            const Object loaded(context, ObjectKind::program);
+            CHECK_FALSE(cache.load(key, loaded.id()));
+            cache.store(key, make(context, "5.5").id());
+            CHECK(cache.load(key, loaded.id()));
+            ProgramKey other;
+            other.add(2, "anything");
+            CHECK_FALSE(cache.load(other, loaded.id()));
+            // Uniforms are found in one that was loaded as in one that was compiled.
+            for (int i = 0; i < 2; ++i) {
+                Program program = Program::compute(context, test_shader("uniforms.comp"));
+                CHECK_THROWS_AS(program.set("no such uniform", 1), Error);
+                CHECK(program.is_compute());
+                CHECK(program.label() == "uniforms.comp");
+            }
+        });
+    });
+}
+
+TEST_CASE("stale and damaged programs are made anew, and a folder that cannot be used is no error") {
+    on_every_backend([](const std::shared_ptr<Context>& context) {
+        context->run([&] {
+            const Folder folder;
+            if (!keep(*context, folder)) return;
+            static_cast<void>(make(context, "1.5"));
+            REQUIRE(folder.files().size() == 1);
+            const fs::path file = folder.files()[0];
+            const std::string good = content_of(file);
+            for (const std::size_t at : {std::size_t{3}, good.size() / 2, good.size() - 1}) {
+                std::string bad = good;
+                bad[at] = static_cast<char>(bad[at] ^ 1);
+                for (const std::string& content : {bad, good.substr(0, at), std::string()}) {
+                    write(file, content);
+                    CHECK(drawn(context, make(context, "1.5")) == 1.5F);
+                    CHECK(content_of(file).size() == good.size());
+                }
+            }
+            ProgramKey key;
+            key.add(1, "anything");
+            const ProgramCache cache(*context);
+            fs::remove_all(folder.path);
+            write(folder.path, "a file where the folder should be");
+            CHECK(drawn(context, make(context, "2.5")) == 2.5F);
+            cache.store(key, make(context, "2.5").id());
+            const Object none(context, ObjectKind::program);
+            CHECK_FALSE(cache.load(key, none.id()));
+        });
+    });
+}
