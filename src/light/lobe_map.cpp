@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec3.hpp>
 #include <numbers>
 #include <vector>
 
@@ -64,25 +65,6 @@ void sharpen(PshVector& field, double spacing) {
     scale_orders(field, gains);
 }
 
-// The angle of (x, y) within a few roundings, 0 where both are 0. The C library's is a third of a look-up.
-float angle_of(float y, float x) {
-    constexpr auto quarter = static_cast<float>(pi / 2);
-    const float across = std::abs(x);
-    const float along = std::abs(y);
-    const float large = std::max(across, along);
-    const float ratio = large > 0 ? std::min(across, along) / large : 0.0F;
-    // At most tan(pi/8): the fit of atan(t) / t in t^2 is then good to 2e-8.
-    const bool beyond = ratio > 0.41421356F;
-    const float t = beyond ? (ratio - 1) / (ratio + 1) : ratio;
-    const float z = t * t;
-    float angle =
-        t * (0.99999998F + z * (-0.33332786F + z * (0.19974082F + z * (-0.13848490F + z * 0.07976292F))));
-    if (beyond) angle += quarter / 2;
-    if (along > across) angle = quarter - angle;
-    if (x < 0) angle = 2 * quarter - angle;
-    return y < 0 ? -angle : angle;
-}
-
 }  // namespace
 
 LobeMap::LobeMap(const PshVector& light, std::span<const double> gains, bool polarized, double tolerance)
@@ -97,7 +79,8 @@ LobeMap::LobeMap(const PshVector& light, std::span<const double> gains, bool pol
     }
     rows_ = rows_for(field, tolerance);
     sharpen(field, pi / (rows_ - 1));
-    texels_.resize(static_cast<std::size_t>(layers()) * layer_size());
+    texels_.resize(4 * static_cast<std::size_t>(layers()) * static_cast<std::size_t>(rows_) *
+                   (static_cast<std::size_t>(columns()) + 1));
 
     const int order = field.order();
     constexpr int block = 8;
@@ -133,86 +116,54 @@ LobeMap::LobeMap(const PshVector& light, std::span<const double> gains, bool pol
 void LobeMap::store(int channel, int first_row, std::span<const double> samples,
                     std::span<const glm::dvec2> azimuths) {
     const auto width = static_cast<std::size_t>(columns());
+    const std::size_t size = 4 * static_cast<std::size_t>(layers());
     const std::size_t count = samples.size() / (4 * width);
     for (std::size_t j = 0; j < count; ++j) {
         const auto row = static_cast<std::size_t>(first_row) + j;
         const double theta = pi * static_cast<double>(row) / (rows_ - 1);
         const double cosine = std::cos(theta);
         const double sine = std::sin(theta);
-        for (std::size_t i = 0; i < width; ++i) {
-            const double* s = &samples[4 * (j * width + i)];
-            const std::size_t texel = 4 * (row * width + i);
+        for (std::size_t i = 0; i <= width; ++i) {
+            const double* s = &samples[4 * (j * width + i % width)];
+            float* const texel = &texels_[size * (row * (width + 1) + i)];
             if (!polarized_) {
-                const auto layer = static_cast<std::size_t>(channel / 4) * layer_size();
-                texels_[layer + texel + static_cast<std::size_t>(channel % 4)] = static_cast<float>(s[0]);
+                texel[channel] = static_cast<float>(s[0]);
                 continue;
             }
-            const glm::dvec2& azimuth = azimuths[i];
+            const glm::dvec2& azimuth = azimuths[i % width];
             const glm::dvec3 x(cosine * azimuth[0], cosine * azimuth[1], -sine);
             const glm::dvec3 y(-azimuth[1], azimuth[0], 0);
             const auto tensor = [&](int a, int b) {
                 return static_cast<float>(s[1] * (x[a] * x[b] - y[a] * y[b]) +
                                           s[2] * (x[a] * y[b] + y[a] * x[b]));
             };
-            float* first = &texels_[static_cast<std::size_t>(2 * channel) * layer_size() + texel];
-            float* second = first + layer_size();
-            first[0] = static_cast<float>(s[0]);
-            first[1] = static_cast<float>(s[3]);
-            first[2] = tensor(0, 0);
-            first[3] = tensor(1, 1);
-            second[0] = tensor(0, 1);
-            second[1] = tensor(0, 2);
-            second[2] = tensor(1, 2);
+            float* const own = texel + 8 * channel;
+            own[0] = static_cast<float>(s[0]);
+            own[1] = static_cast<float>(s[3]);
+            own[2] = tensor(0, 0);
+            own[3] = tensor(1, 1);
+            own[4] = tensor(0, 1);
+            own[5] = tensor(0, 2);
+            own[6] = tensor(1, 2);
         }
     }
 }
 
-void LobeMap::look_up(const glm::vec3& d, const glm::vec3& x, std::span<glm::vec4> out) const {
-    constexpr auto turn = static_cast<float>(2 * pi);
-    const float rho = std::sqrt(d.x * d.x + d.y * d.y);
-    const float azimuth = angle_of(d.y, d.x);
-    const float u = (azimuth < 0 ? azimuth + turn : azimuth) / turn * static_cast<float>(columns());
-    const float v = angle_of(rho, d.z) / static_cast<float>(pi) * static_cast<float>(rows_ - 1);
+std::vector<float> LobeMap::layers_apart(int first, int count) const {
     const auto width = static_cast<std::size_t>(columns());
-    const std::size_t left = std::min(static_cast<std::size_t>(u), width - 1);
-    const std::size_t right = left + 1 == width ? 0 : left + 1;
-    const std::size_t top = std::min(static_cast<std::size_t>(v), static_cast<std::size_t>(rows_ - 2));
-    const float a = u - static_cast<float>(left);
-    const float b = v - static_cast<float>(top);
-    const std::size_t corner[4] = {4 * (top * width + left), 4 * (top * width + right),
-                                   4 * ((top + 1) * width + left), 4 * ((top + 1) * width + right)};
-    const float weight[4] = {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b};
-    const auto texel = [&](int layer) {
-        const float* at = texels_.data() + static_cast<std::size_t>(layer) * layer_size();
-        glm::vec4 sum(0.0F);
-        for (int i = 0; i < 4; ++i) {
-            const float* t = at + corner[i];
-            sum += weight[i] * glm::vec4(t[0], t[1], t[2], t[3]);
+    const auto all = static_cast<std::size_t>(layers());
+    std::vector<float> out;
+    out.reserve(4 * static_cast<std::size_t>(count) * static_cast<std::size_t>(rows_) * width);
+    for (auto layer = static_cast<std::size_t>(first); layer < static_cast<std::size_t>(first + count);
+         ++layer) {
+        for (std::size_t row = 0; row < static_cast<std::size_t>(rows_); ++row) {
+            for (std::size_t i = 0; i < width; ++i) {
+                const float* const texel = &texels_[4 * ((row * (width + 1) + i) * all + layer)];
+                out.insert(out.end(), texel, texel + 4);
+            }
         }
-        return sum;
-    };
-    if (!polarized_) {
-        for (int layer = 0; layer < layers(); ++layer) {
-            const glm::vec4 s0 = texel(layer);
-            for (int i = 0; i < 4 && 4 * layer + i < channels_; ++i)
-                out[static_cast<std::size_t>(4 * layer + i)] = {s0[i], 0, 0, 0};
-        }
-        return;
     }
-    const glm::vec3 y(d.y * x.z - d.z * x.y, d.z * x.x - d.x * x.z, d.x * x.y - d.y * x.x);
-    for (int c = 0; c < channels_; ++c) {
-        const glm::vec4 p = texel(2 * c);
-        const glm::vec4 q = texel(2 * c + 1);
-        const auto apply = [&](const glm::vec3& w) {
-            return glm::vec3(p[2] * w.x + q[0] * w.y + q[1] * w.z, q[0] * w.x + p[3] * w.y + q[2] * w.z,
-                             q[1] * w.x + q[2] * w.y - (p[2] + p[3]) * w.z);
-        };
-        const glm::vec3 tx = apply(x);
-        const glm::vec3 ty = apply(y);
-        out[static_cast<std::size_t>(c)] = {
-            p[0], (x.x * tx.x + x.y * tx.y + x.z * tx.z - (y.x * ty.x + y.y * ty.y + y.z * ty.z)) / 2,
-            x.x * ty.x + x.y * ty.y + x.z * ty.z, p[1]};
-    }
+    return out;
 }
 
 }  // namespace nicol

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
@@ -17,8 +15,9 @@ namespace nicol {
 /// r / (rows() - 1), so both poles are rows and no filter ever crosses a seam. Linear polarization is stored
 /// without a frame, as T = s1 (xx - yy) + s2 (xy + yx), which is smooth over the whole sphere.
 ///
-/// Texels are four floats. Unpolarized: layer i holds s0 of the channels 4 i .. 4 i + 3. Polarized: layer 2 c
-/// holds (s0, s3, Txx, Tyy) of channel c and layer 2 c + 1 (Txy, Txz, Tyz, 0); Tzz = -Txx - Tyy.
+/// A texel has layers() times four floats. Unpolarized: layer i holds s0 of the channels 4 i .. 4 i + 3.
+/// Polarized: layer 2 c holds (s0, s3, Txx, Tyy) of channel c and layer 2 c + 1 (Txy, Txz, Tyz, 0); Tzz =
+/// -Txx - Tyy.
 ///
 /// The grid is chosen from the filtered light's spectrum, so that the interpolation misses less than
 /// a tolerance times its RMS (up to kMostRows rows). Texels are sharpened by as much as the interpolation
@@ -40,21 +39,13 @@ public:
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] bool polarized() const noexcept { return polarized_; }
     [[nodiscard]] int layers() const noexcept { return polarized_ ? 2 * channels_ : (channels_ + 3) / 4; }
-    /// [layer][row][column][4] of some layers.
-    [[nodiscard]] std::span<const float> texels(int first_layer, int count) const {
-        return std::span(texels_).subspan(static_cast<std::size_t>(first_layer) * layer_size(),
-                                          static_cast<std::size_t>(count) * layer_size());
-    }
+    /// [row][column][layer][4]; the first column is there again after the last.
+    [[nodiscard]] std::span<const float> texels() const noexcept { return texels_; }
+    /// For textures, some layers one after another: [layer][row][column][4], each column once.
+    [[nodiscard]] std::vector<float> layers_apart(int first, int count) const;
     [[nodiscard]] std::size_t bytes() const noexcept { return texels_.size() * sizeof(float); }
 
-    /// The Stokes vectors of all channels at a unit direction in the light's axes, with x (unit, across it)
-    /// for the frame's x. out has channels() elements.
-    void look_up(const glm::vec3& direction, const glm::vec3& x, std::span<glm::vec4> out) const;
-
 private:
-    [[nodiscard]] std::size_t layer_size() const noexcept {
-        return 4 * static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns());
-    }
     void store(int channel, int first_row, std::span<const double> samples,
                std::span<const glm::dvec2> azimuths);
 

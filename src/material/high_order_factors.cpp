@@ -168,21 +168,12 @@ std::vector<float> HighOrderFactors::texels(int first_channel, int count, bool p
     std::vector<float> out(4 * elements * angles);
     for (std::size_t angle = 0; angle < angles; ++angle) {
         for (int i = 0; i < count; ++i) {
-            const float* from = row(angle, channels_ == 1 ? 0 : first_channel + i);
+            const float* from = row(angle, channels_ == 1 ? 0 : static_cast<std::size_t>(first_channel + i));
             for (std::size_t e = 0; e < elements; ++e)
                 out[4 * (e * angles + angle) + static_cast<std::size_t>(i)] = from[e];
         }
     }
     return out;
-}
-
-void HighOrderFactors::at(float cos_zenith, int channel, std::span<float> out) const {
-    const float x = std::clamp(cos_zenith, 0.0F, 1.0F) * static_cast<float>(angles - 1);
-    const std::size_t angle = std::min(static_cast<std::size_t>(x), angles - 2);
-    const float fraction = x - static_cast<float>(angle);
-    const float* low = row(angle, channel);
-    const float* high = row(angle + 1, channel);
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = low[i] + fraction * (high[i] - low[i]);
 }
 
 }  // namespace nicol

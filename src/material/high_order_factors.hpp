@@ -2,6 +2,7 @@
 // What a material does to light of high orders that was filtered beforehand, by the outgoing zenith angle.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -64,15 +65,25 @@ public:
     /// For a texture that is kAngles wide: [element][angle][4], the first `count` channels (1..4) from
     /// `first_channel` on in the components; the elements of unpolarized light, or all.
     [[nodiscard]] std::vector<float> texels(int first_channel, int count, bool polarized) const;
-    /// The first out.size() elements at the cosine of a zenith angle.
-    void at(float cos_zenith, int channel, std::span<float> out) const;
+    /// The elements of an angle and channel; those of the next angle are kElements * channels() further.
+    [[nodiscard]] const float* row(std::size_t angle, std::size_t channel) const {
+        return &data_[(angle * static_cast<std::size_t>(channels_) + channel) * kElements];
+    }
+    /// Where the cosine of a zenith angle lies: the angle below, and the weight of the next one.
+    struct Position {
+        std::size_t angle;
+        float fraction;
+    };
+    [[nodiscard]] static Position position(float cos_zenith) {
+        const float x =
+            (cos_zenith > 0 ? std::min(cos_zenith, 1.0F) : 0.0F) * static_cast<float>(kAngles - 1);
+        const std::size_t angle =
+            std::min(static_cast<std::size_t>(x), static_cast<std::size_t>(kAngles - 2));
+        return {angle, x - static_cast<float>(angle)};
+    }
 
 private:
     HighOrderFactors() = default;
-    [[nodiscard]] const float* row(std::size_t angle, int channel) const {
-        const auto count = static_cast<std::size_t>(channels_);
-        return &data_[(angle * count + static_cast<std::size_t>(channel)) * kElements];
-    }
 
     int channels_ = 1;
     int centre_ = 0;

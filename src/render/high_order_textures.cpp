@@ -2,7 +2,6 @@
 #include "render/high_order_textures.hpp"
 
 #include <algorithm>
-#include <span>
 
 #include "render/framebuffer.hpp"
 
@@ -29,10 +28,10 @@ gl::Texture2D texture_of(const std::shared_ptr<gl::Context>& context, const Lobe
                                       .filter = gl::Filter::linear,
                                       .wrap_x = gl::Wrap::repeat};
     const int first = group * (map.polarized() ? 2 * kGroup : 1);
-    if (!single) return {context, size, map.texels(first, layers)};
+    if (!single) return {context, size, map.layers_apart(first, layers)};
     std::vector<float> texels;
     for (int c = 0; c < (map.polarized() ? channels : 1); ++c) {
-        const std::span<const float> from = map.texels(0, map.polarized() ? 2 : 1);
+        const std::vector<float> from = map.layers_apart(0, map.polarized() ? 2 : 1);
         texels.insert(texels.end(), from.begin(), from.end());
     }
     if (!map.polarized()) {

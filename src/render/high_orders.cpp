@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/high_orders.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "material/high_order_cache.hpp"
@@ -49,7 +50,7 @@ void HighOrderTransfer::update(const TransferInput& input, const DistantLight& l
     visibility_revision_ = 0;
     visibility_order_ = -1;
     ++visibility_count_;
-    if (!follows) visibility_.clear();
+    if (!follows) visibility_ = {};
     if (input.visibility != nullptr) expand_visibility(input, order, follows, workers, progress);
     visibility_order_ = order;
     visibility_horizon_ = input.horizon;
@@ -120,14 +121,26 @@ void HighOrderTransfer::filter(const DistantLight& light, Workers& workers) {
 void HighOrderTransfer::expand_visibility(const TransferInput& input, int order, bool follows,
                                           Workers& workers, Progress& progress) {
     const std::size_t vertices = input.geometry.positions.size();
-    const std::size_t count = psh_count(order);
     const VisibilityHarmonics harmonics(*input.directions, order, input.horizon);
-    visibility_.resize(vertices * count);
+    const VisibilityBlocks before = std::move(visibility_);
+    visibility_ = VisibilityBlocks(*input.visibility, harmonics);
     workers.for_vertices(0, vertices, vertices, "bake", progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-            if (follows && input.unchanged->vertices[v] != 0) continue;
-            harmonics.project(*input.visibility, v, input.geometry.normals[v],
-                              std::span(visibility_).subspan(v * count, count));
+        std::vector<Lanes> coefficients(psh_count(order));
+        for (std::size_t first = begin; first < end; first += kLanes) {
+            const std::size_t block = first / kLanes;
+            if (visibility_.block(block) == nullptr) continue;
+            const std::size_t size = std::min(kLanes, end - first);
+            const bool known = follows &&
+                               std::ranges::all_of(input.unchanged->vertices.subspan(first, size),
+                                                   [](std::uint8_t one) { return one != 0; }) &&
+                               before.block(block) != nullptr;
+            if (known) {
+                visibility_.take_over(block, before);
+                continue;
+            }
+            project_block(harmonics, *input.visibility, input.geometry.normals, first, size,
+                          coefficients.data());
+            visibility_.set(block, coefficients.data());
         }
     });
 }
@@ -139,7 +152,7 @@ void HighOrderTransfer::see(const TransferInput& input, const Viewpoint& view,
     fractions_.resize(visibility_.empty() ? 0 : vertices);
     if (visibility_.empty()) return;
     for (const VertexRange& range : geometry.ranges) {
-        const HighOrderVisibility seen(visibility_order_, lobe_width(range.material), input.horizon);
+        const HighOrderVisibility seen(visibility_.order(), lobe_width(range.material), input.horizon);
         workers.for_vertices(range.first, range.last, vertices, "shade", progress,
                              [&](std::size_t begin, std::size_t end) {
                                  seen.run(view, geometry.positions, geometry.normals, visible, visibility_,
@@ -156,10 +169,13 @@ void HighOrderTransfer::shade(const TransferInput& input, const DistantLight& li
     for (const VertexRange& range : geometry.ranges) {
         const Part& part = parts_.at(range.material);
         const HighOrder high(part.factors, part.maps, light.to_world);
+        const HighOrderVisibility seen(visibility_.order(), lobe_width(range.material), input.horizon);
+        const HighOrderShadows shadows{
+            .fractions = {}, .visibility = visibility_.empty() ? nullptr : &seen, .seen = &visibility_};
         workers.for_vertices(range.first, range.last, geometry.positions.size(), "shade", progress,
                              [&](std::size_t begin, std::size_t end) {
-                                 high.run(view, geometry.positions, geometry.normals, visible, fractions_,
-                                          begin, end, channels);
+                                 high.run(view, geometry.positions, geometry.normals, visible, shadows, begin,
+                                          end, channels);
                              });
     }
 }
@@ -170,7 +186,7 @@ void HighOrderTransfer::count(Statistics& statistics) const {
         statistics.response_bytes += part.factors.data().size_bytes();
         if (part.convolved) statistics.response_bytes += part.convolved->bytes();
     }
-    statistics.transfer_bytes += visibility_.size() * sizeof(float) + fractions_.size() * sizeof(glm::vec2);
+    statistics.transfer_bytes += visibility_.bytes() + fractions_.size() * sizeof(glm::vec2);
 }
 
 }  // namespace nicol

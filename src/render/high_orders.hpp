@@ -38,11 +38,11 @@ public:
     /// project: filters the light and fits the materials, as far as changes make it necessary.
     void update(const TransferInput& input, const DistantLight& light, HighOrders form, Workers& workers,
                 Progress& progress, Statistics& statistics);
-    /// shade, first half: what the vertices with visible[v] != 0 see of what they reflect to the viewer, into
-    /// fractions(). Only after update() with the same input.
+    /// shade, where high orders are looked up at pixels: what the vertices with visible[v] != 0 see of what
+    /// they reflect to the viewer, into fractions(). Only after update() with the same input.
     void see(const TransferInput& input, const Viewpoint& view, std::span<const std::uint8_t> visible,
              Workers& workers, Progress& progress);
-    /// shade: adds to the vertices with visible[v] != 0. Only after see() with the same arguments.
+    /// shade: adds to the vertices with visible[v] != 0. Only after update() with the same input.
     void shade(const TransferInput& input, const DistantLight& light, const Viewpoint& view,
                std::span<const std::uint8_t> visible, Workers& workers, Progress& progress,
                VertexStokes& out);
@@ -58,9 +58,8 @@ public:
     [[nodiscard]] const std::map<MaterialPtr, Part>& parts() const noexcept { return parts_; }
     /// Counts the changes of parts().
     [[nodiscard]] std::uint64_t parts_revision() const noexcept { return parts_revision_; }
-    /// [vertex][psh_index(l, m)]; empty where nothing casts shadows.
-    [[nodiscard]] std::span<const float> visibility() const noexcept { return visibility_; }
-    [[nodiscard]] int visibility_order() const noexcept { return visibility_order_; }
+    /// Of twice the order that high orders begin above; empty where nothing casts shadows.
+    [[nodiscard]] const VisibilityBlocks& visibility() const noexcept { return visibility_; }
     /// Counts the changes of visibility().
     [[nodiscard]] std::uint64_t visibility_count() const noexcept { return visibility_count_; }
     /// Of the last see(), of the lobe about the mirror direction and of the hemisphere; empty where nothing
@@ -98,8 +97,8 @@ private:
     std::uint64_t filtered_ = 0;  // revision of the light that the maps are of
     std::uint64_t fitted_ = 0;    // revision of the materials
 
-    std::vector<float> visibility_;  // [vertex][psh_index(l, m)]
-    int visibility_order_ = -1;
+    VisibilityBlocks visibility_;
+    int visibility_order_ = -1;  // that it was made for, also where it is empty
     HorizonExtension visibility_horizon_ = HorizonExtension::mirrored;
     std::uint64_t visibility_count_ = 0;
     std::uint64_t visibility_revision_ = 0;

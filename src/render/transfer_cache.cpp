@@ -94,11 +94,10 @@ void TransferCache::update(const Scene& scene, const Projection& of_world, const
         const std::span<const std::uint8_t> chosen = shaded_.choose(visible_);
         statistics.vertices_shaded += shaded_.chosen_count();
         method.shade(input, projection.view, chosen, workers_, progress, stokes_);
-        if (high_orders) {
+        if (at_pixels_) {
             high_orders_.see(high_input, projection.view, chosen, workers_, progress);
-            if (!at_pixels_) {
-                high_orders_.shade(high_input, distant, projection.view, chosen, workers_, progress, stokes_);
-            }
+        } else if (high_orders) {
+            high_orders_.shade(high_input, distant, projection.view, chosen, workers_, progress, stokes_);
         }
         if (physical) {
             for (auto& channel : stokes_) statistics.vertices_unphysical += make_physical(channel);

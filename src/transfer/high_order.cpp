@@ -1,35 +1,63 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/high_order.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <string>
 
 #include "nicol/error.hpp"
+#include "transfer/high_order_kernel.hpp"
+#include "transfer/lane_lobe.hpp"
+#include "transfer/lane_mirror.hpp"
+#include "transfer/lane_transpose.hpp"
 
 namespace nicol {
 namespace {
 
 constexpr int most_channels = 16;
-using Probed = std::array<glm::vec4, most_channels>;
 
 void require(bool condition, const std::string& what) {
     if (!condition) throw Error(ErrorCode::invalid_argument, what);
 }
 
-// The blocks (0,0) (1,0) (0,1) (1,1) and (2,2) (3,2) (2,3) (3,3) of a mirror-symmetric factor.
-glm::vec4 even_product(const float* first, const float* rest, const glm::vec4& s) {
-    return {first[0] * s[0] + rest[0] * s[1], first[1] * s[0] + rest[1] * s[1],
-            rest[2] * s[2] + rest[4] * s[3], rest[3] * s[2] + rest[5] * s[3]};
+// A direction turned by an angle towards another, orthogonal one.
+LaneVectors turned(const LaneVectors& from, const LaneVectors& towards, float cosine, float sine) {
+    LaneVectors out;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        out.x[i] = cosine * from.x[i] + sine * towards.x[i];
+        out.y[i] = cosine * from.y[i] + sine * towards.y[i];
+        out.z[i] = cosine * from.z[i] + sine * towards.z[i];
+    }
+    return out;
 }
 
-// The blocks that change sign with the side.
-glm::vec4 odd_product(const float* first, const float* rest, const glm::vec4& s) {
-    return {rest[0] * s[2] + rest[4] * s[3], rest[1] * s[2] + rest[5] * s[3],
-            first[0] * s[0] + rest[2] * s[1], first[1] * s[0] + rest[3] * s[1]};
+// Of the lobe and of the hemisphere, for `count` vertices from `begin` on.
+std::array<Lanes, 2> fractions(const HighOrderShadows& shadows, const LaneMirror& mirror, std::size_t begin,
+                               std::size_t count) {
+    std::array<Lanes, 2> out;
+    for (Lanes& lanes : out) lanes.value.fill(1.0F);
+    if (!shadows.fractions.empty()) {
+        for (std::size_t i = 0; i < count; ++i) {
+            out[0][i] = shadows.fractions[begin + i][0];
+            out[1][i] = shadows.fractions[begin + i][1];
+        }
+    } else if (shadows.visibility != nullptr) {
+        const std::int16_t* const block = shadows.seen->block(begin / kLanes);
+        if (block != nullptr) shadows.visibility->look(mirror, block, out);
+    }
+    return out;
 }
+
+// What the probes of a block of vertices find.
+struct Probes {
+    // Numbers of all channels, and those to spare.
+    explicit Probes(std::size_t numbers)
+        : centre(numbers), up(numbers), down(numbers), right(numbers), left(numbers), normal(numbers) {}
+
+    std::vector<Lanes> centre, up, down, right, left, normal;
+};
 
 }  // namespace
 
@@ -55,91 +83,73 @@ HighOrder::HighOrder(const HighOrderFactors& factors, const HighOrderMaps& maps,
                 std::to_string(maps.centre->channels()));
 }
 
-void HighOrder::look_up(const Viewpoint& view, const glm::vec3& position, const glm::vec3& normal,
-                        const glm::vec2& visible_fraction, std::span<glm::vec4> out) const {
-    const glm::dvec3 n = normal;
-    const glm::dvec3 v = view.towards(glm::dvec3(position));
-    const glm::dvec3 camera = view.frame(v)[0];
-    // A normal that faces away is treated as seen at 90 degrees, from anywhere if it does so exactly.
-    const double cosine = glm::dot(n, v);
-    glm::dvec3 seen = v;
-    if (cosine < 0) {
-        seen -= cosine * n;
-        seen = glm::dot(seen, seen) > 1e-10 ? glm::normalize(seen) : camera;
-    }
-    const glm::dvec3 d = seen - 2 * std::max(cosine, 0.0) * n;
-    // Seen head-on, every plane is one of incidence.
-    glm::dvec3 x = glm::cross(n, seen);
-    x = glm::dot(x, x) > 1e-10 ? glm::normalize(x) : camera;
-    const glm::dvec3 y = glm::cross(d, x);
-
-    Probed centre;
-    Probed up;
-    Probed down;
-    Probed sum;
-    Probed difference;
-    Probed base;
-    const auto channels = static_cast<std::size_t>(maps_.centre->channels());
-    const auto probe = [&](const LobeMap& map, const glm::dvec3& direction, const glm::dvec3& axis,
-                           Probed& to) {
-        map.look_up(glm::vec3(world_to_light_ * direction), glm::vec3(world_to_light_ * axis),
-                    std::span(to).first(channels));
-    };
-    probe(*maps_.centre, d, x, centre);
-    const bool around = factors_.spread() > 0;
-    if (around) {
-        const double c = std::cos(factors_.spread());
-        const double s = std::sin(factors_.spread());
-        probe(*maps_.around, c * d + s * y, x, up);
-        probe(*maps_.around, c * d - s * y, x, down);
-        probe(*maps_.around, c * d + s * x, c * x - s * d, sum);
-        probe(*maps_.around, c * d - s * x, c * x + s * d, difference);
-        for (std::size_t i = 0; i < channels; ++i) {
-            const glm::vec4 left = difference[i];
-            difference[i] = sum[i] - left;
-            sum[i] += left;
-        }
-    }
-    if (factors_.normal()) probe(*maps_.normal, -n, x, base);
-
-    // From the s-frame to the camera's, as cos and sin of twice the angle.
-    const double c = glm::dot(camera, x);
-    const double s = glm::dot(camera, glm::cross(v, x));
-    const auto cos2 = static_cast<float>(c * c - s * s);
-    const auto sin2 = static_cast<float>(2 * c * s);
-    std::array<float, HighOrderFactors::kElements> f{};
-    const bool polarized = maps_.centre->polarized();
-    const std::size_t used = polarized ? f.size() : HighOrderFactors::kUnpolarized;
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        if (i == 0 || factors_.channels() > 1)
-            factors_.at(static_cast<float>(cosine), static_cast<int>(i), std::span(f).first(used));
-        const std::size_t light = channels == 1 ? 0 : i;
-        constexpr auto rest = static_cast<std::size_t>(HighOrderFactors::kUnpolarized);
-        glm::vec4 lobe = even_product(&f[0], &f[rest], centre[light]);
-        if (around) {
-            lobe += even_product(&f[2], &f[rest + 6], up[light]) +
-                    even_product(&f[4], &f[rest + 12], down[light]) +
-                    even_product(&f[6], &f[rest + 18], sum[light]) +
-                    odd_product(&f[8], &f[rest + 24], difference[light]);
-        }
-        lobe *= visible_fraction[0];
-        if (factors_.normal()) lobe += visible_fraction[1] * base[light][0] * glm::vec4(f[10], f[11], 0, 0);
-        out[i] = {lobe[0], cos2 * lobe[1] + sin2 * lobe[2], cos2 * lobe[2] - sin2 * lobe[1], lobe[3]};
-    }
-}
-
 void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
                     std::span<const glm::vec3> normals, std::span<const std::uint8_t> visible,
-                    std::span<const glm::vec2> visible_fraction, std::size_t first, std::size_t last,
+                    const HighOrderShadows& shadows, std::size_t first, std::size_t last,
                     std::span<const std::span<glm::vec4>> out) const {
     require(out.size() >= 1 && out.size() <= most_channels,
             "high orders of " + std::to_string(out.size()) + " channels");
-    Probed stokes;
-    for (std::size_t v = first; v < last; ++v) {
-        if (visible[v] == 0) continue;
-        const glm::vec2 fraction = visible_fraction.empty() ? glm::vec2(1.0F) : visible_fraction[v];
-        look_up(view, positions[v], normals[v], fraction, std::span(stokes).first(out.size()));
-        for (std::size_t c = 0; c < out.size(); ++c) out[c][v] += stokes[c];
+    const bool polarized = maps_.centre->polarized();
+    const bool around = factors_.spread() > 0;
+    const auto cosine = static_cast<float>(std::cos(factors_.spread()));
+    const auto sine = static_cast<float>(std::sin(factors_.spread()));
+    const std::size_t components = polarized ? 4 : 1;
+    const bool alike = factors_.channels() == 1 && maps_.centre->channels() == 1;
+    const std::size_t step = HighOrderFactors::kElements * static_cast<std::size_t>(factors_.channels());
+    // Whole squares are faster to transpose.
+    constexpr std::size_t few = std::max<std::size_t>(kLanes, HighOrderFactors::kUnpolarized);
+    const std::size_t used = polarized ? HighOrderFactors::kElements : few;
+
+    Probes probes(4 * static_cast<std::size_t>(maps_.centre->layers()));
+    std::array<Lanes, HighOrderFactors::kElements> table;
+    std::array<Lanes, 4> stokes;
+    for (std::size_t begin = first / kLanes * kLanes; begin < last; begin += kLanes) {
+        std::array<std::uint8_t, kLanes> shown{};
+        const std::size_t to = std::min(begin + kLanes, last);
+        for (std::size_t v = std::max(begin, first); v < to; ++v) shown[v - begin] = visible[v];
+        if (std::ranges::all_of(shown, [](std::uint8_t v) { return v == 0; })) continue;
+        const std::size_t all = std::min(kLanes, positions.size() - begin);
+        const LaneMirror mirror =
+            mirror_views(view, world_to_light_, positions.subspan(begin, all), normals.subspan(begin, all));
+        probe_lobe(*maps_.centre, mirror.d, mirror.x, probes.centre.data());
+        if (around) {
+            const LobeMap& map = *maps_.around;
+            const LaneVectors& d = mirror.d;
+            const LaneVectors& x = mirror.x;
+            probe_lobe(map, turned(d, mirror.y, cosine, sine), x, probes.up.data());
+            probe_lobe(map, turned(d, mirror.y, cosine, -sine), x, probes.down.data());
+            probe_lobe(map, turned(d, x, cosine, sine), turned(x, d, cosine, -sine), probes.right.data());
+            probe_lobe(map, turned(d, x, cosine, -sine), turned(x, d, cosine, sine), probes.left.data());
+        }
+        if (factors_.normal()) probe_lobe(*maps_.normal, mirror.inward, mirror.x, probes.normal.data());
+
+        const std::array<Lanes, 2> dimmed = fractions(shadows, mirror, begin, all);
+        std::array<std::size_t, kLanes> angle;
+        Lanes fraction;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const HighOrderFactors::Position at = HighOrderFactors::position(mirror.cosine[i]);
+            angle[i] = at.angle;
+            fraction[i] = at.fraction;
+        }
+        for (std::size_t c = 0; c < out.size(); ++c) {
+            if (c == 0 || !alike) {
+                if (c == 0 || factors_.channels() > 1) {
+                    std::array<const float*, kLanes> rows;
+                    for (std::size_t i = 0; i < kLanes; ++i)
+                        rows[i] = factors_.row(angle[i], factors_.channels() > 1 ? c : 0);
+                    to_lanes_between(rows, step, fraction, used, table.data());
+                }
+                const std::size_t own = maps_.centre->channels() == 1 ? 0 : c * components;
+                reflect_probes({.centre = &probes.centre[own],
+                                .up = around ? &probes.up[own] : nullptr,
+                                .down = &probes.down[own],
+                                .right = &probes.right[own],
+                                .left = &probes.left[own],
+                                .normal = factors_.normal() ? &probes.normal[own] : nullptr},
+                               polarized, table.data(), mirror, dimmed[0], dimmed[1], stokes.data());
+            }
+            add_fours(stokes.data(), shown.data(), all, out[c].data() + begin);
+        }
     }
 }
 

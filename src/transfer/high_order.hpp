@@ -12,7 +12,9 @@
 
 #include "light/lobe_map.hpp"
 #include "material/high_order_factors.hpp"
+#include "transfer/high_order_visibility.hpp"
 #include "transfer/viewpoint.hpp"
+#include "transfer/visibility_blocks.hpp"
 
 namespace nicol {
 
@@ -24,6 +26,15 @@ struct HighOrderMaps {
     const LobeMap* normal = nullptr;  ///< where factors.normal()
 };
 
+/// What dims high orders.
+struct HighOrderShadows {
+    /// Of the lobe about the mirror direction and of the hemisphere, 0..1, by vertex; empty: 1 or as found by
+    /// the others.
+    std::span<const glm::vec2> fractions;
+    const HighOrderVisibility* visibility = nullptr;  ///< null: nothing but `fractions` dims
+    const VisibilityBlocks* seen = nullptr;           ///< by `visibility`
+};
+
 /// The part of reflected light that comes from orders above l_low.
 class HighOrder {
 public:
@@ -32,15 +43,10 @@ public:
     HighOrder(const HighOrderFactors& factors, const HighOrderMaps& maps, const glm::dmat3& light_to_world);
 
     /// Adds to out[c][v], in the camera's frame field, for every vertex first <= v < last with visible[v] !=
-    /// 0. visible_fraction[v], of the lobe about the mirror direction and of the hemisphere, 0..1, dims it;
-    /// empty means 1. Calls for different vertices may run side by side.
+    /// 0. Calls for different vertices may run side by side.
     void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-             std::span<const std::uint8_t> visible, std::span<const glm::vec2> visible_fraction,
-             std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
-
-    /// One vertex, out[c] = its Stokes vectors in the camera's frame field.
-    void look_up(const Viewpoint& view, const glm::vec3& position, const glm::vec3& normal,
-                 const glm::vec2& visible_fraction, std::span<glm::vec4> out) const;
+             std::span<const std::uint8_t> visible, const HighOrderShadows& shadows, std::size_t first,
+             std::size_t last, std::span<const std::span<glm::vec4>> out) const;
 
 private:
     const HighOrderFactors& factors_;

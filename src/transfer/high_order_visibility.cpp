@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 
 #include "material/high_order_gains.hpp"
 #include "nicol/error.hpp"
-#include "nicol/psh.hpp"
+#include "transfer/lane_vector.hpp"
+#include "transfer/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -19,14 +19,94 @@ constexpr int most_order = 64;
 // Where nearly all of a lobe lies below the horizon, what is left of it says little.
 constexpr float least_part = 0.1F;
 
-float fraction(float seen, float everything) {
-    return std::clamp(seen / std::max(everything, least_part), 0.0F, 1.0F);
+struct Tables {
+    int order;
+    const float* lobe;
+    const float* cosine;
+    const float* everything;
+    const float* climb;
+};
+
+[[gnu::always_inline]] inline void store_fraction(const LaneVector& seen, const LaneVector& everything,
+                                                  Lanes* out) {
+    const LaneVector part = seen / (everything > least_part ? everything : LaneVector{} + least_part);
+    const LaneVector high = part > 0.0F ? part : LaneVector{};
+    store(out, high < 1.0F ? high : LaneVector{} + 1.0F);
+}
+
+// Y_lm = P_lm(z) times the real or imaginary part of (x + i y)^m, with the sine powers in the latter. With
+// Mirrored, odd l + m are left out.
+template <bool Mirrored>
+[[gnu::always_inline]] inline void look(const Tables& tables, const std::int16_t* visibility,
+                                        const LaneVectors& d, Lanes* fractions) {
+    LaneVector x;
+    LaneVector y;
+    LaneVector z;
+    load(&d.x, x);
+    load(&d.y, y);
+    load(&d.z, z);
+    LaneVector seen{};
+    LaneVector all{};
+    LaneVector base_seen{};
+    float base_all = 0;
+    const float* climb = tables.climb;
+    auto start = static_cast<float>(1 / std::sqrt(4 * pi));
+    LaneVector cosine = LaneVector{} + 1.0F;
+    LaneVector sine{};
+    for (int m = 0; m <= tables.order; ++m) {
+        LaneVector value = LaneVector{} + start;
+        LaneVector before{};
+        for (int l = m; l <= tables.order; ++l) {
+            if (l > m) {
+                const LaneVector next = climb[0] * z * value - climb[1] * before;
+                before = value;
+                value = next;
+                climb += 2;
+            }
+            if (Mirrored && (l + m) % 2 != 0) continue;
+            const LaneVector scaled = tables.lobe[l] * value;
+            LaneVector v;
+            load(visibility, v);
+            visibility += kLanes;
+            if (m == 0) {
+                seen += scaled * v;
+                all += scaled * tables.everything[l];
+                base_seen += tables.cosine[l] * v;
+                base_all += tables.cosine[l] * tables.everything[l];
+            } else {
+                LaneVector w;
+                load(visibility, w);
+                visibility += kLanes;
+                seen += scaled * (cosine * v + sine * w);
+            }
+        }
+        const auto next = static_cast<float>(m + 1);
+        start *= -std::sqrt((2 * next + 1) / (2 * next));
+        if (m == 0) start *= std::numbers::sqrt2_v<float>;
+        const LaneVector turned = cosine * x - sine * y;
+        sine = sine * x + cosine * y;
+        cosine = turned;
+    }
+    constexpr float one = VisibilityBlocks::kOne;
+    store_fraction(seen * (1 / one), all, fractions);
+    store_fraction(base_seen * (1 / one), LaneVector{} + base_all, fractions + 1);
+}
+
+NICOL_MULTIVERSION
+void look_mirrored(const Tables& tables, const std::int16_t* visibility, const LaneVectors& d,
+                   Lanes* fractions) {
+    look<true>(tables, visibility, d, fractions);
+}
+
+NICOL_MULTIVERSION
+void look_dark(const Tables& tables, const std::int16_t* visibility, const LaneVectors& d, Lanes* fractions) {
+    look<false>(tables, visibility, d, fractions);
 }
 
 }  // namespace
 
 HighOrderVisibility::HighOrderVisibility(int order, double width, HorizonExtension extension)
-    : order_(order) {
+    : order_(order), extension_(extension) {
     if (order < 0 || order > most_order) {
         throw Error(ErrorCode::invalid_argument, "the order of visibility is " + std::to_string(order) +
                                                      "; it must lie in 0 to " + std::to_string(most_order));
@@ -63,48 +143,6 @@ HighOrderVisibility::HighOrderVisibility(int order, double width, HorizonExtensi
     }
 }
 
-glm::vec2 HighOrderVisibility::at(std::span<const float> visibility, const glm::vec3& d) const {
-    const auto v = [&](int l, int m) { return visibility[psh_index(l, m)]; };
-    float seen = 0;
-    float all = 0;
-    float base_seen = 0;
-    float base_all = 0;
-    const float* climb = climb_.data();
-    // Y_lm = P_lm(z) times the real or imaginary part of (x + i y)^m, with the sine powers in the latter.
-    auto start = static_cast<float>(1 / std::sqrt(4 * pi));
-    float cosine = 1;
-    float sine = 0;
-    for (int m = 0; m <= order_; ++m) {
-        float value = start;
-        float before = 0;
-        for (int l = m; l <= order_; ++l) {
-            if (l > m) {
-                const float next = climb[0] * d.z * value - climb[1] * before;
-                before = value;
-                value = next;
-                climb += 2;
-            }
-            const auto i = static_cast<std::size_t>(l);
-            const float scaled = lobe_[i] * value;
-            if (m == 0) {
-                seen += scaled * v(l, 0);
-                all += scaled * everything_[i];
-                base_seen += cosine_[i] * v(l, 0);
-                base_all += cosine_[i] * everything_[i];
-            } else {
-                seen += scaled * (cosine * v(l, m) + sine * v(l, -m));
-            }
-        }
-        const auto next = static_cast<float>(m + 1);
-        start *= -std::sqrt((2 * next + 1) / (2 * next));
-        if (m == 0) start *= std::numbers::sqrt2_v<float>;
-        const float turned = cosine * d.x - sine * d.y;
-        sine = sine * d.x + cosine * d.y;
-        cosine = turned;
-    }
-    return {fraction(seen, all), fraction(base_seen, base_all)};
-}
-
 std::vector<float> HighOrderVisibility::constants() const {
     std::vector<float> all;
     for (const std::vector<float>* table : {&lobe_, &cosine_, &everything_, &climb_}) {
@@ -115,19 +153,37 @@ std::vector<float> HighOrderVisibility::constants() const {
 
 void HighOrderVisibility::run(const Viewpoint& view, std::span<const glm::vec3> positions,
                               std::span<const glm::vec3> normals, std::span<const std::uint8_t> visible,
-                              std::span<const float> visibility, std::size_t first, std::size_t last,
+                              const VisibilityBlocks& seen, std::size_t first, std::size_t last,
                               std::span<glm::vec2> out) const {
-    const std::size_t size = psh_count(order_);
-    for (std::size_t i = first; i < last; ++i) {
-        if (visible[i] == 0) continue;
-        const Frame frame = theta_phi_frame(glm::dvec3(normals[i]));
-        const glm::dvec3 world = view.towards(glm::dvec3(positions[i]));
-        const glm::dvec3 v = world * frame;
-        glm::dvec3 d(v.x, v.y, -std::max(v.z, 0.0));
-        // Straight from behind any direction along the surface serves, as in HighOrder.
-        if (glm::dot(d, d) <= 1e-10) d = view.frame(world)[0] * frame;
-        out[i] = at(visibility.subspan(i * size, size), glm::vec3(glm::normalize(d)));
+    std::array<Lanes, 2> fractions;
+    for (std::size_t begin = first / kLanes * kLanes; begin < last; begin += kLanes) {
+        const std::size_t from = std::max(begin, first);
+        const std::size_t to = std::min(begin + kLanes, last);
+        if (std::ranges::none_of(visible.subspan(from, to - from), [](std::uint8_t v) { return v != 0; }))
+            continue;
+        if (const std::int16_t* const block = seen.block(begin / kLanes)) {
+            const std::size_t all = std::min(kLanes, positions.size() - begin);
+            look(mirror_views(view, glm::dmat3(1.0), positions.subspan(begin, all),
+                              normals.subspan(begin, all)),
+                 block, fractions);
+        } else {
+            for (Lanes& lanes : fractions) lanes.value.fill(1.0F);
+        }
+        for (std::size_t v = from; v < to; ++v) {
+            if (visible[v] != 0) out[v] = {fractions[0][v - begin], fractions[1][v - begin]};
+        }
     }
+}
+
+void HighOrderVisibility::look(const LaneMirror& mirror, const std::int16_t* block,
+                               std::array<Lanes, 2>& fractions) const {
+    const Tables tables{.order = order_,
+                        .lobe = lobe_.data(),
+                        .cosine = cosine_.data(),
+                        .everything = everything_.data(),
+                        .climb = climb_.data()};
+    (extension_ == HorizonExtension::mirrored ? look_mirrored : look_dark)(tables, block, mirror.local,
+                                                                           fractions.data());
 }
 
 }  // namespace nicol

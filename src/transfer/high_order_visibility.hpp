@@ -2,6 +2,7 @@
 // How much of what a vertex reflects to a viewer it sees.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -9,11 +10,13 @@
 #include <vector>
 
 #include "nicol/horizon.hpp"
+#include "transfer/lane_mirror.hpp"
 #include "transfer/viewpoint.hpp"
+#include "transfer/visibility_blocks.hpp"
 
 namespace nicol {
 
-/// Visible fractions for HighOrder, from visibility as VisibilityHarmonics makes it.
+/// Visible fractions for HighOrder.
 class HighOrderVisibility {
 public:
     /// order: of the visibility. width: of the lobe about the mirror direction, radians, as for
@@ -21,21 +24,23 @@ public:
     /// an order out of 0..64 or a width that is not in 0..4.
     HighOrderVisibility(int order, double width, HorizonExtension extension);
 
-    /// visibility: psh_count(order) coefficients of a vertex. d: unit direction in its frame. The parts of a
-    /// lobe about d and of the cosine about -z, 0..1, of what nothing hides.
-    [[nodiscard]] glm::vec2 at(std::span<const float> visibility, const glm::vec3& d) const;
-
-    /// at() the mirrored view direction for first <= v < last with visible[v] != 0, into out[v]. visibility:
-    /// [vertex][psh_index(l, m)]. Calls for different vertices may run side by side.
+    /// The parts of a lobe about the mirrored view direction and of the cosine about the normal, 0..1, of
+    /// what nothing hides, for first <= v < last with visible[v] != 0, into out[v]. `seen` has the order and
+    /// extension of this object; all of what sixteen vertices see that see all above their horizon is seen.
+    /// Calls for different vertices may run side by side.
     void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-             std::span<const std::uint8_t> visible, std::span<const float> visibility, std::size_t first,
+             std::span<const std::uint8_t> visible, const VisibilityBlocks& seen, std::size_t first,
              std::size_t last, std::span<glm::vec2> out) const;
+
+    /// The same of a block of VisibilityBlocks, lobe and cosine, whose vertices are looked at like this.
+    void look(const LaneMirror& mirror, const std::int16_t* block, std::array<Lanes, 2>& fractions) const;
 
     /// For glsl/high_order_visibility.glsl: four tables, one after another.
     [[nodiscard]] std::vector<float> constants() const;
 
 private:
     int order_;
+    HorizonExtension extension_;
     std::vector<float> lobe_;        // by l, gain
     std::vector<float> cosine_;      // by l, gain times Y_l0 at -z
     std::vector<float> everything_;  // by l, what nothing hides (only m = 0)

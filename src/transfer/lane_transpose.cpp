@@ -63,7 +63,59 @@ void gather_between(const float* const* rows, std::size_t step, const float* fra
     }
 }
 
+using FourFloats [[gnu::vector_size(16), gnu::may_alias, gnu::aligned(4)]] = float;
+
+template <bool Add>
+[[gnu::always_inline]] inline void give_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count,
+                                              float* out) {
+    LaneVector p[4];
+    for (int k = 0; k < 4; ++k) p[k] = *reinterpret_cast<const LaneVector*>(lanes + k);
+    LaneVector pairs[2][2];
+    for (int k = 0; k < 2; ++k) {
+        const LaneVector& a = p[2 * k];
+        const LaneVector& b = p[2 * k + 1];
+        pairs[k][0] = __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+        pairs[k][1] =
+            __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+    }
+    LaneVector fours[4];
+    for (int k = 0; k < 2; ++k) {
+        fours[2 * k] = __builtin_shufflevector(pairs[0][k], pairs[1][k], 0, 1, 16, 17, 2, 3, 18, 19, 4, 5, 20,
+                                               21, 6, 7, 22, 23);
+        fours[2 * k + 1] = __builtin_shufflevector(pairs[0][k], pairs[1][k], 8, 9, 24, 25, 10, 11, 26, 27, 12,
+                                                   13, 28, 29, 14, 15, 30, 31);
+    }
+    const auto* from = reinterpret_cast<const FourFloats*>(fours);
+    auto* to = reinterpret_cast<FourFloats*>(out);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (show[i] == 0) continue;
+        if constexpr (Add) {
+            to[i] += from[i];
+        } else {
+            to[i] = from[i];
+        }
+    }
+}
+
+NICOL_MULTIVERSION
+void put(const Lanes* lanes, const std::uint8_t* show, std::size_t count, float* out) {
+    give_fours<false>(lanes, show, count, out);
+}
+
+NICOL_MULTIVERSION
+void add(const Lanes* lanes, const std::uint8_t* show, std::size_t count, float* out) {
+    give_fours<true>(lanes, show, count, out);
+}
+
 }  // namespace
+
+void put_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out) {
+    put(lanes, show, count, &out->x);
+}
+
+void add_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out) {
+    add(lanes, show, count, &out->x);
+}
 
 void to_lanes(const std::array<const float*, kLanes>& rows, std::size_t count, Lanes* lanes) {
     if (count >= kLanes) {

@@ -28,12 +28,15 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
 
     LaneView seen(order_);
     std::vector<Lanes> table(4 * row_size_);
+    std::array<Lanes, 4> stokes{};
     for (std::size_t begin = first / kLanes * kLanes; begin < last; begin += kLanes) {
         const std::size_t from = std::max(begin, first);
         const std::size_t to = std::min(begin + kLanes, last);
         std::array<std::size_t, kLanes> shown{};
+        std::array<std::uint8_t, kLanes> show{};
         std::size_t count = 0;
         for (std::size_t v = from; v < to; ++v) {
+            show[v - begin] = visible[v];
             if (visible[v] != 0) shown[count++] = v;
         }
         if (count == 0) continue;
@@ -42,7 +45,7 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
         const LaneView::TablePositions at = seen.positions_in(ResponseTable::kAngles);
         for (std::size_t channel = 0; channel < out.size(); ++channel) {
             if (alike && channel > 0) {
-                for (std::size_t i = 0; i < count; ++i) out[channel][shown[i]] = out[0][shown[i]];
+                put_fours(stokes.data(), show.data(), all, out[channel].data() + begin);
                 continue;
             }
             if (channel == 0 || response.channels() > 1) {
@@ -57,17 +60,18 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
                 prepare_rows(terms_, row_size_, rows, table.data());
             }
             const int light_channel = light.channels() == 1 ? 0 : static_cast<int>(channel);
-            std::array<Lanes, 4> stokes{};
+            stokes = {};
             respond(terms_, row_size_, rows, table.data(), light.block(begin / kLanes, light_channel).data(),
                     seen.cosines(), seen.sines(), stokes.data());
-            for (std::size_t i = 0; i < count; ++i) {
-                const std::size_t lane = shown[i] - begin;
-                const float c = seen.frame_cosine()[lane];
-                const float s = seen.frame_sine()[lane];
-                const float s1 = stokes[1][lane];
-                const float s2 = stokes[2][lane];
-                out[channel][shown[i]] = {stokes[0][lane], c * s1 + s * s2, c * s2 - s * s1, stokes[3][lane]};
+            const Lanes& c = seen.frame_cosine();
+            const Lanes& s = seen.frame_sine();
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const float s1 = stokes[1][i];
+                const float s2 = stokes[2][i];
+                stokes[1][i] = c[i] * s1 + s[i] * s2;
+                stokes[2][i] = c[i] * s2 - s[i] * s1;
             }
+            put_fours(stokes.data(), show.data(), all, out[channel].data() + begin);
         }
     }
 }

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] int order() const noexcept { return order_; }
     [[nodiscard]] HorizonExtension extension() const noexcept { return extension_; }
 
+    /// Coefficients of what sees all above the horizon, by psh_index.
+    [[nodiscard]] std::span<const float> everything() const noexcept { return everything_; }
     /// psh_count(order) coefficients of one vertex. Calls may run side by side.
     void project(const Visibility& visibility, std::size_t vertex, const glm::vec3& normal,
                  std::span<float> out) const;
@@ -35,9 +37,9 @@ private:
     const DirectionSet& directions_;
     int order_;
     HorizonExtension extension_;
-    std::vector<float> everything_;  // coefficients of what sees all above the horizon, by psh_index
-    std::vector<Lanes> weights_;     // of the directions, in bundles
-    std::vector<float> climb_;       // the recursion's two factors for each (l, m)
+    std::vector<float> everything_;
+    std::vector<Lanes> weights_;  // of the directions, in bundles
+    std::vector<float> climb_;    // the recursion's two factors for each (l, m)
 };
 
 }  // namespace nicol

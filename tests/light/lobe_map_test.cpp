@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -56,6 +57,37 @@ std::vector<glm::dvec3> directions() {
     return out;
 }
 
+/// What the map says of a channel at a direction, with x for the frame.
+Stokes look_up(const LobeMap& map, int channel, const glm::dvec3& d, const glm::dvec3& x) {
+    const double phi = std::atan2(d.y, d.x);
+    const double u = (phi < 0 ? phi + 2 * pi : phi) / (2 * pi) * map.columns();
+    const double v = std::acos(std::clamp(d.z, -1.0, 1.0)) / pi * (map.rows() - 1);
+    const auto left = std::min(static_cast<std::size_t>(u), static_cast<std::size_t>(map.columns() - 1));
+    const auto top = std::min(static_cast<std::size_t>(v), static_cast<std::size_t>(map.rows() - 2));
+    const double a = u - static_cast<double>(left);
+    const double b = v - static_cast<double>(top);
+    const auto layers = static_cast<std::size_t>(map.layers());
+    const auto number = [&](std::size_t i) {
+        const auto at = [&](std::size_t row, std::size_t column) {
+            const std::size_t texel = row * (static_cast<std::size_t>(map.columns()) + 1) + column;
+            return static_cast<double>(map.texels()[4 * layers * texel + i]);
+        };
+        return (1 - b) * ((1 - a) * at(top, left) + a * at(top, left + 1)) +
+               b * ((1 - a) * at(top + 1, left) + a * at(top + 1, left + 1));
+    };
+    const auto c = static_cast<std::size_t>(channel);
+    if (!map.polarized()) return {number(c), 0, 0, 0};
+    const double xx = number(8 * c + 2);
+    const double yy = number(8 * c + 3);
+    const double xy = number(8 * c + 4);
+    const double xz = number(8 * c + 5);
+    const double yz = number(8 * c + 6);
+    const glm::dmat3 tensor(xx, xy, xz, xy, yy, yz, xz, yz, -xx - yy);
+    const glm::dvec3 y = glm::cross(d, x);
+    return {number(8 * c), (glm::dot(x, tensor * x) - glm::dot(y, tensor * y)) / 2, glm::dot(x, tensor * y),
+            number(8 * c + 1)};
+}
+
 }  // namespace
 
 TEST_CASE("a look-up is the filtered light, in any frame") {
@@ -68,8 +100,7 @@ TEST_CASE("a look-up is the filtered light, in any frame") {
         const LobeMap map(light, gains, polarized);
         REQUIRE(map.channels() == 5);
         CHECK(map.layers() == (polarized ? 10 : 2));
-        CHECK(map.texels(0, map.layers()).size() * sizeof(float) == map.bytes());
-        std::vector<glm::vec4> found(5);
+        CHECK(map.texels().size_bytes() == map.bytes());
         glm::dvec4 error(0);
         glm::dvec4 power(0);
         double largest = 0;
@@ -77,11 +108,10 @@ TEST_CASE("a look-up is the filtered light, in any frame") {
         for (const glm::dvec3& d : directions()) {
             const glm::dvec3 hint = std::abs(d.x) < 0.8 ? glm::dvec3(1, 0.2, 0) : glm::dvec3(0, 0, 1);
             const Frame frame = frame_with_x(d, hint);
-            map.look_up(glm::vec3(d), glm::vec3(frame[0]), found);
             for (int c = 0; c < 5; ++c) {
                 Stokes s = turned(evaluate(expected, c, d), angle_between(theta_phi_frame(d), frame));
                 if (!polarized) s = {s[0], 0, 0, 0};
-                const Stokes difference = Stokes(found[static_cast<std::size_t>(c)]) - s;
+                const Stokes difference = look_up(map, c, d, frame[0]) - s;
                 error += difference * difference;
                 power += s * s;
                 worst = std::max(worst, glm::length(difference));
@@ -107,13 +137,30 @@ TEST_CASE("grids are as fine as the filtered light needs") {
     // Darkness, and lobes that end below or beyond the light's order.
     const LobeMap dark(PshVector(9, 1), gains, true);
     CHECK(dark.rows() == LobeMap::kLeastRows);
-    std::vector<glm::vec4> found(1);
-    dark.look_up({0, 0.6F, 0.8F}, {1, 0, 0}, found);
-    CHECK(found[0] == glm::vec4(0));
+    CHECK(look_up(dark, 0, {0, 0.6, 0.8}, {1, 0, 0}) == Stokes(0));
     const std::vector<double> mean{1.0};
     const PshVector bright = random_field(6, 1);
-    LobeMap(bright, mean, false).look_up({0, 0.6F, 0.8F}, {1, 0, 0}, found);
-    CHECK(found[0][0] == doctest::Approx(bright.at(0, 0, 0, 0) / std::sqrt(4 * pi)));
+    CHECK(look_up(LobeMap(bright, mean, false), 0, {0, 0.6, 0.8}, {1, 0, 0})[0] ==
+          doctest::Approx(bright.at(0, 0, 0, 0) / std::sqrt(4 * pi)));
+}
+
+TEST_CASE("layers apart are for textures") {
+    const LobeMap map(random_field(5, 2), std::vector<double>(6, 1.0), true);
+    const std::vector<float> two = map.layers_apart(1, 2);
+    const auto columns = static_cast<std::size_t>(map.columns());
+    const auto rows = static_cast<std::size_t>(map.rows());
+    REQUIRE(two.size() == 2 * rows * columns * 4);
+    for (const std::size_t row : {std::size_t{0}, rows / 3, rows - 1}) {
+        for (const std::size_t column : {std::size_t{0}, std::size_t{7}, columns - 1}) {
+            for (std::size_t i = 0; i < 8; ++i) {
+                const float expected = map.texels()[16 * (row * (columns + 1) + column) + 4 + i];
+                CHECK(two[4 * ((i / 4 * rows + row) * columns + column) + i % 4] == expected);
+            }
+        }
+        for (std::size_t i = 0; i < 16; ++i)
+            CHECK(map.texels()[16 * row * (columns + 1) + i] ==
+                  map.texels()[16 * (row * (columns + 1) + columns) + i]);
+    }
 }
 
 TEST_CASE("what no map can be made of is refused") {

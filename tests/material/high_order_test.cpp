@@ -38,6 +38,16 @@ MaterialPtr blurring_mirror(const OrderGains& gains) {
     return psh_matrix_material({compose(reflection_matrix(order), kernel_matrix(kernel))});
 }
 
+// Between the two angles about a cosine.
+Elements elements_at(const HighOrderFactors& factors, float cosine, std::size_t channel) {
+    const HighOrderFactors::Position at = HighOrderFactors::position(cosine);
+    const float* low = factors.row(at.angle, channel);
+    const float* high = factors.row(at.angle + 1, channel);
+    Elements out{};
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = low[i] + at.fraction * (high[i] - low[i]);
+    return out;
+}
+
 }  // namespace
 
 TEST_CASE("gains are the Legendre coefficients of their lobes") {
@@ -95,7 +105,7 @@ TEST_CASE("the factors of a mirror that blurs by one of the lobes are the mirror
     const double expected[4] = {1, 0.8, -0.8, -0.5};
     Elements f{};
     for (const float cosine : {1.0F, 0.77F, 0.3F}) {
-        factors.at(cosine, 0, f);
+        f = elements_at(factors, cosine, 0);
         // A probe beside the centre counts for the part of light that it has in common with it.
         const auto sum = [&](std::size_t first, std::size_t stride) {
             return f[first] + f[first + stride] + f[first + 2 * stride] + 2 * f[first + 3 * stride];
@@ -108,7 +118,7 @@ TEST_CASE("the factors of a mirror that blurs by one of the lobes are the mirror
         for (const std::size_t zero : {std::size_t{1}, rest, rest + 3, rest + 4})
             CHECK(std::abs(f[zero]) < 2e-3F);
     }
-    factors.at(0.3F, 0, f);
+    f = elements_at(factors, 0.3F, 0);
     CHECK(std::abs(f[8]) < 2e-3F);
 }
 
@@ -121,10 +131,8 @@ TEST_CASE("factors from samples of a material and from its rows agree") {
     REQUIRE(a.centre() == b.centre());
     REQUIRE(a.around() == b.around());
     for (const float cosine : {0.98F, 0.8F, 0.5F}) {
-        Elements x{};
-        Elements y{};
-        a.at(cosine, 0, x);
-        b.at(cosine, 0, y);
+        const Elements x = elements_at(a, cosine, 0);
+        const Elements y = elements_at(b, cosine, 0);
         float largest = 0;
         for (const float value : x) largest = std::max(largest, std::abs(value));
         for (std::size_t i = 0; i < x.size(); ++i) {
@@ -140,12 +148,9 @@ TEST_CASE("factors are linear between angles, by channel, and laid out for a tex
     CHECK(factors.channels() == 3);
     CHECK(factors.data().size() == HighOrderFactors::kElements * HighOrderFactors::kAngles * 3);
     constexpr float step = 1.0F / (HighOrderFactors::kAngles - 1);
-    Elements low{};
-    Elements middle{};
-    Elements high{};
-    factors.at(40 * step, 2, low);
-    factors.at(40.25F * step, 2, middle);
-    factors.at(41 * step, 2, high);
+    const Elements low = elements_at(factors, 40 * step, 2);
+    const Elements middle = elements_at(factors, 40.25F * step, 2);
+    const Elements high = elements_at(factors, 41 * step, 2);
     const std::vector<float> texels = factors.texels(1, 2, true);
     REQUIRE(texels.size() == HighOrderFactors::kElements * HighOrderFactors::kAngles * 4);
     for (std::size_t i = 0; i < low.size(); ++i) {
@@ -157,8 +162,7 @@ TEST_CASE("factors are linear between angles, by channel, and laid out for a tex
     CHECK(factors.texels(0, 1, false).size() ==
           HighOrderFactors::kUnpolarized * HighOrderFactors::kAngles * 4);
 
-    Elements mirror{};
-    HighOrderFactors::mirror().at(0.4F, 0, mirror);
+    const Elements mirror = elements_at(HighOrderFactors::mirror(), 0.4F, 0);
     CHECK(HighOrderFactors::mirror().spread() == 0);
     CHECK_FALSE(HighOrderFactors::mirror().normal());
     CHECK(mirror[0] == 1);

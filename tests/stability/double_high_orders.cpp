@@ -30,10 +30,11 @@ Stokes probe(const LobeMap& map, int channel, const glm::dvec3& d, const glm::dv
     const auto top = std::min(static_cast<std::size_t>(v), static_cast<std::size_t>(map.rows() - 2));
     const double a = u - std::floor(u);
     const double b = v - static_cast<double>(top);
+    const auto layers = static_cast<std::size_t>(map.layers());
     const auto texel = [&](int layer) {
-        const std::span<const float> texels = map.texels(layer, 1);
         const auto at = [&](std::size_t row, std::size_t column) {
-            const float* t = &texels[4 * (row * width + column)];
+            const std::size_t texel_at = row * (width + 1) + column;
+            const float* t = &map.texels()[4 * (texel_at * layers + static_cast<std::size_t>(layer))];
             return glm::dvec4(t[0], t[1], t[2], t[3]);
         };
         const std::size_t right = (left + 1) % width;

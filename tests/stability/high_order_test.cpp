@@ -2,6 +2,7 @@
 // High orders: look-ups in floats against doubles.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -39,26 +40,28 @@ test::Deviation compare(const test::Vertices& vertices, const Material& material
     const double width = kLobeWidths[static_cast<std::size_t>(factors.centre())];
 
     const VisibilityHarmonics harmonics(directions(), visibility_order, HorizonExtension::mirrored);
-    std::vector<float> seen(count * psh_count(visibility_order));
+    VisibilityBlocks seen(vertices.visibility, harmonics);
+    std::vector<Lanes> lanes(psh_count(visibility_order));
+    for (std::size_t first = 0; first < count; first += kLanes) {
+        project_block(harmonics, vertices.visibility, vertices.normals, first,
+                      std::min(kLanes, count - first), lanes.data());
+        seen.set(first / kLanes, lanes.data());
+    }
+    // Of the coefficients as they are kept: what 16 bits leave of them is another matter.
+    std::vector<float> kept(psh_count(visibility_order));
     std::vector<glm::dvec2> fractions_truth;
     for (std::size_t v = 0; v < count; ++v) {
-        harmonics.project(
-            vertices.visibility, v, vertices.normals[v],
-            std::span(seen).subspan(v * psh_count(visibility_order), psh_count(visibility_order)));
+        seen.expand(v, kept);
         fractions_truth.push_back(test::fractions_in_double(
-            vertices, v, test::visibility_in_double(vertices, directions(), v, visibility_order),
-            visibility_order, width));
+            vertices, v, std::vector<double>(kept.begin(), kept.end()), visibility_order, width));
     }
-    std::vector<glm::vec2> fractions(count);
-    HighOrderVisibility(visibility_order, width, HorizonExtension::mirrored)
-        .run(vertices.view, vertices.positions, vertices.normals, vertices.visible, seen, 0, count,
-             fractions);
+    const HighOrderVisibility fractions(visibility_order, width, HorizonExtension::mirrored);
 
     std::vector<std::vector<glm::vec4>> found(3, std::vector<glm::vec4>(count, glm::vec4(0)));
     const std::vector<std::span<glm::vec4>> channels(found.begin(), found.end());
     HighOrder(factors, maps, turn)
-        .run(vertices.view, vertices.positions, vertices.normals, vertices.visible, fractions, 0, count,
-             channels);
+        .run(vertices.view, vertices.positions, vertices.normals, vertices.visible,
+             {.fractions = {}, .visibility = &fractions, .seen = &seen}, 0, count, channels);
     return test::deviation(vertices, found,
                            test::high_orders_in_double(vertices, factors, maps, turn, fractions_truth, 3),
                            bound);

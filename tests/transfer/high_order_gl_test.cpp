@@ -16,6 +16,7 @@
 #include "material/high_order_kernel.hpp"
 #include "nicol/conductor.hpp"
 #include "transfer/high_order_light.hpp"
+#include "transfer/high_order_scene.hpp"
 
 namespace nicol::gl {
 [[nodiscard]] std::span<const ShaderSource> transfer_test_shaders();
@@ -67,7 +68,7 @@ glm::dmat3 some_rotation() {
 Texture2D texture(const std::shared_ptr<Context>& context, const LobeMap* map, int channels) {
     const int layers = map->polarized() ? 2 * channels : 1;
     return Texture2D(context, {.width = map->columns(), .height = layers * map->rows()},
-                     map->texels(0, layers));
+                     map->layers_apart(0, layers));
 }
 
 void compare(const std::shared_ptr<Context>& context, const HighOrderFactors& factors,
@@ -82,8 +83,8 @@ void compare(const std::shared_ptr<Context>& context, const HighOrderFactors& fa
         view.orthographic = true;
         view.forward = -glm::dvec3(point.view);
         view.up = up;
-        std::vector<glm::vec4> stokes(expected.size());
-        high.look_up(view, glm::vec3(0), glm::vec3(point.normal), glm::vec2(point.fraction), stokes);
+        const auto stokes =
+            test::look_up(high, view, glm::vec3(point.normal), glm::vec2(point.fraction), expected.size());
         for (std::size_t c = 0; c < expected.size(); ++c) {
             expected[c].push_back(stokes[c]);
             for (int p = 0; p < 4; ++p)

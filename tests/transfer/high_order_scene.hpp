@@ -38,6 +38,19 @@ inline MaterialPtr gold(double alpha) {
     return rough_conductor({.eta = metal_index("Au"), .alpha = alpha, .distribution = Distribution::ggx});
 }
 
+/// One vertex at the origin, [channel].
+inline std::vector<glm::vec4> look_up(const HighOrder& high, const Viewpoint& view, const glm::vec3& normal,
+                                      const glm::vec2& visible_fraction, std::size_t channels) {
+    std::vector<glm::vec4> out(channels, glm::vec4(0));
+    std::vector<std::span<glm::vec4>> each;
+    for (glm::vec4& stokes : out) each.emplace_back(&stokes, 1);
+    const glm::vec3 position(0);
+    const std::uint8_t visible = 1;
+    high.run(view, {&position, 1}, {&normal, 1}, {&visible, 1}, {.fractions = {&visible_fraction, 1}}, 0, 1,
+             each);
+    return out;
+}
+
 /// Points on rings, so that few outgoing angles occur, evenly over the disc of radius 0.95.
 struct SphereView {
     SphereView(int rings, int per_ring) {

@@ -72,9 +72,7 @@ TEST_CASE("shadows dim the lobe and the base, vertices that are not visible are 
     view.orthographic = true;
     const glm::vec3 normal = glm::normalize(glm::vec3(0.4F, 0.2F, -1));
     const auto look = [&](const glm::vec2& fraction) {
-        glm::vec4 out[1];
-        high.look_up(view, {0, 0, 0}, normal, fraction, out);
-        return out[0];
+        return test::look_up(high, view, normal, fraction, 1)[0];
     };
     const glm::vec4 open = look({1, 1});
     CHECK(glm::length(open) > 0);
@@ -87,7 +85,7 @@ TEST_CASE("shadows dim the lobe and the base, vertices that are not visible are 
     const std::vector<glm::vec3> positions(3, glm::vec3(0));
     const std::vector<std::uint8_t> visible{1, 0, 1};
     const std::vector<glm::vec2> fractions{{1, 1}, {1, 1}, {0, 0}};
-    high.run(view, positions, normals, visible, fractions, 0, 3, channels);
+    high.run(view, positions, normals, visible, {.fractions = fractions}, 0, 3, channels);
     CHECK(glm::distance(out[0], glm::vec4(5) + open) < 1e-6F);
     CHECK(out[1] == glm::vec4(5));
     CHECK(out[2] == glm::vec4(5));
@@ -100,17 +98,14 @@ TEST_CASE("seen head-on and from behind there is an answer") {
     const HighOrder high(factors, filtered.maps(factors), glm::dmat3(1.0));
     Viewpoint view;
     view.orthographic = true;
-    glm::vec4 head_on[3];
-    high.look_up(view, {0, 0, 0}, {0, 0, -1}, {1, 1}, head_on);
+    const auto head_on = test::look_up(high, view, {0, 0, -1}, {1, 1}, 3);
     // The plane of incidence is undefined there; next to it s0 must be the same.
-    glm::vec4 beside[3];
     for (const glm::vec3 normal : {glm::vec3(1e-3F, 0, -1), glm::vec3(0, -1e-3F, -1)}) {
-        high.look_up(view, {0, 0, 0}, glm::normalize(normal), {1, 1}, beside);
+        const auto beside = test::look_up(high, view, glm::normalize(normal), {1, 1}, 3);
         CHECK(head_on[0][0] == doctest::Approx(beside[0][0]).epsilon(0.05));
     }
     for (const glm::vec3 normal : {glm::vec3(0, 0, 1), glm::vec3(0, 0.6F, 0.8F)}) {
-        high.look_up(view, {0, 0, 0}, normal, {1, 1}, beside);
-        for (const glm::vec4& s : beside)
+        for (const glm::vec4& s : test::look_up(high, view, normal, {1, 1}, 3))
             for (int p = 0; p < 4; ++p) CHECK(std::isfinite(s[p]));
     }
 }

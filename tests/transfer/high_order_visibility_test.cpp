@@ -42,6 +42,31 @@ std::vector<float> project(Function function, int order) {
     return {sum.begin(), sum.end()};
 }
 
+/// Vertices whose visibility has these coefficients.
+VisibilityBlocks seen_of(std::span<const float> coefficients, int order, HorizonExtension extension,
+                         std::size_t vertices) {
+    static const DirectionSet set(DirectionSet::kFewest);
+    const VisibilityHarmonics harmonics(set, order, extension);
+    VisibilityBlocks out(Visibility(set.size(), vertices), harmonics);
+    std::vector<Lanes> lanes(coefficients.size());
+    for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i].value.fill(coefficients[i]);
+    for (std::size_t block = 0; block * kLanes < vertices; ++block) out.set(block, lanes.data());
+    return out;
+}
+
+/// The fractions of a vertex whose normal is z, for a lobe about d.
+glm::vec2 at(const HighOrderVisibility& fraction, const VisibilityBlocks& seen, const glm::vec3& d) {
+    Viewpoint view;
+    view.orthographic = true;
+    view.forward = glm::dvec3(-d.x, -d.y, d.z);
+    const glm::vec3 position(0);
+    const glm::vec3 normal(0, 0, 1);
+    const std::uint8_t visible = 1;
+    glm::vec2 out(7);
+    fraction.run(view, {&position, 1}, {&normal, 1}, {&visible, 1}, seen, 0, 1, {&out, 1});
+    return out;
+}
+
 }  // namespace
 
 TEST_CASE("what nothing hides is seen whole, and what is hidden is dark") {
@@ -49,16 +74,22 @@ TEST_CASE("what nothing hides is seen whole, and what is hidden is dark") {
     const auto half = project([](const glm::dvec3& d) { return d.z < 0 ? 1.0 : 0.0; }, order);
     const auto all = project([](const glm::dvec3&) { return 1.0; }, order);
     const std::vector<float> none(psh_count(order));
+    const auto dark_seen = [&](const std::vector<float>& v) {
+        return seen_of(v, order, HorizonExtension::dark, 1);
+    };
+    const auto mirrored_seen = [&](const std::vector<float>& v) {
+        return seen_of(v, order, HorizonExtension::mirrored, 1);
+    };
     const HighOrderVisibility dark(order, 0.2, HorizonExtension::dark);
     const HighOrderVisibility mirrored(order, 0.2, HorizonExtension::mirrored);
     for (const double theta : {0.0, 0.4, 1.0, 1.5}) {
         const glm::vec3 d(std::sin(theta) * 0.6, std::sin(theta) * 0.8, -std::cos(theta));
-        for (const glm::vec2 open : {dark.at(half, d), mirrored.at(all, d)}) {
+        for (const glm::vec2 open : {at(dark, dark_seen(half), d), at(mirrored, mirrored_seen(all), d)}) {
             CHECK(open[0] == doctest::Approx(1).epsilon(1e-3));
             CHECK(open[1] == doctest::Approx(1).epsilon(1e-3));
         }
-        CHECK(dark.at(none, d) == glm::vec2(0));
-        CHECK(mirrored.at(none, d) == glm::vec2(0));
+        CHECK(at(dark, dark_seen(none), d) == glm::vec2(0));
+        CHECK(at(mirrored, mirrored_seen(none), d) == glm::vec2(0));
     }
 }
 
@@ -67,6 +98,7 @@ TEST_CASE("the fraction is the visibility filtered by the lobe, and by the cosin
     constexpr int order = 12;
     const auto wall = project([](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; }, order);
     const HighOrderVisibility fraction(order, 0.3, HorizonExtension::mirrored);
+    const VisibilityBlocks seen = seen_of(wall, order, HorizonExtension::mirrored, 1);
     const OrderGains lobe = gaussian_gains(0.3, 0, order);
     std::vector<double> scalar(psh_count(order));
     std::vector<std::complex<double>> spin2(psh_count(order));
@@ -79,7 +111,7 @@ TEST_CASE("the fraction is the visibility filtered by the lobe, and by the cosin
             for (int m = -l; m <= l; ++m)
                 expected += lobe[static_cast<std::size_t>(l)] * static_cast<double>(wall[psh_index(l, m)]) *
                             scalar[psh_index(l, m)];
-        const glm::vec2 found = fraction.at(wall, glm::vec3(d));
+        const glm::vec2 found = at(fraction, seen, glm::vec3(d));
         CHECK(found[0] == doctest::Approx(std::clamp(expected, 0.0, 1.0)).epsilon(1e-4));
         CHECK(found[0] >= before - 1e-3);
         CHECK(found[1] == doctest::Approx(0.5).epsilon(1e-3));
@@ -94,9 +126,7 @@ TEST_CASE("every vertex is looked at along its mirrored view direction") {
     const HighOrderVisibility fraction(order, 0.2, HorizonExtension::mirrored);
     // All see the same wall in their own frames, whose axes are theta-hat and phi-hat.
     const std::vector<glm::vec3> normals{{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}};
-    std::vector<float> visibility;
-    for (std::size_t i = 0; i < normals.size(); ++i)
-        visibility.insert(visibility.end(), wall.begin(), wall.end());
+    const VisibilityBlocks visibility = seen_of(wall, order, HorizonExtension::mirrored, normals.size());
     const std::vector<glm::vec3> positions(normals.size(), glm::vec3(0));
     const std::vector<std::uint8_t> visible{1, 0, 1, 1};
     std::vector<glm::vec2> out(normals.size(), glm::vec2(7));
@@ -116,8 +146,57 @@ TEST_CASE("every vertex is looked at along its mirrored view direction") {
     // Light that is seen travels into the surface.
     const auto half = project([](const glm::dvec3& d) { return d.z < 0 ? 1.0 : 0.0; }, order);
     view.eye = {5, 0, 0.5};
-    fraction.run(view, positions, normals, visible, half, 0, 1, out);
+    const HighOrderVisibility below(order, 0.2, HorizonExtension::dark);
+    below.run(view, positions, normals, visible, seen_of(half, order, HorizonExtension::dark, 1), 0, 1, out);
     CHECK(out[0][0] > 0.9F);
+}
+
+TEST_CASE("coefficients are kept small, where they are not known beforehand") {
+    constexpr int order = 8;
+    constexpr std::size_t vertices = 40;
+    const DirectionSet set(DirectionSet::kFewest);
+    for (const HorizonExtension extension : {HorizonExtension::mirrored, HorizonExtension::dark}) {
+        const VisibilityHarmonics harmonics(set, order, extension);
+        Visibility visibility(set.size(), vertices);
+        for (std::size_t v = 0; v < vertices; ++v) {
+            visibility.set_unoccluded(v, v != 3 && v < 32);
+            for (std::uint64_t& word : visibility.at(v)) word = 0x0123456789ABCDEF * (v + 1);
+        }
+        VisibilityBlocks blocks(visibility, harmonics);
+        const std::vector<glm::vec3> normals(vertices, glm::vec3(0, 0.6F, 0.8F));
+        std::vector<Lanes> lanes(psh_count(order));
+        for (std::size_t block = 0; block < 3; ++block) {
+            project_block(harmonics, visibility, normals, kLanes * block, block < 2 ? kLanes : 8,
+                          lanes.data());
+            blocks.set(block, lanes.data());
+        }
+        CHECK(blocks.block(0) != nullptr);
+        CHECK(blocks.block(1) == nullptr);
+        CHECK(blocks.block(2) != nullptr);
+        const std::size_t numbers = extension == HorizonExtension::mirrored ? 45 : 81;
+        CHECK(blocks.bytes() == 2 * numbers * kLanes * 2 + 3 * 4);
+        std::vector<float> found(psh_count(order));
+        std::vector<float> expected(psh_count(order));
+        for (std::size_t v = 0; v < vertices; ++v) {
+            harmonics.project(visibility, v, normals[v], expected);
+            blocks.expand(v, found);
+            for (std::size_t i = 0; i < found.size(); ++i) CHECK(std::abs(found[i] - expected[i]) < 5.5e-5F);
+        }
+        VisibilityBlocks after(visibility, harmonics);
+        after.take_over(2, blocks);
+        for (std::size_t i = 0; i < numbers * kLanes; ++i) CHECK(after.block(2)[i] == blocks.block(2)[i]);
+        CHECK(after.block(0)[0] == 0);
+        // What hides nothing dims nothing, in either kind of block.
+        const std::vector<std::uint8_t> visible(vertices, 1);
+        std::vector<glm::vec2> out(vertices);
+        HighOrderVisibility(order, 0.2, extension)
+            .run(Viewpoint{.eye = {1, 2, 3}}, std::vector<glm::vec3>(vertices, glm::vec3(0)), normals,
+                 visible, blocks, 0, vertices, out);
+        CHECK(out[20] == glm::vec2(1));
+        CHECK(out[5][0] == doctest::Approx(1).epsilon(2e-4));
+        CHECK(out[5][1] == doctest::Approx(1).epsilon(2e-4));
+        CHECK(out[3][1] < 0.9F);
+    }
 }
 
 TEST_CASE("orders and widths are checked") {

@@ -18,13 +18,13 @@ void DeviceHighOrders::see(const HighOrderTransfer& transfer, const TransferInpu
     if (visibility_.empty()) return;
     if (!see_) see_ = gl::Program::compute(context_, "high_order_fraction.comp");
     set_view_uniforms(*see_, view);
-    see_->set("visibility_order", transfer.visibility_order());
+    see_->set("visibility_order", transfer.visibility().order());
     for (const VertexRange& range : input.geometry.ranges) {
         const double width = transfer.lobe_width(range.material);
         auto lobe = lobes_.find(width);
         if (lobe == lobes_.end()) {
             const std::vector<float> constants =
-                HighOrderVisibility(transfer.visibility_order(), width, input.horizon).constants();
+                HighOrderVisibility(transfer.visibility().order(), width, input.horizon).constants();
             lobe =
                 lobes_
                     .try_emplace(width, context_, gl::BufferUse::storage, std::as_bytes(std::span(constants)))
@@ -89,14 +89,17 @@ void DeviceHighOrders::mirror_visibility(const HighOrderTransfer& transfer, cons
     visibility_.clear();
     lobes_.clear();
     if (input.visibility != nullptr) {
-        const std::span<const float> all = transfer.visibility();
-        const std::size_t numbers = psh_count(transfer.visibility_order());
-        const std::size_t vertices = all.size() / numbers;
+        const VisibilityBlocks& all = transfer.visibility();
+        const std::size_t numbers = psh_count(all.order());
+        const std::size_t vertices = all.vertices();
+        std::vector<float> one(numbers);
         const std::size_t step = DeviceLight::most_vertices(*context_, numbers);
         for (std::size_t first = 0; first < vertices; first += step) {
             visibility_.emplace_back(context_, first, std::min(step, vertices - first), numbers, 1);
-            visibility_.back().upload(
-                [&](std::size_t v, int /*channel*/) { return all.subspan(v * numbers, numbers); });
+            visibility_.back().upload([&](std::size_t v, int /*channel*/) {
+                all.expand(v, one);
+                return std::span<const float>(one);
+            });
         }
     }
     visibility_count_ = transfer.visibility_count();
