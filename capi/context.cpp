@@ -68,6 +68,7 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     session->threads = static_cast<int>(options.threads);
     session->log = options.log;
     session->log_user = options.log_user;
+    session->memory_limit = options.memory_limit;
     session->cache = cache_folder(options.cache_folder);
     session->gl->run([&] { gl::keep_programs(*session->gl, session->cache); });
     // The information lives as long as the context whose part it is.
@@ -148,6 +149,10 @@ const char* nicol_result_name(nicol_result result) {
             return "internal error";
         case NICOL_ERROR_NOT_CURRENT:
             return "context not current";
+        case NICOL_ERROR_TIMEOUT:
+            return "timeout";
+        case NICOL_ERROR_BUSY:
+            return "busy";
         default:
             return "unknown result";
     }

@@ -35,6 +35,8 @@ const char* name(HandleKind kind) {
             return "nicol_scene";
         case HandleKind::framebuffer:
             return "nicol_framebuffer";
+        case HandleKind::job:
+            return "nicol_job";
         case HandleKind::psh_transform:
             return "nicol_psh_transform";
     }

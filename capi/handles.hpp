@@ -9,9 +9,11 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <tuple>
 
 #include "boundary.hpp"
 #include "gl/context.hpp"
+#include "job.hpp"
 #include "nicol/camera.hpp"
 #include "nicol/environment.hpp"
 #include "nicol/material.hpp"
@@ -28,10 +30,20 @@ struct Session {
     int threads = 0;
     nicol_log_callback log = nullptr;
     void* log_user = nullptr;
-    std::filesystem::path cache;  ///< folder of tables; empty: none
+    std::filesystem::path cache;                    ///< folder of tables; empty: none
+    std::uint64_t memory_limit = 0;                 ///< of a scene, bytes; 0: none
     std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws a picture
     std::mutex mutex;
     std::atomic<std::thread::id> busy{};  ///< the thread inside a call
+
+    /// Made when first asked for.
+    JobQueue& job_queue() {
+        const std::lock_guard lock(jobs_mutex);
+        if (!jobs) jobs = std::make_unique<JobQueue>();
+        return *jobs;
+    }
+    std::mutex jobs_mutex;
+    std::unique_ptr<JobQueue> jobs;
 
     void notice(const std::string& message) const {
         if (log != nullptr) log(log_user, NICOL_LOG_NOTICE, NICOL_OK, message.c_str());
@@ -51,13 +63,18 @@ public:
     CallbackScope& operator=(const CallbackScope&) = delete;
 };
 
+/// Throws Error(invalid_argument) inside a callback of the session, where waiting for it would never end.
+inline void refuse_in_callback(const Session& session) {
+    if (session.busy == std::this_thread::get_id() || calling_back == &session) {
+        refuse("a callback called Nicol with an object of the context that is calling it");
+    }
+}
+
 /// One call at a time on the objects of a session. Refuses calls from within a callback of the same session.
 class Turn {
 public:
     explicit Turn(SessionPtr session) : session_(std::move(session)) {
-        if (session_->busy == std::this_thread::get_id() || calling_back == session_.get()) {
-            refuse("a callback called Nicol with an object of the context that is calling it");
-        }
+        refuse_in_callback(*session_);
         session_->mutex.lock();
         session_->busy = std::this_thread::get_id();
     }
@@ -72,6 +89,10 @@ private:
     SessionPtr session_;
 };
 
+/// What a scene's prediction of memory depends on.
+using MemoryKey = std::tuple<std::uint64_t, int, int, nicol_method, std::int32_t, std::int32_t,
+                             nicol_high_orders, std::int32_t, std::int32_t, std::uint32_t, std::uint32_t>;
+
 struct SceneState {
     explicit SceneState(const SessionPtr& session) : renderer(session->gl, session->threads) {
         // Renders happen inside a call that holds the session.
@@ -79,10 +100,13 @@ struct SceneState {
                            [owner = session.get()](const std::string& message) { owner->notice(message); });
     }
 
+    /// Held by who reads or changes the scene: jobs, which have copies, do not keep it.
+    std::mutex edit;
     Scene scene;
-    Renderer renderer;
-    std::optional<Camera> camera;  // of the file it was loaded from, as the rest
-    bool luminance = false;        // its film asks for one channel
+    Renderer renderer;              // with the session's turn alone, as what follows
+    std::optional<MemoryKey> fits;  // last found to be within the session's limit
+    std::optional<Camera> camera;   // of the file it was loaded from, as the rest
+    bool luminance = false;         // its film asks for one channel
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::unique_ptr<Framebuffer> colours;  // drawn into where a picture of the luminance is wanted
@@ -103,6 +127,7 @@ enum class HandleKind : std::uint8_t {
     mesh,
     scene,
     framebuffer,
+    job,
     psh_transform
 };
 
@@ -137,8 +162,24 @@ struct nicol_scene_impl : nicol::capi::Handle<nicol::capi::SceneState> {
 struct nicol_framebuffer_impl : nicol::capi::Handle<nicol::Framebuffer> {
     static constexpr auto kind = nicol::capi::HandleKind::framebuffer;
 };
+struct nicol_job_impl : nicol::capi::Handle<nicol::capi::Job> {
+    static constexpr auto kind = nicol::capi::HandleKind::job;
+};
 
 namespace nicol::capi {
+
+/// For reading and changing a scene. Waits for renders that are called, not for jobs.
+class Edit {
+public:
+    explicit Edit(const nicol_scene_impl& scene) : scene_(scene.content) {
+        refuse_in_callback(*scene.session);
+        lock_ = std::unique_lock(scene_->edit);
+    }
+
+private:
+    std::shared_ptr<SceneState> scene_;
+    std::unique_lock<std::mutex> lock_;
+};
 
 /// A copy of what a handle stands for: it stays through the call, whatever other threads release meanwhile.
 /// Throws Error(invalid_handle).

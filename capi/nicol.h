@@ -70,6 +70,8 @@ typedef int32_t nicol_result;
 #define NICOL_ERROR_OPENGL 10        /* the driver failed after the context was made */
 #define NICOL_ERROR_INTERNAL 11      /* a defect in Nicol */
 #define NICOL_ERROR_NOT_CURRENT 12   /* the host's OpenGL context is not current on the calling thread */
+#define NICOL_ERROR_TIMEOUT 13       /* the time given for waiting is over */
+#define NICOL_ERROR_BUSY 14          /* NICOL_MAX_JOBS jobs wait already */
 
 /* What the last failing call on this thread had to say: one line that names the file, line, field or argument
  * and what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing
@@ -151,9 +153,15 @@ typedef struct nicol_context_options {
      * where that is not set or is empty, no cache. A folder that cannot be used is a notice to the log, never
      * an error. */
     const char* cache_folder;
+    /* Bytes that each scene may keep at run time, on the device too: what the statistics call
+     * visibility_bytes and transfer_bytes, and OpenGL's buffers of its vertices without what compute shaders
+     * work on; by the reference method, its triangles. They are predicted, never too low, before a render
+     * bakes or allocates; where they exceed the limit it fails with NICOL_ERROR_OUT_OF_MEMORY, and the
+     * message has both numbers. With a tolerance, as for the orders that the options name. 0: no limit */
+    uint64_t memory_limit;
 } nicol_context_options;
 #define NICOL_CONTEXT_OPTIONS_INIT \
-    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, 0 }
 
 typedef struct nicol_context_info {
     uint32_t struct_size;
@@ -627,6 +635,56 @@ NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
  * NICOL_ERROR_OUT_OF_MEMORY. */
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
+
+/* A render that goes on while its caller does other things. Jobs of one context run one after another, in the
+ * order in which they came, on a thread that the context keeps for them. Each takes its turn with the calls
+ * that render, make, read and write framebuffers of the context: these wait for the job that runs, not for
+ * those that wait. What changes and asks scenes or makes lights, materials and meshes does not wait. May be
+ * used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too. */
+typedef struct nicol_job_impl* nicol_job;
+
+#define NICOL_MAX_JOBS 256 /* that wait in one context */
+
+/* nicol_render, later. All is copied at once: the scene's changes after this call concern later renders
+ * alone. The framebuffer holds what it held until the job has run. Scene, framebuffer and all they need stay
+ * alive; the caller may release them, and the job too: it is done all the same. The progress callback comes
+ * on the context's thread, and progress_user must live until the job is done. What this call can tell of its
+ * arguments it refuses, all else is the job's result. NICOL_ERROR_BUSY where NICOL_MAX_JOBS wait;
+ * NICOL_ERROR_UNSUPPORTED in a host's OpenGL context. A process that exits cancels its jobs. */
+NICOL_API nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
+                                          const nicol_render_options* options, nicol_framebuffer framebuffer,
+                                          nicol_job* job);
+
+typedef uint32_t nicol_job_state;
+#define NICOL_JOB_WAITING 0
+#define NICOL_JOB_RUNNING 1
+#define NICOL_JOB_DONE 2
+
+typedef struct nicol_job_status {
+    uint32_t struct_size;
+    nicol_job_state state;
+    nicol_result result; /* of a job that is done: what nicol_render would have returned. Else NICOL_OK */
+    uint32_t reserved;   /* 0 */
+    double fraction;     /* done of the verb at work, 0 to 1; 1 after success */
+    const char* verb; /* as a progress callback's; "" while it waits and once it is done. Lives as long as the
+                         library */
+} nicol_job_status;
+#define NICOL_JOB_STATUS_INIT \
+    { sizeof(nicol_job_status), 0, 0, 0, 0, 0 }
+
+/* How far it is; never waits. */
+NICOL_API nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status);
+
+#define NICOL_WAIT_FOREVER 0xffffffffu
+/* Waits until the job is done, at most this long (0: not at all), and returns its result; nicol_last_error()
+ * has the message of one that failed, on every thread that asks. NICOL_ERROR_TIMEOUT where it is not done by
+ * then. Inside a callback of the context it is NICOL_ERROR_INVALID_ARGUMENT: that would wait for itself. */
+NICOL_API nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms);
+/* Ends a job that waits at once, and one that runs where it would next call a progress callback; its result
+ * is NICOL_ERROR_CANCELLED. Does nothing to a job that is done, or about to be. Does not wait. */
+NICOL_API nicol_result nicol_job_cancel(nicol_job job);
+NICOL_API nicol_result nicol_job_retain(nicol_job job);
+NICOL_API nicol_result nicol_job_release(nicol_job job);
 
 /* clang-format off */
 /* What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run. */

@@ -5,8 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "handles.hpp"
 #include "reference/render_reference.hpp"
+#include "render.hpp"
+#include "render/memory_estimate.hpp"
 #include "render/stopwatch.hpp"
 
 using namespace nicol;
@@ -195,12 +196,40 @@ void render_by_reference(const Session& session, const Scene& scene, const Camer
     target.statistics().draw_ms = watch.milliseconds();
 }
 
-void render_by(nicol_method method, const Session& session, SceneState& state, const Camera& camera,
-               const nicol_render_options& given, Framebuffer& target) {
-    if (method == NICOL_METHOD_REFERENCE) {
-        render_by_reference(session, state.scene, camera, given, target);
+void check_memory(const Session& session, SceneState& state, const Scene& scene,
+                  const nicol_render_options& given) {
+    if (session.memory_limit == 0) return;
+    const bool reference = given.method == NICOL_METHOD_REFERENCE;
+    const Environment* light = scene.environment().get();
+    const MemoryKey key{scene.geometry_revision(),
+                        scene.channels(),
+                        light == nullptr ? 0 : 1 + (light->polarized() ? 1 : 0) + (light->circular() ? 2 : 0),
+                        given.method,
+                        given.order_low,
+                        given.order_high,
+                        given.high_orders,
+                        given.shadows,
+                        given.high_order_shadows,
+                        given.bake_directions,
+                        given.unskipped};
+    if (state.fits == key) return;
+    const MemoryEstimate needed =
+        reference ? estimate_reference_memory(scene) : estimate_memory(scene, options_from(given));
+    if (needed.total() <= session.memory_limit) {
+        state.fits = key;
+        return;
+    }
+    throw Error(ErrorCode::out_of_memory, "the scene needs up to " + std::to_string(needed.total()) +
+                                              " bytes at run time; the context's memory_limit is " +
+                                              std::to_string(session.memory_limit));
+}
+
+void render_colours(const Session& session, SceneState& state, const Scene& scene, const RenderCall& call,
+                    Framebuffer& target) {
+    if (call.options.method == NICOL_METHOD_REFERENCE) {
+        render_by_reference(session, scene, call.camera, call.options, target);
     } else {
-        state.renderer.render(state.scene, camera, options_from(given), target);
+        state.renderer.render(scene, call.camera, options_from(call.options), target);
     }
 }
 
@@ -218,14 +247,14 @@ StokesImage luminance(const StokesImage& rgb) {
 
 // Lights and materials of three channels multiply before the luminance is taken, so the picture is drawn in
 // three channels first.
-void render_luminance(const Session& session, SceneState& state, const Camera& camera,
-                      const nicol_render_options& given, Framebuffer& target) {
+void render_luminance(const Session& session, SceneState& state, const Scene& scene, const RenderCall& call,
+                      Framebuffer& target) {
     std::unique_ptr<Framebuffer>& colours = state.colours;
     if (!colours || colours->width() != target.width() || colours->height() != target.height()) {
         colours.reset();
         colours = std::make_unique<Framebuffer>(session.gl, target.width(), target.height(), 3);
     }
-    render_by(given.method, session, state, camera, given, *colours);
+    render_colours(session, state, scene, call, *colours);
     const StokesImage& image = colours->image();
     const SurfacePlanes& surfaces = colours->surfaces();
     const Stopwatch watch;
@@ -235,16 +264,33 @@ void render_luminance(const Session& session, SceneState& state, const Camera& c
     target.statistics().draw_ms += statistics.observe_ms + watch.milliseconds();
 }
 
-void render(const Session& session, SceneState& state, const Camera& camera,
-            const nicol_render_options& given, Framebuffer& target) {
-    const int wanted = state.scene.channels();
-    if (target.channels() == wanted) return render_by(given.method, session, state, camera, given, target);
-    if (target.channels() == 1 && wanted == 3) return render_luminance(session, state, camera, given, target);
-    refuse("the framebuffer has " + std::to_string(target.channels()) + " colour channels and the scene " +
-           std::to_string(wanted) + "; they must agree, or be 1 and 3 for the luminance");
+}  // namespace
+
+namespace nicol::capi {
+
+RenderCall read_render_call(const nicol_camera* camera, const nicol_render_options* options) {
+    const Camera from = camera_from(read_struct(camera, "camera"));
+    const nicol_render_options chosen =
+        options != nullptr ? read_struct(options, "options") : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
+    if (chosen.reserved != 0) refuse("options->reserved must be 0");
+    return {from, chosen};
 }
 
-}  // namespace
+void render(const Session& session, SceneState& state, const Scene& scene, const RenderCall& call,
+            Framebuffer& target) {
+    const int wanted = scene.channels();
+    const bool grey = target.channels() == 1 && wanted == 3;
+    if (target.channels() != wanted && !grey) {
+        refuse("the framebuffer has " + std::to_string(target.channels()) +
+               " colour channels and the scene " + std::to_string(wanted) +
+               "; they must agree, or be 1 and 3 for the luminance");
+    }
+    check_memory(session, state, scene, call.options);
+    if (grey) return render_luminance(session, state, scene, call, target);
+    render_colours(session, state, scene, call, target);
+}
+
+}  // namespace nicol::capi
 
 nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options,
                           nicol_framebuffer framebuffer) {
@@ -252,14 +298,11 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         const nicol_scene_impl& self = resolve(scene);
         const nicol_framebuffer_impl& target = resolve(framebuffer);
         require_same_context(self, target);
-        const Camera from = camera_from(read_struct(camera, "camera"));
-        const nicol_render_options chosen = options != nullptr
-                                                ? read_struct(options, "options")
-                                                : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
-        if (chosen.reserved != 0) refuse("options->reserved must be 0");
+        const RenderCall call = read_render_call(camera, options);
         const Turn turn(self.session);
         self.session->gl->require_current();  // before baking for minutes
-        render(*self.session, *self.content, from, chosen, *target.content);
+        const std::lock_guard edit(self.content->edit);
+        render(*self.session, *self.content, self.content->scene, call, *target.content);
     });
 }
 

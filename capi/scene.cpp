@@ -67,7 +67,7 @@ nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* i
         const nicol_material_impl& material = resolve(given.material);
         require_same_context(self, mesh);
         require_same_context(self, material);
-        const Turn turn(self.session);
+        const Edit edit(self);
         const std::uint32_t added = self.content->scene.add(
             {.mesh = mesh.content, .material = material.content, .to_world = matrix(given.to_world)});
         if (id != nullptr) *id = added;
@@ -78,7 +78,7 @@ nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const dou
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
         require(to_world, "to_world");
-        const Turn turn(self.session);
+        const Edit edit(self);
         self.content->scene.set_transform(id, matrix_or_identity(to_world));
     });
 }
@@ -155,7 +155,7 @@ nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment en
             light = source.content;
         }
         const glm::dmat3 rotation = rotation_of(matrix_or_identity(to_world), "environment");
-        const Turn turn(self.session);
+        const Edit edit(self);
         self.content->scene.set_environment(light, rotation, scale == 0 ? 1 : scale);
     });
 }
@@ -165,7 +165,7 @@ nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* e
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
         require(environment, "environment");
-        const Turn turn(self.session);
+        const Edit edit(self);
         const Scene& content = self.content->scene;
         const bool lit = content.environment() != nullptr && content.light_scale() != 0;
         *environment =
@@ -208,7 +208,7 @@ nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
         require(channels, "channels");
-        const Turn turn(self.session);
+        const Edit edit(self);
         const int parts = self.content->scene.channels();
         *channels = self.content->luminance && parts == 3 ? 1 : static_cast<uint32_t>(parts);
     });

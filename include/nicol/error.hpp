@@ -22,6 +22,8 @@ enum class ErrorCode : std::int32_t {
     opengl = 10,         ///< the driver failed after the context was made
     internal = 11,       ///< a defect in Nicol
     not_current = 12,    ///< the host's OpenGL context is not current on the calling thread
+    timeout = 13,        ///< the time given for waiting is over
+    busy = 14,           ///< too much waits already
 };
 
 /// Thrown by the C++ API. The message names the file, line, field or argument and says what would be right.

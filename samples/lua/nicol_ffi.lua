@@ -32,6 +32,7 @@ typedef struct nicol_context_options {
     nicol_log_callback log;
     void* log_user;
     const char* cache_folder;
+    uint64_t memory_limit;
 } nicol_context_options;
 typedef struct nicol_context_info {
     uint32_t struct_size;
@@ -168,6 +169,16 @@ typedef struct nicol_render_options {
     int32_t high_order_shadows;
     uint32_t planes;
 } nicol_render_options;
+typedef struct nicol_job_impl* nicol_job;
+typedef uint32_t nicol_job_state;
+typedef struct nicol_job_status {
+    uint32_t struct_size;
+    nicol_job_state state;
+    nicol_result result;
+    uint32_t reserved;
+    double fraction;
+    const char* verb;
+} nicol_job_status;
 typedef struct nicol_statistics {
     uint32_t struct_size;
     uint32_t order;
@@ -384,6 +395,12 @@ nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t*
 nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
 nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options, nicol_framebuffer framebuffer);
+nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options, nicol_framebuffer framebuffer, nicol_job* job);
+nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status);
+nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms);
+nicol_result nicol_job_cancel(nicol_job job);
+nicol_result nicol_job_retain(nicol_job job);
+nicol_result nicol_job_release(nicol_job job);
 nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics);
 nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel, float* pixels, uint64_t row_stride, uint64_t byte_size);
 nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to);
@@ -444,6 +461,8 @@ return {
         ERROR_OPENGL = 10,
         ERROR_INTERNAL = 11,
         ERROR_NOT_CURRENT = 12,
+        ERROR_TIMEOUT = 13,
+        ERROR_BUSY = 14,
         LOG_INFO = 0,
         LOG_NOTICE = 1,
         LOG_WARNING = 2,
@@ -488,6 +507,11 @@ return {
         COMPONENTS_ALL = 0,
         COMPONENTS_S0 = 1,
         COMPONENTS_LINEAR = 3,
+        MAX_JOBS = 256,
+        JOB_WAITING = 0,
+        JOB_RUNNING = 1,
+        JOB_DONE = 2,
+        WAIT_FOREVER = 4294967295,
         PLANE_S0 = 0,
         PLANE_S1 = 1,
         PLANE_S2 = 2,
@@ -572,6 +596,10 @@ return {
         framebuffer_create = "nicol_framebuffer",
         framebuffer_get_size = true,
         render = true,
+        render_async = "nicol_job",
+        job_poll = true,
+        job_wait = true,
+        job_cancel = true,
         framebuffer_get_statistics = true,
         framebuffer_read = true,
         framebuffer_read_plane = true,
@@ -628,6 +656,7 @@ return {
         camera = true,
         instance = true,
         render_options = true,
+        job_status = true,
         statistics = true,
         plane_buffer = true,
         picture = true,

@@ -24,6 +24,8 @@ ERROR_CANCELLED = 9
 ERROR_OPENGL = 10
 ERROR_INTERNAL = 11
 ERROR_NOT_CURRENT = 12
+ERROR_TIMEOUT = 13
+ERROR_BUSY = 14
 LOG_INFO = 0
 LOG_NOTICE = 1
 LOG_WARNING = 2
@@ -68,6 +70,11 @@ PLANES_ALL = 15
 COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
 COMPONENTS_LINEAR = 3
+MAX_JOBS = 256
+JOB_WAITING = 0
+JOB_RUNNING = 1
+JOB_DONE = 2
+WAIT_FOREVER = 4294967295
 PLANE_S0 = 0
 PLANE_S1 = 1
 PLANE_S2 = 2
@@ -148,6 +155,7 @@ class ContextOptions(Struct):
         ("log", LogCallback.type),
         ("log_user", c_void_p),
         ("cache_folder", c_char_p),
+        ("memory_limit", c_uint64),
     ]
 
 
@@ -335,6 +343,17 @@ class RenderOptions(Struct):
         ("unskipped", c_uint32),
         ("high_order_shadows", c_int32),
         ("planes", c_uint32),
+    ]
+
+
+class JobStatus(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("state", c_uint32),
+        ("result", c_int32),
+        ("reserved", c_uint32),
+        ("fraction", c_double),
+        ("verb", c_char_p),
     ]
 
 
@@ -890,6 +909,31 @@ class Framebuffer(Handle):
         check(_framebuffer_draw_picture(self, byref(picture) if picture is not None else None, byref(target) if target is not None else None))
 
 
+class Job(Handle):
+    """A render that goes on while its caller does other things. Jobs of one context run one after another, in the
+    order in which they came, on a thread that the context keeps for them. Each takes its turn with the calls
+    that render, make, read and write framebuffers of the context: these wait for the job that runs, not for
+    those that wait. What changes and asks scenes or makes lights, materials and meshes does not wait. May be
+    used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too."""
+
+    def poll(self):
+        """How far it is; never waits."""
+        status = JobStatus()
+        check(_job_poll(self, byref(status)))
+        return status
+
+    def wait(self, timeout_ms):
+        """Waits until the job is done, at most this long (0: not at all), and returns its result; nicol_last_error()
+        has the message of one that failed, on every thread that asks. NICOL_ERROR_TIMEOUT where it is not done by
+        then. Inside a callback of the context it is NICOL_ERROR_INVALID_ARGUMENT: that would wait for itself."""
+        check(_job_wait(self, timeout_ms))
+
+    def cancel(self):
+        """Ends a job that waits at once, and one that runs where it would next call a progress callback; its result
+        is NICOL_ERROR_CANCELLED. Does nothing to a job that is done, or about to be. Does not wait."""
+        check(_job_cancel(self))
+
+
 class PshTransform(Handle):
     """Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
     context; holds its work space: after creation no call allocates. Calls on one transform take turns."""
@@ -965,6 +1009,19 @@ def render(scene, camera, options, framebuffer):
     method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
     NICOL_ERROR_OUT_OF_MEMORY."""
     check(_render(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer))
+
+
+def render_async(scene, camera, options, framebuffer):
+    """nicol_render, later. All is copied at once: the scene's changes after this call concern later renders
+    alone. The framebuffer holds what it held until the job has run. Scene, framebuffer and all they need stay
+    alive; the caller may release them, and the job too: it is done all the same. The progress callback comes
+    on the context's thread, and progress_user must live until the job is done. What this call can tell of its
+    arguments it refuses, all else is the job's result. NICOL_ERROR_BUSY where NICOL_MAX_JOBS wait;
+    NICOL_ERROR_UNSUPPORTED in a host's OpenGL context. A process that exits cancels its jobs."""
+    options = lend(options)
+    job = Job()
+    check(_render_async(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer, byref(job)))
+    return job
 
 
 def psh_project_image(image, order, coefficients):
@@ -1195,6 +1252,11 @@ _framebuffer_create = declare("nicol_framebuffer_create", c_int32, Context, c_ui
 _framebuffer_get_size = declare("nicol_framebuffer_get_size", c_int32, Framebuffer, POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
 Framebuffer._release = declare("nicol_framebuffer_release", c_int32, c_void_p)
 _render = declare("nicol_render", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), Framebuffer)
+_render_async = declare("nicol_render_async", c_int32, Scene, POINTER(Camera), POINTER(RenderOptions), Framebuffer, POINTER(Job))
+_job_poll = declare("nicol_job_poll", c_int32, Job, POINTER(JobStatus))
+_job_wait = declare("nicol_job_wait", c_int32, Job, c_uint32)
+_job_cancel = declare("nicol_job_cancel", c_int32, Job)
+Job._release = declare("nicol_job_release", c_int32, c_void_p)
 _framebuffer_get_statistics = declare("nicol_framebuffer_get_statistics", c_int32, Framebuffer, POINTER(Statistics))
 _framebuffer_read = declare("nicol_framebuffer_read", c_int32, Framebuffer, c_uint32, c_uint32, POINTER(c_float), c_uint64, c_uint64)
 _framebuffer_read_plane = declare("nicol_framebuffer_read_plane", c_int32, Framebuffer, POINTER(PlaneBuffer))
@@ -1254,6 +1316,7 @@ __all__ = [
     "DeviceInfo",
     "ENCODING_LINEAR",
     "ENCODING_SRGB",
+    "ERROR_BUSY",
     "ERROR_CANCELLED",
     "ERROR_FILE_NOT_FOUND",
     "ERROR_INTERNAL",
@@ -1264,6 +1327,7 @@ __all__ = [
     "ERROR_NO_BACKEND",
     "ERROR_OPENGL",
     "ERROR_OUT_OF_MEMORY",
+    "ERROR_TIMEOUT",
     "ERROR_UNSUPPORTED",
     "ERROR_WRITE_FAILED",
     "EXECUTOR_AUTOMATIC",
@@ -1295,11 +1359,17 @@ __all__ = [
     "Host",
     "Image",
     "Instance",
+    "JOB_DONE",
+    "JOB_RUNNING",
+    "JOB_WAITING",
+    "Job",
+    "JobStatus",
     "LOG_INFO",
     "LOG_NOTICE",
     "LOG_WARNING",
     "LightReport",
     "MAX_CHANNELS",
+    "MAX_JOBS",
     "MAX_ORDER",
     "MAX_SIZE",
     "METHOD_DENSE",
@@ -1368,6 +1438,7 @@ __all__ = [
     "VERSION_MAJOR",
     "VERSION_MINOR",
     "VERSION_PATCH",
+    "WAIT_FOREVER",
     "WAVELENGTH_LINEAR",
     "WAVELENGTH_NEAREST",
     "build_info",
@@ -1398,6 +1469,7 @@ __all__ = [
     "psh_synthesize",
     "psh_write_file",
     "render",
+    "render_async",
     "result_name",
     "version",
     "version_string",

@@ -21,6 +21,8 @@ pub const NICOL_ERROR_CANCELLED: nicol_result = 9;
 pub const NICOL_ERROR_OPENGL: nicol_result = 10;
 pub const NICOL_ERROR_INTERNAL: nicol_result = 11;
 pub const NICOL_ERROR_NOT_CURRENT: nicol_result = 12;
+pub const NICOL_ERROR_TIMEOUT: nicol_result = 13;
+pub const NICOL_ERROR_BUSY: nicol_result = 14;
 pub const NICOL_LOG_INFO: u32 = 0;
 pub const NICOL_LOG_NOTICE: u32 = 1;
 pub const NICOL_LOG_WARNING: u32 = 2;
@@ -65,6 +67,11 @@ pub const NICOL_PLANES_ALL: u32 = 15;
 pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
 pub const NICOL_COMPONENTS_LINEAR: u32 = 3;
+pub const NICOL_MAX_JOBS: u32 = 256;
+pub const NICOL_JOB_WAITING: u32 = 0;
+pub const NICOL_JOB_RUNNING: u32 = 1;
+pub const NICOL_JOB_DONE: u32 = 2;
+pub const NICOL_WAIT_FOREVER: u32 = 4294967295;
 pub const NICOL_PLANE_S0: u32 = 0;
 pub const NICOL_PLANE_S1: u32 = 1;
 pub const NICOL_PLANE_S2: u32 = 2;
@@ -214,6 +221,7 @@ pub struct nicol_context_options {
     pub log: nicol_log_callback,
     pub log_user: *mut c_void,
     pub cache_folder: *const c_char,
+    pub memory_limit: u64,
 }
 impl Default for nicol_context_options {
     fn default() -> Self {
@@ -224,7 +232,7 @@ impl Default for nicol_context_options {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_context_options>() == 40);
+    assert!(size_of::<nicol_context_options>() == 48);
     assert!(offset_of!(nicol_context_options, struct_size) == 0);
     assert!(offset_of!(nicol_context_options, backend) == 4);
     assert!(offset_of!(nicol_context_options, device) == 8);
@@ -232,6 +240,7 @@ const _: () = {
     assert!(offset_of!(nicol_context_options, log) == 16);
     assert!(offset_of!(nicol_context_options, log_user) == 24);
     assert!(offset_of!(nicol_context_options, cache_folder) == 32);
+    assert!(offset_of!(nicol_context_options, memory_limit) == 40);
 };
 
 #[repr(C)]
@@ -673,6 +682,46 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, unskipped) == 92);
     assert!(offset_of!(nicol_render_options, high_order_shadows) == 96);
     assert!(offset_of!(nicol_render_options, planes) == 100);
+};
+
+#[repr(C)]
+pub struct nicol_job_impl {
+    _private: [u8; 0],
+}
+/// A render that goes on while its caller does other things. Jobs of one context run one after another, in the
+/// order in which they came, on a thread that the context keeps for them. Each takes its turn with the calls
+/// that render, make, read and write framebuffers of the context: these wait for the job that runs, not for
+/// those that wait. What changes and asks scenes or makes lights, materials and meshes does not wait. May be
+/// used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too.
+pub type nicol_job = *mut nicol_job_impl;
+pub type nicol_job_state = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_job_status {
+    pub struct_size: u32,
+    pub state: nicol_job_state,
+    pub result: nicol_result,
+    pub reserved: u32,
+    pub fraction: f64,
+    pub verb: *const c_char,
+}
+impl Default for nicol_job_status {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_job_status>() == 32);
+    assert!(offset_of!(nicol_job_status, struct_size) == 0);
+    assert!(offset_of!(nicol_job_status, state) == 4);
+    assert!(offset_of!(nicol_job_status, result) == 8);
+    assert!(offset_of!(nicol_job_status, reserved) == 12);
+    assert!(offset_of!(nicol_job_status, fraction) == 16);
+    assert!(offset_of!(nicol_job_status, verb) == 24);
 };
 
 /// What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run.
@@ -1274,6 +1323,24 @@ extern "C" {
     /// method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
     /// NICOL_ERROR_OUT_OF_MEMORY.
     pub fn nicol_render(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer) -> nicol_result;
+    /// nicol_render, later. All is copied at once: the scene's changes after this call concern later renders
+    /// alone. The framebuffer holds what it held until the job has run. Scene, framebuffer and all they need stay
+    /// alive; the caller may release them, and the job too: it is done all the same. The progress callback comes
+    /// on the context's thread, and progress_user must live until the job is done. What this call can tell of its
+    /// arguments it refuses, all else is the job's result. NICOL_ERROR_BUSY where NICOL_MAX_JOBS wait;
+    /// NICOL_ERROR_UNSUPPORTED in a host's OpenGL context. A process that exits cancels its jobs.
+    pub fn nicol_render_async(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer, job: *mut nicol_job) -> nicol_result;
+    /// How far it is; never waits.
+    pub fn nicol_job_poll(job: nicol_job, status: *mut nicol_job_status) -> nicol_result;
+    /// Waits until the job is done, at most this long (0: not at all), and returns its result; nicol_last_error()
+    /// has the message of one that failed, on every thread that asks. NICOL_ERROR_TIMEOUT where it is not done by
+    /// then. Inside a callback of the context it is NICOL_ERROR_INVALID_ARGUMENT: that would wait for itself.
+    pub fn nicol_job_wait(job: nicol_job, timeout_ms: u32) -> nicol_result;
+    /// Ends a job that waits at once, and one that runs where it would next call a progress callback; its result
+    /// is NICOL_ERROR_CANCELLED. Does nothing to a job that is done, or about to be. Does not wait.
+    pub fn nicol_job_cancel(job: nicol_job) -> nicol_result;
+    pub fn nicol_job_retain(job: nicol_job) -> nicol_result;
+    pub fn nicol_job_release(job: nicol_job) -> nicol_result;
     /// All zeros before the first render.
     pub fn nicol_framebuffer_get_statistics(framebuffer: nicol_framebuffer, statistics: *mut nicol_statistics) -> nicol_result;
     /// Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;

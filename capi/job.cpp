@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// Jobs and the queue that runs them.
+#include "job.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+#include "gl/worker.hpp"
+
+namespace nicol::capi {
+
+nicol_job_status Job::status() const {
+    const std::lock_guard lock(mutex_);
+    nicol_job_status out = NICOL_JOB_STATUS_INIT;
+    out.state = state_;
+    out.result = result_;
+    out.fraction = fraction_;
+    out.verb = verb_;
+    return out;
+}
+
+bool Job::waiting() const {
+    const std::lock_guard lock(mutex_);
+    return state_ == NICOL_JOB_WAITING;
+}
+
+std::optional<nicol_result> Job::wait(std::optional<std::chrono::milliseconds> at_most) const {
+    std::unique_lock lock(mutex_);
+    const auto done = [this] { return state_ == NICOL_JOB_DONE; };
+    if (!at_most) {
+        changed_.wait(lock, done);
+    } else if (!changed_.wait_for(lock, *at_most, done)) {
+        return std::nullopt;
+    }
+    if (result_ == NICOL_OK) return NICOL_OK;
+    return fail(static_cast<ErrorCode>(result_), message_.data());
+}
+
+void Job::cancel() {
+    Work dropped;  // after the lock: it may hold the last of much
+    const std::lock_guard lock(mutex_);
+    cancelled_ = true;
+    if (state_ != NICOL_JOB_WAITING) return;
+    dropped = std::move(work_);
+    work_ = nullptr;
+    finish(NICOL_ERROR_CANCELLED, "the job was cancelled before it ran");
+}
+
+void Job::report(const char* verb, double fraction) {
+    const std::lock_guard lock(mutex_);
+    verb_ = verb;
+    fraction_ = fraction;
+    if (cancelled_) throw Error(ErrorCode::cancelled, "the job was cancelled");
+}
+
+void Job::begin() {
+    const std::lock_guard lock(mutex_);
+    if (cancelled_) throw Error(ErrorCode::cancelled, "the job was cancelled");
+    state_ = NICOL_JOB_RUNNING;
+}
+
+void Job::run() {
+    Work work;
+    {
+        const std::lock_guard lock(mutex_);
+        if (state_ == NICOL_JOB_DONE) return;
+        work = std::move(work_);
+        work_ = nullptr;
+    }
+    const nicol_result result = guarded([&] { work(*this); });
+    work = nullptr;  // what it held is free before anybody who waits goes on
+    const std::lock_guard lock(mutex_);
+    if (state_ != NICOL_JOB_DONE) finish(result, nicol_last_error());
+}
+
+void Job::finish(nicol_result result, const char* message) {
+    state_ = NICOL_JOB_DONE;
+    result_ = result;
+    verb_ = "";
+    if (result == NICOL_OK) {
+        fraction_ = 1;
+    } else {
+        const std::size_t length = std::min(std::strlen(message), message_.size() - 1);
+        std::copy_n(message, length, message_.begin());
+    }
+    changed_.notify_all();
+}
+
+struct JobQueue::Shared {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::deque<std::shared_ptr<Job>> jobs;
+    std::shared_ptr<Job> running;
+    bool stopped = false;
+    std::thread::id thread;
+
+    void work() {
+        {
+            const std::lock_guard lock(mutex);
+            thread = std::this_thread::get_id();
+        }
+        while (true) {
+            std::shared_ptr<Job> job;
+            {
+                std::unique_lock lock(mutex);
+                running.reset();
+                changed.notify_all();
+                changed.wait(lock, [this] { return stopped || !jobs.empty(); });
+                if (jobs.empty()) return;
+                job = std::move(jobs.front());
+                jobs.pop_front();
+                running = job;
+            }
+            job->run();
+        }
+    }
+
+    /// Cancels everything and waits for what runs.
+    void drain() {
+        std::unique_lock lock(mutex);
+        stopped = true;
+        changed.notify_all();
+        if (thread == std::this_thread::get_id()) return;
+        std::vector<std::shared_ptr<Job>> left(jobs.begin(), jobs.end());
+        if (running) left.push_back(running);
+        lock.unlock();
+        for (const auto& job : left) job->cancel();
+        left.clear();
+        lock.lock();
+        changed.wait(lock, [this] { return !running && jobs.empty(); });
+    }
+};
+
+namespace {
+
+/// A process that ends while jobs run must not pull the ground from under them.
+template <class Queue>
+class LiveQueues {
+public:
+    ~LiveQueues() {
+        std::unique_lock lock(mutex_);
+        const std::vector<std::weak_ptr<Queue>> queues = std::move(queues_);
+        lock.unlock();
+        for (const auto& weak : queues) {
+            if (const auto queue = weak.lock()) queue->drain();
+        }
+    }
+    void add(const std::shared_ptr<Queue>& queue) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(queues_, [](const auto& weak) { return weak.expired(); });
+        queues_.push_back(queue);
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::weak_ptr<Queue>> queues_;
+};
+
+}  // namespace
+
+JobQueue::JobQueue() : shared_(std::make_shared<Shared>()) {
+    static LiveQueues<Shared> live;
+    live.add(shared_);
+    thread_ = gl::start_quiet_thread([shared = shared_] { shared->work(); });
+}
+
+JobQueue::~JobQueue() {
+    {
+        const std::lock_guard lock(shared_->mutex);
+        shared_->stopped = true;
+        shared_->changed.notify_all();
+    }
+    gl::join_or_leave(std::move(thread_));
+}
+
+void JobQueue::add(std::shared_ptr<Job> job) {
+    const std::lock_guard lock(shared_->mutex);
+    auto& jobs = shared_->jobs;
+    std::erase_if(jobs, [](const auto& one) { return !one->waiting(); });  // cancelled ones
+    if (jobs.size() >= NICOL_MAX_JOBS) {
+        throw Error(ErrorCode::busy, std::to_string(jobs.size()) +
+                                         " jobs of the context wait already; wait for one, or cancel it");
+    }
+    jobs.push_back(std::move(job));
+    shared_->changed.notify_all();
+}
+
+}  // namespace nicol::capi

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "render/memory_estimate.hpp"
+
+#include <algorithm>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "nicol/light_layout.hpp"
+#include "nicol/psh.hpp"
+#include "transfer/shadow_product.hpp"
+#include "transfer/vertex_light.hpp"
+
+namespace nicol {
+namespace {
+
+struct Size {
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+};
+
+// With both sides of two-sided surfaces.
+Size size_of(const Scene& scene) {
+    Size size;
+    for (const Instance& instance : scene.instances()) {
+        const std::uint64_t sides = instance.material->twosided() ? 2 : 1;
+        size.vertices += sides * instance.mesh->positions.size();
+        size.triangles += sides * instance.mesh->triangles.size();
+    }
+    return size;
+}
+
+LightKind kind_of(const Scene& scene, const RenderOptions& options) {
+    const Environment* light = scene.environment().get();
+    if ((options.unskipped & skip_light_components) != 0) return LightKind::full;
+    if (light == nullptr || !light->polarized()) return LightKind::unpolarized;
+    return light->circular() ? LightKind::full : LightKind::linear;
+}
+
+// Vertices come by sixteen, so what sixteen of them take tells what all do.
+constexpr std::uint64_t block = 16;
+
+std::uint64_t blocks(std::uint64_t vertices) {
+    return (vertices + block - 1) / block;
+}
+
+std::uint64_t shadows_of_block(const LightLayout& layout, HorizonExtension horizon) {
+    const DirectionSet directions(DirectionSet::kFewest);
+    const Visibility nothing(directions.size(), block);
+    const std::vector<glm::vec3> normals(block, glm::vec3(0, 0, 1));
+    return ShadowProduct(nothing, directions, normals, layout, horizon).bytes();
+}
+
+// Matrices from what the light has to all that a material may make of it, and what they make.
+std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
+    constexpr std::uint64_t vector = 8;
+    const std::uint64_t numbers = 2 * LightLayout(layout.order(), LightKind::full).size();
+    const std::uint64_t rows = (numbers + vector - 1) / vector * vector;
+    const std::uint64_t columns = psh_count(layout.order()) * static_cast<std::uint64_t>(layout.kind());
+    const auto channels = static_cast<std::uint64_t>(scene.channels());
+    std::uint64_t bytes = 0;
+    for (const Instance& instance : scene.instances()) {
+        const auto matrices = static_cast<std::uint64_t>(instance.material->channels());
+        const std::uint64_t vertices =
+            instance.mesh->positions.size() * (instance.material->twosided() ? 2 : 1);
+        bytes += vertices * (rows * (matrices * columns + channels) * sizeof(float) + 1);
+    }
+    return bytes;
+}
+
+}  // namespace
+
+MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options) {
+    const Size size = size_of(scene);
+    const auto channels = static_cast<std::uint64_t>(scene.channels());
+    const std::uint64_t in_world =
+        size.vertices * 2 * sizeof(glm::vec3) + size.triangles * sizeof(glm::uvec3);
+    const bool shadows = options.shadows && size.triangles > 0;
+    MemoryEstimate estimate;
+    if (shadows) {
+        const auto directions = static_cast<std::uint64_t>(std::max(options.bake_directions, 0));
+        estimate.visibility = size.vertices * ((directions + 63) / 64 * sizeof(std::uint64_t) + 1);
+    }
+    estimate.transfer = in_world + size.vertices * (1 + channels * sizeof(glm::vec4));
+    estimate.buffers = in_world + size.vertices * channels * sizeof(glm::vec4);
+    if (size.vertices == 0) return estimate;
+
+    // The render refuses what is out of range.
+    const int order = std::clamp(options.order_low, 0, kMaxRenderOrder);
+    const LightLayout layout(order, kind_of(scene, options));
+    if (options.method == Method::dense) {
+        estimate.transfer += dense(scene, layout);
+    } else {
+        estimate.transfer +=
+            blocks(size.vertices) * VertexLight(layout, static_cast<int>(channels), block).bytes();
+        if (shadows) estimate.transfer += blocks(size.vertices) * shadows_of_block(layout, options.horizon);
+    }
+    const bool high_orders =
+        options.high_orders != HighOrders::none && options.order_high > options.order_low;
+    if (high_orders && shadows && options.high_order_shadows) {
+        // What is seen has twice the orders that materials resolve.
+        estimate.transfer += size.vertices * (psh_count(2 * order) * sizeof(float) + sizeof(glm::vec2));
+        estimate.buffers += size.vertices * sizeof(glm::vec2);
+    }
+    return estimate;
+}
+
+MemoryEstimate estimate_reference_memory(const Scene& scene) {
+    // Embree's own measure for its robust mode, corners and boxes together.
+    constexpr std::uint64_t hierarchy_of_triangle = 200;
+    MemoryEstimate estimate;
+    for (const Instance& instance : scene.instances()) {
+        estimate.transfer += instance.mesh->positions.size() * 2 * sizeof(glm::vec3) +
+                             instance.mesh->triangles.size() * (sizeof(glm::uvec3) + hierarchy_of_triangle);
+    }
+    return estimate;
+}
+
+}  // namespace nicol

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: MIT
+// Renders as jobs: what they make, their order, their end, and who may let go of what.
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "capi.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+/// A progress callback that holds its job until it is let go.
+class Gate {
+public:
+    static std::int32_t callback(void* user, const char*, double) {
+        auto& gate = *static_cast<Gate*>(user);
+        std::unique_lock lock(gate.mutex_);
+        gate.entered_ = true;
+        gate.changed_.notify_all();
+        gate.changed_.wait(lock, [&] { return gate.open_; });
+        return gate.answer_;
+    }
+    void wait_until_entered() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return entered_; });
+    }
+    void open(std::int32_t answer = 1) {
+        const std::lock_guard lock(mutex_);
+        open_ = true;
+        answer_ = answer;
+        changed_.notify_all();
+    }
+
+private:
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    bool entered_ = false;
+    bool open_ = false;
+    std::int32_t answer_ = 1;
+};
+
+// Every render with these traces anew.
+nicol_render_options traced() {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.method = NICOL_METHOD_REFERENCE;
+    options.samples = 2;
+    return options;
+}
+
+nicol_render_options gated(Gate& gate) {
+    nicol_render_options options = traced();
+    options.progress = Gate::callback;
+    options.progress_user = &gate;
+    return options;
+}
+
+nicol_job submit(const Stage& stage, const nicol_render_options* options) {
+    nicol_job job = nullptr;
+    OK(nicol_render_async(stage.scene, &stage.camera, options, stage.framebuffer, &job));
+    REQUIRE(job != nullptr);
+    return job;
+}
+
+nicol_job_status poll(nicol_job job) {
+    nicol_job_status status = NICOL_JOB_STATUS_INIT;
+    OK(nicol_job_poll(job, &status));
+    return status;
+}
+
+}  // namespace
+
+TEST_CASE("a job makes the picture that a render makes") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        for (const nicol_method method :
+             {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {
+            nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+            options.method = method;
+            options.samples = 4;
+            OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+            const std::vector<float> picture = read_all(stage.framebuffer);
+            nicol_framebuffer other = nullptr;
+            OK(nicol_framebuffer_create(context, 24, 16, 3, &other));
+            nicol_job job = nullptr;
+            OK(nicol_render_async(stage.scene, &stage.camera, &options, other, &job));
+            OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
+            OK(nicol_job_wait(job, 0));
+            const nicol_job_status status = poll(job);
+            CHECK(status.state == NICOL_JOB_DONE);
+            CHECK(status.result == NICOL_OK);
+            CHECK(status.fraction == 1);
+            CHECK(std::string(status.verb) == "");
+            CHECK(read_all(other) == picture);
+            OK(nicol_job_cancel(job));  // too late
+            OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
+            OK(nicol_job_release(job));
+            OK(nicol_framebuffer_release(other));
+        }
+    });
+}
+
+TEST_CASE("a job renders the scene as it was, while the scene changes") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        const nicol_render_options options = traced();
+        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        const std::vector<float> before = read_all(stage.framebuffer);
+
+        Gate gate;
+        const nicol_render_options held = gated(gate);
+        const nicol_job first = submit(stage, &held);
+        const nicol_job second = submit(stage, &options);
+        gate.wait_until_entered();
+        // Neither of these waits for the job, which would never end.
+        OK(nicol_scene_set_transform(stage.scene, 0, placed(0.5, 0, 0, 0.2).rows));
+        OK(nicol_scene_set_environment(stage.scene, stage.environment, nullptr, 3));
+        std::uint32_t channels = 0;
+        OK(nicol_scene_get_channels(stage.scene, &channels));
+        const nicol_job third = submit(stage, &options);
+        gate.open();
+        OK(nicol_job_wait(second, NICOL_WAIT_FOREVER));
+        OK(nicol_job_wait(third, NICOL_WAIT_FOREVER));
+        const std::vector<float> after = read_all(stage.framebuffer);
+        CHECK(after != before);
+        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        CHECK(read_all(stage.framebuffer) == after);
+
+        // Once more, to look at the picture that was submitted before the change.
+        nicol_render_options both = options;
+        Gate again;
+        both.progress = Gate::callback;
+        both.progress_user = &again;
+        OK(nicol_scene_set_transform(stage.scene, 0, placed(0, 0, 0, 0.4).rows));
+        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        const std::vector<float> small = read_all(stage.framebuffer);
+        const nicol_job last = submit(stage, &both);
+        again.wait_until_entered();
+        OK(nicol_scene_set_transform(stage.scene, 0, placed(0, 0, 0, 0.9).rows));
+        again.open();
+        OK(nicol_job_wait(last, NICOL_WAIT_FOREVER));
+        CHECK(read_all(stage.framebuffer) == small);
+        for (const nicol_job job : {first, second, third, last}) OK(nicol_job_release(job));
+    });
+}
+
+TEST_CASE("jobs wait their turn, and end at once when they are cancelled there") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        stage.render();
+        const std::vector<float> picture = read_all(stage.framebuffer);
+        Gate gate;
+        const nicol_render_options held = gated(gate), plain = traced();
+        const nicol_job running = submit(stage, &held);
+        const nicol_job waiting = submit(stage, &plain);
+        gate.wait_until_entered();
+        const nicol_job_status status = poll(running);
+        CHECK(status.state == NICOL_JOB_RUNNING);
+        CHECK(status.result == NICOL_OK);
+        CHECK(std::string(status.verb) == "trace");
+        CHECK(status.fraction >= 0);
+        CHECK(status.fraction <= 1);
+        CHECK(poll(waiting).state == NICOL_JOB_WAITING);
+        FAILS(nicol_job_wait(waiting, 0), NICOL_ERROR_TIMEOUT, "0 milliseconds");
+        FAILS(nicol_job_wait(running, 1), NICOL_ERROR_TIMEOUT, "1 milliseconds");
+        // While the other one still holds the thread.
+        OK(nicol_job_cancel(waiting));
+        FAILS(nicol_job_wait(waiting, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "cancelled");
+        CHECK(poll(waiting).state == NICOL_JOB_DONE);
+        CHECK(poll(waiting).result == NICOL_ERROR_CANCELLED);
+        CHECK(poll(running).state == NICOL_JOB_RUNNING);
+        OK(nicol_job_cancel(running));
+        CHECK(poll(running).state == NICOL_JOB_RUNNING);
+        gate.open();
+        FAILS(nicol_job_wait(running, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "cancelled");
+        CHECK(read_all(stage.framebuffer) == picture);
+        OK(nicol_job_release(running));
+        OK(nicol_job_release(waiting));
+    });
+}
+
+TEST_CASE("a progress callback stops its job") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        Gate gate;
+        gate.open(0);
+        const nicol_render_options options = gated(gate);
+        const nicol_job job = submit(stage, &options);
+        FAILS(nicol_job_wait(job, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "progress");
+        OK(nicol_job_release(job));
+    });
+}
+
+TEST_CASE("everything may be released while a job runs and others wait") {
+    struct Released {
+        std::mutex mutex;
+        std::condition_variable changed;
+        bool done = false;
+    };
+    for (const nicol_backend backend : every_backend) {
+        const nicol_context context = make_context(backend);
+        Released released;
+        Gate gate;
+        {
+            const Stage stage(context);
+            nicol_callback_material parameters = NICOL_CALLBACK_MATERIAL_INIT;
+            parameters.mueller = [](void*, std::uint32_t, const double*, const double*, double* mueller) {
+                std::fill_n(mueller, 16, 0.0);
+                mueller[0] = 0.3;
+                return std::int32_t{1};
+            };
+            parameters.user = &released;
+            parameters.release = [](void* user) {
+                auto& all = *static_cast<Released*>(user);
+                const std::lock_guard lock(all.mutex);
+                all.done = true;
+                all.changed.notify_all();
+            };
+            nicol_material material = nullptr;
+            OK(nicol_material_create_callback(context, &parameters, &material));
+            nicol_instance instance = NICOL_INSTANCE_INIT;
+            instance.mesh = stage.mesh;
+            instance.material = material;
+            OK(nicol_scene_add_instance(stage.scene, &instance, nullptr));
+            OK(nicol_material_release(material));
+            const nicol_render_options held = gated(gate), plain = traced();
+            const nicol_job first = submit(stage, &held);
+            const nicol_job second = submit(stage, &plain);
+            const nicol_job dropped = submit(stage, &plain);
+            gate.wait_until_entered();
+            OK(nicol_job_cancel(dropped));
+            for (const nicol_job job : {dropped, first, second}) OK(nicol_job_release(job));
+        }  // scene, framebuffer and all the rest
+        OK(nicol_context_release(context));
+        {
+            const std::lock_guard lock(released.mutex);
+            CHECK_FALSE(released.done);
+        }
+        gate.open();
+        std::unique_lock lock(released.mutex);
+        released.changed.wait(lock, [&] { return released.done; });
+    }
+}
+
+TEST_CASE("the message of a failed job is there for every thread that asks") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        nicol_framebuffer wrong = nullptr;
+        OK(nicol_framebuffer_create(context, 4, 4, 2, &wrong));
+        nicol_job job = nullptr;
+        OK(nicol_render_async(stage.scene, &stage.camera, nullptr, wrong, &job));
+        std::vector<std::string> messages(4);
+        std::vector<nicol_result> results(4);
+        std::vector<std::thread> threads;
+        for (std::size_t i = 0; i < 4; ++i) {
+            threads.emplace_back([&, i] {
+                results[i] = nicol_job_wait(job, NICOL_WAIT_FOREVER);
+                messages[i] = nicol_last_error();
+            });
+        }
+        for (std::thread& thread : threads) thread.join();
+        for (std::size_t i = 0; i < 4; ++i) {
+            CHECK(results[i] == NICOL_ERROR_INVALID_ARGUMENT);
+            CHECK(messages[i].find("colour channels") != std::string::npos);
+        }
+        CHECK(poll(job).result == NICOL_ERROR_INVALID_ARGUMENT);
+        CHECK(poll(job).fraction < 1);
+        OK(nicol_job_release(job));
+        OK(nicol_framebuffer_release(wrong));
+    });
+}
+
+TEST_CASE("what can be told at once is refused at once") {
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        nicol_job job = marker<nicol_job>();
+        const nicol_camera& camera = stage.camera;
+        const auto async = [&](nicol_scene scene, const nicol_camera* from,
+                               const nicol_render_options* options, nicol_framebuffer framebuffer) {
+            return nicol_render_async(scene, from, options, framebuffer, &job);
+        };
+        FAILS(async(nullptr, &camera, nullptr, stage.framebuffer), NICOL_ERROR_INVALID_HANDLE, "nicol_scene");
+        FAILS(async(stage.scene, &camera, nullptr, nullptr), NICOL_ERROR_INVALID_HANDLE, "nicol_framebuffer");
+        FAILS(async(stage.scene, nullptr, nullptr, stage.framebuffer), NICOL_ERROR_INVALID_ARGUMENT,
+              "camera");
+        FAILS(nicol_render_async(stage.scene, &camera, nullptr, stage.framebuffer, nullptr),
+              NICOL_ERROR_INVALID_ARGUMENT, "job");
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.reserved = 1;
+        FAILS(async(stage.scene, &camera, &options, stage.framebuffer), NICOL_ERROR_INVALID_ARGUMENT,
+              "reserved");
+        nicol_scene gone = nullptr;
+        OK(nicol_scene_create(context, &gone));
+        OK(nicol_scene_release(gone));
+        FAILS(async(gone, &camera, nullptr, stage.framebuffer), NICOL_ERROR_INVALID_HANDLE, "released");
+        const nicol_context other = make_context(NICOL_BACKEND_OSMESA);
+        nicol_framebuffer foreign = nullptr;
+        OK(nicol_framebuffer_create(other, 4, 4, 3, &foreign));
+        FAILS(async(stage.scene, &camera, nullptr, foreign), NICOL_ERROR_INVALID_HANDLE, "contexts");
+        OK(nicol_framebuffer_release(foreign));
+        OK(nicol_context_release(other));
+        CHECK(job == marker<nicol_job>());
+
+        nicol_job_status status = NICOL_JOB_STATUS_INIT;
+        for (const nicol_job bad : {nicol_job(nullptr), marker<nicol_job>()}) {
+            CHECK(nicol_job_poll(bad, &status) == NICOL_ERROR_INVALID_HANDLE);
+            CHECK(nicol_job_wait(bad, 0) == NICOL_ERROR_INVALID_HANDLE);
+            CHECK(nicol_job_cancel(bad) == NICOL_ERROR_INVALID_HANDLE);
+            CHECK(nicol_job_retain(bad) == NICOL_ERROR_INVALID_HANDLE);
+        }
+        OK(nicol_job_release(nullptr));
+        job = submit(stage, nullptr);
+        FAILS(nicol_job_poll(job, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "status");
+        status.struct_size = 0;
+        FAILS(nicol_job_poll(job, &status), NICOL_ERROR_INVALID_ARGUMENT, "struct_size");
+        OK(nicol_job_retain(job));
+        OK(nicol_job_release(job));
+        OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
+        OK(nicol_job_release(job));
+        FAILS(nicol_job_release(job), NICOL_ERROR_INVALID_HANDLE, "released");
+    });
+}
+
+TEST_CASE("only so many jobs wait") {
+    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
+    {
+        const Stage stage(context);
+        Gate gate;
+        const nicol_render_options held = gated(gate), plain = traced();
+        const nicol_job running = submit(stage, &held);
+        gate.wait_until_entered();
+        std::vector<nicol_job> jobs;
+        for (std::size_t i = 0; i < NICOL_MAX_JOBS; ++i) jobs.push_back(submit(stage, &plain));
+        nicol_job job = marker<nicol_job>();
+        FAILS(nicol_render_async(stage.scene, &stage.camera, &plain, stage.framebuffer, &job),
+              NICOL_ERROR_BUSY, "256");
+        CHECK(job == marker<nicol_job>());
+        OK(nicol_job_cancel(jobs[100]));  // makes room for one
+        jobs.push_back(submit(stage, &plain));
+        FAILS(nicol_render_async(stage.scene, &stage.camera, &plain, stage.framebuffer, &job),
+              NICOL_ERROR_BUSY, "wait");
+        for (const nicol_job one : jobs) OK(nicol_job_cancel(one));
+        gate.open();
+        OK(nicol_job_wait(running, NICOL_WAIT_FOREVER));
+        for (const nicol_job one : jobs) {
+            CHECK(nicol_job_wait(one, NICOL_WAIT_FOREVER) == NICOL_ERROR_CANCELLED);
+            OK(nicol_job_release(one));
+        }
+        OK(nicol_job_release(running));
+    }
+    OK(nicol_context_release(context));
+}
+
+TEST_CASE("callbacks may ask and cancel, but not wait") {
+    struct Asked {
+        nicol_job job = nullptr;
+        nicol_scene scene = nullptr;
+        std::mutex ready;  // locked until the job is known
+        nicol_result waited = NICOL_OK, polled = -1, cancelled = -1, edited = NICOL_OK;
+    };
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        Asked asked;
+        asked.scene = stage.scene;
+        nicol_render_options options = traced();
+        options.progress_user = &asked;
+        options.progress = [](void* user, const char*, double) -> std::int32_t {
+            auto& all = *static_cast<Asked*>(user);
+            const std::lock_guard lock(all.ready);
+            nicol_job_status status = NICOL_JOB_STATUS_INIT;
+            all.polled = nicol_job_poll(all.job, &status);
+            all.waited = nicol_job_wait(all.job, NICOL_WAIT_FOREVER);
+            all.edited = nicol_scene_set_transform(all.scene, 0, placed(0, 0, 0).rows);
+            all.cancelled = nicol_job_cancel(all.job);
+            return 1;
+        };
+        {
+            const std::lock_guard lock(asked.ready);
+            asked.job = submit(stage, &options);
+        }
+        // Cancelled by itself; a job that had nothing left to report would be done.
+        const nicol_result result = nicol_job_wait(asked.job, NICOL_WAIT_FOREVER);
+        CHECK((result == NICOL_ERROR_CANCELLED || result == NICOL_OK));
+        CHECK(asked.polled == NICOL_OK);
+        CHECK(asked.waited == NICOL_ERROR_INVALID_ARGUMENT);
+        CHECK(asked.edited == NICOL_ERROR_INVALID_ARGUMENT);
+        CHECK(asked.cancelled == NICOL_OK);
+        OK(nicol_job_release(asked.job));
+    });
+}
+
+TEST_CASE("threads submit, change, cancel and wait side by side") {
+    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
+    {
+        const Stage stage(context);
+        std::vector<std::thread> threads;
+        std::vector<int> failures(6);
+        for (std::size_t t = 0; t < failures.size(); ++t) {
+            threads.emplace_back([&, t] {
+                for (int i = 0; i < 8; ++i) {
+                    nicol_job job = nullptr;
+                    const auto tell = [&](bool good) { failures[t] += good ? 0 : 1; };
+                    tell(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job) ==
+                         NICOL_OK);
+                    const double x = 0.01 * static_cast<double>(t) + 0.001 * i;
+                    tell(nicol_scene_set_transform(stage.scene, 0, placed(x, 0, 0).rows) == NICOL_OK);
+                    if (i % 3 == 2) tell(nicol_job_cancel(job) == NICOL_OK);
+                    if (i % 4 == 3)
+                        tell(nicol_render(stage.scene, &stage.camera, nullptr, stage.framebuffer) ==
+                             NICOL_OK);
+                    const nicol_result result = nicol_job_wait(job, NICOL_WAIT_FOREVER);
+                    tell(result == NICOL_OK || (i % 3 == 2 && result == NICOL_ERROR_CANCELLED));
+                    tell(nicol_job_release(job) == NICOL_OK);
+                }
+            });
+        }
+        for (std::thread& thread : threads) thread.join();
+        for (const int count : failures) CHECK(count == 0);
+    }
+    OK(nicol_context_release(context));
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// The limit of a scene's memory: predictions against what renders then take.
+#include <optional>
+
+#include "capi.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+nicol_context limited_context(nicol_backend backend, std::uint64_t limit) {
+    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
+    options.backend = backend;
+    options.threads = 2;
+    options.memory_limit = limit;
+    nicol_context context = nullptr;
+    OK(nicol_context_create(&options, &context));
+    return context;
+}
+
+std::vector<nicol_render_options> many_options() {
+    std::vector<nicol_render_options> all;
+    for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE}) {
+        for (const std::int32_t order : {-1, 1, 4, 7, 10}) {
+            if (method == NICOL_METHOD_DENSE && order > 4) continue;
+            for (const nicol_high_orders high : {NICOL_HIGH_ORDERS_SPLIT, NICOL_HIGH_ORDERS_NONE}) {
+                for (const std::int32_t shadows : {1, -1}) {
+                    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+                    options.method = method;
+                    options.executor = NICOL_EXECUTOR_CPU;
+                    options.order_low = order;
+                    options.order_high = 12;
+                    options.high_orders = high;
+                    options.shadows = shadows;
+                    options.bake_directions = 700;
+                    options.unskipped = order == 1 ? NICOL_SKIP_ALL : 0;
+                    all.push_back(options);
+                }
+            }
+        }
+    }
+    return all;
+}
+
+// Two rectangles that hide the light from each other, under light of three unlike channels, so that nothing
+// can be left out.
+class Cleft {
+public:
+    explicit Cleft(nicol_context context) {
+        nicol_sky sky = NICOL_SKY_INIT;
+        sky.radiance = spectrum({1, 2, 3});
+        OK(nicol_environment_create_sky(context, &sky, &light_));
+        nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
+        plastic.diffuse_reflectance = spectrum({0.2F, 0.4F, 0.6F});
+        OK(nicol_material_create_pplastic(context, &plastic, &material_));
+        OK(nicol_mesh_create_rectangle(context, &mesh_));
+        OK(nicol_framebuffer_create(context, 8, 8, 3, &framebuffer_));
+        context_ = context;
+    }
+    ~Cleft() {
+        nicol_environment_release(light_);
+        nicol_material_release(material_);
+        nicol_mesh_release(mesh_);
+        nicol_framebuffer_release(framebuffer_);
+    }
+    Cleft(const Cleft&) = delete;
+    Cleft& operator=(const Cleft&) = delete;
+
+    /// A scene of its own each time, in which nothing is left of other options.
+    nicol_result render(const nicol_render_options& options, nicol_statistics& statistics) const {
+        nicol_scene scene = nullptr;
+        OK(nicol_scene_create(context_, &scene));
+        OK(nicol_scene_set_environment(scene, light_, nullptr, 0));
+        const Matrix down = {{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.05, 0, 0, 0, 1}};
+        for (const Matrix& to_world : {placed(0, 0, 0), down}) {
+            nicol_instance instance = NICOL_INSTANCE_INIT;
+            instance.mesh = mesh_;
+            instance.material = material_;
+            std::copy_n(to_world.rows, 16, instance.to_world);
+            OK(nicol_scene_add_instance(scene, &instance, nullptr));
+        }
+        const nicol_camera camera = front_camera(9);
+        const nicol_result result = nicol_render(scene, &camera, &options, framebuffer_);
+        OK(nicol_framebuffer_get_statistics(framebuffer_, &statistics));
+        OK(nicol_scene_release(scene));
+        return result;
+    }
+
+private:
+    nicol_context context_ = nullptr;
+    nicol_environment light_ = nullptr;
+    nicol_material material_ = nullptr;
+    nicol_mesh mesh_ = nullptr;
+    nicol_framebuffer framebuffer_ = nullptr;
+};
+
+// The bytes that the last message says are needed.
+std::uint64_t bytes_in_message() {
+    const std::string message = nicol_last_error(), before = "needs up to ";
+    const std::size_t at = message.find(before);
+    REQUIRE(at != std::string::npos);
+    CHECK(message.find("memory_limit is 1000") != std::string::npos);
+    return std::stoull(message.substr(at + before.size()));
+}
+
+std::optional<std::uint64_t> bytes_needed(const Stage& stage, const nicol_render_options& options) {
+    const nicol_result result = nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer);
+    if (result == NICOL_OK) return std::nullopt;
+    CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);
+    return bytes_in_message();
+}
+
+}  // namespace
+
+TEST_CASE("predictions are never too low, and not far too high") {
+    for (const nicol_backend backend : every_backend) {
+        const nicol_context small = limited_context(backend, 1000), free = limited_context(backend, 0);
+        {
+            const Cleft refused(small), rendered(free);
+            for (const nicol_render_options& options : many_options()) {
+                CAPTURE(options.method);
+                CAPTURE(options.order_low);
+                CAPTURE(options.high_orders);
+                CAPTURE(options.shadows);
+                nicol_statistics statistics = NICOL_STATISTICS_INIT;
+                REQUIRE(refused.render(options, statistics) == NICOL_ERROR_OUT_OF_MEMORY);
+                const std::uint64_t needed = bytes_in_message();
+                OK(rendered.render(options, statistics));
+                const std::uint64_t taken =
+                    statistics.visibility_bytes + statistics.transfer_bytes + statistics.buffer_bytes;
+                CHECK(needed >= taken);
+                CHECK(static_cast<double>(needed) < 1.5 * static_cast<double>(taken));
+            }
+        }
+        OK(nicol_context_release(small));
+        OK(nicol_context_release(free));
+    }
+}
+
+TEST_CASE("a limit refuses what exceeds it and nothing else") {
+    for (const nicol_backend backend : every_backend) {
+        std::uint64_t needed = 0;
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        {
+            const nicol_context context = limited_context(backend, 1000);
+            {
+                const Stage stage(context);
+                needed = bytes_needed(stage, options).value_or(0);
+                REQUIRE(needed > 1000);
+                // Refused before anything of the framebuffer is touched, and refused again.
+                CHECK(bytes_needed(stage, options) == needed);
+                for (const float value : read_all(stage.framebuffer)) CHECK(value == 0);
+                options.method = NICOL_METHOD_REFERENCE;
+                options.samples = 1;
+                CHECK(bytes_needed(stage, options).value_or(0) > 1000);
+                // As the result of a job, too.
+                nicol_job job = nullptr;
+                OK(nicol_render_async(stage.scene, &stage.camera, &options, stage.framebuffer, &job));
+                FAILS(nicol_job_wait(job, NICOL_WAIT_FOREVER), NICOL_ERROR_OUT_OF_MEMORY, "memory_limit");
+                OK(nicol_job_release(job));
+            }
+            OK(nicol_context_release(context));
+        }
+        options = NICOL_RENDER_OPTIONS_INIT;
+        for (const bool enough : {true, false}) {
+            const nicol_context context = limited_context(backend, enough ? needed : needed - 1);
+            {
+                const Stage stage(context);
+                const nicol_result result =
+                    nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer);
+                CHECK(result == (enough ? NICOL_OK : NICOL_ERROR_OUT_OF_MEMORY));
+                if (enough) {
+                    // Another cube is another cube's memory.
+                    nicol_instance instance = NICOL_INSTANCE_INIT;
+                    instance.mesh = stage.mesh;
+                    instance.material = stage.material;
+                    OK(nicol_scene_add_instance(stage.scene, &instance, nullptr));
+                    FAILS(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer),
+                          NICOL_ERROR_OUT_OF_MEMORY, std::to_string(needed));
+                }
+            }
+            OK(nicol_context_release(context));
+        }
+    }
+}
