@@ -2,6 +2,7 @@
 // The objects behind the handles.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <memory>
@@ -45,9 +46,11 @@ struct Session {
     std::mutex jobs_mutex;
     std::unique_ptr<JobQueue> jobs;
 
-    void notice(const std::string& message) const {
-        if (log != nullptr) log(log_user, NICOL_LOG_NOTICE, NICOL_OK, message.c_str());
+    void tell(std::uint32_t severity, std::string message) const {
+        std::ranges::replace(message, '\n', ' ');  // whatever a path or a driver says
+        if (log != nullptr) log(log_user, severity, NICOL_OK, message.c_str());
     }
+    void notice(const std::string& message) const { tell(NICOL_LOG_NOTICE, message); }
 };
 
 using SessionPtr = std::shared_ptr<Session>;

@@ -80,9 +80,11 @@ NICOL_API const char* nicol_last_error(void);
 /* "out of memory" and the like for a code; lives as long as the library. */
 NICOL_API const char* nicol_result_name(nicol_result result);
 
-#define NICOL_LOG_INFO 0
-#define NICOL_LOG_NOTICE 1 /* something asked for has no effect, or a cache was rebuilt */
-#define NICOL_LOG_WARNING 2
+#define NICOL_LOG_INFO 0    /* what a new context opened */
+#define NICOL_LOG_NOTICE 1  /* something asked for has no effect, or a cache was rebuilt */
+#define NICOL_LOG_WARNING 2 /* it works, but worse than it should: on the CPU since a device failed */
+/* message is one line that lives as long as the call; code is NICOL_OK. It must not call Nicol with objects
+ * of the context. */
 typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result code, const char* message);
 
 /* Called about ten times a second on the thread that called; fraction runs from 0 to 1. Answer 1 to go on,

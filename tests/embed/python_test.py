@@ -32,6 +32,11 @@ def scene_of_sphere(context, material=None):
     return scene
 
 
+def planes_of(framebuffer, pixels, **wanted):
+    framebuffer.read_plane(nicol.PlaneBuffer(pixels=pixels, byte_size=memoryview(pixels).nbytes, **wanted))
+    return pixels
+
+
 def camera():
     result = nicol.Camera(fov=40)
     result.look_at((0, 0, 4), (0, 0, 0), (0, 1, 0))
@@ -160,6 +165,34 @@ class CallTest(unittest.TestCase):
             framebuffer.read(nicol.PLANE_S0, 0, array.array("f", bytes(4 * 32 * 31)))
         with self.assertRaisesRegex(ValueError, "shape"):
             framebuffer.plane(nicol.PLANE_S0, out=memoryview(bytearray(16)).cast("f", (2, 2)))
+
+    def test_planes_of_surfaces_and_formats(self):
+        framebuffer = nicol.Framebuffer.create(self.context, 32, 32, 1)
+        nicol.render(self.scene, camera(), nicol.RenderOptions(planes=nicol.PLANES_ALL), framebuffer)
+        depth = planes_of(framebuffer, array.array("f", bytes(4 * 1024)), plane=nicol.PLANE_DEPTH)
+        self.assertAlmostEqual(depth[16 * 32 + 16], 3, places=2)
+        self.assertEqual(depth[0], math.inf)
+        ids = planes_of(framebuffer, array.array("I", bytes(4 * 1024)), plane=nicol.PLANE_INSTANCE)
+        self.assertEqual((ids[0], ids[16 * 32 + 16]), (nicol.NO_INSTANCE, 0))
+        half = planes_of(framebuffer, array.array("H", bytes(2 * 1024)), plane=nicol.PLANE_S0, format=nicol.FORMAT_FLOAT16)
+        self.assertEqual(half[0], 0x4000)
+        with self.assertRaises(TypeError):
+            planes_of(framebuffer, bytes(4096), plane=nicol.PLANE_S0)
+
+    def test_jobs(self):
+        framebuffer, seen = nicol.Framebuffer.create(self.context, 32, 32, 1), []
+        options = nicol.RenderOptions(method=nicol.METHOD_REFERENCE, samples=1, progress=lambda verb, _: seen.append(verb))
+        job = nicol.render_async(self.scene, camera(), options, framebuffer)
+        del options
+        gc.collect()
+        job.wait(nicol.WAIT_FOREVER)
+        status = job.poll()
+        self.assertEqual((status.state, status.result, status.fraction), (nicol.JOB_DONE, 0, 1))
+        self.assertEqual(set(seen), {"trace"})
+        self.assertEqual(float(framebuffer.plane(nicol.PLANE_S0)[0, 0]), 2)
+        job = nicol.render_async(self.scene, camera(), nicol.RenderOptions(order_low=-7), framebuffer)
+        with self.assertRaisesRegex(nicol.Error, "order_low"):
+            job.wait(nicol.WAIT_FOREVER)
 
     @unittest.skipIf(numpy is None, "numpy is absent")
     def test_plane_into_a_part_of_an_array(self):

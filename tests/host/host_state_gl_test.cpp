@@ -196,7 +196,8 @@ TEST_CASE("an error that the application left is told and not taken for ours") {
     const Application application;
     std::vector<std::string> told;
     nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
-    options.log = [](void* user, std::uint32_t, nicol_result, const char* message) {
+    options.log = [](void* user, std::uint32_t severity, nicol_result, const char* message) {
+        if (severity < NICOL_LOG_NOTICE) return;
         static_cast<std::vector<std::string>*>(user)->emplace_back(message);
     };
     options.log_user = &told;

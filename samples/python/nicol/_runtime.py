@@ -164,6 +164,20 @@ class Buffer:
         return ctypes.addressof(self.memory)
 
 
+class Memory:
+    """Memory of any numbers in Python's hands that the library writes to."""
+
+    def __init__(self, value):
+        view = memoryview(value)
+        if view.readonly or not view[:1].c_contiguous:
+            raise TypeError("results need a writable buffer that is contiguous within its rows")
+        if hasattr(value, "__array_interface__"):
+            self.owner, self.address = value, value.__array_interface__["data"][0]
+        else:
+            self.owner = (ctypes.c_char * view.nbytes).from_buffer(value)
+            self.address = ctypes.addressof(self.owner)
+
+
 def counted(*buffers):
     """The count that buffers share."""
     if len({buffer.count for buffer in buffers}) > 1:
@@ -209,6 +223,9 @@ class Struct(ctypes.Structure):
             value = value.value
         elif type_ is ctypes.c_char_p:
             value = text(value)
+        elif type_ is ctypes.c_void_p and value is not None and not isinstance(value, int):
+            self._kept[name] = memory = Memory(value)
+            value = memory.address
         elif issubclass(type_, ctypes._Pointer):
             self._kept[name] = buffer = Buffer(value, type_._type_)
             value = buffer.pointer

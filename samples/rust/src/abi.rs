@@ -115,6 +115,8 @@ pub const NICOL_FILE_PHYSICAL: u32 = 2;
 
 pub type nicol_result = i32;
 
+/// message is one line that lives as long as the call; code is NICOL_OK. It must not call Nicol with objects
+/// of the context.
 pub type nicol_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, severity: u32, code: nicol_result, message: *const c_char)>;
 
 /// Called about ten times a second on the thread that called; fraction runs from 0 to 1. Answer 1 to go on,

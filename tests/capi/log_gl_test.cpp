@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// What the log is told, how severely, and that nothing is lost.
+#include <algorithm>
+#include <mutex>
+#include <utility>
+
+#include "capi.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+struct Entry {
+    std::uint32_t severity;
+    nicol_result code;
+    std::string message;
+};
+
+class Log {
+public:
+    static void callback(void* user, std::uint32_t severity, nicol_result code, const char* message) {
+        auto& log = *static_cast<Log*>(user);
+        const std::lock_guard lock(log.mutex_);
+        log.entries_.push_back({severity, code, message});
+    }
+    /// Since the last call.
+    std::vector<Entry> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(entries_, {});
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<Entry> entries_;
+};
+
+nicol_context logging_context(nicol_backend backend, Log& log, const std::string& cache) {
+    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
+    options.backend = backend;
+    options.threads = 2;
+    options.log = Log::callback;
+    options.log_user = &log;
+    options.cache_folder = cache.c_str();
+    nicol_context context = nullptr;
+    OK(nicol_context_create(&options, &context));
+    return context;
+}
+
+std::size_t count_of(const std::vector<Entry>& entries, const std::string& text) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        entries, [&](const Entry& entry) { return entry.message.find(text) != std::string::npos; }));
+}
+
+}  // namespace
+
+TEST_CASE("a new context tells what it opened") {
+    for (const nicol_backend backend : every_backend) {
+        Log log;
+        const nicol_context context = logging_context(backend, log, "");
+        nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
+        OK(nicol_context_get_info(context, &info));
+        const std::vector<Entry> entries = log.take();
+        REQUIRE_FALSE(entries.empty());
+        CHECK(entries[0].severity == NICOL_LOG_INFO);
+        CHECK(entries[0].code == NICOL_OK);
+        CHECK(entries[0].message.find(info.renderer) != std::string::npos);
+        for (std::size_t i = 1; i < entries.size(); ++i) CHECK(entries[i].severity == NICOL_LOG_WARNING);
+        OK(nicol_context_release(context));
+        CHECK(log.take().empty());
+    }
+}
+
+TEST_CASE("every notice of a scene file arrives, once, in one line") {
+    for (const nicol_backend backend : every_backend) {
+        Log log;
+        const nicol_context context = logging_context(backend, log, "");
+        static_cast<void>(log.take());
+        const Folder folder;
+        const std::string path = folder.write("scene.xml", R"(<scene version="3.0.0">
+            <integrator type="path"><integer name="max_depth" value="7"/></integrator>
+            <sensor type="perspective"><float name="fov" value="50"/>
+                <film type="hdrfilm"><string name="pixel_format" value="rgba"/>
+                    <string name="component_format" value="float16"/></film></sensor>
+            <shape type="cube"/></scene>)");
+        nicol_scene scene = nullptr;
+        OK(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
+        const std::vector<Entry> entries = log.take();
+        for (const char* about : {"path", "alpha", "float32"}) CHECK(count_of(entries, about) >= 1);
+        std::set<std::string> messages;
+        for (const Entry& entry : entries) {
+            CHECK(entry.severity == NICOL_LOG_NOTICE);
+            CHECK(entry.code == NICOL_OK);
+            CHECK(entry.message.find('\n') == std::string::npos);
+            messages.insert(entry.message);
+        }
+        CHECK(messages.size() == entries.size());
+        OK(nicol_scene_release(scene));
+        OK(nicol_context_release(context));
+    }
+}
+
+TEST_CASE("caches that are damaged or cannot be kept are notices, from jobs too") {
+    for (const nicol_backend backend : every_backend) {
+        for (const bool as_job : {false, true}) {
+            Log log;
+            const Folder folder;
+            const auto render = [&](const std::string& cache) {
+                const nicol_context context = logging_context(backend, log, cache);
+                {
+                    const Stage stage(context);
+                    if (as_job) {
+                        nicol_job job = nullptr;
+                        OK(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job));
+                        OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
+                        OK(nicol_job_release(job));
+                    } else {
+                        stage.render();
+                    }
+                }
+                OK(nicol_context_release(context));
+                std::vector<Entry> entries = log.take();
+                std::erase_if(entries, [](const Entry& entry) { return entry.severity == NICOL_LOG_INFO; });
+                return entries;
+            };
+            const std::string cache = folder.file("cache");
+            CHECK(render(cache).empty());
+            CHECK(render(cache).empty());
+            std::size_t files = 0;
+            for (const auto& entry : std::filesystem::directory_iterator(cache)) {
+                std::filesystem::resize_file(entry.path(), entry.file_size() / 2);
+                ++files;
+            }
+            REQUIRE(files >= 2);  // tables and a bake
+            const std::vector<Entry> damaged = render(cache);
+            CHECK(damaged.size() == files);
+            for (const auto& entry : std::filesystem::directory_iterator(cache))
+                CHECK(count_of(damaged, entry.path().filename().string()) == 1);
+            CHECK(render(cache).empty());
+            const std::string file = folder.write("file", "not a folder");
+            const std::vector<Entry> unusable = render(file);
+            CHECK_FALSE(unusable.empty());
+            for (const Entry& entry : damaged) CHECK(entry.severity == NICOL_LOG_NOTICE);
+            for (const Entry& entry : unusable) CHECK(entry.severity == NICOL_LOG_NOTICE);
+        }
+    }
+}
