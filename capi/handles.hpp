@@ -105,6 +105,7 @@ struct SceneState {
 
     /// Held by who reads or changes the scene: jobs, which have copies, do not keep it.
     std::mutex edit;
+    std::atomic<std::thread::id> editor{};  ///< the thread that holds it
     Scene scene;
     Renderer renderer;              // with the session's turn alone, as what follows
     std::optional<MemoryKey> fits;  // last found to be within the session's limit
@@ -174,14 +175,25 @@ namespace nicol::capi {
 /// For reading and changing a scene. Waits for renders that are called, not for jobs.
 class Edit {
 public:
-    explicit Edit(const nicol_scene_impl& scene) : scene_(scene.content) {
-        refuse_in_callback(*scene.session);
-        lock_ = std::unique_lock(scene_->edit);
+    explicit Edit(const nicol_scene_impl& scene)
+        : Edit((refuse_in_callback(*scene.session), scene.content)) {}
+    /// Of a render, which has its session's turn.
+    explicit Edit(std::shared_ptr<SceneState> scene) : scene_(std::move(scene)) {
+        if (scene_->editor == std::this_thread::get_id()) {
+            refuse("a callback called Nicol with the scene that is calling it");
+        }
+        scene_->edit.lock();
+        scene_->editor = std::this_thread::get_id();
     }
+    ~Edit() {
+        scene_->editor = std::thread::id();
+        scene_->edit.unlock();
+    }
+    Edit(const Edit&) = delete;
+    Edit& operator=(const Edit&) = delete;
 
 private:
     std::shared_ptr<SceneState> scene_;
-    std::unique_lock<std::mutex> lock_;
 };
 
 /// A copy of what a handle stands for: it stays through the call, whatever other threads release meanwhile.

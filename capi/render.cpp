@@ -301,7 +301,7 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         const RenderCall call = read_render_call(camera, options);
         const Turn turn(self.session);
         self.session->gl->require_current();  // before baking for minutes
-        const std::lock_guard edit(self.content->edit);
+        const Edit edit(self.content);
         render(*self.session, *self.content, self.content->scene, call, *target.content);
     });
 }

@@ -88,7 +88,7 @@ nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_mate
         const nicol_scene_impl& self = resolve(scene);
         const nicol_material_impl& given = resolve(material);
         require_same_context(self, given);
-        const Turn turn(self.session);
+        const Edit edit(self);
         self.content->scene.set_material(id, given.content);
     });
 }
@@ -96,7 +96,7 @@ nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_mate
 nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        const Turn turn(self.session);
+        const Edit edit(self);
         self.content->scene.remove(id);
     });
 }
@@ -105,7 +105,7 @@ nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh
                                       nicol_material* material, double to_world[16]) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        const Turn turn(self.session);
+        const Edit edit(self);
         const Instance& instance = self.content->scene.at(id);
         nicol_mesh shape =
             mesh != nullptr ? make_handle<nicol_mesh_impl>(self.session, instance.mesh) : nullptr;
@@ -125,7 +125,7 @@ nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instanc
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
         require(instances, "instances");
-        const Turn turn(self.session);
+        const Edit edit(self);
         *instances = static_cast<uint32_t>(self.content->scene.ids().size());
     });
 }
@@ -133,7 +133,7 @@ nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instanc
 nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        const Turn turn(self.session);
+        const Edit edit(self);
         const std::vector<std::uint32_t>& all = self.content->scene.ids();
         if (count != all.size()) {
             refuse("count is " + std::to_string(count) + "; the scene has " + std::to_string(all.size()) +

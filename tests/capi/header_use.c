@@ -70,6 +70,7 @@ int use_header(void) {
     nicol_material_report material_report = NICOL_MATERIAL_REPORT_INIT;
     nicol_device_info device_info = NICOL_DEVICE_INFO_INIT;
     nicol_plane_buffer plane_buffer = NICOL_PLANE_BUFFER_INIT;
+    nicol_job_status job_status = NICOL_JOB_STATUS_INIT;
     nicol_host host = NICOL_HOST_INIT;
     nicol_texture texture = NICOL_TEXTURE_INIT;
     nicol_texture_target texture_target = NICOL_TEXTURE_TARGET_INIT;
@@ -103,6 +104,7 @@ int use_header(void) {
     if (device_info.struct_size != sizeof device_info || plane_buffer.struct_size != sizeof plane_buffer) {
         return 18;
     }
+    if (job_status.struct_size != sizeof job_status) return 19;
     if (nicol_context_get_info(context, &info) != NICOL_ERROR_INVALID_HANDLE) return 6;
     if (nicol_render(scene, &camera, &render_options, framebuffer) != NICOL_ERROR_INVALID_HANDLE) return 7;
     return nicol_environment_release(environment) == NICOL_OK ? 0 : 8;
