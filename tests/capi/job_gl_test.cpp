@@ -390,6 +390,39 @@ TEST_CASE("callbacks may ask and cancel, but not wait") {
     });
 }
 
+TEST_CASE("what a scene lets go of must not edit it") {
+    struct Removed {
+        nicol_scene scene = nullptr;
+        nicol_result edited = NICOL_OK;
+        bool called = false;
+    };
+    on_every_backend([](nicol_context context) {
+        const Stage stage(context);
+        Removed removed;
+        removed.scene = stage.scene;
+        nicol_callback_material parameters = NICOL_CALLBACK_MATERIAL_INIT;
+        parameters.mueller = [](void*, std::uint32_t, const double*, const double*, double* mueller) {
+            std::fill_n(mueller, 16, 0.0);
+            return std::int32_t{1};
+        };
+        parameters.user = &removed;
+        parameters.release = [](void* user) {
+            auto& all = *static_cast<Removed*>(user);
+            all.called = true;
+            all.edited = nicol_scene_set_transform(all.scene, 0, placed(0, 0, 0).rows);
+        };
+        nicol_instance instance = NICOL_INSTANCE_INIT;
+        instance.mesh = stage.mesh;
+        OK(nicol_material_create_callback(context, &parameters, &instance.material));
+        std::uint32_t id = 0;
+        OK(nicol_scene_add_instance(stage.scene, &instance, &id));
+        OK(nicol_material_release(instance.material));
+        OK(nicol_scene_remove_instance(stage.scene, id));
+        CHECK(removed.called);
+        CHECK(removed.edited == NICOL_ERROR_INVALID_ARGUMENT);
+    });
+}
+
 TEST_CASE("threads submit, change, cancel and wait side by side") {
     const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
     {
