@@ -44,9 +44,10 @@ Egl& egl() {
     return instance;
 }
 
-/// Gives EGL's memory of this thread back, also when a try fails.
+/// Gives EGL's memory of this thread back, also when a try fails. Where there is no EGL none can be made.
 struct ThreadGuard {
-    ~ThreadGuard() { egl().release_thread(); }
+    Egl& loaded = egl();
+    ~ThreadGuard() { loaded.release_thread(); }
 };
 
 bool has(const char* extensions, std::string_view name) {

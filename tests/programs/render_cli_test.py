@@ -532,6 +532,15 @@ class NoBackend(RenderTest):
         self.assert_fails(["EGL"], "good.xml", "-o", "out/a.exr", NICOL_BACKEND="egl", **nothing)
         self.assert_fails(["EGL"], "good.xml", "-o", "out/a.exr", "--backend", "egl", **nothing)
 
+    def test_no_libraries(self):
+        os.mkdir(self.path("lib"))
+        for name in ("libEGL.so.1", "libEGL.so", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"):
+            self.write(os.path.join("lib", name), "")  # the loader stops at these
+        nothing = {"LD_LIBRARY_PATH": self.path("lib")}
+        self.assert_fails(["libEGL", "libOSMesa"], "good.xml", "-o", "out/a.exr", **nothing)
+        self.assert_fails(["libEGL"], "good.xml", "-o", "out/a.exr", "--backend", "egl", **nothing)
+        self.assert_fails(["libOSMesa"], "good.xml", "-o", "out/a.exr", "--backend", "osmesa", **nothing)
+
     def test_unknown_name(self):
         self.assert_fails(["NICOL_BACKEND", "metal"], "good.xml", "-o", "out/a.exr", NICOL_BACKEND="metal")
 
