@@ -256,6 +256,29 @@ class Success(RenderTest):
         self.assert_succeeds("good.xml", "-o", "out/s0.exr", "--components", "s0")
         self.assertNotEqual(self.files()[self.path("out", "all.exr")], self.files()[self.path("out", "s0.exr")])
 
+    def test_planes(self):
+        self.assert_succeeds("good.xml", "-o", "out/a.exr")
+        bare = exr_channels(self.path("out/a.exr"))
+        normals = {"N.X", "N.Y", "N.Z"}
+        for names, more in (
+            ("depth", {"Z"}),
+            ("ids,normals", {"id"} | normals),
+            ("depth,normals,positions,ids", {"Z", "id", "P.X", "P.Y", "P.Z"} | normals),
+        ):
+            for method in ("factored", "reference"):
+                self.assert_succeeds("good.xml", "-o", "out/a.exr", "--planes", names, "--method", method, "--samples=1")
+                self.assertEqual(exr_channels(self.path("out/a.exr")), bare | more)
+
+    def test_devices(self):
+        listed = self.assert_succeeds("--list-devices").stdout.splitlines()
+        for number, line in enumerate(listed, 1):
+            self.assertRegex(line, f"^{number}: .")
+        for number, line in enumerate(listed, 1):
+            if line.endswith(", runs on the CPU"):
+                self.assert_succeeds("good.xml", "-o", "out/a.exr", f"--device={number}")
+        if listed:
+            self.assert_fails(["device"], "good.xml", "-o", "out/b.exr", f"--device={len(listed) + 1}")
+
     def test_executor(self):
         pictures = {}
         for name in ("cpu", "compute", "automatic"):
@@ -355,6 +378,11 @@ class CommandLine(RenderTest):
             (["--tolerance", "'-0.1'"], good + ["--tolerance", "-0.1"]),
             (["tolerance", "factored"], good + ["--tolerance", "0.1", "--method", "dense"]),
             (["--components", "'s4'", "s0, linear, all"], good + ["--components", "s4"]),
+            (["--planes", "'edges'", "depth, normals, positions, ids"], good + ["--planes", "depth,edges"]),
+            (["--planes", "''"], good + ["--planes", "depth,"]),
+            (["--device", "0"], good + ["--device", "0"]),
+            (["--device", "1025"], good + ["--device", "1025"]),
+            (["device"], good + ["--device", "1", "--backend", "osmesa"]),
             (["--physical=1"], good + ["--physical=1"]),
             (["33"], good + ["--order-low", "33"]),
             (["4000000000"], good + ["--order-low", "4000000000"]),
