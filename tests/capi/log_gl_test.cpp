@@ -125,16 +125,16 @@ TEST_CASE("caches that are damaged or cannot be kept are notices, from jobs too"
             const std::string cache = folder.file("cache");
             CHECK(render(cache).empty());
             CHECK(render(cache).empty());
-            std::size_t files = 0;
+            std::vector<std::string> files;  // what drivers do not make: tables and a bake
             for (const auto& entry : std::filesystem::directory_iterator(cache)) {
+                if (entry.path().extension() == ".program") continue;
                 std::filesystem::resize_file(entry.path(), entry.file_size() / 2);
-                ++files;
+                files.push_back(entry.path().filename().string());
             }
-            REQUIRE(files >= 2);  // tables and a bake
+            REQUIRE(files.size() >= 2);
             const std::vector<Entry> damaged = render(cache);
-            CHECK(damaged.size() == files);
-            for (const auto& entry : std::filesystem::directory_iterator(cache))
-                CHECK(count_of(damaged, entry.path().filename().string()) == 1);
+            CHECK(damaged.size() == files.size());
+            for (const std::string& file : files) CHECK(count_of(damaged, file) == 1);
             CHECK(render(cache).empty());
             const std::string file = folder.write("file", "not a folder");
             const std::vector<Entry> unusable = render(file);

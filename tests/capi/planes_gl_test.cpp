@@ -228,6 +228,16 @@ TEST_CASE("three instances have their ids, the nearest of them in front") {
             OK(nicol_render(scene, &camera, &options, framebuffer));
             CHECK(at(12, 16) == right);
         }
+        // The others keep their ids.
+        OK(nicol_scene_remove_instance(scene, far));
+        for (const nicol_render_options& options : every_method()) {
+            CAPTURE(options.method);
+            OK(nicol_render(scene, &camera, &options, framebuffer));
+            const std::vector<std::uint32_t> ids =
+                read_surface<std::uint32_t>(framebuffer, NICOL_PLANE_INSTANCE, 1);
+            CHECK(ids[16 * width + 12] == right);
+            CHECK(ids[16 * width + 24] == NICOL_NO_INSTANCE);
+        }
         OK(nicol_framebuffer_release(framebuffer));
         OK(nicol_scene_release(scene));
     });
