@@ -8,6 +8,7 @@
 #include "nicol/rotation.hpp"
 #include "nicol/stokes.hpp"
 #include "transfer/simd.hpp"
+#include "transfer/work_space.hpp"
 
 namespace nicol {
 namespace {
@@ -132,11 +133,11 @@ DenseTransfer::DenseTransfer(std::shared_ptr<const DenseMaterial> material, std:
 void DenseTransfer::apply(const PshVector& light, std::size_t first, std::size_t last, std::size_t out_first,
                           OutgoingLight& out) const {
     const std::vector<std::size_t>& columns = material_->columns();
-    std::vector<std::vector<float>> x;
+    const std::span<float> x =
+        work_space<DenseTransfer, float>(static_cast<std::size_t>(light.channels()) * columns.size());
     for (int c = 0; c < light.channels(); ++c) {
-        std::vector<float>& values = x.emplace_back();
-        for (const std::size_t column : columns)
-            values.push_back(static_cast<float>(light.channel(c)[column]));
+        float* values = x.data() + static_cast<std::size_t>(c) * columns.size();
+        for (const std::size_t column : columns) *values++ = static_cast<float>(light.channel(c)[column]);
     }
     const std::size_t matrix_size = row_stride_ * columns.size();
     for (std::size_t v = first; v < last; ++v) {
@@ -146,7 +147,8 @@ void DenseTransfer::apply(const PshVector& light, std::size_t first, std::size_t
             std::ranges::fill(to, 0.0F);
             const std::size_t channel = material_->channels() == 1 ? 0 : static_cast<std::size_t>(c);
             multiply(row_stride_, columns.size(), matrices + channel * matrix_size,
-                     x[x.size() == 1 ? 0 : static_cast<std::size_t>(c)].data(), to.data());
+                     x.data() + (light.channels() == 1 ? 0 : static_cast<std::size_t>(c)) * columns.size(),
+                     to.data());
         }
     }
 }

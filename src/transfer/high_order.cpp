@@ -12,6 +12,7 @@
 #include "transfer/lane_lobe.hpp"
 #include "transfer/lane_mirror.hpp"
 #include "transfer/lane_transpose.hpp"
+#include "transfer/work_space.hpp"
 
 namespace nicol {
 namespace {
@@ -53,10 +54,17 @@ std::array<Lanes, 2> fractions(const HighOrderShadows& shadows, const LaneMirror
 // What the probes of a block of vertices find.
 struct Probes {
     // Numbers of all channels, and those to spare.
-    explicit Probes(std::size_t numbers)
-        : centre(numbers), up(numbers), down(numbers), right(numbers), left(numbers), normal(numbers) {}
+    explicit Probes(std::size_t numbers) {
+        const std::span<Lanes> all = work_space<Probes, Lanes>(6 * numbers);
+        std::ranges::fill(all, Lanes{});
+        std::size_t begin = 0;
+        for (std::span<Lanes>* some : {&centre, &up, &down, &right, &left, &normal}) {
+            *some = all.subspan(begin, numbers);
+            begin += numbers;
+        }
+    }
 
-    std::vector<Lanes> centre, up, down, right, left, normal;
+    std::span<Lanes> centre, up, down, right, left, normal;
 };
 
 }  // namespace

@@ -142,6 +142,12 @@ Points spread(std::span<const glm::vec3> from) {
 
 }  // namespace
 
+LaneView& LaneView::of_thread(int order) {
+    thread_local LaneView kept(order);
+    if (kept.cosines_.size() != static_cast<std::size_t>(order) + 1) kept = LaneView(order);
+    return kept;
+}
+
 LaneView::LaneView(int order)
     : cosines_(static_cast<std::size_t>(order) + 1), sines_(static_cast<std::size_t>(order) + 1) {}
 

@@ -18,6 +18,8 @@ class LaneView {
 public:
     /// order: the highest azimuthal frequency.
     explicit LaneView(int order);
+    /// The calling thread's own, which it keeps.
+    [[nodiscard]] static LaneView& of_thread(int order);
 
     /// At most kLanes positions and their unit normals; the other lanes repeat the first. A normal that faces
     /// away is treated as seen at 90 degrees: the triangle may face the camera all the same.

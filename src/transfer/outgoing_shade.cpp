@@ -10,6 +10,7 @@
 #include "transfer/lane_vector.hpp"
 #include "transfer/lane_view.hpp"
 #include "transfer/simd.hpp"
+#include "transfer/work_space.hpp"
 
 namespace nicol {
 namespace {
@@ -87,9 +88,10 @@ void OutgoingShade::run(const OutgoingLight& light, const Viewpoint& view,
                         std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
                         std::span<const std::span<glm::vec4>> out) const {
     const std::size_t n = layout_.size();
-    LaneView seen(layout_.order());
-    std::vector<Lanes> row(n);
-    std::vector<Lanes> z(light.stride());
+    LaneView& seen = LaneView::of_thread(layout_.order());
+    const std::span<Lanes> both = work_space<OutgoingShade, Lanes>(n + light.stride());
+    const std::span<Lanes> row = both.first(n);
+    const std::span<Lanes> z = both.subspan(n);
     for (std::size_t begin = first; begin < last; begin += kLanes) {
         const std::size_t count = std::min(kLanes, last - begin);
         if (std::ranges::none_of(visible.subspan(begin, count), [](std::uint8_t v) { return v != 0; }))

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "transfer/lane_transpose.hpp"
 #include "transfer/lane_view.hpp"
+#include "transfer/work_space.hpp"
 
 namespace nicol {
 
@@ -26,8 +26,9 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
     // Whole squares are faster to transpose, and the rows of a few orders together have as many numbers.
     const std::size_t numbers = std::max(rows * row_size_, std::min(kLanes, 4 * row_size_));
 
-    LaneView seen(order_);
-    std::vector<Lanes> table(4 * row_size_);
+    LaneView& seen = LaneView::of_thread(order_);
+    const std::span<Lanes> table = work_space<Shade, Lanes>(4 * row_size_);
+    std::ranges::fill(table, Lanes{});
     std::array<Lanes, 4> stokes{};
     for (std::size_t begin = first / kLanes * kLanes; begin < last; begin += kLanes) {
         const std::size_t from = std::max(begin, first);

@@ -16,6 +16,7 @@
 #include "transfer/lane_vector.hpp"
 #include "transfer/mirror_basis.hpp"
 #include "transfer/shadow_matrices.hpp"
+#include "transfer/work_space.hpp"
 
 namespace nicol {
 namespace {
@@ -250,7 +251,7 @@ void ShadowProduct::run(VertexLight& light, std::size_t first, std::size_t last)
     const Blocks& b = *blocks_;
     const int channels = light.channels();
     const std::size_t size = b.basis.size();
-    std::vector<Lanes> product(size * ShadowMatrices::kMostChannels);
+    const std::span<Lanes> product = work_space<ShadowProduct, Lanes>(size * ShadowMatrices::kMostChannels);
     std::array<const Lanes*, ShadowMatrices::kMostChannels> lights{};
     std::array<Lanes*, ShadowMatrices::kMostChannels> products{};
     for (std::size_t c = 0; c < lights.size(); ++c) products[c] = product.data() + c * size;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Memory that a thread keeps, so that frames need none.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace nicol {
+
+/// Elements that hold anything: the same ones for every call with this tag on a thread, which must be done
+/// with those of the call before.
+template <class Tag, class Element>
+[[nodiscard]] std::span<Element> work_space(std::size_t count) {
+    thread_local std::vector<Element> kept;
+    if (kept.size() < count) kept.resize(count);
+    return std::span(kept).first(count);
+}
+
+}  // namespace nicol

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// Low orders: frames in which only the camera or the light moves need no memory that grows with the scene.
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <glm/gtc/matrix_transform.hpp>
+#include <memory>
+#include <new>
+
+#include "coarse_sphere.hpp"
+#include "falling_light.hpp"
+#include "render/progress.hpp"
+#include "render/projection.hpp"
+#include "render/transfer_cache.hpp"
+
+namespace {
+
+std::atomic<bool> counting = false;
+std::atomic<std::size_t> allocations = 0;
+
+void* allocate(std::size_t size, std::size_t alignment) {
+    if (counting) ++allocations;
+    void* memory = alignment <= alignof(std::max_align_t)
+                       ? std::malloc(size)
+                       : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    return allocate(size, 1);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return allocate(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+    std::free(memory);
+}
+
+using namespace nicol;
+
+namespace {
+
+Projection seen_from(double angle) {
+    Camera camera;
+    camera.to_world = look_at({6 * std::sin(angle), 4, 6 * std::cos(angle)}, {0, 0, 0}, {0, 1, 0});
+    return project(camera, 64, 48);
+}
+
+struct Frames {
+    Scene scene;
+    TransferCache transfer{1};
+    std::function<bool(const char*, double)> nobody;
+    Progress progress{nobody};
+    RenderOptions options;
+
+    explicit Frames(int cells) {
+        scene.add({.mesh = test::coarse_sphere(cells),
+                   .material = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.3})});
+        scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(2 * cells)),
+                   .material = diffuse({0.5}),
+                   .to_world = glm::rotate(glm::translate(glm::dmat4(1), {0, -1.2, 0}), glm::radians(-90.0),
+                                           glm::dvec3(1, 0, 0)) *
+                               glm::scale(glm::dmat4(1), glm::dvec3(3))});
+        scene.set_environment(test::falling_light(9, true, 3), glm::dmat3(1), 1);
+        options.high_orders = HighOrders::none;
+        options.bake_directions = 256;
+    }
+
+    std::size_t frame(double camera, double light) {
+        scene.set_environment(scene.environment(),
+                              glm::dmat3(glm::rotate(glm::dmat4(1), light, glm::dvec3(0, 1, 0))), 1);
+        const Projection projection = seen_from(camera);
+        Statistics statistics;
+        allocations = 0;
+        counting = true;
+        transfer.update(scene, projection, options, nullptr, progress, statistics);
+        counting = false;
+        return allocations;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("frames need a little memory, however many vertices there are") {
+    std::size_t camera = 0;
+    std::size_t light = 0;
+    for (const int cells : {6, 24}) {
+        Frames frames(cells);
+        frames.frame(0, 0);
+        frames.frame(0.1, 0.1);
+        const std::size_t still = frames.frame(0.1, 0.1);
+        const std::size_t seen = frames.frame(0.3, 0.1);
+        const std::size_t lit = frames.frame(0.3, 0.4);
+        CHECK(seen <= 64);
+        CHECK(lit <= 512);
+        if (cells == 24) {
+            CHECK(still <= camera);
+            CHECK(seen <= camera);
+            CHECK(lit <= light);
+        }
+        camera = seen;
+        light = lit;
+    }
+}
