@@ -75,9 +75,12 @@ Report bench_frame(const Options& options) {
     const DenseMemory memory(workshop);
     const std::vector<Recipe> list = recipes(options, memory);
     std::vector<Contestant> contestants;
-    contestants.reserve(list.size() + 1);
+    contestants.reserve(list.size() + 3);
     contestants.emplace_back(workshop, floor_recipe(), size);
     for (const Recipe& recipe : list) contestants.emplace_back(workshop, recipe, size);
+    const Recipe low = list.front();
+    contestants.emplace_back(workshop, low, size, Costume::full);
+    contestants.emplace_back(workshop, low, size, Costume::plain);
     const std::vector<FrameTimes> medians = time_frames(contestants, options.seconds);
 
     const double floor = medians[0].camera_draw;
@@ -90,6 +93,13 @@ Report bench_frame(const Options& options) {
             compare(report, medians[i + 1], medians[i], list[i - 1].name().substr(9));
     }
     compare_pixels(report, list, medians);
+    const FrameTimes& full = medians[list.size() + 1];
+    const FrameTimes& plain = medians[list.size() + 2];
+    add_rows(report, low.name() + ", polarized sky on plastic", full, floor);
+    add_rows(report, low.name() + ", unpolarized sky on diffuse surfaces", plain, floor);
+    report.note(
+        times("unpolarized light on diffuse material against full Stokes, relight + shade, light turning",
+              (full.light_relight + full.light_shade) / (plain.light_relight + plain.light_shade)));
     report.note(workshop.machine() + "; " + std::to_string(size) + " x " + std::to_string(size) + ".");
     return report;
 }

@@ -16,8 +16,10 @@ constexpr double light_step = 1.3;
 
 }  // namespace
 
-Contestant::Contestant(const Workshop& workshop, const Recipe& recipe, std::uint32_t size)
-    : stage_(workshop), recipe_(recipe), framebuffer_(stage_.framebuffer(size, size)) {}
+Contestant::Contestant(const Workshop& workshop, const Recipe& recipe, std::uint32_t size, Costume costume)
+    : stage_(workshop), recipe_(recipe), framebuffer_(stage_.framebuffer(size, size)) {
+    dress(stage_, costume);
+}
 
 Contestant::Frame Contestant::frame() {
     const auto start = Clock::now();

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "costume.hpp"
 #include "stage.hpp"
 
 /// Median milliseconds. A frame is the whole call, whatever else the statistics leave out.
@@ -19,7 +20,8 @@ struct FrameTimes {
 /// One way to render, with a scene of its own.
 class Contestant {
 public:
-    Contestant(const Workshop& workshop, const Recipe& recipe, std::uint32_t size);
+    Contestant(const Workshop& workshop, const Recipe& recipe, std::uint32_t size,
+               Costume costume = Costume::own);
 
     [[nodiscard]] const Recipe& recipe() const { return recipe_; }
     [[nodiscard]] const Stage& stage() const { return stage_; }

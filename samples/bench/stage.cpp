@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -74,6 +76,19 @@ Framebuffer Stage::framebuffer(std::uint32_t width, std::uint32_t height) const 
     nicol_framebuffer framebuffer = nullptr;
     check(nicol_framebuffer_create(context_, width, height, channels, &framebuffer));
     return Framebuffer(framebuffer);
+}
+
+void Stage::set_light(Environment light) {
+    light_ = std::move(light);
+    check(nicol_scene_set_environment(scene_.get(), light_.get(), light_to_world_, light_scale_));
+}
+
+void Stage::set_material(nicol_material material) {
+    std::uint32_t count = 0;
+    check(nicol_scene_get_instance_count(scene_.get(), &count));
+    std::vector<std::uint32_t> ids(count);
+    check(nicol_scene_get_instance_ids(scene_.get(), ids.data(), count));
+    for (const std::uint32_t id : ids) check(nicol_scene_set_material(scene_.get(), id, material));
 }
 
 void Stage::orbit(double degrees) {

@@ -36,7 +36,12 @@ class Stage {
 public:
     explicit Stage(const Workshop& workshop);
 
+    [[nodiscard]] nicol_context context() const { return context_; }
     [[nodiscard]] nicol_scene scene() const { return scene_.get(); }
+    /// In place of the light there is; turned as that is.
+    void set_light(Environment light);
+    /// Of all instances.
+    void set_material(nicol_material material);
     [[nodiscard]] Framebuffer framebuffer(std::uint32_t width, std::uint32_t height) const;
     /// Turns the camera about the world's vertical axis, further by `degrees`.
     void orbit(double degrees);

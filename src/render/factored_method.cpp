@@ -67,7 +67,12 @@ void FactoredMethod::prepare_shadows(const TransferInput& input, Workers& worker
                                  *input.directions, normals);
             } else {
                 former.reset();
-                shadows_.emplace(*input.visibility, *input.directions, normals, input.layout, input.horizon);
+                AwaitedVisibility* const awaited = input.awaited;
+                const bool fits = awaited != nullptr && awaited->blocks.order() == 2 * input.layout.order();
+                shadows_.emplace(*input.visibility, *input.directions, normals, input.layout, input.horizon,
+                                 ShadowProduct::Form::best, ShadowStorage::fixed16,
+                                 fits ? &awaited->blocks : nullptr);
+                if (fits) awaited->filled = true;
             }
         });
         statistics.bake_ms += watch.milliseconds();

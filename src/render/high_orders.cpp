@@ -14,6 +14,26 @@ void HighOrderTransfer::set_cache(std::filesystem::path folder, CacheNotice noti
     notice_ = std::move(notice);
 }
 
+bool HighOrderTransfer::is_current(const TransferInput& input, int order) const {
+    return visibility_order_ == order && visibility_horizon_ == input.horizon &&
+           visibility_revision_ == input.visibility_revision;
+}
+
+bool HighOrderTransfer::follows(const TransferInput& input, int order) const {
+    return visibility_order_ == order && visibility_horizon_ == input.horizon && input.unchanged &&
+           !visibility_.empty() && visibility_revision_ == input.unchanged->visibility &&
+           visibility_geometry_ == input.unchanged->geometry;
+}
+
+AwaitedVisibility* HighOrderTransfer::await(const TransferInput& input, int low) {
+    awaited_.reset();
+    const int order = 2 * low;
+    if (input.visibility == nullptr || is_current(input, order) || follows(input, order)) return nullptr;
+    const VisibilityHarmonics harmonics(*input.directions, order, input.horizon);
+    awaited_.emplace(AwaitedVisibility{.blocks = VisibilityBlocks(*input.visibility, harmonics)});
+    return &*awaited_;
+}
+
 void HighOrderTransfer::update(const TransferInput& input, const DistantLight& light, HighOrders form,
                                Workers& workers, Progress& progress, Statistics& statistics) {
     const Stopwatch projecting;
@@ -41,17 +61,19 @@ void HighOrderTransfer::update(const TransferInput& input, const DistantLight& l
     statistics.project_ms += projecting.milliseconds();
 
     const int order = 2 * light.low;
-    const bool same_form = visibility_order_ == order && visibility_horizon_ == input.horizon;
-    if (same_form && visibility_revision_ == input.visibility_revision) return;
+    if (is_current(input, order)) return;
     const Stopwatch baking;
-    const bool follows = same_form && input.unchanged && !visibility_.empty() &&
-                         visibility_revision_ == input.unchanged->visibility &&
-                         visibility_geometry_ == input.unchanged->geometry;
+    const bool follows = this->follows(input, order);
     visibility_revision_ = 0;
     visibility_order_ = -1;
     ++visibility_count_;
     if (!follows) visibility_ = {};
-    if (input.visibility != nullptr) expand_visibility(input, order, follows, workers, progress);
+    if (awaited_ && awaited_->filled) {
+        visibility_ = std::move(awaited_->blocks);
+    } else if (input.visibility != nullptr) {
+        expand_visibility(input, order, follows, workers, progress);
+    }
+    awaited_.reset();
     visibility_order_ = order;
     visibility_horizon_ = input.horizon;
     visibility_revision_ = input.visibility_revision;

@@ -35,6 +35,9 @@ public:
     /// Where to keep what takes long to fit; an empty folder: nowhere.
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
+    /// For the input of a method that runs before update() and may compute what update() with `input` would:
+    /// null where that has all it needs.
+    [[nodiscard]] AwaitedVisibility* await(const TransferInput& input, int low);
     /// project: filters the light and fits the materials, as far as changes make it necessary.
     void update(const TransferInput& input, const DistantLight& light, HighOrders form, Workers& workers,
                 Progress& progress, Statistics& statistics);
@@ -84,6 +87,9 @@ private:
     void fit(const TransferInput& input, const Key& key, Workers& workers, Progress& progress,
              Statistics& statistics);
     void filter(const DistantLight& light, Workers& workers);
+    /// Whether visibility has to be expanded, and whether what there is of it helps.
+    [[nodiscard]] bool is_current(const TransferInput& input, int order) const;
+    [[nodiscard]] bool follows(const TransferInput& input, int order) const;
     void expand_visibility(const TransferInput& input, int order, bool follows, Workers& workers,
                            Progress& progress);
 
@@ -98,6 +104,7 @@ private:
     std::uint64_t fitted_ = 0;    // revision of the materials
 
     VisibilityBlocks visibility_;
+    std::optional<AwaitedVisibility> awaited_;
     int visibility_order_ = -1;  // that it was made for, also where it is empty
     HorizonExtension visibility_horizon_ = HorizonExtension::mirrored;
     std::uint64_t visibility_count_ = 0;

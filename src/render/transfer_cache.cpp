@@ -61,9 +61,6 @@ void TransferCache::update(const Scene& scene, const Projection& of_world, const
     const bool high_orders = distant.high > distant.low;
     at_pixels_ = high_orders && options.high_orders_at == HighOrdersAt::pixels;
     const bool physical = options.physical && !at_pixels_;  // else it comes once all orders are there
-    if (high_orders) {
-        high_orders_.update(high_input, distant, options.high_orders, workers_, progress, statistics);
-    }
     const auto on_host = [&](auto& method) {
         method.relight(input, workers_, progress, statistics);
         const Stopwatch watch;
@@ -106,7 +103,12 @@ void TransferCache::update(const Scene& scene, const Projection& of_world, const
         statistics.shade_ms += watch.milliseconds();
     };
     const auto compute = [&](auto& method) {
-        method.prepare(input, workers_, progress, statistics);
+        TransferInput low_input = input;
+        if (high_orders) low_input.awaited = high_orders_.await(high_input, distant.low);
+        method.prepare(low_input, workers_, progress, statistics);
+        if (high_orders) {
+            high_orders_.update(high_input, distant, options.high_orders, workers_, progress, statistics);
+        }
         if (device == nullptr) {
             on_host(method);
         } else {

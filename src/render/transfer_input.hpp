@@ -13,6 +13,7 @@
 #include "render/geometry.hpp"
 #include "render/workers.hpp"
 #include "transfer/visibility.hpp"
+#include "transfer/visibility_blocks.hpp"
 #include "transfer/visibility_harmonics.hpp"
 
 namespace nicol {
@@ -23,6 +24,12 @@ struct Unchanged {
     std::uint64_t visibility;
     /// 1 for vertices that have the same number, place, normal and visibility as then.
     std::span<const std::uint8_t> vertices;
+};
+
+/// Coefficients of visibility that someone else waits for.
+struct AwaitedVisibility {
+    VisibilityBlocks blocks;
+    bool filled = false;
 };
 
 /// A scene as numbers. Revisions count changes; what depends on the same ones need not be computed again.
@@ -43,6 +50,8 @@ struct TransferInput {
     /// ... and so many where they are not.
     std::size_t most_components = 4;
     std::optional<Unchanged> unchanged;
+    /// To be filled by who computes them anyway, all and of this order; null: nobody waits.
+    AwaitedVisibility* awaited = nullptr;
 };
 
 /// The state that a method's per-vertex light was made for.

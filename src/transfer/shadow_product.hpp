@@ -13,6 +13,7 @@
 #include "transfer/mirror_basis.hpp"
 #include "transfer/shadow_grid.hpp"
 #include "transfer/vertex_light.hpp"
+#include "transfer/visibility_blocks.hpp"
 #include "transfer/visibility_harmonics.hpp"
 
 namespace nicol {
@@ -37,13 +38,15 @@ public:
         grid,    ///< samples on a small grid; O(order^3)
     };
 
-    /// For light of this layout. `normals`: one for each vertex of `visibility`. Runs on the calling thread's
-    /// TBB arena. Throws Error(invalid_argument) for sizes that do not fit or an order beyond half of
-    /// VisibilityHarmonics::kHighestOrder; Error(unsupported) for the matrix with dark visibility.
+    /// For light of this layout. Visibility's coefficients, which are made on the way, are put into `keep`,
+    /// too, which is of the same visibility and extension and twice the layout's order. `normals`: one for
+    /// each vertex of `visibility`. Runs on the calling thread's TBB arena. Throws Error(invalid_argument)
+    /// for sizes that do not fit or an order beyond half of VisibilityHarmonics::kHighestOrder, or `keep` of
+    /// another order; Error(unsupported) for the matrix with dark visibility.
     ShadowProduct(const Visibility& visibility, const DirectionSet& directions,
                   std::span<const glm::vec3> normals, const LightLayout& layout,
                   HorizonExtension extension = HorizonExtension::mirrored, Form form = Form::best,
-                  ShadowStorage storage = ShadowStorage::fixed16);
+                  ShadowStorage storage = ShadowStorage::fixed16, VisibilityBlocks* keep = nullptr);
     /// The same from one of an earlier state, of the same directions, layout, extension, form and storage:
     /// what it has of sixteen vertices that are all `unchanged` is taken over. `unchanged` has a number for
     /// each vertex: 1 where it had the same visibility and normal under the same number.

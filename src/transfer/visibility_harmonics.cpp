@@ -50,44 +50,107 @@ std::vector<float> lower_half(int order) {
     return out;
 }
 
+// Bundles that are summed at once: a sum is loaded and stored once for all.
+constexpr std::size_t group = 4;
+
+struct Group {
+    LaneVector x[group];
+    LaneVector y[group];
+    LaneVector c[group];  // weight times the real part of (x + i y)^m
+    LaneVector s[group];
+};
+
+[[gnu::always_inline]] inline void begin_group(const Samples* at, Group& g) {
+    for (std::size_t k = 0; k < group; ++k) {
+        load(&at[k].x, g.x[k]);
+        load(&at[k].y, g.y[k]);
+        load(&at[k].weight, g.c[k]);
+        g.s[k] = LaneVector{};
+    }
+}
+
+[[gnu::always_inline]] inline void raise_group(Group& g) {
+    for (std::size_t k = 0; k < group; ++k) {
+        const LaneVector turned = g.c[k] * g.x[k] - g.s[k] * g.y[k];
+        g.s[k] = g.s[k] * g.x[k] + g.c[k] * g.y[k];
+        g.c[k] = turned;
+    }
+}
+
+[[gnu::always_inline]] inline void add_group(const LaneVector* q, const LaneVector* factor, Lanes* sum) {
+    LaneVector total;
+    load(sum, total);
+    for (std::size_t k = 0; k < group; ++k) total += q[k] * factor[k];
+    store(sum, total);
+}
+
 // sum[psh_index(l, m)] += weight Y_lm. The harmonics are (x + i y)^m times a polynomial q_lm(z), with
 // q_lm = a z q_{l-1,m} - b q_{l-2,m}; `climb` holds a and b at 2 psh_index(l, m), and q_mm for l = m.
-// With `even`, only those of even l + m are summed.
 NICOL_MULTIVERSION
-void add(const Samples& at, const float* climb, int order, bool even, Lanes* sum) {
-    LaneVector x;
-    LaneVector y;
-    LaneVector z;
-    LaneVector c;
-    LaneVector s{};
-    load(&at.x, x);
-    load(&at.y, y);
-    load(&at.z, z);
-    load(&at.weight, c);
+void add(const Samples* at, const float* climb, int order, Lanes* sum) {
+    Group g;
+    begin_group(at, g);
     for (int m = 0; m <= order; ++m) {
-        LaneVector before{};
-        LaneVector q = LaneVector{} + climb[2 * (m * m + 2 * m)];
+        LaneVector before[group] = {};
+        LaneVector q[group];
+        for (LaneVector& one : q) one = LaneVector{} + climb[2 * (m * m + 2 * m)];
         for (int l = m; l <= order; ++l) {
-            if (!even || (l + m) % 2 == 0) {
-                Lanes* const cosine = sum + l * l + l + m;
-                LaneVector total;
-                load(cosine, total);
-                store(cosine, total + q * c);
-                if (m > 0) {
-                    Lanes* const sine = sum + l * l + l - m;
-                    load(sine, total);
-                    store(sine, total + q * s);
-                }
-            }
+            add_group(q, g.c, sum + l * l + l + m);
+            if (m > 0) add_group(q, g.s, sum + l * l + l - m);
             if (l == order) break;
             const float* next = climb + 2 * ((l + 1) * (l + 2) + m);
-            const LaneVector up = next[0] * z * q - next[1] * before;
-            before = q;
-            q = up;
+            for (std::size_t k = 0; k < group; ++k) {
+                LaneVector z;
+                load(&at[k].z, z);
+                const LaneVector up = next[0] * z * q[k] - next[1] * before[k];
+                before[k] = q[k];
+                q[k] = up;
+            }
         }
-        const LaneVector turned = c * x - s * y;
-        s = s * x + c * y;
-        c = turned;
+        raise_group(g);
+    }
+}
+
+// The same for even l + m alone: q_lm = (a z^2 + b) q_{l-2,m} - c q_{l-4,m}; `leap` holds a, b and c at
+// 3 psh_index(l, m), and q_mm for l = m.
+NICOL_MULTIVERSION
+void add_even(const Samples* at, const float* leap, int order, Lanes* sum) {
+    Group g;
+    begin_group(at, g);
+    LaneVector z2[group];
+    for (std::size_t k = 0; k < group; ++k) {
+        load(&at[k].z, z2[k]);
+        z2[k] *= z2[k];
+    }
+    for (int m = 0; m <= order; ++m) {
+        LaneVector before[group] = {};
+        LaneVector q[group];
+        for (LaneVector& one : q) one = LaneVector{} + leap[3 * (m * m + 2 * m)];
+        for (int l = m; l <= order; l += 2) {
+            add_group(q, g.c, sum + l * l + l + m);
+            if (m > 0) add_group(q, g.s, sum + l * l + l - m);
+            if (l + 2 > order) break;
+            const float* next = leap + 3 * ((l + 2) * (l + 3) + m);
+            for (std::size_t k = 0; k < group; ++k) {
+                const LaneVector up = (next[0] * z2[k] + next[1]) * q[k] - next[2] * before[k];
+                before[k] = q[k];
+                q[k] = up;
+            }
+        }
+        raise_group(g);
+    }
+}
+
+// The sums of the lanes.
+NICOL_MULTIVERSION
+void fold(const Lanes* lanes, std::size_t count, float* out) {
+    for (std::size_t i = 0; i < count; ++i) {
+        LaneVector v;
+        load(lanes + i, v);
+        v += __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7);
+        v += __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11);
+        v += __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13);
+        out[i] = v[0] + v[1];
     }
 }
 
@@ -106,6 +169,26 @@ std::vector<float> climbing_factors(int order) {
                 out[2 * psh_index(l, m) + 1] =
                     static_cast<float>(a * std::sqrt((before - m * m) / (4 * before - 1)));
             }
+        }
+    }
+    return out;
+}
+
+// Of z q_l = r_{l+1} q_{l+1} + r_l q_{l-1}, applied twice.
+std::vector<float> leaping_factors(int order, const std::vector<float>& climb) {
+    std::vector<float> out(3 * psh_count(order), 0.0F);
+    for (int m = 0; m <= order; ++m) {
+        out[3 * psh_index(m, m)] = climb[2 * psh_index(m, m)];
+        const auto r = [m](int l) {
+            const double square = static_cast<double>(l) * l;
+            return l <= m ? 0.0 : std::sqrt((square - m * m) / (4 * square - 1));
+        };
+        for (int l = m + 2; l <= order; l += 2) {
+            const double a = 1 / (r(l) * r(l - 1));
+            float* const factors = &out[3 * psh_index(l, m)];
+            factors[0] = static_cast<float>(a);
+            factors[1] = static_cast<float>(-a * (r(l - 1) * r(l - 1) + r(l - 2) * r(l - 2)));
+            factors[2] = static_cast<float>(a * r(l - 2) * r(l - 3));
         }
     }
     return out;
@@ -198,6 +281,7 @@ VisibilityHarmonics::VisibilityHarmonics(const DirectionSet& directions, int ord
                                                      std::to_string(kHighestOrder));
     }
     climb_ = climbing_factors(order);
+    leap_ = leaping_factors(order, climb_);
     // The last bundle repeats its last direction, which must not count again.
     weights_.resize(directions.bundles().size(), Lanes{});
     for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -222,18 +306,22 @@ void VisibilityHarmonics::project(const Visibility& visibility, std::size_t vert
     const float seen = gather(directions_, weights_, visibility, vertex, frame, samples);
     std::vector<Lanes> sum(psh_count(order_), Lanes{});
     const bool mirrored = extension_ == HorizonExtension::mirrored;
-    for (const Samples& here : samples) add(here, climb_.data(), order_, mirrored, sum.data());
+    // What is added to fill the last group weighs nothing.
+    samples.resize((samples.size() + group - 1) / group * group, Samples{});
+    for (std::size_t first = 0; first < samples.size(); first += group) {
+        if (mirrored) {
+            add_even(&samples[first], leap_.data(), order_, sum.data());
+        } else {
+            add(&samples[first], climb_.data(), order_, sum.data());
+        }
+    }
+    fold(sum.data(), sum.size(), out.data());
 
     for (int l = 0; l <= order_; ++l) {
         for (int m = -l; m <= l; ++m) {
             const std::size_t k = psh_index(l, m);
-            float coefficient = seen * everything_[k];
-            if (!mirrored || (l + m) % 2 == 0) {
-                float total = 0;
-                for (const float lane : sum[k].value) total += lane;
-                coefficient += mirrored ? 2 * total : total;
-            }
-            out[k] = coefficient;
+            // What is left out of mirrored visibility is 0 in the sums.
+            out[k] = seen * everything_[k] + (mirrored ? 2 * out[k] : out[k]);
         }
     }
 }

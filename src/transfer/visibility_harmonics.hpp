@@ -40,6 +40,7 @@ private:
     std::vector<float> everything_;
     std::vector<Lanes> weights_;  // of the directions, in bundles
     std::vector<float> climb_;    // the recursion's two factors for each (l, m)
+    std::vector<float> leap_;     // and the three of the one over even l + m
 };
 
 }  // namespace nicol

@@ -245,6 +245,35 @@ TEST_CASE("matrices serve low orders and the grid high ones") {
     CHECK(form(32) == Form::grid);
 }
 
+TEST_CASE("coefficients that are made on the way can be kept") {
+    const Scene scene(70);
+    const LightLayout layout(3, LightKind::unpolarized);
+    for (const HorizonExtension extension : {HorizonExtension::mirrored, HorizonExtension::dark}) {
+        const VisibilityHarmonics harmonics(directions(), 6, extension);
+        VisibilityBlocks kept(scene.visibility, harmonics);
+        const ShadowProduct product(scene.visibility, directions(), scene.normals, layout, extension,
+                                    Form::best, ShadowStorage::fixed16, &kept);
+        VisibilityBlocks expected(scene.visibility, harmonics);
+        std::vector<Lanes> lanes(psh_count(6));
+        for (std::size_t block = 0; block < 5; ++block) {
+            project_block(harmonics, scene.visibility, scene.normals, kLanes * block, block < 4 ? kLanes : 6,
+                          lanes.data());
+            expected.set(block, lanes.data());
+        }
+        std::vector<float> one(psh_count(6));
+        std::vector<float> other(psh_count(6));
+        for (std::size_t v = 0; v < 70; ++v) {
+            kept.expand(v, one);
+            expected.expand(v, other);
+            CHECK(one == other);
+        }
+        VisibilityBlocks short_one(scene.visibility, VisibilityHarmonics(directions(), 4, extension));
+        CHECK_THROWS_AS(ShadowProduct(scene.visibility, directions(), scene.normals, layout, extension,
+                                      Form::best, ShadowStorage::fixed16, &short_one),
+                        Error);
+    }
+}
+
 TEST_CASE("what does not fit together is refused") {
     const Scene scene(3);
     const LightLayout low(2, LightKind::linear);
