@@ -214,9 +214,9 @@ void require_same_context(const A& a, const B& b) {
 
 /// A new handle with one reference.
 template <class Impl, class Content>
-Impl* make_handle(SessionPtr session, std::shared_ptr<Content> content) {
+Impl* make_handle(const SessionPtr& session, std::shared_ptr<Content> content) {
     auto handle = std::make_unique<Impl>();
-    handle->session = std::move(session);
+    handle->session = session;
     handle->content = std::move(content);
     registry::add(handle.get(), Impl::kind);
     return handle.release();
