@@ -328,6 +328,10 @@ class Load(ServeTest):
 class Limits(ServeTest):
     options = ("--workers", "1", "--deadline", "0.5", "--read-limit", "0.3", "--idle-limit", "0.3", "--connections", "3", "--max-order", "6")
 
+    def setUp(self):
+        # What the test before closed may still count.
+        self.server.wait(lambda: b"nicol_serve_connections 1\n" in self.server.get("/metrics").body)
+
     def test_deadline(self):
         self.server.signal_workers(signal.SIGSTOP)
         self.assert_problem(self.server.get(IMAGE + "&azimuth=30"), 504)
