@@ -124,7 +124,7 @@ void Connection::handle() {
                                 .target = text_of(message.target()),
                                 .if_none_match = text_of(message[http::field::if_none_match])});
     if (const auto* wanted = std::get_if<Render>(&outcome)) return render(*wanted);
-    answer(std::move(std::get<Response>(outcome)), message.keep_alive());
+    answer(std::get<Response>(outcome), message.keep_alive());
 }
 
 void Connection::render(const Render& render) {
@@ -181,7 +181,7 @@ void Connection::leave() {
     stream_.socket().cancel(ignored);
 }
 
-void Connection::answer(Response response, bool keep_alive) {
+void Connection::answer(const Response& response, bool keep_alive) {
     in_request_ = true;
     unlimit();
     keep_alive = keep_alive && !draining_;

@@ -47,7 +47,7 @@ private:
     void render(const Render& render);
     void watch();
     void leave();
-    void answer(Response response, bool keep_alive);
+    void answer(const Response& response, bool keep_alive);
     void limit(Seconds time, std::function<void()> over);
     void unlimit();
     void close();

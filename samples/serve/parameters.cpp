@@ -16,7 +16,7 @@ constexpr double farthest = 1e6;
 }  // namespace
 
 std::string Parameter::range() const {
-    const std::string span = json_number(least) + " to " + json_number(most);
+    std::string span = json_number(least) + " to " + json_number(most);
     switch (kind) {
         case Kind::number:
             return span;

@@ -36,7 +36,8 @@ class Reader {
 public:
     Reader(const Target& target, const Limits& limits, bool stokes)
         : target_(target), limits_(limits), table_(parameters(limits)) {
-        for (const auto& [name, value] : target.query) {
+        for (const auto& parameter : target.query) {
+            const std::string& name = parameter.first;
             // Looked at where signatures are.
             if (name == "sig" || name == "expires") continue;
             const auto known =
@@ -62,7 +63,7 @@ public:
     }
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> size(const SceneInfo& info) const {
         if (const std::string* text = target_.find("size")) return parse_size(row("size"), *text, limits_);
-        const double side = static_cast<double>(std::max(info.width, info.height));
+        const auto side = static_cast<double>(std::max(info.width, info.height));
         const double pixels = static_cast<double>(info.width) * info.height;
         const double factor =
             std::min({1.0, limits_.max_side / side, std::sqrt(limits_.max_pixels / pixels)});

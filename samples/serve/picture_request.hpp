@@ -19,6 +19,8 @@ enum class CameraKind : std::uint32_t { scene, orbit, matrix };
 struct Orbit {
     double azimuth = 0, elevation = 0, distance = 1;
     std::array<double, 3> target{};
+
+    bool operator==(const Orbit&) const = default;
 };
 
 /// What decides what is rendered; two pictures of one view differ only in how they are looked at. Plain data.
@@ -36,11 +38,6 @@ struct View {
 
     bool operator==(const View&) const = default;
 };
-
-inline bool operator==(const Orbit& a, const Orbit& b) {
-    return a.azimuth == b.azimuth && a.elevation == b.elevation && a.distance == b.distance &&
-           a.target == b.target;
-}
 
 struct PictureRequest {
     View view;

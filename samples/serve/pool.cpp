@@ -49,7 +49,6 @@ Pool::Pool(boost::asio::io_context& io, const Options& options, std::vector<std:
 }
 
 Pool::~Pool() {
-    stop();
     for (const pid_t pid : ended_) ::waitpid(pid, nullptr, 0);
 }
 

@@ -29,6 +29,7 @@ public:
     /// where the first can never be: what a later one says goes to the standard error, and it is tried again,
     /// ever more rarely.
     void start(std::function<void(const std::string& reason)> failed);
+    /// Kills all workers; no event comes any more.
     void stop();
 
     [[nodiscard]] Dispatcher& dispatcher() { return dispatcher_; }

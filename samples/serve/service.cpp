@@ -166,7 +166,7 @@ Response Service::respond(const Problem& problem) const {
 
 int Service::retry_after() const {
     const Dispatcher& dispatcher = pool_.dispatcher();
-    const double waiting = static_cast<double>(dispatcher.queued() + dispatcher.running());
+    const auto waiting = static_cast<double>(dispatcher.queued() + dispatcher.running());
     const auto workers = static_cast<double>(std::max<std::size_t>(1, pool_.warm_workers()));
     constexpr double longest = 60;
     return static_cast<int>(

@@ -42,7 +42,7 @@ public:
     }
 
     template <typename T>
-    T receive() const {
+    [[nodiscard]] T receive() const {
         T value{};
         auto* at = reinterpret_cast<char*>(&value);
         for (std::size_t left = sizeof value; left > 0;) {

@@ -33,6 +33,7 @@ pid_t spawn(const std::vector<std::string>& arguments, int socket) {
     std::vector<std::string> words = arguments;
     words.insert(words.end(), {"--worker", std::to_string(child_socket)});
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     posix_spawn_file_actions_t actions;
@@ -54,7 +55,7 @@ std::shared_ptr<WorkerProcess> WorkerProcess::start(asio::io_context& io,
                                                     Events events) {
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) fail(errno);
-    const std::shared_ptr<WorkerProcess> worker(new WorkerProcess(io, std::move(events)));
+    std::shared_ptr<WorkerProcess> worker(new WorkerProcess(io, std::move(events)));
     worker->socket_.assign(asio::local::stream_protocol(), ends[0]);
     try {
         worker->pid_ = spawn(arguments, ends[1]);
