@@ -264,7 +264,7 @@ class Caching(ServeTest):
 
     def test_tags_outlive_the_process_and_not_the_scene(self):
         tag = self.server.get(IMAGE).headers["etag"]
-        other = Server(PROGRAM, self.folder, "--workers", "1")
+        other = Server(PROGRAM, self.folder, "--workers", "2")
         try:
             self.assertEqual(other.get(IMAGE).headers["etag"], tag)
             box = other.get("/scenes/box/image.png").headers["etag"]
@@ -273,9 +273,11 @@ class Caching(ServeTest):
             try:
                 with open(path, "wb") as file:
                     file.write(scene.replace(b"0.9", b"0.1"))
-                # A worker that starts anew finds the new scene.
-                other.signal_workers(signal.SIGKILL)
+                # A worker that starts anew finds the new scene, and the other one is replaced.
+                killed, left = [pid for pid, _ in other.workers()]
+                os.kill(killed, signal.SIGKILL)
                 other.wait(lambda: other.get(IMAGE, method="HEAD").headers.get("etag") != tag)
+                other.wait(lambda: left not in [pid for pid, _ in other.workers()])
                 self.assertEqual(other.get(IMAGE).status, 200)
                 self.assertEqual(other.get("/scenes/box/image.png").headers["etag"], box)
             finally:
