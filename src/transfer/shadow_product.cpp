@@ -3,9 +3,11 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,6 +31,8 @@ struct alignas(64) FixedPair {
 constexpr std::uint32_t open = ~std::uint32_t{0};
 
 using Numbers = std::variant<std::vector<FixedPair>, std::vector<Lanes>>;
+
+constexpr float kLargestFixed = 32767.0F / kFixedOne;
 
 std::int16_t fixed(float number) {
     // Where floats are whole numbers, which is faster than a function of the library.
@@ -78,13 +82,20 @@ struct ShadowProduct::Blocks {
     std::vector<std::uint32_t> vertices;
     std::vector<std::uint32_t> shadow_of;  // for each sixteen vertices, their block of numbers or `open`
     std::size_t stride = 0;                // numbers of one block and lane, even
+    float unit = 1;                        // that numbers are stored in
     Numbers numbers;
 
     void find_vertices(const Visibility& visibility);
     void allocate();
     void take_over(const Numbers& before, std::size_t from, std::size_t to);
+    [[nodiscard]] std::vector<Lanes> numbers_of(std::size_t block, const Visibility& visibility,
+                                                const VisibilityHarmonics& harmonics,
+                                                std::span<const glm::vec3> normals,
+                                                VisibilityBlocks* keep) const;
     void make(std::size_t block, const Visibility& visibility, const VisibilityHarmonics& harmonics,
               std::span<const glm::vec3> normals, VisibilityBlocks* keep = nullptr);
+    void find_unit(const Visibility& visibility, const VisibilityHarmonics& harmonics,
+                   std::span<const glm::vec3> normals);
     template <class Number>
     void multiply(const Number* from, std::span<const Lanes* const> lights,
                   std::span<Lanes* const> products) const;
@@ -127,9 +138,10 @@ void ShadowProduct::Blocks::take_over(const Numbers& before, std::size_t from, s
     }
 }
 
-void ShadowProduct::Blocks::make(std::size_t block, const Visibility& visibility,
-                                 const VisibilityHarmonics& harmonics, std::span<const glm::vec3> normals,
-                                 VisibilityBlocks* keep) {
+std::vector<Lanes> ShadowProduct::Blocks::numbers_of(std::size_t block, const Visibility& visibility,
+                                                     const VisibilityHarmonics& harmonics,
+                                                     std::span<const glm::vec3> normals,
+                                                     VisibilityBlocks* keep) const {
     const std::size_t first = vertices[block * kLanes];
     std::vector<Lanes> coefficients(psh_count(harmonics.order()));
     project_block(harmonics, visibility, normals, first, std::min(kLanes, vertices.size() - block * kLanes),
@@ -142,6 +154,30 @@ void ShadowProduct::Blocks::make(std::size_t block, const Visibility& visibility
         std::get<ShadowGrid>(product).sample(coefficients.data(), made.data(),
                                              dark ? made.data() + stride / 2 : nullptr);
     }
+    return made;
+}
+
+// Sums of fewer directions than the numbers that they shall fix are not bound to what visibility can be.
+void ShadowProduct::Blocks::find_unit(const Visibility& visibility, const VisibilityHarmonics& harmonics,
+                                      std::span<const glm::vec3> normals) {
+    const float largest = tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, (vertices.size() + kLanes - 1) / kLanes), 0.0F,
+        [&](const auto& range, float most) {
+            for (std::size_t block = range.begin(); block < range.end(); ++block) {
+                for (const Lanes& lanes : numbers_of(block, visibility, harmonics, normals, nullptr)) {
+                    for (std::size_t i = 0; i < kLanes; ++i) most = std::max(most, std::abs(lanes[i]));
+                }
+            }
+            return most;
+        },
+        [](float a, float b) { return std::max(a, b); });
+    while (unit * kLargestFixed < largest) unit *= 2;
+}
+
+void ShadowProduct::Blocks::make(std::size_t block, const Visibility& visibility,
+                                 const VisibilityHarmonics& harmonics, std::span<const glm::vec3> normals,
+                                 VisibilityBlocks* keep) {
+    const std::vector<Lanes> made = numbers_of(block, visibility, harmonics, normals, keep);
     if (auto* lanes = std::get_if<std::vector<Lanes>>(&numbers)) {
         std::ranges::copy(made, lanes->begin() + static_cast<std::ptrdiff_t>(block * stride));
         return;
@@ -151,8 +187,8 @@ void ShadowProduct::Blocks::make(std::size_t block, const Visibility& visibility
     FixedPair* pair = std::get<std::vector<FixedPair>>(numbers).data() + block * stride / 2;
     for (std::size_t k = 0; k < stride; k += 2, ++pair) {
         for (std::size_t i = 0; i < kLanes; ++i) {
-            pair->value[beside ? 2 * i : i] = fixed(made[k][i]);
-            pair->value[beside ? 2 * i + 1 : kLanes + i] = fixed(made[k + 1][i]);
+            pair->value[beside ? 2 * i : i] = fixed(made[k][i] / unit);
+            pair->value[beside ? 2 * i + 1 : kLanes + i] = fixed(made[k + 1][i] / unit);
         }
     }
 }
@@ -208,6 +244,8 @@ ShadowProduct::ShadowProduct(const Visibility& visibility, const DirectionSet& d
         b.stride = std::get<ShadowGrid>(b.product).samples() * (b.dark ? 2 : 1);
     }
     b.allocate();
+    const bool unresolved = psh_count(harmonics.order()) > directions.size();
+    if (unresolved && storage == ShadowStorage::fixed16) b.find_unit(visibility, harmonics, normals);
     tbb::parallel_for(std::size_t{0}, blocks(),
                       [&](std::size_t block) { b.make(block, visibility, harmonics, normals, keep); });
 }
@@ -280,8 +318,11 @@ void ShadowProduct::run(VertexLight& light, std::size_t first, std::size_t last)
                            some_lights, some_products);
             }
             for (int c = begin; c < end; ++c) {
-                std::copy_n(products[static_cast<std::size_t>(c - begin)], size,
-                            light.block(block, c).begin());
+                const Lanes* from = products[static_cast<std::size_t>(c - begin)];
+                const std::span<Lanes> to = light.block(block, c);
+                for (std::size_t k = 0; k < size; ++k) {
+                    for (std::size_t i = 0; i < kLanes; ++i) to[k][i] = b.unit * from[k][i];
+                }
             }
         }
     }
@@ -298,6 +339,7 @@ std::optional<ShadowProduct::Matrices> ShadowProduct::matrices() const {
     const std::vector<std::size_t> whole = matrices->whole();
     Matrices out{.basis = blocks_->basis,
                  .vertices = blocks_->vertices,
+                 .unit = blocks_->unit,
                  .numbers = std::vector<std::int16_t>(blocks() * whole.size() * kLanes),
                  .numbers_of_vertex = whole.size()};
     auto to = out.numbers.begin();
@@ -316,6 +358,7 @@ std::optional<ShadowProduct::Grid> ShadowProduct::grid() const {
     if (grid == nullptr || numbers == nullptr) return std::nullopt;
     return Grid{.basis = blocks_->basis,
                 .vertices = blocks_->vertices,
+                .unit = blocks_->unit,
                 .grid = *grid,
                 .samples = {reinterpret_cast<const std::int16_t*>(numbers->data()),
                             blocks() * blocks_->stride * kLanes},

@@ -20,8 +20,8 @@ namespace nicol {
 
 /// How finely a shadow is kept.
 enum class ShadowStorage {
-    /// 16 bits a number; each is off by at most 3.1e-5. Numbers beyond 2 count as 2; only visibility of more
-    /// orders than its directions resolve has them.
+    /// 16 bits a number; each is off by at most 3.1e-5. Only visibility of more orders than its directions
+    /// resolve has numbers beyond 2: all of its are then off by as much more as the largest is beyond 2.
     fixed16,
     float32,
 };
@@ -70,7 +70,8 @@ public:
     struct Matrices {
         const MirrorBasis& basis;                 ///< the light is split before, joined after
         std::span<const std::uint32_t> vertices;  ///< of all blocks, ascending
-        /// Over kFixedOne, [block][number][lane]. The numbers are three square matrices, even to even, odd to
+        float unit;                               ///< times numbers over kFixedOne
+        /// [block][number][lane]. The numbers are three square matrices, even to even, odd to
         /// odd and spin, each by tiles of kShadowTile rows, in them column after column.
         std::vector<std::int16_t> numbers;
         std::size_t numbers_of_vertex;
@@ -81,8 +82,9 @@ public:
     struct Grid {
         const MirrorBasis& basis;
         std::span<const std::uint32_t> vertices;
+        float unit;
         const ShadowGrid& grid;
-        /// Over kFixedOne, [block][sample][lane]. The samples are those of the even part of visibility, then
+        /// [block][sample][lane]. The samples are those of the even part of visibility, then
         /// of the odd part unless visibility is mirrored.
         std::span<const std::int16_t> samples;
         std::size_t samples_of_vertex;

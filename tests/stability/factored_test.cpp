@@ -122,7 +122,8 @@ TEST_CASE("the highest orders that are rendered with their full detail stay with
     for (const int order : {16, 32}) {
         const LightLayout layout(order, LightKind::linear);
         const Worst worst = compare(vertices, layout, {{"random light", test::random_light(order, 1, 3, 5)}},
-                                    {pplastic({.alpha = 0.3})}, {ShadowStorage::float32});
-        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value");
+                                    {pplastic({.alpha = 0.3})}, both);
+        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value, " << worst.fixed
+                         << " with shadows of 16 bits");
     }
 }

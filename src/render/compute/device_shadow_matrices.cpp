@@ -58,7 +58,7 @@ DeviceShadowMatrices::DeviceShadowMatrices(const std::shared_ptr<gl::Context>& c
       join_terms_(join_rows(context, matrices.basis)),
       rows_(storage(context, matrix_rows(matrices.basis))) {
     multiply_.set("numbers_of_block", static_cast<int>(matrices.numbers_of_vertex));
-    multiply_.set("scale", 1 / kFixedOne);
+    multiply_.set("scale", matrices.unit / kFixedOne);
 }
 
 void DeviceShadowMatrices::run(DeviceLight& light) {
