@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: MIT
+# How nicol-serve behaves: what it keeps, under load, at its limits, when workers fail, at its start and end.
+import os
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+import unittest
+
+from serve_case import IMAGE, PROGRAM, SQUARE, ServeTest, alive, read
+from serve_client import PATIENCE, Server, write_scenes
+
+
+class Caching(ServeTest):
+    options = ("--workers", "1")
+
+    def test_unchanged_is_answered_before_rendering(self):
+        first = self.server.get(IMAGE + "&azimuth=1")
+        tag = first.headers["etag"]
+        self.assertRegex(tag, '^"[0-9a-f]{32}"$')
+        renders = self.server.metric("renders_total")
+        self.server.signal_workers(signal.SIGSTOP)
+        for value in (tag, f'"x", {tag}', "*", "W/" + tag):
+            again = self.server.get(IMAGE + "&azimuth=361"[:-3] + "1", If_None_Match=value)
+            self.assertEqual((again.status, again.body, again.headers["etag"]), (304, b"", tag))
+        # Nor does a picture that was never asked for have to be made.
+        head = self.server.get(IMAGE + "&azimuth=99", method="HEAD")
+        self.assertEqual((head.status, head.body), (200, b""))
+        self.assertEqual(self.server.get(IMAGE + "&azimuth=99", If_None_Match=head.headers["etag"]).status, 304)
+        self.assertEqual(self.server.metric("renders_total"), renders)
+        self.server.signal_workers(signal.SIGCONT)
+        self.assertNotEqual(self.server.get(IMAGE + "&azimuth=2", If_None_Match=tag).status, 304)
+
+    def test_equal_answers_are_kept(self):
+        first = self.server.get(IMAGE + "&azimuth=3")
+        before = self.server.metrics()
+        second = self.server.get(IMAGE + "&azimuth=3.0")
+        after = self.server.metrics()
+        self.assertEqual(first.body, second.body)
+        self.assertEqual(before["renders_total"], after["renders_total"])
+        self.assertEqual(before['cache_hits_total{kind="result"}'] + 1, after['cache_hits_total{kind="result"}'])
+
+    def test_views_are_kept_by_workers(self):
+        self.server.get(IMAGE + "&azimuth=4")
+        before = self.server.metric('cache_hits_total{kind="view"}')
+        self.server.get(IMAGE + "&azimuth=4&observer=dolp")
+        self.assertEqual(self.server.metric('cache_hits_total{kind="view"}'), before + 1)
+
+    def test_equal_requests_in_flight_are_rendered_once(self):
+        before = self.server.metrics()
+        self.server.signal_workers(signal.SIGSTOP)
+        asked = [self.server.ask(IMAGE + "&azimuth=5") for _ in range(3)]
+        flight = 'cache_hits_total{kind="flight"}'
+        self.server.wait(lambda: self.server.metric(flight) == before[flight] + 2)
+        self.server.signal_workers(signal.SIGCONT)
+        bodies = {self.server.answer(connection).body for connection in asked}
+        self.assertEqual(len(bodies), 1)
+        self.assertEqual(self.server.metric("renders_total"), before["renders_total"] + 1)
+
+    def test_tags_outlive_the_process_and_not_the_scene(self):
+        tag = self.server.get(IMAGE).headers["etag"]
+        other = Server(PROGRAM, self.folder, "--workers", "2")
+        try:
+            self.assertEqual(other.get(IMAGE).headers["etag"], tag)
+            box = other.get("/scenes/box/image.png").headers["etag"]
+            path = os.path.join(self.folder, "square.xml")
+            scene = read(path)
+            try:
+                with open(path, "wb") as file:
+                    file.write(scene.replace(b"0.9", b"0.1"))
+                # A worker that starts anew finds the new scene, and the other one is replaced.
+                killed, left = [pid for pid, _ in other.workers()]
+                os.kill(killed, signal.SIGKILL)
+                other.wait(lambda: other.get(IMAGE, method="HEAD").headers.get("etag") != tag)
+                other.wait(lambda: left not in [pid for pid, _ in other.workers()])
+                self.assertEqual(other.get(IMAGE).status, 200)
+                self.assertEqual(other.get("/scenes/box/image.png").headers["etag"], box)
+            finally:
+                with open(path, "wb") as file:
+                    file.write(scene)
+        finally:
+            other.stop()
+
+
+class Load(ServeTest):
+    options = ("--workers", "1", "--queue", "1", "--deadline", "30", "--render-limit", "30")
+
+    def tearDown(self):
+        self.server.signal_workers(signal.SIGCONT)
+        self.server.wait(lambda: self.server.metric("renders_running") == 0)
+
+    def hold(self, azimuth):
+        """One request that a stopped worker has, one in the queue."""
+        self.server.signal_workers(signal.SIGSTOP)
+        running = self.server.ask(f"{IMAGE}&azimuth={azimuth}")
+        self.server.wait(lambda: self.server.metric("renders_running") == 1)
+        queued = self.server.ask(f"{IMAGE}&azimuth={azimuth + 1}")
+        self.server.wait(lambda: self.server.metric("queue_length") == 1)
+        return running, queued
+
+    def test_a_full_queue_says_when_to_come_again(self):
+        held = self.hold(10)
+        refused = self.server.get(IMAGE + "&azimuth=12")
+        self.assert_problem(refused, 503)
+        self.assertGreaterEqual(int(refused.headers["retry-after"]), 1)
+        # What is wrong or known needs no place in the queue.
+        self.assert_problem(self.server.get(IMAGE + "&azimuth=999"), 400, "azimuth")
+        self.assert_problem(self.server.get(SQUARE + "image.png?size=2048x2048"), 400, "size")
+        self.assertEqual(self.server.get("/health").status, 200)
+        self.server.signal_workers(signal.SIGCONT)
+        self.assertEqual([self.server.answer(c).status for c in held], [200, 200])
+
+    def test_who_leaves_is_not_worked_for(self):
+        before = self.server.metrics()
+        running, queued = self.hold(20)
+        queued.close()
+        self.server.wait(lambda: self.server.metric("queue_length") == 0)
+        running.close()
+        self.server.wait(lambda: self.server.metric("renders_cancelled_total") == before["renders_cancelled_total"] + 1)
+        self.assertEqual(self.server.metric("clients_gone_total"), before["clients_gone_total"] + 2)
+        self.server.signal_workers(signal.SIGCONT)
+        self.assertEqual(self.server.get(IMAGE + "&azimuth=23").status, 200)
+
+
+class Limits(ServeTest):
+    options = ("--workers", "1", "--deadline", "0.5", "--read-limit", "0.3", "--idle-limit", "0.3", "--connections", "3", "--max-order", "6")
+
+    def setUp(self):
+        # What the test before closed may still count.
+        self.server.wait(lambda: b"nicol_serve_connections 1\n" in self.server.get("/metrics").body)
+
+    def test_deadline(self):
+        self.server.signal_workers(signal.SIGSTOP)
+        self.assert_problem(self.server.get(IMAGE + "&azimuth=30"), 504)
+        self.server.signal_workers(signal.SIGCONT)
+        self.server.wait(lambda: self.server.get(IMAGE + "&azimuth=31").status == 200)
+
+    def test_slow_and_silent_clients(self):
+        with socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as slow:
+            slow.sendall(b"GET / HT")
+            self.assertIn(b"408", slow.makefile("rb").readline())
+        with socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as silent:
+            self.assertEqual(silent.recv(1), b"")
+
+    def test_connections(self):
+        held = [socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) for _ in range(3)]
+        try:
+            with socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as extra:
+                self.assertIn(b"503", extra.makefile("rb").readline())
+        finally:
+            for connection in held:
+                connection.close()
+
+    def test_order(self):
+        self.assertEqual(self.server.get(IMAGE + "&order_low=2&order_high=3").status, 200)
+        self.assert_problem(self.server.get(IMAGE + "&order_low=7"), 400, "order_low", "0 to 6")
+
+
+class Failures(ServeTest):
+    options = ("--workers", "2", "--render-limit", "1", "--deadline", "60")
+
+    def test_a_crash_is_survived(self):
+        self.server.wait(lambda: all(state == "idle" for _, state in self.server.workers()))
+        self.server.signal_workers(signal.SIGSTOP)
+        before = self.server.metrics()
+        asked = self.server.ask(IMAGE + "&azimuth=40")
+        self.server.wait(lambda: any(state == "busy" for _, state in self.server.workers()))
+        busy, idle = sorted(self.server.workers(), key=lambda w: w[1])
+        os.kill(idle[0], signal.SIGCONT)
+        os.kill(busy[0], signal.SIGKILL)
+        self.assertEqual(self.server.answer(asked).status, 200)
+        self.assertNotIn(busy[0], [pid for pid, _ in self.server.workers()])
+        self.assertEqual(self.server.metric('workers_lost_total{reason="crash"}'), before['workers_lost_total{reason="crash"}'] + 1)
+
+    def test_two_crashes_are_an_answer(self):
+        self.server.wait(lambda: all(state == "idle" for _, state in self.server.workers()))
+        self.server.signal_workers(signal.SIGSTOP)
+        asked = self.server.ask(IMAGE + "&azimuth=41")
+        stopped = {pid for pid, _ in self.server.workers()}
+        for _ in range(2):
+            self.server.wait(lambda: any(state == "busy" and pid in stopped for pid, state in self.server.workers()))
+            busy = next(pid for pid, state in self.server.workers() if state == "busy")
+            os.kill(busy, signal.SIGKILL)
+            stopped.discard(busy)
+        answer = self.server.answer(asked)
+        self.assert_problem(answer, 503)
+        self.assertGreaterEqual(int(answer.headers["retry-after"]), 1)
+        self.server.wait(lambda: self.server.get(IMAGE + "&azimuth=42").status == 200)
+
+    def test_a_hang_is_survived(self):
+        self.server.wait(lambda: all(state == "idle" for _, state in self.server.workers()))
+        before = self.server.metrics()
+        self.server.signal_workers(signal.SIGSTOP)
+        asked = self.server.ask(IMAGE + "&azimuth=43")
+        self.server.wait(lambda: any(state == "busy" for _, state in self.server.workers()))
+        idle = next(pid for pid, state in self.server.workers() if state == "idle")
+        os.kill(idle, signal.SIGCONT)
+        self.assertEqual(self.server.answer(asked).status, 200)
+        self.assertEqual(self.server.metric('workers_lost_total{reason="hang"}'), before['workers_lost_total{reason="hang"}'] + 1)
+
+
+class Ends(unittest.TestCase):
+    """Starts and ends."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def test_drain(self):
+        write_scenes(self.folder)
+        server = Server(PROGRAM, self.folder, "--workers", "1")
+        workers = [pid for pid, _ in server.workers()]
+        idle = server.connect()
+        idle.connect()
+        server.signal_workers(signal.SIGSTOP)
+        asked = server.ask(IMAGE)
+        server.wait(lambda: server.metric("renders_running") == 1)
+        server.process.terminate()
+        # The idle connection ends, and with it that the signal came is known.
+        self.assertEqual(idle.sock.recv(1), b"")
+        with self.assertRaises(ConnectionRefusedError):
+            server.get("/ready")
+        os.kill(workers[0], signal.SIGCONT)
+        answer = server.answer(asked)
+        self.assertEqual((answer.status, answer.headers["connection"]), (200, "close"))
+        self.assertEqual(server.process.wait(PATIENCE), 0)
+        server.stop()
+        idle.close()
+        for pid in workers:
+            self.assertFalse(alive(pid))
+
+    def test_workers_end_with_their_parent(self):
+        write_scenes(self.folder)
+        server = Server(PROGRAM, self.folder, "--workers", "2")
+        workers = [pid for pid, _ in server.workers()]
+        server.process.kill()
+        server.process.wait()
+        end = time.monotonic() + PATIENCE
+        while any(alive(pid) for pid in workers):
+            self.assertLess(time.monotonic(), end)
+        server.stop()
+
+    def test_not_ready_at_first(self):
+        write_scenes(self.folder)
+        server = Server(PROGRAM, self.folder, ready=False)
+        self.assertEqual(server.get("/health").status, 200)
+        early = server.get("/ready")
+        if early.status == 503:
+            self.assertGreaterEqual(int(early.headers["retry-after"]), 1)
+        server.wait(lambda: server.get("/ready").status == 200)
+        self.assertEqual(server.stop(), 0)
+
+    def assert_fails(self, words, *arguments):
+        run = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        lines = run.stderr.splitlines()
+        self.assertEqual(len(lines), 1, run.stderr)
+        for word in words:
+            self.assertIn(word, lines[0])
+
+    def test_bad_command_lines(self):
+        self.assert_fails(["--scenes DIR"])
+        self.assert_fails(["--wrong"], "--wrong", "1")
+        self.assert_fails(["--port"], "--scenes", self.folder, "--port")
+        self.assert_fails(["--listen", "127.0.0.1:8080"], "--scenes", self.folder, "--listen", "8080")
+        self.assert_fails(["--listen", "numeric"], "--scenes", self.folder, "--listen", "nowhere.invalid:0")
+        self.assert_fails(["--workers", "1 to 1024"], "--scenes", self.folder, "--workers", "0")
+        self.assert_fails(["--deadline"], "--scenes", self.folder, "--deadline", "nan")
+        self.assert_fails(["--keys", "/none"], "--scenes", self.folder, "--keys", "/none")
+
+    def test_bad_scenes(self):
+        start = ("--listen", "127.0.0.1:0", "--scenes")
+        self.assert_fails([self.folder, "*.xml"], *start, self.folder)
+        self.assert_fails(["/none"], *start, "/none")
+        with open(os.path.join(self.folder, "bad.xml"), "w", encoding="utf-8") as file:
+            file.write("<scene>")
+        self.assert_fails(["bad.xml"], *start, self.folder)
+
+    def test_taken_port(self):
+        write_scenes(self.folder)
+        with socket.create_server(("127.0.0.1", 0)) as taken:
+            port = taken.getsockname()[1]
+            self.assert_fails([str(port), "in use"], "--scenes", self.folder, "--listen", f"127.0.0.1:{port}")
+
+    def test_help(self):
+        run = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True)
+        self.assertIn("--drain-limit", run.stdout)
+        run = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True)
+        self.assertRegex(run.stdout, r"^nicol-serve \d+\.\d+\.\d+\n$")
+
+
+if __name__ == "__main__":
+    unittest.main()
