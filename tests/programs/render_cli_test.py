@@ -173,7 +173,9 @@ class Success(RenderTest):
 
     def test_cache(self):
         def tables():
-            return sorted(os.listdir(self.path("tables"))) if os.path.isdir(self.path("tables")) else []
+            names = os.listdir(self.path("tables")) if os.path.isdir(self.path("tables")) else []
+            # Linked programs are the driver's to keep or not.
+            return sorted(name for name in names if not name.endswith(".program"))
 
         self.assert_succeeds("good.xml", "-o", "out/a.exr", NICOL_CACHE="")
         self.assert_succeeds("good.xml", "-o", "out/b.exr", "--cache", "tables")
@@ -219,7 +221,8 @@ class Success(RenderTest):
         shadowed, stats = picture("--cache", "kept")
         self.assertEqual(stats["order"], 9)
         self.assertLess(stats["skipped"]["unoccluded"], stats["vertices"])
-        self.assertEqual(stats["rays"]["bake"] % 2048, 0)
+        # About half of the 2048 directions lie above a vertex.
+        self.assertAlmostEqual(stats["rays"]["bake"] / stats["vertices"] / 2048, 0.5, delta=0.05)
         again, stats = picture("--cache", "kept")
         self.assertEqual(again, shadowed)
         self.assertEqual(stats["rays"]["bake"], 0)
