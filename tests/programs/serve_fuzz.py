@@ -23,7 +23,8 @@ VALUES = ["0", "1", "-1", "45", "89", "90", "1e308", "-1e308", "1e-308", "nan", 
 GOOD = {"size": ["8x8", "1x1", "64x3"], "azimuth": ["30", "-360"], "elevation": ["89", "-12.5"], "distance": ["0.001", "3", "1e6"],
         "target": ["0,0,0", "1e6,1,1"], "fov": ["1", "170"], "light": ["77"], "light_tilt": ["-180"], "order_low": ["0", "3"],
         "order_high": ["9"], "tolerance": ["1", "0.05"], "observer": ["s0", "s3", "dolp", "aolp"], "polarizer": ["12"],
-        "exposure": ["-20", "20"], "scale": ["1e-6"], "matrix": [",".join(["0"] * 16), "-0.7,0,0.7,3,0,1,0,0,-0.7,0,-0.7,3,0,0,0,1", "-1,0,0,0,0,1,0,0,0,0,-1,3,0,0,0,1"]}  # fmt: skip
+        "exposure": ["-20", "20"], "scale": ["1e-6"],
+        "matrix": [",".join(["0"] * 16), "-0.7,0,0.7,3,0,1,0,0,-0.7,0,-0.7,3,0,0,0,1", "-1,0,0,0,0,1,0,0,0,0,-1,3,0,0,0,1"]}  # fmt: skip
 METHODS = ["GET"] * 20 + ["HEAD", "POST", "PUT", "OPTIONS", "TRACE", "CONNECT", "get", "G\x00T", ""]
 HEADERS = ["Host: x", "If-None-Match: *", 'If-None-Match: "', "Connection: close", "Connection: upgrade", "Content-Length: 3",
            "Content-Length: -1", "Content-Length: 99999999999999999999", "Transfer-Encoding: chunked", "Expect: 100-continue",

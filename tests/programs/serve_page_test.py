@@ -61,6 +61,10 @@ class Page(unittest.TestCase):
         left, top, width, height = self.box()
         return [left + width / 2, top + height / 2]
 
+    def asked(self):
+        """The address of the picture that was fetched last."""
+        return self.browser.evaluate("performance.getEntriesByType('resource').filter((e) => e.name.includes('stokes')).at(-1).name")
+
     def text(self, name):
         return self.browser.evaluate(f"document.getElementById('{name}').textContent")
 
@@ -74,9 +78,12 @@ class Desktop(Page):
         self.settle()
         turned = self.picture()
         self.assertNotEqual(first, turned)
+        self.assertIn("azimuth=", self.asked())
+        self.assertNotIn("light=", self.asked())
         self.browser.drag((x, y), (x + 120, y), modifiers=SHIFT)
         self.settle()
         self.assertNotEqual(turned, self.picture())
+        self.assertIn("light=", self.asked())
 
     def test_the_polarizer_turns_without_the_service(self):
         before = self.picture()
@@ -172,6 +179,7 @@ class Phone(Page):
         touch("touchEnd")
         self.settle()
         self.assertNotEqual(before, self.picture())
+        self.assertIn("light=", self.asked())
 
 
 if __name__ == "__main__":
