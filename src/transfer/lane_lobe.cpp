@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "transfer/lane_angle.hpp"
 #include "transfer/lane_vector.hpp"
 #include "transfer/simd.hpp"
 
@@ -34,13 +35,8 @@ struct Grid {
     const bool steep = along > across;
     const float large = steep ? along : across;
     const float ratio = (steep ? across : along) / (large > 0 ? large : 1.0F);
-    // At most tan(pi/8): the fit of atan(t) / t in t^2 is then good to 2e-8.
-    const bool beyond = ratio > 0.41421356F;
-    const float t = beyond ? (ratio - 1) / (ratio + 1) : ratio;
-    const float z = t * t;
-    float angle =
-        t * (0.99999998F + z * (-0.33332786F + z * (0.19974082F + z * (-0.13848490F + z * 0.07976292F))));
-    angle += beyond ? pi / 4 : 0.0F;
+    float angle = arctangent_rest(ratio);
+    angle += beyond_eighth(ratio) ? pi / 4 : 0.0F;
     angle = steep ? pi / 2 - angle : angle;
     angle = x < 0 ? pi - angle : angle;
     return y < 0 ? -angle : angle;

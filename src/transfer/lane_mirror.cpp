@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "transfer/lane_phases.hpp"
+#include "transfer/lane_camera.hpp"
 #include "transfer/simd.hpp"
 
 namespace nicol {
@@ -18,9 +18,7 @@ struct Point {
     HalfLanes x, y, z;
 };
 
-struct Camera {
-    bool orthographic;
-    std::array<double, 3> eye, backward, up, right;
+struct Camera : LaneCamera {
     std::array<double, 9> to_light;  // by rows
 };
 
@@ -156,12 +154,9 @@ struct Camera {
     store_half(number, out.local.z, first);
 }
 
-struct Points {
-    DoubleLanes x, y, z;
-};
-
 NICOL_MULTIVERSION
-void find_mirrors(const Camera& camera, const Points& positions, const Points& normals, LaneMirror& out) {
+void find_mirrors(const Camera& camera, const LanePoints& positions, const LanePoints& normals,
+                  LaneMirror& out) {
     for (std::size_t first = 0; first < kLanes; first += half) {
         const auto at = [first](const DoubleLanes& lanes) -> const HalfLanes& {
             return *reinterpret_cast<const HalfLanes*>(lanes.value.data() + first);
@@ -172,37 +167,17 @@ void find_mirrors(const Camera& camera, const Points& positions, const Points& n
     }
 }
 
-std::array<double, 3> components(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-Points spread(std::span<const glm::vec3> from) {
-    Points to;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::vec3& v = from[i < from.size() ? i : 0];
-        to.x.value[i] = static_cast<double>(v.x);
-        to.y.value[i] = static_cast<double>(v.y);
-        to.z.value[i] = static_cast<double>(v.z);
-    }
-    return to;
-}
-
 }  // namespace
 
 LaneMirror mirror_views(const Viewpoint& view, const glm::dmat3& world_to_light,
                         std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
-    Camera camera{.orthographic = view.orthographic,
-                  .eye = components(view.eye),
-                  .backward = components(-view.forward),
-                  .up = components(view.up),
-                  .right = components(view.right),
-                  .to_light = {}};
+    Camera camera{lane_camera(view), {}};
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 3; ++column)
             camera.to_light[static_cast<std::size_t>(3 * row + column)] = world_to_light[column][row];
     }
     LaneMirror out;
-    find_mirrors(camera, spread(positions), spread(normals), out);
+    find_mirrors(camera, lane_points(positions), lane_points(normals), out);
     return out;
 }
 

@@ -5,21 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "transfer/lane_angle.hpp"
+#include "transfer/lane_camera.hpp"
 #include "transfer/lane_phases.hpp"
 #include "transfer/simd.hpp"
 
 namespace nicol {
 namespace {
-
-struct Points {
-    DoubleLanes x, y, z;
-};
-
-// Of a Viewpoint.
-struct Camera {
-    bool orthographic;
-    std::array<double, 3> eye, backward, up, right;
-};
 
 // What look() finds, before powers are raised.
 struct Sight {
@@ -32,19 +24,14 @@ struct Sight {
     const bool steep = rise >= run;
     const float large = steep ? rise : run;
     const float ratio = (steep ? run : rise) / (large > 0 ? large : 1.0F);
-    // At most tan(pi/8): the fit of atan(t) / t in t^2 is then good to 2e-8.
-    const bool beyond = ratio > 0.41421356F;
-    const float t = beyond ? (ratio - 1) / (ratio + 1) : ratio;
-    const float z = t * t;
-    float angle =
-        t * (0.99999998F + z * (-0.33332786F + z * (0.19974082F + z * (-0.13848490F + z * 0.07976292F))));
-    angle = angle * (2 / std::numbers::pi_v<float>)+(beyond ? 0.5F : 0.0F);
+    float angle = arctangent_rest(ratio);
+    angle = angle * (2 / std::numbers::pi_v<float>)+(beyond_eighth(ratio) ? 0.5F : 0.0F);
     return steep ? 1 - angle : angle;
 }
 
 // Double precision where a difference or the direction of something tiny is at stake.
 NICOL_MULTIVERSION
-void find_sight(const Camera& camera, const Points& position, const Points& normal, Sight& out) {
+void find_sight(const LaneCamera& camera, const LanePoints& position, const LanePoints& normal, Sight& out) {
     struct Floats {
         alignas(64) std::array<float, kLanes> x, y, z;
     };
@@ -125,21 +112,6 @@ void find_sight(const Camera& camera, const Points& position, const Points& norm
     }
 }
 
-std::array<double, 3> components(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-Points spread(std::span<const glm::vec3> from) {
-    Points to;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::vec3& v = from[i < from.size() ? i : 0];
-        to.x.value[i] = static_cast<double>(v.x);
-        to.y.value[i] = static_cast<double>(v.y);
-        to.z.value[i] = static_cast<double>(v.z);
-    }
-    return to;
-}
-
 }  // namespace
 
 LaneView& LaneView::of_thread(int order) {
@@ -153,13 +125,8 @@ LaneView::LaneView(int order)
 
 void LaneView::look(const Viewpoint& view, std::span<const glm::vec3> positions,
                     std::span<const glm::vec3> normals) {
-    const Camera camera{.orthographic = view.orthographic,
-                        .eye = components(view.eye),
-                        .backward = components(-view.forward),
-                        .up = components(view.up),
-                        .right = components(view.right)};
     Sight sight;
-    find_sight(camera, spread(positions), spread(normals), sight);
+    find_sight(lane_camera(view), lane_points(positions), lane_points(normals), sight);
     raise_phases(sight.azimuth_cosine, sight.azimuth_sine, cosines_.size(), cosines_.data(), sines_.data());
     zenith_ = sight.zenith;
     frame_cosine_ = sight.frame_cosine;
