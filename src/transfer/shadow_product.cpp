@@ -366,8 +366,11 @@ std::optional<ShadowProduct::Grid> ShadowProduct::grid() const {
 }
 
 std::size_t ShadowProduct::bytes() const noexcept {
-    const std::size_t numbers = std::visit(
-        [](const auto& vector) { return vector.size() * sizeof(vector.front()); }, blocks_->numbers);
+    const auto bytes_of = []<class Element>(const std::vector<Element>* of) {
+        return of == nullptr ? 0 : of->size() * sizeof(Element);
+    };
+    const std::size_t numbers = bytes_of(std::get_if<std::vector<FixedPair>>(&blocks_->numbers)) +
+                                bytes_of(std::get_if<std::vector<Lanes>>(&blocks_->numbers));
     return numbers + (blocks_->vertices.size() + blocks_->shadow_of.size()) * sizeof(std::uint32_t);
 }
 
