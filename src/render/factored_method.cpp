@@ -87,8 +87,8 @@ void FactoredMethod::relight(const TransferInput& input, Workers& workers, Progr
     const std::size_t vertices = input.geometry.positions.size();
     const std::size_t blocks = vertex_light_.blocks();
     vertex_light_.resize(input.layout, input.light.channels(), vertices);
-    const bool follows =
-        vertex_light_.blocks() == blocks && lit_for_ == RelightKey::before(input).value_or(RelightKey());
+    const auto before = RelightKey::before(input);
+    const bool follows = before && vertex_light_.blocks() == blocks && lit_for_ == *before;
     lit_for_ = {};
     const Stopwatch watch;
     const std::span normals(input.geometry.normals);

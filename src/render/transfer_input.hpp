@@ -77,7 +77,7 @@ struct RelightKey {
         key.light = 0;
         return key;
     }
-    /// The state before that input.unchanged tells of, else as `input`.
+    /// The state before that input.unchanged tells of, else as `input`; none where it tells of none.
     [[nodiscard]] static std::optional<RelightKey> before(const TransferInput& input) {
         if (!input.unchanged) return std::nullopt;
         RelightKey key(input);

@@ -354,6 +354,14 @@ TEST_CASE("instances come and go, and a cancelled render leaves nothing half don
         studio(scene);
         CHECK(studio.target.image().data == studio.fresh(scene).data);
 
+        // The light alone has changed: nothing is taken over from the state that was cancelled.
+        studio.options.progress = [](const char*, double) { return false; };
+        scene.set_environment(scene.environment(), glm::dmat3(1), 2);
+        CHECK_THROWS_AS(studio(scene), Error);
+        studio.options.progress = nullptr;
+        studio(scene);
+        CHECK(studio.target.image().data == studio.fresh(scene).data);
+
         scene.remove(0);
         scene.remove(2);
         scene.remove(added);
