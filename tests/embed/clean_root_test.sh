@@ -28,22 +28,22 @@ debootstrap --variant=minbase bookworm "$root" "$archive" >"$folder/log" 2>&1 ||
 cp /etc/apt/apt.conf.d/* "$root/etc/apt/apt.conf.d/" # the way to the archive, where it has one
 
 (cd "$build" && "$cpack" -G DEB -B "$folder/packages") >"$folder/log" 2>&1 || { cat "$folder/log"; fail "cpack"; }
-mkdir "$root/work"
-cp "$folder"/packages/*.deb "$root/work/"
-cp -r "$samples/assets" "$samples/embed_c" "$samples/embed_cmake" "$root/work/"
+mkdir "$root/try"
+cp "$folder"/packages/*.deb "$root/try/"
+cp -r "$samples/assets" "$samples/embed_c" "$samples/embed_cmake" "$root/try/"
 
 inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive sh -euc "$1"; }
-inside 'apt-get update && apt-get install -y --no-install-recommends /work/*.deb gcc g++ libc6-dev pkg-config cmake make' \
+inside 'apt-get update && apt-get install -y --no-install-recommends /try/*.deb gcc g++ libc6-dev pkg-config cmake make' \
     >"$folder/log" 2>&1 || { tail -20 "$folder/log"; fail "installing"; }
 
 # Without a driver the programs say what is missing.
-if inside 'nicol-render /work/assets/bunny_sky.xml -o /work/a.exr' >"$folder/log" 2>&1; then fail "rendered without OpenGL"; fi
+if inside 'nicol-render /try/assets/bunny_sky.xml -o /try/a.exr' >"$folder/log" 2>&1; then fail "rendered without OpenGL"; fi
 grep -qi 'osmesa' "$folder/log" || { cat "$folder/log"; fail "the message does not name what to install"; }
 inside 'apt-get install -y --no-install-recommends libosmesa6' >"$folder/log" 2>&1 || { tail "$folder/log"; fail "libosmesa6"; }
 
-inside 'cd /work && gcc -std=c99 -Wall -Werror embed_c/hello_stokes.c $(pkg-config --cflags --libs nicol) -o hello && ./hello'
-inside 'cd /work && cmake -S embed_cmake -B viewer >/dev/null && cmake --build viewer' >"$folder/log" 2>&1 ||
+inside 'cd /try && gcc -std=c99 -Wall -Werror embed_c/hello_stokes.c $(pkg-config --cflags --libs nicol) -o hello && ./hello'
+inside 'cd /try && cmake -S embed_cmake -B viewer >/dev/null && cmake --build viewer' >"$folder/log" 2>&1 ||
     { tail -20 "$folder/log"; fail "the CMake package"; }
-inside 'nicol-render /work/assets/bunny_sky.xml -o /work/a.exr && test -s /work/a.exr && nicol-convert --info /work/assets/forest.exr'
+inside 'nicol-render /try/assets/bunny_sky.xml -o /try/a.exr && test -s /try/a.exr && nicol-convert --info /try/assets/forest.exr'
 inside 'apt-get remove -y libnicol0 && ! command -v nicol-render && ! ls /usr/include/nicol.h' >"$folder/log" 2>&1 ||
     { tail "$folder/log"; fail "removing"; }
