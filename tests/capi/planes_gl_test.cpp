@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Depth, normals, positions and instances of surfaces against what geometry says.
+#include "instances.hpp"
 #include "planes.hpp"
 
 using namespace capi_test;
@@ -55,16 +56,6 @@ struct Assets {
     Assets(const Assets&) = delete;
     Assets& operator=(const Assets&) = delete;
 };
-
-std::uint32_t add(nicol_scene scene, nicol_mesh mesh, nicol_material material, const Matrix& to_world) {
-    nicol_instance instance = NICOL_INSTANCE_INIT;
-    instance.mesh = mesh;
-    instance.material = material;
-    std::copy_n(to_world.rows, 16, instance.to_world);
-    std::uint32_t id = 99;
-    OK(nicol_scene_add_instance(scene, &instance, &id));
-    return id;
-}
 
 constexpr std::uint32_t width = 48, height = 32;
 constexpr float infinity = std::numeric_limits<float>::infinity();

@@ -4,21 +4,11 @@
 #include <cmath>
 #include <thread>
 
-#include "capi.hpp"
+#include "instances.hpp"
 
 using namespace capi_test;
 
 namespace {
-
-std::uint32_t add(nicol_scene scene, nicol_mesh mesh, nicol_material material, const Matrix& at) {
-    nicol_instance instance = NICOL_INSTANCE_INIT;
-    instance.mesh = mesh;
-    instance.material = material;
-    std::copy_n(at.rows, 16, instance.to_world);
-    std::uint32_t id = 0;
-    OK(nicol_scene_add_instance(scene, &instance, &id));
-    return id;
-}
 
 std::vector<std::uint32_t> ids_of(nicol_scene scene) {
     std::uint32_t count = 99;
