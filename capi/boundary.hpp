@@ -10,8 +10,8 @@
 #include <new>
 #include <string>
 
+#include "error.hpp"
 #include "nicol.h"
-#include "nicol/error.hpp"
 
 namespace nicol::capi {
 

@@ -7,7 +7,7 @@
 #include "gl/program_cache.hpp"
 #include "handles.hpp"
 #include "host.hpp"
-#include "nicol/response_table.hpp"
+#include "material/response_table.hpp"
 
 namespace nicol::capi {
 namespace {

@@ -37,7 +37,7 @@ EquirectView view_of(const nicol_image& image) {
     }
     const std::uint64_t needed = stride * (image.height - 1) + row;
     if (image.byte_size < needed) {
-        refuse("image->byte_size is " + std::to_string(image.byte_size) + "; the picture takes " +
+        refuse("image->byte_size is " + std::to_string(image.byte_size) + "; the image takes " +
                std::to_string(needed) + " bytes");
     }
     return {.width = static_cast<int>(image.width),

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "handles.hpp"
-#include "nicol/observer.hpp"
+#include "image/observer.hpp"
 #include "render/stopwatch.hpp"
 
 using namespace nicol;
@@ -11,25 +11,25 @@ using namespace nicol::capi;
 
 namespace {
 
-Picture picture_of(const StokesImage& image, const nicol_picture& wanted) {
+Observation image_of(const StokesImage& image, const nicol_observation& wanted) {
     switch (wanted.kind) {
-        case NICOL_PICTURE_S0:
+        case NICOL_OBSERVATION_S0:
             return tone_mapped(image, static_cast<double>(wanted.exposure));
-        case NICOL_PICTURE_S1:
-        case NICOL_PICTURE_S2:
-        case NICOL_PICTURE_S3:
+        case NICOL_OBSERVATION_S1:
+        case NICOL_OBSERVATION_S2:
+        case NICOL_OBSERVATION_S3:
             return signed_component(image, static_cast<int>(wanted.kind), static_cast<double>(wanted.scale));
-        case NICOL_PICTURE_DOLP:
-            return dolp_picture(image);
-        case NICOL_PICTURE_AOLP:
-            return aolp_picture(image, AolpStyle::dark);
-        case NICOL_PICTURE_POLARIZER: {
+        case NICOL_OBSERVATION_DOLP:
+            return dolp_image(image);
+        case NICOL_OBSERVATION_AOLP:
+            return aolp_image(image, AolpStyle::dark);
+        case NICOL_OBSERVATION_POLARIZER: {
             const double angle = static_cast<double>(wanted.polarizer_angle) * std::numbers::pi / 180;
             return tone_mapped(through_polarizer(image, angle), static_cast<double>(wanted.exposure));
         }
         default:
-            refuse("picture->kind is " + std::to_string(wanted.kind) +
-                   "; it must be one of NICOL_PICTURE_...");
+            refuse("image->kind is " + std::to_string(wanted.kind) +
+                   "; it must be one of NICOL_OBSERVATION_...");
     }
 }
 
@@ -48,7 +48,7 @@ nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uin
             refuse("channels is " + std::to_string(channels) + "; it must lie in 1 to " +
                    std::to_string(NICOL_MAX_CHANNELS));
         }
-        const Turn turn(session);
+        const Rotation turn(session);
         *framebuffer = make_handle<nicol_framebuffer_impl>(
             session, std::make_shared<Framebuffer>(session->gl, static_cast<int>(width),
                                                    static_cast<int>(height), static_cast<int>(channels)));
@@ -79,25 +79,25 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         require(path, "path");
-        const Turn turn(self.session);
+        const Rotation turn(self.session);
         const StokesImage& image = self.content->image();
         const Stopwatch watch;
-        const SurfacePlanes* surfaces = self.content->planes() != 0 ? &self.content->surfaces() : nullptr;
+        const Aovs* surfaces = self.content->planes() != 0 ? &self.content->surfaces() : nullptr;
         write_exr(path, image, {.surfaces = surfaces});
         self.content->statistics().observe_ms += watch.milliseconds();
     });
 }
 
-nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_picture* picture,
+nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* image,
                                          const char* path) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        const nicol_picture wanted = read_struct(picture, "picture");
+        const nicol_observation wanted = read_struct(image, "image");
         require(path, "path");
-        const Turn turn(self.session);
+        const Rotation turn(self.session);
         const StokesImage& image = self.content->image();
         const Stopwatch watch;
-        write_png(path, picture_of(image, wanted));
+        write_png(path, image_of(image, wanted));
         self.content->statistics().observe_ms += watch.milliseconds();
     });
 }

@@ -13,15 +13,15 @@
 #include <tuple>
 
 #include "boundary.hpp"
+#include "geometry/mesh.hpp"
 #include "gl/context.hpp"
 #include "job.hpp"
-#include "nicol/camera.hpp"
-#include "nicol/environment.hpp"
-#include "nicol/material.hpp"
-#include "nicol/mesh.hpp"
-#include "nicol/scene.hpp"
+#include "light/environment.hpp"
+#include "material/material.hpp"
 #include "render/framebuffer.hpp"
 #include "render/renderer.hpp"
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
 
 namespace nicol::capi {
 
@@ -33,7 +33,7 @@ struct Session {
     void* log_user = nullptr;
     std::filesystem::path cache;                    ///< folder of tables; empty: none
     std::uint64_t memory_limit = 0;                 ///< of a scene, bytes; 0: none
-    std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws a picture
+    std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws a image
     std::mutex mutex;
     std::atomic<std::thread::id> busy{};  ///< the thread inside a call
 
@@ -74,19 +74,19 @@ inline void refuse_in_callback(const Session& session) {
 }
 
 /// One call at a time on the objects of a session. Refuses calls from within a callback of the same session.
-class Turn {
+class Rotation {
 public:
-    explicit Turn(SessionPtr session) : session_(std::move(session)) {
+    explicit Rotation(SessionPtr session) : session_(std::move(session)) {
         refuse_in_callback(*session_);
         session_->mutex.lock();
         session_->busy = std::this_thread::get_id();
     }
-    ~Turn() {
+    ~Rotation() {
         session_->busy = std::thread::id();
         session_->mutex.unlock();
     }
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
+    Rotation(const Rotation&) = delete;
+    Rotation& operator=(const Rotation&) = delete;
 
 private:
     SessionPtr session_;
@@ -113,7 +113,7 @@ struct SceneState {
     bool luminance = false;         // its film asks for one channel
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    std::unique_ptr<Framebuffer> colours;  // drawn into where a picture of the luminance is wanted
+    std::unique_ptr<Framebuffer> colours;  // drawn into where a image of the luminance is wanted
 };
 
 /// Every handle: a session, what it stands for, and a count.
@@ -245,7 +245,7 @@ nicol_result release(Impl* handle) noexcept {
 /// A spectrum of the interface as values; `fallback` where it is empty. Throws Error(invalid_argument).
 std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std::size_t fallback_channels,
                              const char* name);
-/// A caller's picture where it lies, given back when this goes.
+/// A caller's image where it lies, given back when this goes.
 struct ImagePixels {
     EquirectView view;
     std::shared_ptr<void> user;

@@ -3,7 +3,7 @@
 #include "host.hpp"
 
 #include "handles.hpp"
-#include "host_picture.hpp"
+#include "host_image.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -78,19 +78,19 @@ nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32
         static_cast<void>(of_host(self));
         const nicol_texture_target wanted = read_struct(target, "target");
         require_channel(*self.content, channel);
-        const Turn turn(self.session);
+        const Rotation turn(self.session);
         draw_stokes(*self.session, *self.content, static_cast<int>(channel), wanted);
     });
 }
 
-nicol_result nicol_framebuffer_draw_picture(nicol_framebuffer framebuffer, const nicol_picture* picture,
-                                            const nicol_texture_target* target) {
+nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, const nicol_observation* image,
+                                                const nicol_texture_target* target) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         static_cast<void>(of_host(self));
-        const nicol_picture seen = read_struct(picture, "picture");
+        const nicol_observation seen = read_struct(image, "image");
         const nicol_texture_target wanted = read_struct(target, "target");
-        const Turn turn(self.session);
-        draw_picture(*self.session, *self.content, seen, wanted);
+        const Rotation turn(self.session);
+        draw_image(*self.session, *self.content, seen, wanted);
     });
 }

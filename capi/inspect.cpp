@@ -5,7 +5,7 @@
 #include "handles.hpp"
 #include "inspect_light.hpp"
 #include "inspect_material.hpp"
-#include "nicol/psh_file.hpp"
+#include "light/psh_file.hpp"
 #include "psh_arguments.hpp"
 
 using namespace nicol;
@@ -42,7 +42,7 @@ nicol_result nicol_file_describe_light(const char* path, const nicol_file_option
         const std::filesystem::path file = read_path(path, "path");
         require_report(report);
         const FileOptions given = read_file_options(options);
-        require_no_picture_options(given, "a report");
+        require_no_image_options(given, "a report");
         nicol_light_report out = NICOL_LIGHT_REPORT_INIT;
         out.kind = kind_of_input(file);
         if (!is_light(out.kind)) refuse(file.string() + ": is a material, not light");

@@ -6,14 +6,14 @@
 #include <numbers>
 #include <string>
 
-#include "inspect_picture.hpp"
+#include "harmonics/rotation.hpp"
+#include "inspect_image.hpp"
+#include "light/cube_cross.hpp"
 #include "light/cube_names.hpp"
 #include "light/equirect.hpp"
-#include "nicol/cube_cross.hpp"
-#include "nicol/light_report.hpp"
-#include "nicol/psh_file.hpp"
-#include "nicol/rotation.hpp"
-#include "transfer/physical_range.hpp"
+#include "light/light_report.hpp"
+#include "light/psh_file.hpp"
+#include "shading/physical_range.hpp"
 
 namespace nicol::capi {
 namespace {
@@ -22,12 +22,12 @@ using std::filesystem::path;
 
 constexpr int default_order = 32;
 
-std::shared_ptr<const PictureLight> scaled(EquirectImage image, double scale) {
+std::shared_ptr<const ImageLight> scaled(EquirectImage image, double scale) {
     for (float& value : image.data) {
         value = static_cast<float>(scale * static_cast<double>(value));
         if (!std::isfinite(value)) refuse("options->scale makes the light exceed the range of 32-bit floats");
     }
-    return std::make_shared<const PictureLight>(std::move(image));
+    return std::make_shared<const ImageLight>(std::move(image));
 }
 
 // The s0-weighted mean direction that light comes from.
@@ -50,38 +50,38 @@ glm::dvec3 mean_direction(const EquirectImage& image, int channel) {
 
 int LightSource::order(const FileOptions& options) const {
     if (options.order) return *options.order;
-    return picture ? default_order : coefficients.order();
+    return image ? default_order : coefficients.order();
 }
 
 PshVector LightSource::project(const FileOptions& options) const {
     const int highest = order(options);
     PshVector out;
-    if (!picture)
+    if (!image)
         out = with_order(coefficients, highest);
     else if (options.band_limited)
-        out = project_samples_of(picture->picture(), highest);
+        out = project_samples_of(image->image(), highest);
     else
-        out = picture->project(highest);
+        out = image->project(highest);
     return options.rotation ? rotated(out, *options.rotation) : out;
 }
 
 EquirectImage LightSource::draw(const FileOptions& options, int least_width) const {
     EquirectImage out;
-    if (picture && !options.order) {
+    if (image && !options.order) {
         if (options.width != 0 || options.rotation) {
             const int w = options.width != 0 ? options.width : width;
-            const int h = options.height != 0 ? options.height : picture->picture().height;
-            out = resample_picture(*picture, options.rotation.value_or(glm::dmat3(1)), width, w, h);
+            const int h = options.height != 0 ? options.height : image->image().height;
+            out = resample_image(*image, options.rotation.value_or(glm::dmat3(1)), width, w, h);
         } else {
-            out = picture->picture();
+            out = image->image();
         }
     } else {
         const PshVector field = project(options);
         int w = options.width;
         if (w == 0)
             for (w = least_width; w < 4 * (field.order() + 1) && w < 4096;) w *= 2;
-        out = synthesize_picture(field, w, options.height != 0 ? options.height : w / 2 + 1);
-        if (picture) out.wavelengths = picture->wavelengths();
+        out = synthesize_image(field, w, options.height != 0 ? options.height : w / 2 + 1);
+        if (image) out.wavelengths = image->wavelengths();
     }
     if (options.physical) make_physical({reinterpret_cast<glm::vec4*>(out.data.data()), out.data.size() / 4});
     return out;
@@ -90,18 +90,18 @@ EquirectImage LightSource::draw(const FileOptions& options, int least_width) con
 LightSource light_source(const Environment& light, const FileOptions& options) {
     if (!options.wavelengths.empty()) refuse("wavelengths can be chosen from spectral files only");
     LightSource out;
-    EquirectImage image = light.picture();
+    EquirectImage image = light.image();
     out.width = image.width;
-    out.picture = scaled(std::move(image), options.scale);
+    out.image = scaled(std::move(image), options.scale);
     return out;
 }
 
 LightSource read_light(const path& file, nicol_file_kind kind, const FileOptions& options) {
-    if (!options.wavelengths.empty() && kind != NICOL_FILE_LIGHT_PICTURE)
+    if (!options.wavelengths.empty() && kind != NICOL_FILE_LIGHT_IMAGE)
         refuse(file.string() + ": wavelengths can be chosen from spectral files only");
     LightSource out;
     if (kind == NICOL_FILE_LIGHT_PSH) {
-        if (options.band_limited) refuse(file.string() + ": NICOL_FILE_BAND_LIMITED is for pictures to read");
+        if (options.band_limited) refuse(file.string() + ": NICOL_FILE_BAND_LIMITED is for images to read");
         out.coefficients = read_psh_vector(file);
         for (double& value : out.coefficients.data()) value *= options.scale;
         return out;
@@ -116,22 +116,22 @@ LightSource read_light(const path& file, nicol_file_kind kind, const FileOptions
                                                  std::to_string(image.height) +
                                                  " pixels; light needs at least 2 x 2");
     out.width = image.width;
-    out.picture = scaled(std::move(image), options.scale);
+    out.image = scaled(std::move(image), options.scale);
     return out;
 }
 
 void write_light(const LightSource& light, const FileOptions& options, const path& file) {
     if (const auto stem = cube_cross_stem(file)) {
         if (options.width != 0)
-            refuse("width and height are those of an equirectangular picture; a cube map has an edge");
+            refuse("width and height are those of an equirectangular image; a cube map has an edge");
         const int edge = options.edge != 0 ? options.edge : 256;
-        // Its pixels are looked up bilinearly, in a picture that is finer.
-        write_cube_cross(*stem, PictureLight(light.draw(options, std::clamp(8 * edge, 512, 4096))), edge);
+        // Its pixels are looked up bilinearly, in a image that is finer.
+        write_cube_cross(*stem, ImageLight(light.draw(options, std::clamp(8 * edge, 512, 4096))), edge);
     } else if (file.extension() == ".exr") {
         if (options.edge != 0) refuse("edge is that of a cube map, whose name ends in _s0.exr");
-        write_environment(file, PictureLight(light.draw(options)));
+        write_environment(file, ImageLight(light.draw(options)));
     } else if (file.extension() == ".npz") {
-        require_no_picture_options(options, "coefficients");
+        require_no_image_options(options, "coefficients");
         write_psh_vector(file, light.project(options));
     } else {
         refuse(file.string() + ": light is written as .exr, _s0.exr or .npz");
@@ -141,8 +141,8 @@ void write_light(const LightSource& light, const FileOptions& options, const pat
 void report_light(const LightSource& light, const FileOptions& options, nicol_light_report& report,
                   std::span<double> energy) {
     FileOptions as_it_is = options;
-    if (light.picture) as_it_is.order.reset();
-    const PictureLight seen(light.draw(as_it_is));
+    if (light.image) as_it_is.order.reset();
+    const ImageLight seen(light.draw(as_it_is));
     const LightReport found = describe(seen, 0);
     report.channels = static_cast<std::uint32_t>(seen.channels());
     report.order = static_cast<std::uint32_t>(light.order(options));
@@ -151,7 +151,7 @@ void report_light(const LightSource& light, const FileOptions& options, nicol_li
     report.polarized = found.polarized ? 1 : 0;
     report.circular = found.circular ? 1 : 0;
     std::ranges::copy(found.wavelengths, report.wavelengths);
-    const EquirectImage image = seen.picture();
+    const EquirectImage image = seen.image();
     for (int c = 0; c < seen.channels(); ++c) {
         const LightChannelReport& channel = found.channels[static_cast<std::size_t>(c)];
         report.mean[c] = channel.mean;

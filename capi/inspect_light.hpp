@@ -6,26 +6,26 @@
 #include <span>
 
 #include "inspect_options.hpp"
-#include "nicol/environment.hpp"
+#include "light/environment.hpp"
 
 namespace nicol::capi {
 
-/// Light with the options' scale, not yet turned: a picture or its coefficients.
+/// Light with the options' scale, not yet rotated: a image or its coefficients.
 struct LightSource {
-    EnvironmentPtr picture;  ///< none for coefficients
+    EnvironmentPtr image;  ///< none for coefficients
     PshVector coefficients;
-    int width = 0;  ///< of the picture
+    int width = 0;  ///< of the image
 
-    [[nodiscard]] int channels() const { return picture ? picture->channels() : coefficients.channels(); }
+    [[nodiscard]] int channels() const { return image ? image->channels() : coefficients.channels(); }
     /// The order that the options mean.
     [[nodiscard]] int order(const FileOptions& options) const;
-    /// Turned coefficients of that order.
+    /// Rotated coefficients of that order.
     [[nodiscard]] PshVector project(const FileOptions& options) const;
-    /// The turned picture in the size that the options mean.
+    /// The rotated image in the size that the options mean.
     [[nodiscard]] EquirectImage draw(const FileOptions& options, int least_width = 512) const;
 };
 
-/// Reads a file of light of this kind. Pictures may be unphysical. Throws what the readers throw.
+/// Reads a file of light of this kind. Images may be unphysical. Throws what the readers throw.
 [[nodiscard]] LightSource read_light(const std::filesystem::path& path, nicol_file_kind kind,
                                      const FileOptions& options);
 [[nodiscard]] LightSource light_source(const Environment& light, const FileOptions& options);

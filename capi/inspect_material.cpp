@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <string>
 
+#include "material/material_projection.hpp"
+#include "material/measured.hpp"
+#include "material/psh_matrix_file.hpp"
+#include "material/response_cache.hpp"
 #include "material/tensor_file.hpp"
-#include "nicol/material_projection.hpp"
-#include "nicol/measured.hpp"
-#include "nicol/psh_matrix_file.hpp"
-#include "nicol/response_cache.hpp"
 
 namespace nicol::capi {
 namespace {
@@ -18,9 +18,9 @@ using std::filesystem::path;
 constexpr int default_order = 16;
 
 void require_no_light_options(const FileOptions& options) {
-    require_no_picture_options(options, "a material");
+    require_no_image_options(options, "a material");
     if (options.rotation) refuse("rotation is for light; a material stands in its surface's frame");
-    if (options.band_limited) refuse("NICOL_FILE_BAND_LIMITED is for pictures to read, not for a material");
+    if (options.band_limited) refuse("NICOL_FILE_BAND_LIMITED is for images to read, not for a material");
     if (options.order.value_or(0) > NICOL_PSH_MAX_MATRIX_ORDER)
         refuse("options->order is " + std::to_string(*options.order) +
                "; for a material it must be at most " + std::to_string(NICOL_PSH_MAX_MATRIX_ORDER));

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "inspect_options.hpp"
-#include "nicol/material.hpp"
-#include "nicol/response_cache.hpp"
+#include "material/material.hpp"
+#include "material/response_cache.hpp"
 
 namespace nicol::capi {
 

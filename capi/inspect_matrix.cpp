@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "harmonics/spin_harmonics.hpp"
 #include "inspect_material.hpp"
-#include "nicol/spin_harmonics.hpp"
 
 namespace nicol::capi {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "files/npy.hpp"
 #include "files/zip.hpp"
+#include "harmonics/rotation.hpp"
 #include "light/cube_names.hpp"
-#include "nicol/rotation.hpp"
 
 namespace nicol::capi {
 namespace {
@@ -79,10 +79,10 @@ FileOptions read_file_options(const nicol_file_options* options) {
     return out;
 }
 
-void require_no_picture_options(const FileOptions& options, const std::string& output) {
-    if (options.width != 0) refuse("width and height are those of a picture to write, not of " + output);
+void require_no_image_options(const FileOptions& options, const std::string& output) {
+    if (options.width != 0) refuse("width and height are those of a image to write, not of " + output);
     if (options.edge != 0) refuse("edge is that of a cube map to write, not of " + output);
-    if (options.physical) refuse("NICOL_FILE_PHYSICAL is for pictures to write, not for " + output);
+    if (options.physical) refuse("NICOL_FILE_PHYSICAL is for images to write, not for " + output);
 }
 
 nicol_file_kind kind_of_input(const path& file) {
@@ -95,7 +95,7 @@ nicol_file_kind kind_of_input(const path& file) {
     if (!std::filesystem::is_regular_file(file, error))
         throw Error(ErrorCode::unsupported, file.string() + ": is not a file");
     const path suffix = file.extension();
-    if (suffix == ".exr") return NICOL_FILE_LIGHT_PICTURE;
+    if (suffix == ".exr") return NICOL_FILE_LIGHT_IMAGE;
     if (suffix == ".npz") return kind_of_archive(file);
     if (suffix == ".pbsdf") return NICOL_FILE_MATERIAL_MEASURED;
     if (suffix == ".response") return NICOL_FILE_MATERIAL_TABLE;

@@ -28,8 +28,8 @@ struct FileOptions {
 /// Throws Error(invalid_argument) naming the member that is out of range.
 [[nodiscard]] FileOptions read_file_options(const nicol_file_options* options);
 
-/// Throws Error(invalid_argument) where options are given that matter only when pictures are written.
-void require_no_picture_options(const FileOptions& options, const std::string& output);
+/// Throws Error(invalid_argument) where options are given that matter only when images are written.
+void require_no_image_options(const FileOptions& options, const std::string& output);
 
 /// What a file to read is. Throws Error(file_not_found), Error(unsupported) and, of archives, what
 /// read_npy_header() throws.

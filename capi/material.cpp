@@ -5,9 +5,9 @@
 #include <complex>
 
 #include "assets.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/measured.hpp"
-#include "nicol/psh_matrix_file.hpp"
+#include "material/conductor.hpp"
+#include "material/measured.hpp"
+#include "material/psh_matrix_file.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assets.hpp"
-#include "nicol/observer.hpp"
+#include "image/observer.hpp"
 #include "render/stopwatch.hpp"
 
 using namespace nicol;
@@ -17,7 +17,7 @@ namespace {
 struct PlaneKind {
     const char* name;
     std::size_t components;
-    std::uint32_t surface = 0;  // the PlaneBit of those that a render must be asked for
+    std::uint32_t surface = 0;  // the AovBit of those that a render must be asked for
 };
 
 constexpr std::array<PlaneKind, 11> kinds{{{"NICOL_PLANE_S0", 1},
@@ -27,10 +27,10 @@ constexpr std::array<PlaneKind, 11> kinds{{{"NICOL_PLANE_S0", 1},
                                            {"NICOL_PLANE_STOKES", 4},
                                            {"NICOL_PLANE_DOLP", 1},
                                            {"NICOL_PLANE_AOLP", 1},
-                                           {"NICOL_PLANE_DEPTH", 1, plane_depth},
-                                           {"NICOL_PLANE_NORMAL", 3, plane_normals},
-                                           {"NICOL_PLANE_POSITION", 3, plane_positions},
-                                           {"NICOL_PLANE_INSTANCE", 1, plane_instances}}};
+                                           {"NICOL_PLANE_DEPTH", 1, aov_depth},
+                                           {"NICOL_PLANE_NORMAL", 3, aov_normals},
+                                           {"NICOL_PLANE_POSITION", 3, aov_positions},
+                                           {"NICOL_PLANE_INSTANCE", 1, aov_instances}}};
 
 // A request that has been understood.
 struct Request {
@@ -155,7 +155,7 @@ private:
     Request request_;
     std::size_t components_;
     const StokesImage* image_ = nullptr;
-    const SurfacePlanes* surfaces_ = nullptr;
+    const Aovs* surfaces_ = nullptr;
     std::vector<Plane> planes_;  // a channel each
 };
 
@@ -196,7 +196,7 @@ nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const n
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         const nicol_plane_buffer wanted = read_struct(to, "to");
-        const Turn turn(self.session);
+        const Rotation turn(self.session);
         read(*self.content, wanted);
     });
 }
@@ -212,7 +212,7 @@ nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane p
         wanted.pixels = pixels;
         wanted.row_stride = row_stride;
         wanted.byte_size = byte_size;
-        const Turn turn(self.session);
+        const Rotation turn(self.session);
         if (channel == NICOL_ALL_CHANNELS) refuse("channel must be one of the framebuffer's");
         read(*self.content, wanted);
     });

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "handles.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/operator.hpp"
-#include "nicol/product.hpp"
-#include "nicol/rotation.hpp"
+#include "harmonics/evaluate.hpp"
+#include "harmonics/operator.hpp"
+#include "harmonics/product.hpp"
+#include "harmonics/rotation.hpp"
 #include "psh_arguments.hpp"
 
 using namespace nicol;

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "boundary.hpp"
-#include "nicol/psh.hpp"
+#include "harmonics/psh.hpp"
 
 namespace nicol::capi {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "nicol/convolution.hpp"
+#include "harmonics/convolution.hpp"
 #include "psh_arguments.hpp"
 
 using namespace nicol;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nicol/operator.hpp"
-#include "nicol/product.hpp"
+#include "harmonics/operator.hpp"
+#include "harmonics/product.hpp"
 #include "psh_arguments.hpp"
 
 using namespace nicol;
@@ -66,7 +66,7 @@ CoefficientMatrix project_field(const nicol_psh_mueller_field& field, int order_
     const int rows_in = read_samples(field.rows_in, 1, 2 * i + 2, "rows_in");
     if (field.isotropic != 0) {
         if (field.columns_out != 0)
-            refuse("field->columns_out is set, but `out` of an isotropic field is not turned");
+            refuse("field->columns_out is set, but `out` of an isotropic field is not rotated");
         const int columns = read_samples(field.columns_in, 2 * std::min(o, i) + 1, 4 * i + 4, "columns_in");
         const auto at = [&](double theta_in, double theta_out, double phi) {
             return value(

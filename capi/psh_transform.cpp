@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "handles.hpp"
-#include "nicol/transform.hpp"
+#include "harmonics/transform.hpp"
 #include "psh_arguments.hpp"
 
 namespace nicol::capi {

@@ -11,6 +11,6 @@ configure_file(reference/Doxyfile.in reference/Doxyfile @ONLY)
 set(marked ${CMAKE_CURRENT_BINARY_DIR}/reference/nicol.h)
 add_custom_target(reference
   COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/reference/mark_comments.py
-          ${CMAKE_CURRENT_SOURCE_DIR}/nicol.h > ${marked}
+          ${PROJECT_SOURCE_DIR}/include/nicol.h > ${marked}
   COMMAND ${DOXYGEN_EXECUTABLE} ${CMAKE_CURRENT_BINARY_DIR}/reference/Doxyfile
   COMMENT "Writing ${CMAKE_CURRENT_BINARY_DIR}/reference/html")

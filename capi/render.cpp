@@ -135,12 +135,12 @@ int components_from(nicol_components given) {
     }
 }
 
-static_assert(NICOL_PLANES_DEPTH == plane_depth && NICOL_PLANES_NORMALS == plane_normals &&
-              NICOL_PLANES_POSITIONS == plane_positions && NICOL_PLANES_INSTANCES == plane_instances);
+static_assert(NICOL_AOV_DEPTH == aov_depth && NICOL_AOV_NORMALS == aov_normals &&
+              NICOL_AOV_POSITIONS == aov_positions && NICOL_AOV_INSTANCES == aov_instances);
 
 std::uint32_t planes_from(std::uint32_t given) {
-    if ((given & ~NICOL_PLANES_ALL) != 0) {
-        refuse("planes is " + std::to_string(given) + "; it must be a sum of NICOL_PLANES_...");
+    if ((given & ~NICOL_AOV_ALL) != 0) {
+        refuse("planes is " + std::to_string(given) + "; it must be a sum of NICOL_AOV_...");
     }
     return given;
 }
@@ -165,7 +165,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.tolerance = given.tolerance;
     options.components = components_from(given.components);
     options.planes = planes_from(given.planes);
-    options.unskipped = given.unskipped;
+    options.disabled_optimisations = given.disabled_optimisations;
     options.progress = progress_from(given);
     return options;
 }
@@ -179,7 +179,7 @@ void render_by_reference(const Session& session, const Scene& scene, const Camer
                                    .planes = planes_from(given.planes),
                                    .progress = progress_from(given)};
     ReferenceStatistics traced;
-    SurfacePlanes surfaces;
+    Aovs surfaces;
     StokesImage image =
         render_reference(scene, project(camera, target.width(), target.height()), target.width(),
                          target.height(), options, traced, Strategy::both, &surfaces);
@@ -211,7 +211,7 @@ void check_memory(const Session& session, SceneState& state, const Scene& scene,
                         given.shadows,
                         given.high_order_shadows,
                         given.bake_directions,
-                        given.unskipped};
+                        given.disabled_optimisations};
     if (state.fits == key) return;
     const MemoryEstimate needed =
         reference ? estimate_reference_memory(scene) : estimate_memory(scene, options_from(given));
@@ -245,7 +245,7 @@ StokesImage luminance(const StokesImage& rgb) {
     return grey;
 }
 
-// Lights and materials of three channels multiply before the luminance is taken, so the picture is drawn in
+// Lights and materials of three channels multiply before the luminance is taken, so the image is drawn in
 // three channels first.
 void render_luminance(const Session& session, SceneState& state, const Scene& scene, const RenderCall& call,
                       Framebuffer& target) {
@@ -256,7 +256,7 @@ void render_luminance(const Session& session, SceneState& state, const Scene& sc
     }
     render_colours(session, state, scene, call, *colours);
     const StokesImage& image = colours->image();
-    const SurfacePlanes& surfaces = colours->surfaces();
+    const Aovs& surfaces = colours->surfaces();
     const Stopwatch watch;
     Statistics statistics = colours->statistics();
     target.show(luminance(image), statistics, surfaces);
@@ -299,7 +299,7 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         const nicol_framebuffer_impl& target = resolve(framebuffer);
         require_same_context(self, target);
         const RenderCall call = read_render_call(camera, options);
-        const Turn turn(self.session);
+        const Rotation turn(self.session);
         self.session->gl->require_current();  // before baking for minutes
         const Edit edit(self.content);
         render(*self.session, *self.content, self.content->scene, call, *target.content);
@@ -309,7 +309,7 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
 nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        const Turn turn(self.session);
+        const Rotation turn(self.session);
         const Statistics& s = self.content->statistics();
         nicol_statistics out = NICOL_STATISTICS_INIT;
         out.order = static_cast<uint32_t>(s.order);

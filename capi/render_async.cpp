@@ -46,7 +46,7 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
         }
         auto made = std::make_shared<Job>([call, snapshot = std::move(snapshot), session = self.session,
                                            state = self.content, target = target.content](Job& running) {
-            const Turn turn(session);
+            const Rotation turn(session);
             running.begin();
             JobProgress progress{running, call.options.progress, call.options.progress_user};
             RenderCall own = call;

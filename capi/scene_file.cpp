@@ -7,12 +7,12 @@
 #include <tuple>
 
 #include "handles.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/measured.hpp"
-#include "nicol/psh_file.hpp"
-#include "nicol/psh_matrix_file.hpp"
-#include "nicol/scene_color.hpp"
-#include "nicol/scene_description.hpp"
+#include "light/psh_file.hpp"
+#include "material/conductor.hpp"
+#include "material/measured.hpp"
+#include "material/psh_matrix_file.hpp"
+#include "scene/scene_color.hpp"
+#include "scene/scene_description.hpp"
 
 namespace nicol::capi {
 namespace {

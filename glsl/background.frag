@@ -13,7 +13,7 @@ layout(binding = 0) uniform sampler2D environment;
 #endif
 
 uniform mat3 camera;        // columns: right, up, forward in the world
-uniform vec2 half_size;     // of the picture at unit distance
+uniform vec2 half_size;     // of the image at unit distance
 uniform bool orthographic;  // every pixel looks along forward
 uniform mat3 to_light;      // world directions to the environment's axes, y up
 uniform float scale;
@@ -36,7 +36,7 @@ void main() {
     vec2 texcoord = vec2(u, (atan(across, d.y) / PI * (rows - 1.0) + 0.5) / rows);
 
 #ifdef POLARIZED
-    // From the picture's frame, x along growing u, to the camera's, x = ray x up; both have z = -ray.
+    // From the image's frame, x along growing u, to the camera's, x = ray x up; both have z = -ray.
     vec3 from = across > 0.0 ? vec3(-d.z, 0.0, d.x) / across : vec3(1.0, 0.0, 0.0);
     vec3 to = normalize(to_light * cross(ray, camera[1]));
     float c = dot(to, from);

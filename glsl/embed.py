@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Turns GLSL stages into a C++ source: python3 embed.py OUTPUT FUNCTION FILE...
+"""Rotations GLSL stages into a C++ source: python3 embed.py OUTPUT FUNCTION FILE...
 
 Stages (.vert, .frag, .comp) become entries of nicol::gl::FUNCTION(); other files are only there to be included.
 `#include "name"` finds one of the given files, the one beside the including file first, so that a build knows all

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an observer sees of a Stokes picture, pixel by pixel, into a texture of anyone's.
+// What an observer sees of a Stokes image, pixel by pixel, into a texture of anyone's.
 #version 450 core
 
 layout(location = 0) out vec4 pixel;
@@ -9,7 +9,7 @@ layout(binding = 0) uniform sampler2D stokes[CHANNELS];
 uniform int kind;        // 0 the Stokes vector itself, 1 radiance, 2 signed component, 3 DoLP, 4 AoLP
 uniform vec4 analyzer;   // radiance and signed component: what is seen is dot(analyzer, s)
 uniform bool encode;     // radiance: by the sRGB curve
-uniform bool bottom_up;  // the picture's last row goes into row 0
+uniform bool bottom_up;  // the image's last row goes into row 0
 
 const float PI = 3.14159265358979;
 

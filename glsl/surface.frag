@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes vectors between vertices. All are in the camera's frame field, which is smooth over the picture, so plain
+// Stokes vectors between vertices. All are in the camera's frame field, which is smooth over the image, so plain
 // interpolation is right.
 #version 450 core
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shaded vertices to the picture.
+// Shaded vertices to the image.
 #version 450 core
 
 // CHANNELS: colour channels drawn at once. HIGH_ORDERS: pixels look up high orders; SHADOWED: dimmed by what the vertices

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# From a fresh clone to the article's pictures and its table of costs. Takes the arguments of nicol-paper, the folder
+# From a fresh clone to the paper's images and its table of costs. Takes the arguments of nicol-paper, the folder
 # of its data first; without one, polarsh in the folder that NICOL_TEST_DATA names.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -23,5 +23,5 @@ for order in 4 9 19; do
     folder=out/paper/gold_$order
     mkdir -p "$folder"
     "$root/build/bin/nicol-render" "$root/samples/paper/gold_sphere.xml" -D "data=$(cd "$data" && pwd)" \
-        --order-low $order --high-orders none --no-shadows -o "$folder/stokes.exr" --pictures "$folder"
+        --order-low $order --high-orders none --no-shadows -o "$folder/stokes.exr" --images "$folder"
 done

@@ -11,13 +11,13 @@ Comparison::Comparison(const Workshop& workshop, std::uint32_t size, std::int32_
       truth_(make_truth(workshop, size, samples, shadows)),
       shadows_(shadows) {
     if (converged == 0) return;
-    const Picture limit = reduced_picture(stage_, {.low = converged, .shadows = shadows}, framebuffer_.get());
+    const Image limit = reduced_image(stage_, {.low = converged, .shadows = shadows}, framebuffer_.get());
     converged_ = Truth{.first = limit, .second = limit, .mask = truth_.mask};
 }
 
 Comparison::Measured Comparison::measure(Recipe recipe) const {
     recipe.shadows = shadows_;
-    const Picture made = reduced_picture(stage_, recipe, framebuffer_.get());
+    const Image made = reduced_image(stage_, recipe, framebuffer_.get());
     Measured measured{.errors = truth_.errors(made), .cut = {}, .statistics = NICOL_STATISTICS_INIT};
     if (converged_) measured.cut = converged_->errors(made);
     check(nicol_framebuffer_get_statistics(framebuffer_.get(), &measured.statistics));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors of many pictures of one scene against one truth.
+// Errors of many images of one scene against one truth.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 class Comparison {
 public:
-    /// `converged` above 0: the order of a factored picture that has the same vertices as all others, for a
+    /// `converged` above 0: the order of a factored image that has the same vertices as all others, for a
     /// second set of errors: those of truncation alone.
     Comparison(const Workshop& workshop, std::uint32_t size, std::int32_t samples, bool shadows,
                int converged = 0);
@@ -20,14 +20,14 @@ public:
     [[nodiscard]] StokesErrors noise() const { return truth_.noise(); }
     struct Measured {
         StokesErrors errors;
-        StokesErrors cut;  ///< of truncation alone; zero where there is no converged picture
+        StokesErrors cut;  ///< of truncation alone; zero where there is no converged image
         nicol_statistics statistics;
     };
     /// Whatever the recipe says of shadows, they are this comparison's.
     [[nodiscard]] Measured measure(Recipe recipe) const;
     [[nodiscard]] StokesErrors errors(const Recipe& recipe) const { return measure(recipe).errors; }
     /// A row named after the recipe: s0 to s3, then s0 to s2 of truncation alone where there is a converged
-    /// picture.
+    /// image.
     void add(Report& report, Recipe recipe) const;
     [[nodiscard]] std::ptrdiff_t pixels() const;
 

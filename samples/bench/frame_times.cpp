@@ -31,7 +31,7 @@ void Contestant::run_round() {
     stage_.orbit(camera_step);
     camera_.push_back(frame());
     if (stage_.has_light()) {
-        stage_.turn_light(light_step);
+        stage_.rotate_light(light_step);
         light_.push_back(frame());
     }
     still_.push_back(frame());

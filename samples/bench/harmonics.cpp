@@ -97,8 +97,8 @@ void bench_rotation(Report& report, int order, double seconds) {
                                out.data(), from.size()));
     };
     rotate(1, field, rotation);
-    std::vector<double> turned(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(field.size()));
-    rotate(1, turned, inverse);
+    std::vector<double> rotated(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(field.size()));
+    rotate(1, rotated, inverse);
     out.resize(field.size());
     const double error = largest_difference(field, out);
     out.resize(many.size());

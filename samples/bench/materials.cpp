@@ -88,7 +88,7 @@ Report bench_materials(const Options& given) {
     const std::int32_t samples = given.samples == 0 ? 2048 : given.samples;
     const int low = given.first_order < 0 ? 4 : given.first_order;
     const int last = given.last_order < 0 ? 64 : given.last_order;
-    const int middle = std::clamp(9, low, last);  // the article's
+    const int middle = std::clamp(9, low, last);  // the paper's
     const TemporaryFolder folder;
     write_sphere_cap(folder.path() / "sphere.obj", rings(size));
     Options options = given;

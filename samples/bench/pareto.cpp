@@ -137,7 +137,7 @@ Report bench_pareto(const Options& options) {
     for (Entry& entry : list) {
         const Contestant& added = contestants.emplace_back(workshop, entry.recipe, size);
         const Framebuffer wide = added.stage().framebuffer(kReduction * small, kReduction * small);
-        entry.errors = truth.errors(reduced_picture(added.stage(), entry.recipe, wide.get()));
+        entry.errors = truth.errors(reduced_image(added.stage(), entry.recipe, wide.get()));
     }
     const std::vector<FrameTimes> times = time_frames(contestants, options.seconds);
     Report report({"method and orders", "light turning ms", "camera only ms", "s0", "s1", "s2", "s3"});

@@ -118,8 +118,8 @@ void write_panel(std::ostream& out, const Panel& panel) {
     write_line(out, x.from, y.from, x.from, y.to, "black");
     write_text(out, panel_width / 2, top - 14, "middle", panel.title, " font-weight='bold'");
     write_text(out, (x.from + x.to) / 2, panel_height - 16, "middle", panel.x_axis);
-    const std::string turned = " transform='rotate(-90 16 " + number((y.from + y.to) / 2) + ")'";
-    write_text(out, 16, (y.from + y.to) / 2, "middle", panel.y_axis, turned.c_str());
+    const std::string rotated = " transform='rotate(-90 16 " + number((y.from + y.to) / 2) + ")'";
+    write_text(out, 16, (y.from + y.to) / 2, "middle", panel.y_axis, rotated.c_str());
     for (const Series& series : panel.series) write_series(out, series, x, y);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture is made with.
+// What a image is made with.
 #pragma once
 
 #include <nicol.h>

@@ -56,7 +56,7 @@ public:
         Cost cost{};
         std::vector<double> relight, shade, draw;
         for (int i = 0; i <= frames; ++i) {
-            const nicol_statistics s = turned_frame(recipe, framebuffer);
+            const nicol_statistics s = rotated_frame(recipe, framebuffer);
             if (i == 0) cost.bake = s.bake_ms;
             if (i == 0) continue;
             relight.push_back(s.relight_ms);
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    nicol_statistics turned_frame(const Recipe& recipe, nicol_framebuffer framebuffer) {
+    nicol_statistics rotated_frame(const Recipe& recipe, nicol_framebuffer framebuffer) {
         angle_ += 0.02;
         const double c = std::cos(angle_), s = std::sin(angle_);
         const double to_world[16] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};

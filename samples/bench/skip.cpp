@@ -32,18 +32,24 @@ struct Exhibit {
 };
 
 const Exhibit exhibits[] = {
-    {.name = "nothing changed", .skip = NICOL_SKIP_UNCHANGED, .change = Change::nothing},
-    {.name = "light unpolarized", .skip = NICOL_SKIP_LIGHT_COMPONENTS, .change = Change::light},
-    {.name = "light and material grey", .skip = NICOL_SKIP_CHANNELS, .change = Change::light, .grey = true},
-    {.name = "light of low orders", .skip = NICOL_SKIP_ORDERS, .change = Change::light, .light_order = 4},
+    {.name = "nothing changed", .skip = NICOL_OPTIMISATION_UNCHANGED, .change = Change::nothing},
+    {.name = "light unpolarized", .skip = NICOL_OPTIMISATION_LIGHT_COMPONENTS, .change = Change::light},
+    {.name = "light and material grey",
+     .skip = NICOL_OPTIMISATION_CHANNELS,
+     .change = Change::light,
+     .grey = true},
+    {.name = "light of low orders",
+     .skip = NICOL_OPTIMISATION_ORDERS,
+     .change = Change::light,
+     .light_order = 4},
     {.name = "material depolarizing",
-     .skip = NICOL_SKIP_RESPONSE_ROWS,
+     .skip = NICOL_OPTIMISATION_RESPONSE_ROWS,
      .change = Change::camera,
      .diffuse = true},
-    {.name = "vertices hidden", .skip = NICOL_SKIP_HIDDEN, .change = Change::camera},
-    {.name = "vertices unoccluded", .skip = NICOL_SKIP_UNOCCLUDED, .change = Change::light},
+    {.name = "vertices hidden", .skip = NICOL_OPTIMISATION_HIDDEN, .change = Change::camera},
+    {.name = "vertices unoccluded", .skip = NICOL_OPTIMISATION_UNOCCLUDED, .change = Change::light},
     {.name = "all, diffuse under unpolarized grey light",
-     .skip = NICOL_SKIP_ALL & ~NICOL_SKIP_UNCHANGED,
+     .skip = NICOL_OPTIMISATION_ALL & ~NICOL_OPTIMISATION_UNCHANGED,
      .change = Change::light,
      .diffuse = true,
      .grey = true,
@@ -99,11 +105,11 @@ public:
         nicol_framebuffer framebuffer = nullptr;
         check(nicol_framebuffer_create(context, size, size, kChannels, &framebuffer));
         framebuffer_.reset(framebuffer);
-        options_.unskipped = skipping ? 0 : exhibit.skip;
+        options_.disabled_optimisations = skipping ? 0 : exhibit.skip;
     }
 
     void run_round() {
-        if (frames_.empty() || exhibit_.change == Change::light) turn_light();
+        if (frames_.empty() || exhibit_.change == Change::light) rotate_light();
         if (frames_.empty() || exhibit_.change == Change::camera) move_camera();
         const auto start = Clock::now();
         check(nicol_render(scene_.get(), &camera_, &options_, framebuffer_.get()));
@@ -115,7 +121,7 @@ public:
     // The first frame makes what later ones find.
     [[nodiscard]] double frame() const { return median({frames_.begin() + 1, frames_.end()}); }
     [[nodiscard]] double transfer() const { return median({transfers_.begin() + 1, transfers_.end()}); }
-    [[nodiscard]] std::vector<float> picture() const {
+    [[nodiscard]] std::vector<float> image() const {
         std::uint32_t width = 0, height = 0, channels = 0;
         check(nicol_framebuffer_get_size(framebuffer_.get(), &width, &height, &channels));
         const std::size_t plane = std::size_t{4} * width * height;
@@ -128,7 +134,7 @@ public:
     }
 
 private:
-    void turn_light() {
+    void rotate_light() {
         light_angle_ += 0.02;
         const double c = std::cos(light_angle_), s = std::sin(light_angle_);
         const double to_world[16] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
@@ -185,7 +191,7 @@ Report bench_skip(const Options& options) {
         report.add(exhibit.name,
                    {runs ? full.transfer() / skipping.transfer() : none, runs ? full.transfer() : none,
                     runs ? skipping.transfer() : none, full.frame() / skipping.frame(),
-                    largest_difference(skipping.picture(), full.picture())});
+                    largest_difference(skipping.image(), full.image())});
     }
     report.note("Frames of a bumpy sphere of 20,000 vertices, " + std::to_string(size) + " x " +
                 std::to_string(size) +

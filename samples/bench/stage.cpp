@@ -8,8 +8,8 @@
 
 namespace {
 
-// Turns what a row-major matrix places, about the world's y.
-void turn_about_vertical(double degrees, double (&matrix)[16]) {
+// Rotations what a row-major matrix places, about the world's y.
+void rotate_about_vertical(double degrees, double (&matrix)[16]) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
@@ -92,11 +92,11 @@ void Stage::set_material(nicol_material material) {
 }
 
 void Stage::orbit(double degrees) {
-    turn_about_vertical(degrees, camera_.to_world);
+    rotate_about_vertical(degrees, camera_.to_world);
 }
 
-void Stage::turn_light(double degrees) {
-    turn_about_vertical(degrees, light_to_world_);
+void Stage::rotate_light(double degrees) {
+    rotate_about_vertical(degrees, light_to_world_);
     check(nicol_scene_set_environment(scene_.get(), light_.get(), light_to_world_, light_scale_));
 }
 

@@ -38,17 +38,17 @@ public:
 
     [[nodiscard]] nicol_context context() const { return context_; }
     [[nodiscard]] nicol_scene scene() const { return scene_.get(); }
-    /// In place of the light there is; turned as that is.
+    /// In place of the light there is; rotated as that is.
     void set_light(Environment light);
     /// Of all instances.
     void set_material(nicol_material material);
     [[nodiscard]] Framebuffer framebuffer(std::uint32_t width, std::uint32_t height) const;
-    /// Turns the camera about the world's vertical axis, further by `degrees`.
+    /// Rotations the camera about the world's vertical axis, further by `degrees`.
     void orbit(double degrees);
     /// False in darkness.
     [[nodiscard]] bool has_light() const { return light_ != nullptr; }
-    /// Turns the light about the world's vertical axis, further by `degrees`.
-    void turn_light(double degrees);
+    /// Rotations the light about the world's vertical axis, further by `degrees`.
+    void rotate_light(double degrees);
     nicol_statistics render(const nicol_render_options& options, nicol_framebuffer framebuffer) const;
 
 private:

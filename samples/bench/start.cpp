@@ -4,14 +4,14 @@
 #include <chrono>
 
 #include "child.hpp"
+#include "image.hpp"
 #include "median.hpp"
-#include "picture.hpp"
 #include "stage.hpp"
 
 namespace {
 
 // Milliseconds of each step; the numbers of a row of the report.
-std::vector<double> first_picture(const Options& options, std::uint32_t size) {
+std::vector<double> first_image(const Options& options, std::uint32_t size) {
     using Clock = std::chrono::steady_clock;
     auto step = [last = Clock::now()]() mutable {
         const auto now = Clock::now();
@@ -27,7 +27,7 @@ std::vector<double> first_picture(const Options& options, std::uint32_t size) {
     const nicol_statistics statistics =
         stage.render(Recipe{.high = High::split}.options(), framebuffer.get());
     const double rendered = step();
-    static_cast<void>(read_picture(framebuffer.get()));
+    static_cast<void>(read_image(framebuffer.get()));
     const double read = step();
     return {opened + loaded + rendered + read,
             opened,
@@ -58,11 +58,11 @@ Report bench_start(const Options& options) {
         const TemporaryFolder folder;
         Options with_cache = options;
         with_cache.cache = folder.path().string();
-        const auto measure = [&] { return first_picture(with_cache, size); };
+        const auto measure = [&] { return first_image(with_cache, size); };
         cold.push_back(in_child(measure));
         warm.push_back(in_child(measure));
     }
-    Report report({"first picture, ms", "whole", "context", "files", "render", "of it project", "of it bake",
+    Report report({"first image, ms", "whole", "context", "files", "render", "of it project", "of it bake",
                    "read back"});
     report.add("empty cache folder", medians(cold));
     report.add("warm cache folder", medians(warm));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-bench start: from nothing to the first picture.
+// nicol-bench start: from nothing to the first image.
 #pragma once
 
 #include "options.hpp"

@@ -18,16 +18,16 @@ Mask wholly_covered(const Workshop& workshop, std::uint32_t size) {
     const Framebuffer framebuffer = stage.framebuffer(kReduction * size, kReduction * size);
     const Recipe plain{.low = 0, .shadows = false};
     stage.render(plain.options(), framebuffer.get());
-    const Picture picture = read_picture(framebuffer.get());
+    const Image image = read_image(framebuffer.get());
 
     Mask covered(std::size_t{size} * size, 1);
-    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    const std::size_t pixels = std::size_t{image.width} * image.height;
     for (std::size_t i = 0; i < pixels; ++i) {
         bool background = true;
-        for (std::size_t c = 0; c < picture.channels; ++c)
-            background = background && picture.stokes[4 * (c * pixels + i)] == 1.0F;
-        const std::size_t x = i % picture.width / kReduction;
-        const std::size_t y = i / picture.width / kReduction;
+        for (std::size_t c = 0; c < image.channels; ++c)
+            background = background && image.stokes[4 * (c * pixels + i)] == 1.0F;
+        const std::size_t x = i % image.width / kReduction;
+        const std::size_t y = i / image.width / kReduction;
         if (background) covered[y * size + x] = 0;
     }
     return covered;
@@ -40,14 +40,14 @@ Truth make_truth(const Workshop& workshop, std::uint32_t size, std::int32_t samp
     const Framebuffer framebuffer = stage.framebuffer(size, size);
     Truth truth;
     stage.render(reference_options(samples, 1, shadows), framebuffer.get());
-    truth.first = read_picture(framebuffer.get());
+    truth.first = read_image(framebuffer.get());
     stage.render(reference_options(samples, 2, shadows), framebuffer.get());
-    truth.second = read_picture(framebuffer.get());
+    truth.second = read_image(framebuffer.get());
     truth.mask = eroded(wholly_covered(workshop, size), size, size);
     return truth;
 }
 
-Picture reduced_picture(const Stage& stage, const Recipe& recipe, nicol_framebuffer framebuffer) {
+Image reduced_image(const Stage& stage, const Recipe& recipe, nicol_framebuffer framebuffer) {
     stage.render(recipe.options(), framebuffer);
-    return reduced(read_picture(framebuffer), kReduction);
+    return reduced(read_image(framebuffer), kReduction);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The picture that errors are measured against.
+// The image that errors are measured against.
 #pragma once
 
-#include "picture.hpp"
+#include "image.hpp"
 #include "stage.hpp"
 
 /// By the reference method with two seeds, `samples` a pixel each. The mask holds the pixels that objects
@@ -14,4 +14,4 @@ Truth make_truth(const Workshop& workshop, std::uint32_t size, std::int32_t samp
 inline constexpr std::uint32_t kReduction = 4;
 
 /// In a framebuffer that has kReduction times the size.
-Picture reduced_picture(const Stage& stage, const Recipe& recipe, nicol_framebuffer framebuffer);
+Image reduced_image(const Stage& stage, const Recipe& recipe, nicol_framebuffer framebuffer);

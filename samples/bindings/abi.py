@@ -123,7 +123,7 @@ def breaks(old, new):
 
 
 def main():
-    now = list(interface(reader.read(os.path.join(FOLDER, "capi", "nicol.h"))))
+    now = list(interface(reader.read(os.path.join(FOLDER, "include", "nicol.h"))))
     if len(sys.argv) == 1:
         print("\n".join(now))
         return

@@ -28,7 +28,7 @@ TARGETS = {
 def main():
     if sys.argv[1:] not in ([], ["--check"]):
         sys.exit(__doc__)
-    model = reader.read(os.path.join(os.path.dirname(SAMPLES), "capi", "nicol.h"))
+    model = reader.read(os.path.join(os.path.dirname(SAMPLES), "include", "nicol.h"))
     stale = False
     for name, target in TARGETS.items():
         path, made = os.path.join(SAMPLES, name), target.generate(model)

@@ -45,8 +45,8 @@ std::string numbers(const double* values, std::size_t count) {
 
 const char* short_name(nicol_file_kind kind) {
     switch (kind) {
-        case NICOL_FILE_LIGHT_PICTURE:
-            return "light picture";
+        case NICOL_FILE_LIGHT_IMAGE:
+            return "light image";
         case NICOL_FILE_LIGHT_CROSS:
             return "light cross";
         case NICOL_FILE_LIGHT_PSH:

@@ -21,7 +21,7 @@ void require_replaceable(const std::string& path) {
         throw Failure(path + ": cannot write: exists and is not a regular file");
 }
 
-// Truncated light rings, and pictures of it may be refused later, by Nicol as by others.
+// Truncated light rings, and images of it may be refused later, by Nicol as by others.
 void notice_unphysical(const std::string& path) {
     nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
     options.order = -1;
@@ -39,8 +39,8 @@ void notice_unphysical(const std::string& path) {
 void convert(const Options& options) {
     require_replaceable(options.output);
     check(nicol_file_convert(options.input.c_str(), &options.file, options.output.c_str()));
-    const bool picture = std::filesystem::path(options.output).extension() == ".exr";
-    if (picture && (options.file.flags & NICOL_FILE_PHYSICAL) == 0) notice_unphysical(options.output);
+    const bool image = std::filesystem::path(options.output).extension() == ".exr";
+    if (image && (options.file.flags & NICOL_FILE_PHYSICAL) == 0) notice_unphysical(options.output);
 }
 
 template <class Report>

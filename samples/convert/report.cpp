@@ -97,10 +97,10 @@ void add_energy(Page& page, std::uint32_t order, const std::vector<std::string>&
 
 std::string kind_name(nicol_file_kind kind) {
     switch (kind) {
-        case NICOL_FILE_LIGHT_PICTURE:
-            return "light as an equirectangular picture (.exr)";
+        case NICOL_FILE_LIGHT_IMAGE:
+            return "light as an equirectangular image (.exr)";
         case NICOL_FILE_LIGHT_CROSS:
-            return "light as a cube map (four cross pictures, _s0.exr to _s3.exr)";
+            return "light as a cube map (four cross images, _s0.exr to _s3.exr)";
         case NICOL_FILE_LIGHT_PSH:
             return "light as coefficients (SHVec .npz)";
         case NICOL_FILE_MATERIAL_PSH:

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "experiment.hpp"
+#include "image.hpp"
 #include "light.hpp"
-#include "picture.hpp"
 
 namespace {
 
@@ -29,7 +29,7 @@ std::vector<Point> points_of(const Grid& grid) {
     return out;
 }
 
-/// The integral of k(angle) f over the grid, frames turned along the great circle between the two points.
+/// The integral of k(angle) f over the grid, frames rotated along the great circle between the two points.
 std::array<double, 4> convolve_at(const Grid& grid, const std::vector<Point>& from, const Doubles& f,
                                   const Point& to) {
     std::array<double, 4> sum{};
@@ -42,11 +42,11 @@ std::array<double, 4> convolve_at(const Grid& grid, const std::vector<Point>& fr
         const std::complex<double> b(-dot(p.w, to.x), -dot(p.w, to.y));
         const double length = std::norm(a) * std::norm(b);
         const std::complex<double> e = length > 0 ? std::conj(a) * b : 1.0;
-        const std::complex<double> turned =
+        const std::complex<double> rotated =
             std::complex(f[4 * i + 1], f[4 * i + 2]) * (e * e / (length > 0 ? length : 1.0));
         sum[0] += k * f[4 * i];
-        sum[1] += k * turned.real();
-        sum[2] += k * turned.imag();
+        sum[1] += k * rotated.real();
+        sum[2] += k * rotated.imag();
         sum[3] += k * f[4 * i + 3];
     }
     return sum;
@@ -121,7 +121,7 @@ void figure_16(Experiment& experiment) {
     experiment.claim(difference < (experiment.quick ? 1e-3 : 1e-4), "both domains give the same light");
     experiment.claim(last < first / 8, "what differs is the error of the sum, of third order in its step");
 
-    Picture picture(3);
+    Image image(3);
     for (std::size_t p = 0; p < 3; ++p) {
         Panel panels[3];
         double largest = 0;
@@ -132,7 +132,7 @@ void figure_16(Experiment& experiment) {
             panels[2].values.push_back(1e4 * (angular[4 * i + p] - wanted[4 * i + p]));
             largest = std::max(largest, std::abs(wanted[4 * i + p]));
         }
-        for (const Panel& panel : panels) picture.add(panel, Signed{largest});
+        for (const Panel& panel : panels) image.add(panel, Signed{largest});
     }
-    picture.write(experiment.picture("fig16_convolution.png"), experiment.quick ? 8 : 2);
+    image.write(experiment.image("fig16_convolution.png"), experiment.quick ? 8 : 2);
 }

@@ -8,19 +8,19 @@
 #include <vector>
 
 struct Experiment {
-    std::filesystem::path out;  ///< folder for pictures
-    std::string light;          ///< OpenEXR file; empty: the picture of light.hpp
+    std::filesystem::path out;  ///< folder for images
+    std::string light;          ///< OpenEXR file; empty: the image of light.hpp
     std::string polarsh;        ///< folder of the authors' data; empty: not compared
     bool quick = false;         ///< a smaller case where the full one takes more than a second
     bool failed = false;        ///< some claim did not hold
 
     /// Prints the claim and whether it holds.
     void claim(bool holds, const std::string& text);
-    /// A picture's path under `out`; prints it.
-    [[nodiscard]] std::string picture(const std::string& name) const;
+    /// A image's path under `out`; prints it.
+    [[nodiscard]] std::string image(const std::string& name) const;
 };
 
-// One file each, named after what it shows; the numbers are the article's.
+// One file each, named after what it shows; the numbers are the paper's.
 void figure_7(Experiment& experiment);
 void figure_10(Experiment& experiment);
 void figure_11(Experiment& experiment);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-experiments: the article's numerical experiments, through the C ABI alone.
+// nicol-experiments: the paper's numerical experiments, through the C ABI alone.
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -11,10 +11,10 @@ namespace {
 
 const char* const usage =
     "usage: nicol-experiments [options] [figure...]\n"
-    "Repeats numerical experiments of the article on polarized spherical harmonics: 7 10 11 13 16 17, all\n"
-    "without arguments. Prints tables and writes pictures.\n"
+    "Repeats numerical experiments of the paper on polarized spherical harmonics: 7 10 11 13 16 17, all\n"
+    "without arguments. Prints tables and writes images.\n"
     "\n"
-    "      --out DIR     folder for the pictures, made when missing; default out/experiments\n"
+    "      --out DIR     folder for the images, made when missing; default out/experiments\n"
     "      --light FILE  light of figures 7, 11 and 16, in any format that nicol-render takes;\n"
     "                    default: a sky with three polarized lamps, made here\n"
     "      --polarsh DIR the authors' visibility of a vertex, vis_SHVec_buddha_v17650_256_L9.npz, and their\n"
@@ -50,7 +50,7 @@ void Experiment::claim(bool holds, const std::string& text) {
     failed = failed || !holds;
 }
 
-std::string Experiment::picture(const std::string& name) const {
+std::string Experiment::image(const std::string& name) const {
     std::string path = (out / name).string();
     std::printf("  -> %s\n", path.c_str());
     return path;

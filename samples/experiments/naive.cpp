@@ -19,7 +19,7 @@ Doubles from_scalars(const Doubles& scalars) {
     return out;
 }
 
-Doubles turned_samples(const Grid& grid, const Rotation& rotation, const Expansion& at) {
+Doubles rotated_samples(const Grid& grid, const Rotation& rotation, const Expansion& at) {
     const Rotation back = transposed(rotation);
     std::vector<Vec3> sources;
     for (const double theta : grid.theta)

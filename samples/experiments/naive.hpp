@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The approach that the article warns of: s1 and s2 in the theta-phi frame as if they were scalars. They take
+// The approach that the paper warns of: s1 and s2 in the theta-phi frame as if they were scalars. They take
 // the places of s0 and s3, which are expanded in scalar harmonics.
 #pragma once
 
@@ -11,6 +11,6 @@ Doubles from_scalars(const Doubles& scalars);
 
 using Expansion = std::function<Doubles(const std::vector<Vec3>&)>;
 
-/// Samples on the grid, s1 and s2 alone, of the field turned in space: (R f)(w) = R f(R^-1 w), from the
+/// Samples on the grid, s1 and s2 alone, of the field rotated in space: (R f)(w) = R f(R^-1 w), from the
 /// Stokes vectors f that `at` gives at directions.
-Doubles turned_samples(const Grid& grid, const Rotation& rotation, const Expansion& at);
+Doubles rotated_samples(const Grid& grid, const Rotation& rotation, const Expansion& at);

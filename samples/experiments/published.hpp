@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays that the article's authors published.
+// Arrays that the paper's authors published.
 #pragma once
 
 #include <string>

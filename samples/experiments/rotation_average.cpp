@@ -6,7 +6,7 @@
 
 #include "experiment.hpp"
 #include "field.hpp"
-#include "picture.hpp"
+#include "image.hpp"
 
 namespace {
 
@@ -46,7 +46,7 @@ std::int32_t rough_glass(void*, const double in[3], const double out[3], double 
 }
 
 /// R M R^-1, column by column.
-Doubles turned(const Doubles& matrix, const Rotation& rotation) {
+Doubles rotated(const Doubles& matrix, const Rotation& rotation) {
     Doubles units(n * n);
     for (std::size_t j = 0; j < n; ++j) units[j * n + j] = 1;
     const Doubles from = rotate(order, units, transposed(rotation));
@@ -68,7 +68,7 @@ Doubles average(const Doubles& matrix, nicol_psh_grid kind, std::uint32_t size) 
     for (std::size_t k = 0; k < normals.points(); ++k) {
         const double theta = normals.theta[k / normals.columns], phi = normals.phi(k % normals.columns);
         const Vec3 x = theta_hat(theta, phi), y = phi_hat(phi), z = direction(theta, phi);
-        const Doubles m = turned(matrix, {x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]});
+        const Doubles m = rotated(matrix, {x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]});
         const double weight = normals.solid_angle(k / normals.columns) / (4 * pi);
         for (std::size_t i = 0; i < m.size(); ++i) sum[i] += weight * m[i];
     }
@@ -118,7 +118,7 @@ void figure_17(Experiment& experiment) {
     for (const double x : matrix) sum += x * x;
     const double scale = std::sqrt(sum) / static_cast<double>(n);
 
-    Picture picture(4);
+    Image image(4);
     double worst_exact = 0, unaveraged = 0;
     for (const nicol_psh_grid kind : {NICOL_PSH_GRID_CLENSHAW_CURTIS, NICOL_PSH_GRID_GAUSS_LEGENDRE}) {
         const bool gauss = kind == NICOL_PSH_GRID_GAUSS_LEGENDRE;
@@ -139,7 +139,7 @@ void figure_17(Experiment& experiment) {
             if (size == 0) unaveraged = worst;
             if (gauss && (size == 0 || size == 2 || size == 4 || size == 6)) {
                 Panel panel{n, n, averaged};
-                picture.add(panel, Magnitude{10 * scale, 6});
+                image.add(panel, Magnitude{10 * scale, 6});
             }
         }
     }
@@ -147,5 +147,5 @@ void figure_17(Experiment& experiment) {
     experiment.claim(
         worst_exact < 1e-13,
         "averaged over enough normals it is one, to rounding: Eq. 69 has all that rotation leaves");
-    picture.write(experiment.picture("fig17_averaged_matrix.png"), 2);
+    image.write(experiment.image("fig17_averaged_matrix.png"), 2);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Figure 11: truncated light, rotated by its coefficients and turned back in space, should be itself.
+// Figure 11: truncated light, rotated by its coefficients and rotated back in space, should be itself.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "experiment.hpp"
+#include "image.hpp"
 #include "light.hpp"
 #include "naive.hpp"
-#include "picture.hpp"
 
 namespace {
 
@@ -26,20 +26,20 @@ struct Loop {
     Doubles before, after;
 };
 
-/// Coefficients -> rotated coefficients -> samples turned back, in spin-2 harmonics.
+/// Coefficients -> rotated coefficients -> samples rotated back, in spin-2 harmonics.
 Loop spin2_loop(const Grid& grid, std::uint32_t order, const Doubles& f, const Rotation& rotation) {
-    const Doubles turned = rotate(order, f, rotation);
+    const Doubles rotated = rotate(order, f, rotation);
     return {from_scalars(to_scalars(grid.synthesize(f))),
-            turned_samples(grid, transposed(rotation),
-                           [&](const auto& w) { return evaluate(order, turned, w); })};
+            rotated_samples(grid, transposed(rotation),
+                            [&](const auto& w) { return evaluate(order, rotated, w); })};
 }
 
 /// The same in the naive basis, whose rotated coefficients are those of the rotated field.
 Loop naive_loop(const Grid& grid, std::uint32_t order, const Doubles& f, const Rotation& rotation) {
-    const Doubles turned = grid.analyze(to_scalars(
-        turned_samples(grid, rotation, [&](const auto& w) { return from_scalars(evaluate(order, f, w)); })));
-    return {from_scalars(grid.synthesize(f)), turned_samples(grid, transposed(rotation), [&](const auto& w) {
-                return from_scalars(evaluate(order, turned, w));
+    const Doubles rotated = grid.analyze(to_scalars(
+        rotated_samples(grid, rotation, [&](const auto& w) { return from_scalars(evaluate(order, f, w)); })));
+    return {from_scalars(grid.synthesize(f)), rotated_samples(grid, transposed(rotation), [&](const auto& w) {
+                return from_scalars(evaluate(order, rotated, w));
             })};
 }
 
@@ -50,7 +50,7 @@ void figure_11(Experiment& experiment) {
     std::printf("  %-8s %34s %34s\n", "", "spin-2: difference over rms", "naive: difference over rms");
     std::printf("  %-8s %17s %16s %17s %16s\n", "order", "rms", "largest", "rms", "largest");
     double worst_spin2 = 0, best_naive = 1;
-    Picture picture(3);
+    Image image(3);
     for (const std::uint32_t order : {4U, 9U, 19U}) {
         const Doubles f = light(experiment, order);
         const Grid grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, order, 96, 192);
@@ -69,9 +69,9 @@ void figure_11(Experiment& experiment) {
         const double scale = 3 * rms_a;
         for (const Loop& loop : {a, b})
             for (const Doubles& stokes : {loop.before, loop.after, minus(loop.after, loop.before)})
-                picture.add(component(grid, stokes, 1), Signed{scale});
+                image.add(component(grid, stokes, 1), Signed{scale});
     }
     experiment.claim(worst_spin2 < 1e-11, "spin-2 harmonics are invariant under rotation");
     experiment.claim(best_naive > 1e-3, "the naive basis is not");
-    picture.write(experiment.picture("fig11_rotation_invariance.png"), 2);
+    image.write(experiment.image("fig11_rotation_invariance.png"), 2);
 }

@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "experiment.hpp"
+#include "image.hpp"
 #include "naive.hpp"
-#include "picture.hpp"
 
 namespace {
 
@@ -38,8 +38,8 @@ Summary summary(const Panel& matrix) {
 
 /// Magnitudes of the responses, read from components a and b of coefficient vectors, to unit vectors that
 /// `turn` maps to coefficients.
-template <class Turn>
-Panel matrix_of(std::size_t first, std::size_t input, std::size_t a, std::size_t b, Turn turn) {
+template <class Rotation>
+Panel matrix_of(std::size_t first, std::size_t input, std::size_t a, std::size_t b, Rotation turn) {
     Panel panel{count, count, std::vector<double>(count * count)};
     for (std::size_t j = first; j < count; ++j) {
         Doubles unit_vector(4 * count);
@@ -66,12 +66,12 @@ void figure_10(Experiment& experiment) {
         matrix_of(0, 0, 0, 0, [&](const Doubles& f) { return grid.analyze(evaluate(order, f, sources)); });
     const Panel naive = matrix_of(0, 0, 0, 3, [&](const Doubles& f) {
         const auto at = [&](const auto& w) { return from_scalars(evaluate(order, f, w)); };
-        return grid.analyze(to_scalars(turned_samples(grid, rotation, at)));
+        return grid.analyze(to_scalars(rotated_samples(grid, rotation, at)));
     });
     double deviation = 0;
     const Panel spin2 = matrix_of(4, 1, 1, 2, [&](const Doubles& f) {
         const Doubles column = grid.analyze(
-            turned_samples(grid, rotation, [&](const auto& w) { return evaluate(order, f, w); }));
+            rotated_samples(grid, rotation, [&](const auto& w) { return evaluate(order, f, w); }));
         deviation = std::max(deviation, largest_difference(column, rotate(order, f, rotation)));
         return column;
     });
@@ -89,7 +89,7 @@ void figure_10(Experiment& experiment) {
     experiment.claim(a.largest < 1e-12 && c.largest < 1e-12, "(a) and (c) keep every order to itself");
     experiment.claim(b.off_diagonal > 1e-3, "(b) mixes the orders");
     experiment.claim(deviation < 1e-12, "the Wigner D-functions give the same matrix as the quadrature");
-    Picture picture(3);
-    for (const Panel& panel : {scalar, naive, spin2}) picture.add(panel, Magnitude{1, 4});
-    picture.write(experiment.picture("fig10_rotation_matrix.png"), 4);
+    Image image(3);
+    for (const Panel& panel : {scalar, naive, spin2}) image.add(panel, Magnitude{1, 4});
+    image.write(experiment.image("fig10_rotation_matrix.png"), 4);
 }

@@ -6,7 +6,7 @@
 
 #include "experiment.hpp"
 #include "field.hpp"
-#include "picture.hpp"
+#include "image.hpp"
 #include "published.hpp"
 
 namespace {
@@ -106,11 +106,11 @@ void figure_13(Experiment& experiment) {
 
     Panel matrix_panel{n, n, {}};
     for (const double x : matrix) matrix_panel.values.push_back(x);
-    Picture picture(1);
-    picture.add(matrix_panel, Magnitude{1, 4});
-    picture.write(experiment.picture("fig13_shadow_matrix.png"), 4);
+    Image image(1);
+    image.add(matrix_panel, Magnitude{1, 4});
+    image.write(experiment.image("fig13_shadow_matrix.png"), 4);
     const Doubles smooth = fine.synthesize(as_field);
-    Picture maps(2);
+    Image maps(2);
     for (const Doubles& map : {samples, smooth}) {
         Panel panel{fine.columns / 4, fine.theta.size() / 4, {}};
         for (std::size_t row = 0; row < panel.height; ++row)
@@ -118,5 +118,5 @@ void figure_13(Experiment& experiment) {
                 panel.values.push_back(map[4 * (4 * row * fine.columns + 4 * column)]);
         maps.add(panel, Signed{1});
     }
-    maps.write(experiment.picture("fig13_visibility.png"), 2);
+    maps.write(experiment.image("fig13_visibility.png"), 2);
 }

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "experiment.hpp"
+#include "image.hpp"
 #include "light.hpp"
 #include "naive.hpp"
-#include "picture.hpp"
 
 namespace {
 
@@ -39,7 +39,7 @@ double spread(const Field& field, double radius) {
 }
 
 /// s1 and s2 within 30 degrees of the pole, seen along -z.
-void add_views(Picture& picture, const std::vector<Field>& fields) {
+void add_views(Image& image, const std::vector<Field>& fields) {
     constexpr std::size_t size = 128;
     std::vector<Vec3> points;
     Doubles azimuth;
@@ -62,7 +62,7 @@ void add_views(Picture& picture, const std::vector<Field>& fields) {
                 const auto s = steady(stokes, i, azimuth[i]);
                 panel.values.push_back(component == 0 ? s.real() : s.imag());
             }
-            picture.add(panel, Signed{scale});
+            image.add(panel, Signed{scale});
         }
 }
 
@@ -101,7 +101,7 @@ void figure_7(Experiment& experiment) {
     }
     experiment.claim(limit[1] < 1e-4, "in spin-2 harmonics the truncated light is smooth at the pole");
     experiment.claim(limit[2] > 1e-2, "in the naive basis it is not: it depends on the way to the pole");
-    Picture picture(fields.size());
-    add_views(picture, fields);
-    picture.write(experiment.picture("fig07_pole.png"), 2);
+    Image image(fields.size());
+    add_views(image, fields);
+    image.write(experiment.image("fig07_pole.png"), 2);
 }

@@ -95,7 +95,7 @@ void run(const Options& options) {
          ++frame) {
         stage.draw_triangles(frame);
         if (polarized) {
-            untouched(gl, [&] { polarized->draw(2.0 * frame, polarizer, stage.picture()); });
+            untouched(gl, [&] { polarized->draw(2.0 * frame, polarizer, stage.image()); });
             stage.draw_quad(3.0 * frame);
         }
         if (frame + 1 == options.frames && !options.screenshot.empty())

@@ -11,8 +11,8 @@ const char* const usage =
     "Shows polarized light inside an application with OpenGL of its own. Left and right turn the polarizer.\n"
     "  --polarizer ANGLE   degrees counter-clockwise from the right\n"
     "  --frames N          end after N frames; the first one faces the viewer\n"
-    "  --screenshot FILE   write the last frame as a PPM picture; needs --frames\n"
-    "  --planes FILE       write what the picture on the quad is made of: 256 x 256 x 3 Stokes vectors as "
+    "  --screenshot FILE   write the last frame as a PPM image; needs --frames\n"
+    "  --planes FILE       write what the image on the quad is made of: 256 x 256 x 3 Stokes vectors as "
     "floats\n"
     "  --without-nicol     leave the quad out\n";
 

@@ -58,14 +58,14 @@ void Polarized::draw(double sun, double polarizer, unsigned texture) {
     check(nicol_scene_set_environment(scene_.get(), sky_.get(), to_world, 0));
     check(nicol_render(scene_.get(), &camera_, nullptr, framebuffer_.get()));
 
-    nicol_picture seen = NICOL_PICTURE_INIT;
-    seen.kind = NICOL_PICTURE_POLARIZER;
+    nicol_observation seen = NICOL_OBSERVATION_INIT;
+    seen.kind = NICOL_OBSERVATION_POLARIZER;
     seen.polarizer_angle = static_cast<float>(polarizer);
     nicol_texture_target target = NICOL_TEXTURE_TARGET_INIT;
     target.texture = texture;
     target.bottom_up = 1;
     target.encoding = NICOL_ENCODING_SRGB;
-    check(nicol_framebuffer_draw_picture(framebuffer_.get(), &seen, &target));
+    check(nicol_framebuffer_draw_observation(framebuffer_.get(), &seen, &target));
 }
 
 std::vector<float> Polarized::planes() const {

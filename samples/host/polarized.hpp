@@ -15,7 +15,7 @@ public:
     Polarized();
 
     /// Renders with the sun at this azimuth in degrees, and draws what a polarizer at this angle passes into
-    /// the texture: RGBA8, row 0 at the bottom as OpenGL's own pictures.
+    /// the texture: RGBA8, row 0 at the bottom as OpenGL's own images.
     void draw(double sun, double polarizer, unsigned texture);
     /// [channel][row][column][4], the top row first.
     [[nodiscard]] std::vector<float> planes() const;

@@ -14,8 +14,8 @@ uniform float turn;
 out vec4 tint;
 void main() {
     tint = colour;
-    vec2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * place;
-    gl_Position = vec4(turned * vec2(0.5625, 1.0) * 0.8 - vec2(0.45, 0.0), 0.0, 1.0);
+    vec2 rotated = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * place;
+    gl_Position = vec4(rotated * vec2(0.5625, 1.0) * 0.8 - vec2(0.45, 0.0), 0.0, 1.0);
 })";
 constexpr const char* triangle_fragment = R"(#version 450 core
 in vec4 tint;
@@ -34,9 +34,9 @@ void main() {
 })";
 constexpr const char* quad_fragment = R"(#version 450 core
 in vec2 uv;
-layout(binding = 3) uniform sampler2D picture;
+layout(binding = 3) uniform sampler2D image;
 out vec4 pixel;
-void main() { pixel = texture(picture, uv); })";
+void main() { pixel = texture(image, uv); })";
 
 constexpr float triangle_corners[] = {
     -0.9F, -0.8F, 1, 0, 0, 1,    0.9F, -0.8F, 0, 1, 0, 1,    0,     0.9F, 0, 0, 1, 1,
@@ -76,9 +76,9 @@ Stage::Stage(const Gl& gl)
     quad_vertices_ = vertices(gl, quad_corners, sizeof quad_corners);
     attribute(gl, 0, 2, 2, 0);
 
-    gl.GenTextures(1, &picture_);
+    gl.GenTextures(1, &image_);
     gl.ActiveTexture(GL_TEXTURE3);
-    gl.BindTexture(GL_TEXTURE_2D, picture_);
+    gl.BindTexture(GL_TEXTURE_2D, image_);
     gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, quad_size, quad_size);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

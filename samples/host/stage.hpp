@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the application draws itself: a few triangles, and a quad with a picture on it.
+// What the application draws itself: a few triangles, and a quad with a image on it.
 #pragma once
 
 #include "gl.hpp"
@@ -13,12 +13,12 @@ public:
     explicit Stage(const Gl& gl);
 
     /// The texture on the quad, RGBA8.
-    [[nodiscard]] GLuint picture() const { return picture_; }
+    [[nodiscard]] GLuint image() const { return image_; }
     void draw_triangles(double turn) const;
     /// turn: degrees about the vertical axis.
     void draw_quad(double turn) const;
 
 private:
     const Gl& gl_;
-    GLuint triangles_ = 0, quad_ = 0, triangle_vertices_ = 0, quad_vertices_ = 0, picture_ = 0;
+    GLuint triangles_ = 0, quad_ = 0, triangle_vertices_ = 0, quad_vertices_ = 0, image_ = 0;
 };

@@ -165,7 +165,7 @@ typedef struct nicol_render_options {
     nicol_high_orders_at high_orders_at;
     double tolerance;
     nicol_components components;
-    uint32_t unskipped;
+    uint32_t disabled_optimisations;
     int32_t high_order_shadows;
     uint32_t planes;
 } nicol_render_options;
@@ -229,14 +229,14 @@ typedef struct nicol_plane_buffer {
     uint64_t row_stride;
     uint64_t byte_size;
 } nicol_plane_buffer;
-typedef uint32_t nicol_picture_kind;
-typedef struct nicol_picture {
+typedef uint32_t nicol_observation_kind;
+typedef struct nicol_observation {
     uint32_t struct_size;
-    nicol_picture_kind kind;
+    nicol_observation_kind kind;
     float exposure;
     float scale;
     float polarizer_angle;
-} nicol_picture;
+} nicol_observation;
 typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
 typedef int32_t (*nicol_is_current_callback)(void* user);
 typedef struct nicol_host {
@@ -405,11 +405,11 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
 nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel, float* pixels, uint64_t row_stride, uint64_t byte_size);
 nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to);
 nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
-nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_picture* picture, const char* path);
+nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* image, const char* path);
 nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options, nicol_context* context);
 nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel, nicol_texture* texture);
 nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel, const nicol_texture_target* target);
-nicol_result nicol_framebuffer_draw_picture(nicol_framebuffer framebuffer, const nicol_picture* picture, const nicol_texture_target* target);
+nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, const nicol_observation* image, const nicol_texture_target* target);
 nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients, uint64_t count);
 nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order, double* coefficients, uint64_t count);
 nicol_result nicol_psh_project_file(const char* path, uint32_t order, uint32_t* channels, double* coefficients, uint64_t count);
@@ -491,19 +491,19 @@ return {
         EXECUTOR_AUTOMATIC = 0,
         EXECUTOR_CPU = 1,
         EXECUTOR_COMPUTE = 2,
-        SKIP_UNCHANGED = 1,
-        SKIP_LIGHT_COMPONENTS = 2,
-        SKIP_CHANNELS = 4,
-        SKIP_ORDERS = 8,
-        SKIP_RESPONSE_ROWS = 16,
-        SKIP_HIDDEN = 32,
-        SKIP_UNOCCLUDED = 64,
-        SKIP_ALL = 127,
-        PLANES_DEPTH = 1,
-        PLANES_NORMALS = 2,
-        PLANES_POSITIONS = 4,
-        PLANES_INSTANCES = 8,
-        PLANES_ALL = 15,
+        OPTIMISATION_UNCHANGED = 1,
+        OPTIMISATION_LIGHT_COMPONENTS = 2,
+        OPTIMISATION_CHANNELS = 4,
+        OPTIMISATION_ORDERS = 8,
+        OPTIMISATION_RESPONSE_ROWS = 16,
+        OPTIMISATION_HIDDEN = 32,
+        OPTIMISATION_UNOCCLUDED = 64,
+        OPTIMISATION_ALL = 127,
+        AOV_DEPTH = 1,
+        AOV_NORMALS = 2,
+        AOV_POSITIONS = 4,
+        AOV_INSTANCES = 8,
+        AOV_ALL = 15,
         COMPONENTS_ALL = 0,
         COMPONENTS_S0 = 1,
         COMPONENTS_LINEAR = 3,
@@ -529,13 +529,13 @@ return {
         FORMAT_FLOAT16 = 2,
         FORMAT_UINT32 = 3,
         ALL_CHANNELS = 4294967295,
-        PICTURE_S0 = 0,
-        PICTURE_S1 = 1,
-        PICTURE_S2 = 2,
-        PICTURE_S3 = 3,
-        PICTURE_DOLP = 4,
-        PICTURE_AOLP = 5,
-        PICTURE_POLARIZER = 6,
+        OBSERVATION_S0 = 0,
+        OBSERVATION_S1 = 1,
+        OBSERVATION_S2 = 2,
+        OBSERVATION_S3 = 3,
+        OBSERVATION_DOLP = 4,
+        OBSERVATION_AOLP = 5,
+        OBSERVATION_POLARIZER = 6,
         ENCODING_LINEAR = 0,
         ENCODING_SRGB = 1,
         PSH_MAX_ORDER = 4096,
@@ -544,7 +544,7 @@ return {
         PSH_GRID_CLENSHAW_CURTIS = 1,
         PSH_GRID_GAUSS_LEGENDRE = 2,
         PSH_BAND_SIZE = 16,
-        FILE_LIGHT_PICTURE = 1,
+        FILE_LIGHT_IMAGE = 1,
         FILE_LIGHT_CROSS = 2,
         FILE_LIGHT_PSH = 3,
         FILE_MATERIAL_PSH = 4,
@@ -608,7 +608,7 @@ return {
         context_create_host = "nicol_context",
         framebuffer_get_texture = true,
         framebuffer_draw_stokes = true,
-        framebuffer_draw_picture = true,
+        framebuffer_draw_observation = true,
         psh_project_image = true,
         psh_project_environment = true,
         psh_project_file = true,
@@ -659,7 +659,7 @@ return {
         job_status = true,
         statistics = true,
         plane_buffer = true,
-        picture = true,
+        observation = true,
         host = true,
         texture = true,
         texture_target = true,

@@ -18,16 +18,16 @@ std::uint8_t srgb(double linear) {
 
 // colour_at(pixel) of each pixel of an object; the means of the pixels' colours, coded by the sRGB curve.
 template <class ColourAt>
-Panel shrunk(const Picture& picture, std::size_t size, ColourAt colour_at) {
-    const std::vector<std::uint8_t>& mask = picture.object;
-    const std::size_t side = std::max<std::size_t>(picture.size / size, 1);
-    Panel panel{.size = picture.size / side, .rgb = {}};
+Panel shrunk(const Image& image, std::size_t size, ColourAt colour_at) {
+    const std::vector<std::uint8_t>& mask = image.object;
+    const std::size_t side = std::max<std::size_t>(image.size / size, 1);
+    Panel panel{.size = image.size / side, .rgb = {}};
     for (std::size_t y = 0; y < panel.size; ++y) {
         for (std::size_t x = 0; x < panel.size; ++x) {
             Colour sum{};
             for (std::size_t v = y * side; v < (y + 1) * side; ++v) {
                 for (std::size_t u = x * side; u < (x + 1) * side; ++u) {
-                    const std::size_t i = v * picture.size + u;
+                    const std::size_t i = v * image.size + u;
                     const Colour colour = mask[i] != 0 ? colour_at(i) : no_object;
                     for (std::size_t c = 0; c < 3; ++c) sum[c] += std::clamp(colour[c], 0.0, 1.0);
                 }
@@ -39,9 +39,9 @@ Panel shrunk(const Picture& picture, std::size_t size, ColourAt colour_at) {
     return panel;
 }
 
-double mean_of_channels(const Picture& picture, std::size_t pixel, std::size_t p) {
+double mean_of_channels(const Image& image, std::size_t pixel, std::size_t p) {
     double sum = 0;
-    for (const auto& plane : picture.stokes) sum += double{plane[4 * pixel + p]};
+    for (const auto& plane : image.stokes) sum += double{plane[4 * pixel + p]};
     return sum / 3;
 }
 
@@ -55,39 +55,38 @@ double percentile(std::vector<double> values, double share) {
 
 }  // namespace
 
-Exposure expose(const Picture& picture) {
-    const std::vector<std::uint8_t>& mask = picture.object;
+Exposure expose(const Image& image) {
+    const std::vector<std::uint8_t>& mask = image.object;
     std::vector<double> light, polarized;
     for (std::size_t i = 0; i < mask.size(); ++i) {
         if (mask[i] == 0) continue;
-        light.push_back(
-            std::max({picture.stokes[0][4 * i], picture.stokes[1][4 * i], picture.stokes[2][4 * i]}));
-        for (const std::size_t p : {1, 2}) polarized.push_back(std::abs(mean_of_channels(picture, i, p)));
+        light.push_back(std::max({image.stokes[0][4 * i], image.stokes[1][4 * i], image.stokes[2][4 * i]}));
+        for (const std::size_t p : {1, 2}) polarized.push_back(std::abs(mean_of_channels(image, i, p)));
     }
     return {.s0 = percentile(std::move(light), 0.98), .polarized = percentile(std::move(polarized), 0.99)};
 }
 
-Panel Colouring::s0(const Picture& picture) const {
-    return shrunk(picture, size_, [&](std::size_t i) {
+Panel Colouring::s0(const Image& image) const {
+    return shrunk(image, size_, [&](std::size_t i) {
         Colour colour;
-        for (std::size_t c = 0; c < 3; ++c) colour[c] = double{picture.stokes[c][4 * i]} / exposure_.s0;
+        for (std::size_t c = 0; c < 3; ++c) colour[c] = double{image.stokes[c][4 * i]} / exposure_.s0;
         return colour;
     });
 }
 
-Panel Colouring::polarized(const Picture& picture, std::size_t p) const {
-    return shrunk(picture, size_, [&](std::size_t i) {
-        const double value = mean_of_channels(picture, i, p) / exposure_.polarized;
+Panel Colouring::polarized(const Image& image, std::size_t p) const {
+    return shrunk(image, size_, [&](std::size_t i) {
+        const double value = mean_of_channels(image, i, p) / exposure_.polarized;
         return Colour{-value, value, 0};
     });
 }
 
-Panel Colouring::unphysical(const Picture& picture) const {
-    return shrunk(picture, size_, [&](std::size_t i) {
-        const Fault fault = fault_at(picture, i);
+Panel Colouring::unphysical(const Image& image) const {
+    return shrunk(image, size_, [&](std::size_t i) {
+        const Fault fault = fault_at(image, i);
         if (fault == Fault::negative) return Colour{0.8, 0.05, 0.02};
         if (fault == Fault::overpolarized) return Colour{0.85, 0.6, 0.05};
-        const double dim = 0.25 * std::max(mean_of_channels(picture, i, 0), 0.0) / exposure_.s0;
+        const double dim = 0.25 * std::max(mean_of_channels(image, i, 0), 0.0) / exposure_.s0;
         return Colour{dim, dim, dim};
     });
 }

@@ -59,15 +59,15 @@ Cost measure(const Stage& stage, nicol_scene dense, nicol_scene factored, const 
     for (std::uint32_t frame = 0; frame < frames; ++frame) {
         for (Contestant& c : contestants) {
             degrees += 0.25;
-            stage.turn_light(c.scene, degrees);
+            stage.rotate_light(c.scene, degrees);
             c.light_ms.push_back(
                 milliseconds([&] { stage.render(c.scene, View::front, degrees, c.recipe, target); }));
             c.camera_ms.push_back(
                 milliseconds([&] { stage.render(c.scene, View::front, degrees + 0.125, c.recipe, target); }));
         }
     }
-    stage.turn_light(dense, 0);
-    stage.turn_light(factored, 0);
+    stage.rotate_light(dense, 0);
+    stage.rotate_light(factored, 0);
     cost.dense.light_ms = median(contestants[0].light_ms);
     cost.dense.camera_ms = median(contestants[0].camera_ms);
     cost.dense.light_physical_ms = median(contestants[2].light_ms);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-paper: the article's scene, its ablation and its costs, through the C ABI alone.
+// nicol-paper: the paper's scene, its ablation and its costs, through the C ABI alone.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -10,16 +10,16 @@
 
 namespace {
 
-using Truth = std::array<Picture, 2>;
+using Truth = std::array<Image, 2>;
 
-Picture mean(const Truth& truth) {
-    Picture picture = truth[0];
+Image mean(const Truth& truth) {
+    Image image = truth[0];
     for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t i = 0; i < picture.stokes[c].size(); ++i) {
-            picture.stokes[c][i] = 0.5F * (picture.stokes[c][i] + truth[1].stokes[c][i]);
+        for (std::size_t i = 0; i < image.stokes[c].size(); ++i) {
+            image.stokes[c][i] = 0.5F * (image.stokes[c][i] + truth[1].stokes[c][i]);
         }
     }
-    return picture;
+    return image;
 }
 
 class Paper {
@@ -36,24 +36,24 @@ public:
         find_objects();
         if (options_.reference > 0) trace_truth();
         for (const Step& step : steps()) run_step(step);
-        // Pictures are compared, so all share the exposure of the last.
-        const Colouring colours(expose(pictures_.back()), std::min<std::size_t>(options_.size, 512));
+        // Images are compared, so all share the exposure of the last.
+        const Colouring colours(expose(images_.back()), std::min<std::size_t>(options_.size, 512));
         write_ablation(colours);
         write_physical_range(colours);
         write_tables();
     }
 
 private:
-    Picture picture(View view, const Recipe& recipe) {
+    Image image(View view, const Recipe& recipe) {
         const Scene& scene = recipe.method == NICOL_METHOD_DENSE ? dense_ : factored_;
-        return picture(scene.get(), view, recipe);
+        return image(scene.get(), view, recipe);
     }
 
-    Picture picture(nicol_scene scene, View view, const Recipe& recipe) {
+    Image image(nicol_scene scene, View view, const Recipe& recipe) {
         stage_.render(scene, view, recipe, target_.get());
-        Picture picture = read_picture(target_.get());
-        picture.object = masks_.at(static_cast<std::size_t>(view));
-        return picture;
+        Image image = read_image(target_.get());
+        image.object = masks_.at(static_cast<std::size_t>(view));
+        return image;
     }
 
     void find_objects() {
@@ -61,7 +61,7 @@ private:
         const Recipe recipe{.order_low = -1, .order_high = -1, .shadows = false};
         for (const View view : {View::front, View::side}) {
             stage_.render(scene.get(), view, recipe, target_.get());
-            const Picture shown = read_picture(target_.get());
+            const Image shown = read_image(target_.get());
             std::vector<std::uint8_t>& mask = masks_.at(static_cast<std::size_t>(view));
             mask.resize(shown.size * shown.size);
             for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = shown.stokes[0][4 * i] < 0.5F;
@@ -75,19 +75,19 @@ private:
         other.seed = 2;
         const Scene scene = stage_.make_reference_scene(path("light.exr"));
         truth_.emplace(
-            Truth{picture(scene.get(), View::front, recipe), picture(scene.get(), View::front, other)});
+            Truth{image(scene.get(), View::front, recipe), image(scene.get(), View::front, other)});
         check(nicol_framebuffer_write_exr(target_.get(), path("reference.exr").c_str()));
     }
 
     void run_step(const Step& step) {
         say(step.name);
         StepResult result{.step = step, .cost = {}};
-        pictures_.push_back(picture(View::front, step.recipe));
+        images_.push_back(image(View::front, step.recipe));
         check(nicol_framebuffer_write_exr(target_.get(), path(step.file).c_str()));
-        const PhysicalRange range = physical_range(pictures_.back());
+        const PhysicalRange range = physical_range(images_.back());
         result.negative = range.negative;
         result.overpolarized = range.overpolarized;
-        if (truth_) result.errors = relative_errors(pictures_.back(), *truth_, truth_mask());
+        if (truth_) result.errors = relative_errors(images_.back(), *truth_, truth_mask());
         result.cost =
             measure(stage_, dense_.get(), factored_.get(), step.recipe, options_.frames, target_.get());
         results_.push_back(result);
@@ -95,16 +95,16 @@ private:
 
     // Silhouettes are left out: the reference's pixels are means over squares, drawing's are points.
     [[nodiscard]] std::vector<std::uint8_t> truth_mask() const {
-        return eroded(masks_.at(static_cast<std::size_t>(View::front)), pictures_.back().size);
+        return eroded(masks_.at(static_cast<std::size_t>(View::front)), images_.back().size);
     }
 
     void write_ablation(const Colouring& colours) {
         Sheet sheet({"s0", "s1", "s2"});
-        const auto add = [&](const char* name, const Picture& picture) {
-            sheet.add_row(
-                name, {colours.s0(picture), colours.polarized(picture, 1), colours.polarized(picture, 2)});
+        const auto add = [&](const char* name, const Image& image) {
+            sheet.add_row(name,
+                          {colours.s0(image), colours.polarized(image, 1), colours.polarized(image, 2)});
         };
-        for (std::size_t i = 0; i < pictures_.size(); ++i) add(results_[i].step.name, pictures_[i]);
+        for (std::size_t i = 0; i < images_.size(); ++i) add(results_[i].step.name, images_[i]);
         if (truth_) add("reference: rays, all orders of the light", mean(*truth_));
         add_notes(sheet);
         sheet.write(path("fig20_ablation.png"));
@@ -117,7 +117,7 @@ private:
             for (const bool physical : {false, true}) {
                 Recipe recipe;
                 recipe.physical = physical;
-                const Picture shown = picture(view, recipe);
+                const Image shown = image(view, recipe);
                 sheet.add_row(std::string(view == View::front ? "(a) " : "(b) ") +
                                   (physical ? "moved into the range of eq. 70" : "as computed"),
                               {colours.s0(shown), colours.polarized(shown, 1), colours.polarized(shown, 2),
@@ -159,7 +159,7 @@ private:
     Framebuffer target_;
     std::array<std::vector<std::uint8_t>, 2> masks_;  // of objects, by view
     std::optional<Truth> truth_;
-    std::vector<Picture> pictures_;
+    std::vector<Image> images_;
     std::vector<StepResult> results_;
 };
 

@@ -6,12 +6,12 @@
 
 const char* const usage =
     "usage: nicol-paper [DATA] [options]\n"
-    "Renders the scene of the article's figures 18 and 22: pictures of figures 20 and 22, and table 4.\n"
+    "Renders the scene of the paper's figures 18 and 22: images of figures 20 and 22, and table 4.\n"
     "\n"
     "  DATA                 folder of buddha.obj, plane.obj, SHVec_sponza_1024_L100.npz and\n"
     "                       SHMat_6_gold_ds1_L20_ISOBI2.npz; default: polarsh in the folder NICOL_TEST_DATA\n"
     "      --out DIR        where the results go, made when missing; default: out/paper\n"
-    "      --size N         pictures of N x N pixels, 32 to 4096; default 1024\n"
+    "      --size N         images of N x N pixels, 32 to 4096; default 1024\n"
     "      --frames N       times N frames of each method, at most 1000; default 21, 0: no times\n"
     "      --directions N   that shadows are traced in from each vertex, 256 to 65536; default 2048\n"
     "      --reference N    also renders by rays, twice N samples a pixel, and states the errors\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows and columns of pictures with their names, as one PNG file.
+// Rows and columns of images with their names, as one PNG file.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "picture.hpp"
+#include "image.hpp"
 
 /// 8-bit RGB, as many rows as columns.
 struct Panel {
@@ -21,19 +21,19 @@ struct Exposure {
     double polarized = 1;  ///< |s1| and |s2| shown at full colour
 };
 /// White is the 98th, full colour the 99th percentile over the object.
-Exposure expose(const Picture& picture);
+Exposure expose(const Image& image);
 
-/// Pictures shrink by means over whole pixels. Where there is no object they are grey.
+/// Images shrink by means over whole pixels. Where there is no object they are grey.
 class Colouring {
 public:
     Colouring(Exposure exposure, std::size_t panel_size) : exposure_(exposure), size_(panel_size) {}
     /// s0 with the sRGB curve; negative light is black.
-    [[nodiscard]] Panel s0(const Picture& picture) const;
+    [[nodiscard]] Panel s0(const Image& image) const;
     /// Mean of the channels of s1 or s2 (p 1 or 2): red negative, green positive.
-    [[nodiscard]] Panel polarized(const Picture& picture, std::size_t p) const;
+    [[nodiscard]] Panel polarized(const Image& image, std::size_t p) const;
     /// Where Eq. 70 does not hold in some channel: red for negative s0, yellow for more polarization than
     /// light, over a dim s0.
-    [[nodiscard]] Panel unphysical(const Picture& picture) const;
+    [[nodiscard]] Panel unphysical(const Image& image) const;
 
 private:
     Exposure exposure_;

@@ -13,7 +13,7 @@ constexpr const char* light_file = "SHVec_sponza_1024_L100.npz";
 constexpr const char* gold_file = "SHMat_6_gold_ds1_L20_ISOBI2.npz";
 
 // The light's vertical is z, the objects' is y.
-void turned(double degrees, double to_world[16]) {
+void rotated(double degrees, double to_world[16]) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle);
     const double matrix[16] = {c, -s, 0, 0, 0, 0, 1, 0, -s, -c, 0, 0, 0, 0, 0, 1};
@@ -88,7 +88,7 @@ Scene Stage::assemble(nicol_material buddha, nicol_material plane, nicol_environ
     instance.material = plane;
     check(nicol_scene_add_instance(made, &instance, nullptr));
     double to_world[16];
-    turned(0, to_world);
+    rotated(0, to_world);
     check(nicol_scene_set_environment(made, light, to_world, 1));
     return scene;
 }
@@ -97,14 +97,14 @@ Scene Stage::make_scene() const {
     return assemble(gold_.get(), plastic_.get(), light_.get());
 }
 
-Scene Stage::make_reference_scene(const std::string& picture) const {
+Scene Stage::make_reference_scene(const std::string& image) const {
     nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
     options.flags = NICOL_FILE_PHYSICAL;
     options.width = 1024;
     options.height = 513;
-    check(nicol_file_convert((data_ / light_file).c_str(), &options, picture.c_str()));
+    check(nicol_file_convert((data_ / light_file).c_str(), &options, image.c_str()));
     nicol_environment made = nullptr;
-    check(nicol_environment_load(context_.get(), picture.c_str(), nullptr, &made));
+    check(nicol_environment_load(context_.get(), image.c_str(), nullptr, &made));
     const Environment light(made);
     return assemble(gold_.get(), plastic_.get(), light.get());
 }
@@ -126,9 +126,9 @@ Framebuffer Stage::make_framebuffer() const {
     return Framebuffer(made);
 }
 
-void Stage::turn_light(nicol_scene scene, double degrees) const {
+void Stage::rotate_light(nicol_scene scene, double degrees) const {
     double to_world[16];
-    turned(degrees, to_world);
+    rotated(degrees, to_world);
     check(nicol_scene_set_environment(scene, light_.get(), to_world, 1));
 }
 

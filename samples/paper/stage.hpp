@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The article's scene: a Buddha of measured gold on a plane, lit by the polarized sponza.
+// The paper's scene: a Buddha of measured gold on a plane, lit by the polarized sponza.
 #pragma once
 
 #include <string>
@@ -32,14 +32,14 @@ public:
 
     /// Of the same objects, materials and light; keeps its own work between renders.
     [[nodiscard]] Scene make_scene() const;
-    /// For the reference method, which looks light up often: lit by a picture of the light, which is written
+    /// For the reference method, which looks light up often: lit by a image of the light, which is written
     /// to this file and moved into the physical range.
-    [[nodiscard]] Scene make_reference_scene(const std::string& picture) const;
+    [[nodiscard]] Scene make_reference_scene(const std::string& image) const;
     /// Black objects before white light.
     [[nodiscard]] Scene make_mask_scene() const;
     [[nodiscard]] Framebuffer make_framebuffer() const;
-    /// The light of a scene of make_scene(), turned about the vertical.
-    void turn_light(nicol_scene scene, double degrees) const;
+    /// The light of a scene of make_scene(), rotated about the vertical.
+    void rotate_light(nicol_scene scene, double degrees) const;
     void render(nicol_scene scene, View view, const Recipe& recipe, nicol_framebuffer target) const;
     /// From somewhat beside `view`: for frames in which the camera moves.
     void render(nicol_scene scene, View view, double degrees_beside, const Recipe& recipe,

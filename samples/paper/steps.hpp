@@ -7,10 +7,10 @@
 #include "stage.hpp"
 
 struct Step {
-    const char* name;  ///< of its row in pictures, in the letters of font.hpp
-    const char* file;  ///< of its Stokes picture
+    const char* name;  ///< of its row in images, in the letters of font.hpp
+    const char* file;  ///< of its Stokes image
     Recipe recipe;
 };
 
-/// The three of the article by its own method, then the library's default, which is the factored method.
+/// The three of the paper by its own method, then the library's default, which is the factored method.
 std::span<const Step> steps();

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Turns the camera about a scene's middle and plots how polarized the picture is. usage: orbit.py SCENE.xml OUT.svg
+"""Rotations the camera about a scene's middle and plots how polarized the image is. usage: orbit.py SCENE.xml OUT.svg
 [--views N] [--size WxH]
 
 The degree of linear polarization is the mean over all pixels, weighted by their light."""
@@ -19,15 +19,15 @@ width, height = map(int, arguments.size.split("x"))
 
 
 def orbit(camera, degrees):
-    """The camera turned about the world's vertical axis; the columns of to_world are its axes and its place."""
-    turned = nicol.Camera(projection=camera.projection, fov=camera.fov)
+    """The camera rotated about the world's vertical axis; the columns of to_world are its axes and its place."""
+    rotated = nicol.Camera(projection=camera.projection, fov=camera.fov)
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     m = list(camera.to_world)
     for column in range(4):
         x, z = m[column], m[8 + column]
         m[column], m[8 + column] = c * x + s * z, c * z - s * x
-    turned.to_world = m
-    return turned
+    rotated.to_world = m
+    return rotated
 
 
 def mean_dolp(framebuffer, channels):

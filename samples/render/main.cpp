@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-render: a scene file becomes a Stokes picture, through the C ABI alone.
+// nicol-render: a scene file becomes a Stokes image, through the C ABI alone.
 #include <nicol.h>
 
 #include <cstdio>
@@ -81,21 +81,20 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     progress.clear();
 }
 
-void write_pictures(nicol_framebuffer framebuffer, const std::filesystem::path& folder) {
+void write_images(nicol_framebuffer framebuffer, const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error)
-        throw Failure("--pictures: " + folder.string() + ": cannot make the folder: " + error.message());
+    if (error) throw Failure("--images: " + folder.string() + ": cannot make the folder: " + error.message());
     const struct {
-        nicol_picture_kind kind;
+        nicol_observation_kind kind;
         const char* name;
-    } pictures[] = {{NICOL_PICTURE_S0, "s0.png"},     {NICOL_PICTURE_S1, "s1.png"},
-                    {NICOL_PICTURE_S2, "s2.png"},     {NICOL_PICTURE_S3, "s3.png"},
-                    {NICOL_PICTURE_DOLP, "dolp.png"}, {NICOL_PICTURE_AOLP, "aolp.png"}};
-    for (const auto& [kind, name] : pictures) {
-        nicol_picture picture = NICOL_PICTURE_INIT;
-        picture.kind = kind;
-        check(nicol_framebuffer_write_png(framebuffer, &picture, (folder / name).c_str()));
+    } images[] = {{NICOL_OBSERVATION_S0, "s0.png"},     {NICOL_OBSERVATION_S1, "s1.png"},
+                  {NICOL_OBSERVATION_S2, "s2.png"},     {NICOL_OBSERVATION_S3, "s3.png"},
+                  {NICOL_OBSERVATION_DOLP, "dolp.png"}, {NICOL_OBSERVATION_AOLP, "aolp.png"}};
+    for (const auto& [kind, name] : images) {
+        nicol_observation image = NICOL_OBSERVATION_INIT;
+        image.kind = kind;
+        check(nicol_framebuffer_write_png(framebuffer, &image, (folder / name).c_str()));
     }
 }
 
@@ -143,7 +142,7 @@ void run(const Options& options) {
     const Framebuffer framebuffer = make_framebuffer(context.get(), scene.get(), options);
     render(scene.get(), framebuffer.get(), options, progress);
     check(nicol_framebuffer_write_exr(framebuffer.get(), options.output.c_str()));
-    if (!options.pictures.empty()) write_pictures(framebuffer.get(), options.pictures);
+    if (!options.images.empty()) write_images(framebuffer.get(), options.images);
     if (!options.stats.empty()) write_stats(context.get(), framebuffer.get(), options.stats);
 }
 

@@ -8,11 +8,11 @@
 
 const char* const usage =
     "usage: nicol-render SCENE.xml -o OUT.exr [options]\n"
-    "Renders a Mitsuba 3 scene to a Stokes picture: channels R G B and S0.R ... S3.B.\n"
+    "Renders a Mitsuba 3 scene to a Stokes image: channels R G B and S0.R ... S3.B.\n"
     "\n"
-    "  -o, --output FILE        the OpenEXR picture to write\n"
+    "  -o, --output FILE        the OpenEXR image to write\n"
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
-    "      --pictures DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
+    "      --images DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "      --device N           the device to use, of those that --list-devices shows\n"
     "      --list-devices       shows the devices that OpenGL can be opened on\n"
@@ -29,7 +29,7 @@ const char* const usage =
     "                           where OpenGL does not run on the CPU; default automatic\n"
     "      --tolerance E        chooses the orders: those left out may change s0, s1 and s2 by E, as the\n"
     "                           predicted relative RMSE; without it orders are as given\n"
-    "      --components NAME    what the picture holds: s0, linear (s0, s1, s2) or all; default all\n"
+    "      --components NAME    what the image holds: s0, linear (s0, s1, s2) or all; default all\n"
     "      --no-shadows         lets every surface see all of the light\n"
     "      --bake-directions N  directions that shadows are traced in from each vertex, 256 to 65536;\n"
     "                           default 2048\n"
@@ -105,13 +105,13 @@ std::uint32_t parse_planes(std::string_view text) {
         const std::size_t comma = text.find(',');
         const std::string_view name = text.substr(0, comma);
         if (name == "depth")
-            planes |= NICOL_PLANES_DEPTH;
+            planes |= NICOL_AOV_DEPTH;
         else if (name == "normals")
-            planes |= NICOL_PLANES_NORMALS;
+            planes |= NICOL_AOV_NORMALS;
         else if (name == "positions")
-            planes |= NICOL_PLANES_POSITIONS;
+            planes |= NICOL_AOV_POSITIONS;
         else if (name == "ids")
-            planes |= NICOL_PLANES_INSTANCES;
+            planes |= NICOL_AOV_INSTANCES;
         else
             throw Failure("--planes: '" + std::string(name) + "' is none of: depth, normals, positions, ids");
         more = comma != std::string_view::npos;
@@ -197,8 +197,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.output = path();
         else if (name == "-D" || name == "--define")
             options.definitions.push_back(parse_definition(value()));
-        else if (name == "--pictures")
-            options.pictures = path();
+        else if (name == "--images")
+            options.images = path();
         else if (name == "--backend")
             options.backend = parse_backend(value());
         else if (name == "--device")

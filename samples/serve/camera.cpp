@@ -95,7 +95,7 @@ nicol_camera camera_of(const View& view, const nicol_camera& own, std::uint32_t 
     Vector vertical{};
     vertical[up] = 1;
     must(nicol_camera_look_at(&camera, origin.data(), view.orbit.target.data(), vertical.data()));
-    // The size of an orthographic picture is the scale of its axes.
+    // The size of an orthographic image is the scale of its axes.
     for (std::size_t c = 0; c < 2; ++c) {
         const double scale = length(column(own.to_world, c));
         for (std::size_t row = 0; row < 3; ++row) camera.to_world[row * 4 + c] *= scale;
@@ -103,8 +103,8 @@ nicol_camera camera_of(const View& view, const nicol_camera& own, std::uint32_t 
     return camera;
 }
 
-void turn_light(const View& view, std::uint32_t up, const double own[16], double turned[16]) {
-    std::copy_n(own, 16, turned);
-    turn(rotation(up, view.light * degree), turned);
-    turn(rotation(horizontal(up)[1], view.light_tilt * degree), turned);
+void rotate_light(const View& view, std::uint32_t up, const double own[16], double rotated[16]) {
+    std::copy_n(own, 16, rotated);
+    turn(rotation(up, view.light * degree), rotated);
+    turn(rotation(horizontal(up)[1], view.light_tilt * degree), rotated);
 }

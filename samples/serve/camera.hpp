@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Cameras and turned lights for nicol.h from what a request asks for.
+// Cameras and rotated lights for nicol.h from what a request asks for.
 #pragma once
 
 #include <nicol.h>
 
-#include "picture_request.hpp"
+#include "image_request.hpp"
 
 /// 0 is x, 1 is y, 2 is z: the world's axis that this camera's up comes nearest to.
 std::uint32_t vertical_axis(const nicol_camera& camera);
@@ -17,4 +17,4 @@ Orbit orbit_of(const nicol_camera& camera, std::uint32_t up, double depth);
 nicol_camera camera_of(const View& view, const nicol_camera& own, std::uint32_t up);
 
 /// light_tilt after light, times the environment's own matrix.
-void turn_light(const View& view, std::uint32_t up, const double own[16], double turned[16]);
+void rotate_light(const View& view, std::uint32_t up, const double own[16], double rotated[16]);

@@ -20,7 +20,7 @@ AnswerPtr unavailable(const char* why) {
 Dispatcher::Dispatcher(std::size_t queue_limit, Workers workers)
     : queue_limit_(queue_limit), workers_(std::move(workers)) {}
 
-std::optional<Dispatcher::Ticket> Dispatcher::ask(const std::string& key, const PictureRequest& request,
+std::optional<Dispatcher::Ticket> Dispatcher::ask(const std::string& key, const ImageRequest& request,
                                                   Done done) {
     if (const auto known = by_key_.find(key); known != by_key_.end()) {
         const JobPtr& job = known->second;

@@ -12,20 +12,20 @@
 #include <set>
 #include <string>
 
+#include "image_request.hpp"
 #include "message.hpp"
-#include "picture_request.hpp"
 
 /// What all who asked for the same get.
 struct Answer {
     ResultHead head;
-    std::string content;  ///< of the picture, or what went wrong
+    std::string content;  ///< of the image, or what went wrong
 };
 using AnswerPtr = std::shared_ptr<const Answer>;
 
 class Dispatcher {
 public:
     struct Workers {
-        std::function<void(int worker, std::uint64_t job, const PictureRequest&)> start;
+        std::function<void(int worker, std::uint64_t job, const ImageRequest&)> start;
         std::function<void(int worker, std::uint64_t job)> cancel;
     };
     using Done = std::function<void(const AnswerPtr&)>;
@@ -38,7 +38,7 @@ public:
 
     /// `key` is the same for equal requests. Nothing where the queue is full. `done` is called once, later,
     /// unless leave() comes first.
-    std::optional<Ticket> ask(const std::string& key, const PictureRequest& request, Done done);
+    std::optional<Ticket> ask(const std::string& key, const ImageRequest& request, Done done);
     /// Nobody waits for this answer any more. Where it was the last who did, the job leaves the queue or is
     /// cancelled.
     void leave(const Ticket& ticket);
@@ -60,7 +60,7 @@ private:
     struct Job {
         std::uint64_t id = 0;
         std::string key;
-        PictureRequest request;
+        ImageRequest request;
         std::uint64_t generation = 0;
         int attempts = 0;
         int worker = -1;  ///< -1: in the queue

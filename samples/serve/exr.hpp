@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures as OpenEXR in memory: 32-bit floats, not compressed.
+// Images as OpenEXR in memory: 32-bit floats, not compressed.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-serve: pictures of polarized light over HTTP, through the C ABI alone.
+// nicol-serve: images of polarized light over HTTP, through the C ABI alone.
 #include <cstdio>
 #include <exception>
 

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "picture_request.hpp"
+#include "image_request.hpp"
 
 enum class MessageKind : std::uint32_t {
     hello,   ///< worker: warm; the scenes follow
@@ -26,7 +26,7 @@ struct Head {
     std::uint64_t job = 0;     ///< which it is about
 };
 
-/// No message is longer; the largest Stokes picture stays far below.
+/// No message is longer; the largest Stokes image stays far below.
 constexpr std::uint32_t most_message_bytes = 0x7fffffff;
 
 /// The verbs whose time is told, in this order.
@@ -40,7 +40,7 @@ struct ResultHead {
     std::uint32_t reserved = 0;
 };
 
-static_assert(std::is_trivially_copyable_v<PictureRequest> && std::is_trivially_copyable_v<ResultHead>);
+static_assert(std::is_trivially_copyable_v<ImageRequest> && std::is_trivially_copyable_v<ResultHead>);
 
 template <typename T>
 std::string_view bytes_of(const T& value) {

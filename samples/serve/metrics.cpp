@@ -72,7 +72,7 @@ std::string Metrics::text(const Gauges& now) const {
     std::string text = head("requests_total", "counter", "Requests by status of the answer.");
     for (const auto& [status, count] : requests)
         text += line("requests_total", label("status", std::to_string(status)), std::to_string(count));
-    text += single("renders_total", "counter", "Pictures made by workers.", renders);
+    text += single("renders_total", "counter", "Images made by workers.", renders);
     text += head("cache_hits_total", "counter",
                  "Answers without a new render: by entity tag (304), kept results, equal requests in flight, "
                  "views that a worker still had.");
@@ -91,12 +91,12 @@ std::string Metrics::text(const Gauges& now) const {
     text += single("renders_running", "gauge", "Renders under way.", now.running);
     text += single("connections", "gauge", "Open connections.", now.connections);
     text += single("result_bytes", "gauge", "Answers kept for equal requests.", now.cached_bytes);
-    text += single("answer_bytes", "gauge", "Pictures that are being sent.", now.answer_bytes);
-    text += single("ready", "gauge", "1 where pictures are to be had.", now.ready ? 1 : 0);
+    text += single("answer_bytes", "gauge", "Images that are being sent.", now.answer_bytes);
+    text += single("ready", "gauge", "1 where images are to be had.", now.ready ? 1 : 0);
     text += worker_lines(now.workers);
-    text += head("answer_seconds", "histogram", "From request to answer, of pictures.");
+    text += head("answer_seconds", "histogram", "From request to answer, of images.");
     text += waited.text("answer_seconds", "");
-    text += head("render_seconds", "histogram", "Work of a picture in its worker.");
+    text += head("render_seconds", "histogram", "Work of a image in its worker.");
     text += render_seconds.text("render_seconds", "");
     text += head("verb_seconds", "histogram", "Time of each verb of the renderer where it ran.");
     for (std::size_t i = 0; i < verbs.size(); ++i)

@@ -41,7 +41,7 @@ struct Gauges {
 
 struct Metrics {
     std::map<int, std::uint64_t> requests;  ///< by status of the answer
-    std::uint64_t renders = 0;              ///< pictures that workers made
+    std::uint64_t renders = 0;              ///< images that workers made
     std::uint64_t hits_tag = 0;             ///< 304
     std::uint64_t hits_result = 0;          ///< answers that were kept
     std::uint64_t hits_flight = 0;          ///< joined an equal request under way
@@ -50,7 +50,7 @@ struct Metrics {
     std::uint64_t clients_gone = 0;       ///< left before their answer
     std::uint64_t cancelled = 0;          ///< renders that were stopped for it
     std::uint64_t crashed = 0, hung = 0;  ///< workers
-    Histogram waited;                     ///< from request to answer, of pictures
+    Histogram waited;                     ///< from request to answer, of images
     std::array<Histogram, verbs.size()> by_verb;
 
     Histogram render_seconds;  ///< all verbs together

@@ -96,42 +96,42 @@ float mean(const float* values, std::uint32_t count) {
 
 }  // namespace
 
-FloatPicture observe(nicol_framebuffer framebuffer, const PictureRequest& request) {
-    FloatPicture picture;
+FloatImage observe(nicol_framebuffer framebuffer, const ImageRequest& request) {
+    FloatImage image;
     std::uint32_t channels = 0;
-    must(nicol_framebuffer_get_size(framebuffer, &picture.width, &picture.height, &channels));
-    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    must(nicol_framebuffer_get_size(framebuffer, &image.width, &image.height, &channels));
+    const std::size_t pixels = std::size_t{image.width} * image.height;
     const auto gain = static_cast<float>(std::exp2(request.exposure));
     const bool polar = request.observer == Observer::dolp || request.observer == Observer::aolp;
     if (!polar && request.observer != Observer::polarizer) {
         const auto plane = static_cast<nicol_plane>(request.observer);  // both begin with s0, s1, s2, s3
-        picture.values = channels;
-        picture.data = read(framebuffer, plane, pixels * channels);
+        image.values = channels;
+        image.data = read(framebuffer, plane, pixels * channels);
         if (request.observer == Observer::s0 && gain != 1)
-            for (float& value : picture.data) value *= gain;
-        return picture;
+            for (float& value : image.data) value *= gain;
+        return image;
     }
     const std::vector<float> stokes = read(framebuffer, NICOL_PLANE_STOKES, pixels * channels * 4);
-    picture.values = polar ? 2 : channels;
-    picture.data.resize(pixels * picture.values);
+    image.values = polar ? 2 : channels;
+    image.data.resize(pixels * image.values);
     if (polar) {
-        polarization(stokes, channels, picture.data);
-        return picture;
+        polarization(stokes, channels, image.data);
+        return image;
     }
     const double angle = request.polarizer * std::numbers::pi / 180;
     const auto c = static_cast<float>(std::cos(2 * angle)), s = static_cast<float>(std::sin(2 * angle));
-    for (std::size_t i = 0; i < picture.data.size(); ++i) {
+    for (std::size_t i = 0; i < image.data.size(); ++i) {
         const float* vector = stokes.data() + 4 * i;
-        picture.data[i] = gain * 0.5f * (finite(vector[0]) + c * finite(vector[1]) + s * finite(vector[2]));
+        image.data[i] = gain * 0.5f * (finite(vector[0]) + c * finite(vector[1]) + s * finite(vector[2]));
     }
-    return picture;
+    return image;
 }
 
-std::vector<std::uint8_t> colours(const FloatPicture& picture, Observer observer, float& scale) {
+std::vector<std::uint8_t> colours(const FloatImage& image, Observer observer, float& scale) {
     static const SrgbCodes srgb;
-    const std::size_t pixels = std::size_t{picture.width} * picture.height;
-    const std::uint32_t values = picture.values;
-    const float* data = picture.data.data();
+    const std::size_t pixels = std::size_t{image.width} * image.height;
+    const std::uint32_t values = image.values;
+    const float* data = image.data.data();
     std::vector<std::uint8_t> rgb(pixels * 3);
     if (observer == Observer::s0 || observer == Observer::polarizer) {
         if (values == 1)

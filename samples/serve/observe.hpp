@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes pictures as observers see them: numbers, and colours as nicol_framebuffer_write_png has them.
+// Stokes images as observers see them: numbers, and colours as nicol_framebuffer_write_png has them.
 #pragma once
 
 #include <nicol.h>
@@ -7,19 +7,19 @@
 #include <cstdint>
 #include <vector>
 
-#include "picture_request.hpp"
+#include "image_request.hpp"
 
-/// A picture of some floats a pixel, [row][column][value].
-struct FloatPicture {
+/// A image of some floats a pixel, [row][column][value].
+struct FloatImage {
     std::uint32_t width = 0, height = 0, values = 0;
     std::vector<float> data;
 };
 
 /// What the observer sees, a value a colour channel; dolp and aolp (radians) are of the channels' mean and
 /// have one. s0 and polarizer are times 2^exposure.
-FloatPicture observe(nicol_framebuffer framebuffer, const PictureRequest& request);
+FloatImage observe(nicol_framebuffer framebuffer, const ImageRequest& request);
 
 /// 8-bit R G B: s0 and polarizer (one channel or three) with the sRGB curve; s1, s2, s3 (their channels'
 /// mean) red below and green above 0; dolp grey; aolp (two values: angle and DoLP) as hue. `scale` becomes
 /// the value at full colour, where it was 0.
-std::vector<std::uint8_t> colours(const FloatPicture& picture, Observer observer, float& scale);
+std::vector<std::uint8_t> colours(const FloatImage& image, Observer observer, float& scale);

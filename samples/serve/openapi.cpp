@@ -31,7 +31,7 @@ std::string query_parameter(const std::string& name, const std::string& descript
            (list ? R"(,"style":"form","explode":false)" : "") + ",\"schema\":" + schema_text + "}";
 }
 
-std::string picture_parameters(const Options& options, bool stokes) {
+std::string image_parameters(const Options& options, bool stokes) {
     std::string text = R"({"name":"id","in":"path","required":true,"schema":{"type":"string"}})";
     for (const Parameter& parameter : parameters(options.limits))
         if (parameter.stokes || !stokes)
@@ -53,12 +53,12 @@ std::string problem_response(int status, const std::string& description) {
            R"(,"content":{"application/problem+json":{"schema":{"$ref":"#/components/schemas/Problem"}}}})";
 }
 
-std::string picture_path(const Options& options, const Resource& resource) {
+std::string image_path(const Options& options, const Resource& resource) {
     const bool stokes = resource.format != Format::png && resource.format != Format::exr;
     std::string text = ",\"/scenes/{id}/" + std::string(resource.name) + "\":{\"get\":{\"summary\":";
-    text += json_string(stokes ? "The Stokes vector of every pixel" : "A picture as an observer sees it");
-    text += ",\"parameters\":[" + picture_parameters(options, stokes) + "],\"responses\":{";
-    text += "\"200\":{\"description\":\"The picture\",\"content\":{" + json_string(resource.type) + ":{}}}";
+    text += json_string(stokes ? "The Stokes vector of every pixel" : "A image as an observer sees it");
+    text += ",\"parameters\":[" + image_parameters(options, stokes) + "],\"responses\":{";
+    text += "\"200\":{\"description\":\"The image\",\"content\":{" + json_string(resource.type) + ":{}}}";
     text += R"(,"304":{"description":"As If-None-Match has it"})";
     text += problem_response(400, "A parameter is wrong; the problem names it and its range");
     if (!options.keys.empty()) text += problem_response(403, "The signature is missing, wrong or expired");
@@ -78,9 +78,9 @@ std::string plain_path(const char* path, const char* summary, const char* type) 
 std::string openapi(const Options& options) {
     std::string text = R"({"openapi":"3.1.0","info":{"title":"nicol-serve","version":)";
     text += json_string(nicol_version_string());
-    text += R"(,"description":"Pictures of polarized light."},"paths":{)";
+    text += R"(,"description":"Images of polarized light."},"paths":{)";
     std::string paths = plain_path("/scenes", "The scenes and their previews", "application/json");
-    for (const Resource& resource : resources) paths += picture_path(options, resource);
+    for (const Resource& resource : resources) paths += image_path(options, resource);
     paths += plain_path("/health", "Whether the service is alive", "application/json");
     paths += plain_path("/ready", "Whether it renders; 503 where not", "application/json");
     paths += plain_path("/metrics", "Counts and times for Prometheus", "text/plain");

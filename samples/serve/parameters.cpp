@@ -71,7 +71,7 @@ std::vector<Parameter> parameters(const Limits& limits) {
         {.name = "light",
          .least = -360,
          .most = 360,
-         .description = "Turns the light about the vertical, degrees."},
+         .description = "Rotations the light about the vertical, degrees."},
         {.name = "light_tilt",
          .least = -180,
          .most = 180,
@@ -110,7 +110,7 @@ std::vector<Parameter> parameters(const Limits& limits) {
          .least = 1e-6,
          .most = farthest,
          .description = "Of s1, s2 and s3 as PNG: the value at full colour. Without it the largest of the "
-                        "picture.",
+                        "image.",
          .stokes = false},
     };
     return table;
@@ -162,7 +162,7 @@ std::pair<std::uint32_t, std::uint32_t> parse_size(const Parameter& parameter, s
     const std::uint32_t width = side(text.substr(0, cross)), height = side(text.substr(cross + 1));
     if (std::uint64_t{width} * height > limits.max_pixels)
         throw Refusal({.status = 400,
-                       .detail = "The picture has too many pixels.",
+                       .detail = "The image has too many pixels.",
                        .parameter = parameter.name,
                        .range = "at most " + std::to_string(limits.max_pixels) + " pixels"});
     return {width, height};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of a picture's URL: one table for validation, for error messages and for the OpenAPI
+// The parameters of a image's URL: one table for validation, for error messages and for the OpenAPI
 // description.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "picture_request.hpp"
+#include "image_request.hpp"
 
 struct Parameter {
     enum class Kind { number, whole, numbers, size, choice };

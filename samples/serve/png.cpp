@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t pixel_bytes = 3;
 constexpr std::uint8_t paeth_filter = 4;
 
-/// Level 1 makes files of rendered pictures a tenth larger than zlib's default does, in a twelfth of its
+/// Level 1 makes files of rendered images a tenth larger than zlib's default does, in a twelfth of its
 /// time.
 constexpr int compression_level = 1;
 

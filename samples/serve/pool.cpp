@@ -34,7 +34,7 @@ Pool::Pool(boost::asio::io_context& io, const Options& options, std::vector<std:
       arguments_(std::move(arguments)),
       metrics_(metrics),
       dispatcher_(options.queue, {.start =
-                                      [this](int worker, std::uint64_t job, const PictureRequest& request) {
+                                      [this](int worker, std::uint64_t job, const ImageRequest& request) {
                                           begin_job(static_cast<std::size_t>(worker), job, request);
                                       },
                                   .cancel =
@@ -196,7 +196,7 @@ void Pool::limit(std::size_t index, Seconds time) {
     });
 }
 
-void Pool::begin_job(std::size_t index, std::uint64_t job, const PictureRequest& request) {
+void Pool::begin_job(std::size_t index, std::uint64_t job, const ImageRequest& request) {
     Slot& slot = *slots_[index];
     slot.busy = true;
     limit(index, options_.render_limit);

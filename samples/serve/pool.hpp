@@ -60,7 +60,7 @@ private:
     void lose(std::size_t index, bool hung);
     void pause(std::size_t index);
     void limit(std::size_t index, Seconds time);
-    void begin_job(std::size_t index, std::uint64_t job, const PictureRequest& request);
+    void begin_job(std::size_t index, std::uint64_t job, const ImageRequest& request);
     void reap();
     void wait_for_children();
 

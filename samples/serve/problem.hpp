@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a client is told when it gets no picture: problem details as JSON (RFC 9457).
+// What a client is told when it gets no image: problem details as JSON (RFC 9457).
 #pragma once
 
 #include <stdexcept>

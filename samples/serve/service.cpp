@@ -81,7 +81,7 @@ std::variant<Response, Render> Service::route(const Request& request) {
         response.headers.emplace_back("Allow", "GET, HEAD");
         return response;
     }
-    if (target.path.starts_with("/scenes/")) return picture(request, target);
+    if (target.path.starts_with("/scenes/")) return image(request, target);
     if (target.path == "/scenes") return scenes();
     if (target.path == "/health") return state(false);
     if (target.path == "/ready") return state(true);
@@ -90,7 +90,7 @@ std::variant<Response, Render> Service::route(const Request& request) {
     return page(request, target);
 }
 
-std::variant<Response, Render> Service::picture(const Request& request, const Target& target) {
+std::variant<Response, Render> Service::image(const Request& request, const Target& target) {
     constexpr std::size_t id_begin = 8;  // behind "/scenes/"
     const std::size_t slash = target.path.find('/', id_begin);
     const std::string id = target.path.substr(id_begin, slash - id_begin);
@@ -102,9 +102,9 @@ std::variant<Response, Render> Service::picture(const Request& request, const Ta
     const std::vector<SceneInfo>& known = hello().scenes;
     const auto scene = std::ranges::find(known, id, &SceneInfo::id);
     if (scene == known.end()) refuse(404, "There is no scene of this name; /scenes lists them.");
-    Render render{.request = parse_picture(target, resource->format,
-                                           static_cast<std::uint32_t>(scene - known.begin()), *scene,
-                                           options_.limits)};
+    Render render{.request =
+                      parse_image(target, resource->format, static_cast<std::uint32_t>(scene - known.begin()),
+                                  *scene, options_.limits)};
     render.tag = entity_tag(build_ + '\n' + hello().renderer + '\n' + scene->digest + '\n' +
                             canonical(render.request, *scene));
     if (matches(request.if_none_match, render.tag)) {
@@ -134,7 +134,7 @@ Response Service::respond(const Render& render, const AnswerPtr& answer) {
         // What went wrong inside is for the log.
         const bool telling = head.status == 400 || head.status == 503;
         return respond(Problem{.status = head.status,
-                               .detail = telling ? answer->content : "The picture could not be rendered.",
+                               .detail = telling ? answer->content : "The image could not be rendered.",
                                .retry_after = head.status == 503 ? retry_after() : 0});
     }
     cache_.keep(render.tag, answer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each URL means: requests become answers, or pictures to be rendered.
+// What each URL means: requests become answers, or images to be rendered.
 #pragma once
 
 #include <functional>
@@ -27,9 +27,9 @@ struct Response {
     std::string_view content = {};
 };
 
-/// A picture that has to be made.
+/// A image that has to be made.
 struct Render {
-    PictureRequest request;
+    ImageRequest request;
     std::string tag = {};  ///< its entity tag, quotes included; the same for equal requests
 };
 
@@ -39,7 +39,7 @@ public:
 
     /// Never throws: what goes wrong is an answer too.
     std::variant<Response, Render> handle(const Request& request);
-    /// The answer to a picture's request, once there is one.
+    /// The answer to a image's request, once there is one.
     Response respond(const Render& render, const AnswerPtr& answer);
     Response respond(const Problem& problem) const;
     /// When to come again, in seconds: about when the queue of now is done.
@@ -50,7 +50,7 @@ public:
 
 private:
     std::variant<Response, Render> route(const Request& request);
-    std::variant<Response, Render> picture(const Request& request, const Target& target);
+    std::variant<Response, Render> image(const Request& request, const Target& target);
     [[nodiscard]] Response text(std::string type, std::string content) const;
     [[nodiscard]] Response scenes() const;
     [[nodiscard]] Response state(bool must_be_ready) const;
@@ -65,6 +65,6 @@ private:
     std::vector<std::string> keys_;
     std::string build_;  ///< of the library, part of every entity tag
     std::string openapi_;
-    /// Of pictures that are being sent.
+    /// Of images that are being sent.
     std::shared_ptr<std::size_t> answer_bytes_ = std::make_shared<std::size_t>(0);
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Signed URLs: who has a key may hand out pictures, and nobody else can ask for others.
+// Signed URLs: who has a key may hand out images, and nobody else can ask for others.
 #pragma once
 
 #include <cstdint>

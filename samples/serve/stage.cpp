@@ -36,17 +36,16 @@ std::vector<std::string> exr_names(std::uint32_t channels) {
     return names;
 }
 
-std::string encode_float_picture(FloatPicture picture, Observer observer) {
+std::string encode_float_image(FloatImage image, Observer observer) {
     if (observer == Observer::dolp || observer == Observer::aolp) {
         const std::size_t at = observer == Observer::aolp ? 0 : 1;
-        for (std::size_t i = 0; i < picture.data.size() / 2; ++i) picture.data[i] = picture.data[2 * i + at];
-        picture.data.resize(picture.data.size() / 2);
-        picture.values = 1;
+        for (std::size_t i = 0; i < image.data.size() / 2; ++i) image.data[i] = image.data[2 * i + at];
+        image.data.resize(image.data.size() / 2);
+        image.values = 1;
     }
-    if (picture.values == 3)  // B G R
-        for (std::size_t i = 0; i < picture.data.size(); i += 3)
-            std::swap(picture.data[i], picture.data[i + 2]);
-    return encode_exr(picture.width, picture.height, exr_names(picture.values), picture.data);
+    if (image.values == 3)  // B G R
+        for (std::size_t i = 0; i < image.data.size(); i += 3) std::swap(image.data[i], image.data[i + 2]);
+    return encode_exr(image.width, image.height, exr_names(image.values), image.data);
 }
 
 }  // namespace
@@ -68,13 +67,13 @@ Stage::Stage(nicol_context context, const std::filesystem::path& path) : context
     info_.orbit = orbit_of(camera_, info_.up, centre_depth());
 }
 
-/// How far the middle of the scene's own picture is, or where nothing is there, half of what is to be seen.
+/// How far the middle of the scene's own image is, or where nothing is there, half of what is to be seen.
 double Stage::centre_depth() const {
     nicol_framebuffer framebuffer = nullptr;
     must(nicol_framebuffer_create(context_, probe_side, probe_side, info_.channels, &framebuffer));
     const Framebuffer owner(framebuffer);
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-    options.planes = NICOL_PLANES_DEPTH;
+    options.planes = NICOL_AOV_DEPTH;
     must(nicol_render(scene_.get(), &camera_, &options, framebuffer));
     std::vector<float> depth(std::size_t{probe_side} * probe_side);
     must(nicol_framebuffer_read(framebuffer, NICOL_PLANE_DEPTH, 0, depth.data(), 0,
@@ -105,9 +104,9 @@ void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
     make_framebuffer(view.width, view.height);
     has_view_ = false;
     if (environment_ && (view.light != light_ || view.light_tilt != light_tilt_)) {
-        double turned[16];
-        turn_light(view, info_.up, light_to_world_, turned);
-        must(nicol_scene_set_environment(scene_.get(), environment_.get(), turned, light_scale_));
+        double rotated[16];
+        rotate_light(view, info_.up, light_to_world_, rotated);
+        must(nicol_scene_set_environment(scene_.get(), environment_.get(), rotated, light_scale_));
         light_ = view.light;
         light_tilt_ = view.light_tilt;
     }
@@ -126,7 +125,7 @@ void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
                statistics.shade_ms,   statistics.draw_ms, 0};
 }
 
-std::string Stage::render(const PictureRequest& request, const Progress& progress, const std::string& scratch,
+std::string Stage::render(const ImageRequest& request, const Progress& progress, const std::string& scratch,
                           ResultHead& head) {
     draw(request.view, progress, head);
     const auto start = std::chrono::steady_clock::now();
@@ -136,7 +135,7 @@ std::string Stage::render(const PictureRequest& request, const Progress& progres
     return content;
 }
 
-std::string Stage::encode(const PictureRequest& request, const std::string& scratch, float& scale) const {
+std::string Stage::encode(const ImageRequest& request, const std::string& scratch, float& scale) const {
     switch (request.format) {
         case Format::stokes_f16:
         case Format::stokes_f32:
@@ -154,9 +153,9 @@ std::string Stage::encode(const PictureRequest& request, const std::string& scra
             return content;
         }
         case Format::exr:
-            return encode_float_picture(observe(framebuffer_.get(), request), request.observer);
+            return encode_float_image(observe(framebuffer_.get(), request), request.observer);
         default: {
-            const FloatPicture seen = observe(framebuffer_.get(), request);
+            const FloatImage seen = observe(framebuffer_.get(), request);
             const bool curve = request.observer == Observer::s0 || request.observer == Observer::polarizer;
             return encode_png(seen.width, seen.height, colours(seen, request.observer, scale), curve);
         }

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "common/handles.hpp"
+#include "image_request.hpp"
 #include "message.hpp"
-#include "picture_request.hpp"
 
 /// Asked about ten times a second whether to go on; 0 ends the render.
 struct Progress {
@@ -24,14 +24,14 @@ public:
 
     /// The answer's content; fills in the head but for its status. `scratch` is a folder for files that live
     /// for this call. Throws RenderError.
-    std::string render(const PictureRequest& request, const Progress& progress, const std::string& scratch,
+    std::string render(const ImageRequest& request, const Progress& progress, const std::string& scratch,
                        ResultHead& head);
 
 private:
     void draw(const View& view, const Progress& progress, ResultHead& head);
     void make_framebuffer(std::uint32_t width, std::uint32_t height);
     [[nodiscard]] double centre_depth() const;
-    [[nodiscard]] std::string encode(const PictureRequest& request, const std::string& scratch,
+    [[nodiscard]] std::string encode(const ImageRequest& request, const std::string& scratch,
                                      float& scale) const;
     [[nodiscard]] std::string stokes(bool half) const;
 
@@ -44,7 +44,7 @@ private:
     double light_scale_ = 1;
     Framebuffer framebuffer_;
     std::uint32_t width_ = 0, height_ = 0;
-    double light_ = 0, light_tilt_ = 0;  ///< as it is turned now
+    double light_ = 0, light_tilt_ = 0;  ///< as it is rotated now
     bool has_view_ = false;
     View view_;  ///< what the framebuffer shows
 };

@@ -113,8 +113,8 @@ Context make_context(const Options& options) {
     return Context(context);
 }
 
-void render(const Channel& channel, std::uint64_t id, const PictureRequest& request,
-            std::vector<Stage>& stages, const Options& options) {
+void render(const Channel& channel, std::uint64_t id, const ImageRequest& request, std::vector<Stage>& stages,
+            const Options& options) {
     Watch watch{.channel = channel, .job = id};
     ResultHead result;
     std::string content;
@@ -151,7 +151,7 @@ void serve(const Channel& channel, const Options& options) {
         const Head head = channel.receive<Head>();
         // A cancel that comes here is of a job that was done already.
         if (head.kind == MessageKind::job)
-            render(channel, head.job, channel.receive<PictureRequest>(), stages, options);
+            render(channel, head.job, channel.receive<ImageRequest>(), stages, options);
     }
 }
 

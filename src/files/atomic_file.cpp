@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 

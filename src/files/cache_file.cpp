@@ -4,9 +4,9 @@
 #include <fstream>
 #include <system_error>
 
+#include "error.hpp"
 #include "files/atomic_file.hpp"
 #include "files/content_hash.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <limits>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 namespace {

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "error.hpp"
 #include "files/npy.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

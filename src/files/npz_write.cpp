@@ -7,9 +7,9 @@
 #include <cstring>
 #include <set>
 
+#include "error.hpp"
 #include "files/atomic_file.hpp"
 #include "files/npz.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <set>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "nicol/mesh.hpp"
+#include "geometry/mesh.hpp"
 
 namespace nicol::geometry {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checks, normals and transforms of meshes.
-#include "nicol/mesh.hpp"
+#include "geometry/mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "error.hpp"
 #include "geometry/checks.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

@@ -5,11 +5,11 @@
 #include <cctype>
 #include <limits>
 
+#include "error.hpp"
 #include "geometry/checks.hpp"
 #include "geometry/soup.hpp"
 #include "geometry/source_text.hpp"
 #include "geometry/vet.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

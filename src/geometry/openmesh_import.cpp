@@ -7,8 +7,8 @@
 #include <mutex>
 #include <sstream>
 
+#include "error.hpp"
 #include "geometry/soup.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::geometry {
 namespace {

@@ -9,9 +9,9 @@
 namespace nicol {
 
 /// The principal axes of points as the columns of a rotation, the longest first, each towards the side where
-/// the points reach farther (by third moments). Turned or scaled points have turned or the same axes, but for
-/// rounding. Points without axes of their own, where two are nearly as long as each other or both sides are
-/// alike, get the world's.
+/// the points reach farther (by third moments). Rotated or scaled points have rotated or the same axes, but
+/// for rounding. Points without axes of their own, where two are nearly as long as each other or both sides
+/// are alike, get the world's.
 [[nodiscard]] glm::dmat3 principal_axes(std::span<const glm::vec3> points);
 
 }  // namespace nicol

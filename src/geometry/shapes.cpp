@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "nicol/error.hpp"
-#include "nicol/mesh.hpp"
+#include "error.hpp"
+#include "geometry/mesh.hpp"
 
 namespace nicol {
 namespace {

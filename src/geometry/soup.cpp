@@ -34,8 +34,8 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
     return length > 0.0 ? v / length : glm::dvec3(0.0);
 }
 
-/// The corner from which a fan covers the polygon without a flat or a turned triangle: a quadrilateral with a
-/// notch must be cut from the notch. The first corner if there is none.
+/// The corner from which a fan covers the polygon without a flat or a rotated triangle: a quadrilateral with
+/// a notch must be cut from the notch. The first corner if there is none.
 std::size_t fan_apex(const Soup& soup, std::size_t begin, std::size_t end) {
     const std::size_t n = end - begin;
     // Longer polygons would take n^2 steps; nobody writes them with notches.

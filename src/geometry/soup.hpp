@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "nicol/mesh.hpp"
+#include "geometry/mesh.hpp"
 
 namespace nicol::geometry {
 

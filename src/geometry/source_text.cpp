@@ -8,7 +8,7 @@
 #include <fstream>
 #include <limits>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol::geometry {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "error.hpp"
 #include "geometry/source_text.hpp"
 #include "geometry/vet.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::geometry {
 namespace {

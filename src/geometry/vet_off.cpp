@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // OFF, the text form of Geomview.
+#include "error.hpp"
 #include "geometry/source_text.hpp"
 #include "geometry/vet.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::geometry {
 

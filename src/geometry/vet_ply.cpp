@@ -9,9 +9,9 @@
 #include <optional>
 #include <vector>
 
+#include "error.hpp"
 #include "geometry/source_text.hpp"
 #include "geometry/vet.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::geometry {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstring>
 
+#include "error.hpp"
 #include "geometry/source_text.hpp"
 #include "geometry/vet.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::geometry {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string>
 
+#include "error.hpp"
 #include "gl/state.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

@@ -8,8 +8,8 @@
 #include <functional>
 #include <numeric>
 
+#include "error.hpp"
 #include "gl/state.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

@@ -10,8 +10,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "error.hpp"
 #include "gl/shared_library.hpp"
-#include "nicol/error.hpp"
 
 // Of EGL_EXT_device_persistent_id and EGL_EXT_device_query_name, which older headers lack.
 #ifndef EGL_RENDERER_EXT

@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "error.hpp"
 #include "gl/state.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

@@ -11,9 +11,9 @@
 #include <sstream>
 #include <string_view>
 
+#include "error.hpp"
 #include "gl/platform.hpp"
 #include "gl/shared_library.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

@@ -5,9 +5,9 @@
 #include <array>
 #include <utility>
 
+#include "error.hpp"
 #include "gl/host_state.hpp"
 #include "gl/state.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "error.hpp"
 #include "gl/state.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

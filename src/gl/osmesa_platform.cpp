@@ -6,9 +6,9 @@
 #include <array>
 #include <mutex>
 
+#include "error.hpp"
 #include "gl/platform.hpp"
 #include "gl/shared_library.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "error.hpp"
 #include "gl/program_cache.hpp"
 #include "gl/state.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture to draw into: RGBA32F colour textures and an optional depth buffer.
+// A image to draw into: RGBA32F colour textures and an optional depth buffer.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -17,7 +17,7 @@ struct RenderTargetDescription {
     bool depth = true;          ///< a 32-bit float depth buffer
 };
 
-/// Row 0 is the top of the picture, in memory, in the textures, and in gl_FragCoord (whose y grows
+/// Row 0 is the top of the image, in memory, in the textures, and in gl_FragCoord (whose y grows
 /// downwards): the context's clip origin is the upper left, so that clip space keeps y up, counter-clockwise
 /// triangles stay front faces, and nothing is ever flipped. Depth runs from 0 to 1 over clip z from -w to w.
 /// All members inside run(). Construction throws Error(invalid_argument) outside the limits,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol::gl {
 namespace {

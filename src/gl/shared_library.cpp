@@ -4,7 +4,7 @@
 
 #include <dlfcn.h>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol::gl {
 

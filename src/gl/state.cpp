@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "error.hpp"
 #include "gl/host_state.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {
@@ -65,7 +65,7 @@ void Context::State::open(std::unique_ptr<Platform> made, Backend backend, const
         gl.DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, quiet, 0, nullptr, GL_FALSE);
     gl.DebugMessageCallback(collect, this);
 
-    gl.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);  // row 0 of every picture is its top
+    gl.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);  // row 0 of every image is its top
     gl.Disable(GL_DITHER);
     check("opening the context");
 }

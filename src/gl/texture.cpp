@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "error.hpp"
 #include "gl/state.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
+#include "error.hpp"
 #include "gl/state.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol::gl {
 namespace {

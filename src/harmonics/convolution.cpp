@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/convolution.hpp"
+#include "harmonics/convolution.hpp"
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "harmonics/isotropic_lanes.hpp"
-#include "nicol/spin_harmonics.hpp"
+#include "harmonics/spin_harmonics.hpp"
 
 namespace nicol {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "harmonics/evaluate.hpp"
+#include "harmonics/grid.hpp"
 #include "harmonics/require.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/grid.hpp"
 
 namespace nicol {
 namespace {

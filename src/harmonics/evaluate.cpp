@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/evaluate.hpp"
+#include "harmonics/evaluate.hpp"
 
 #include <algorithm>
 #include <numbers>
 #include <vector>
 
 #include "harmonics/direction.hpp"
-#include "nicol/spin_harmonics.hpp"
-#include "nicol/transform.hpp"
+#include "harmonics/spin_harmonics.hpp"
+#include "harmonics/transform.hpp"
 
 namespace nicol {
 namespace {

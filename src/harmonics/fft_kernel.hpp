@@ -28,7 +28,7 @@ inline __attribute__((always_inline)) void store(const Element& e, double* p) {
     }
 }
 
-inline __attribute__((always_inline)) void store_turned(const Element& e, const double* turn, double* p) {
+inline __attribute__((always_inline)) void store_rotated(const Element& e, const double* turn, double* p) {
     for (int v = 0; v < kParts; ++v) {
         at(p + v * kLanes) = e.re[v] * turn[0] - e.im[v] * turn[1];
         at(p + 8 + v * kLanes) = e.re[v] * turn[1] + e.im[v] * turn[0];
@@ -106,7 +106,7 @@ void stage(const double* in, double* out, int left, int stride, const double* tw
             small_transform<P>(a, roots, x);
             double* to = out + 16L * q + step * P * k;
             store(x[0], to);
-            for (int j = 1; j < P; ++j) store_turned(x[j], turn + 2 * (j - 1), to + step * j);
+            for (int j = 1; j < P; ++j) store_rotated(x[j], turn + 2 * (j - 1), to + step * j);
         }
     }
 }
@@ -160,8 +160,8 @@ void odd_stage(const double* in, double* out, int factor, int left, int stride, 
                     y.re[v] = even.re[v] - odd.re[v];
                     y.im[v] = even.im[v] - odd.im[v];
                 }
-                store_turned(x, turn + 2 * (j - 1), to + step * j);
-                store_turned(y, turn + 2 * (factor - j - 1), to + step * (factor - j));
+                store_rotated(x, turn + 2 * (j - 1), to + step * j);
+                store_rotated(y, turn + 2 * (factor - j - 1), to + step * (factor - j));
             }
         }
     }

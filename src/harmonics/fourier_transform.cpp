@@ -7,7 +7,7 @@
 #include "harmonics/batch_fft.hpp"
 #include "harmonics/low_degrees.hpp"
 #include "harmonics/require.hpp"
-#include "nicol/transform.hpp"
+#include "harmonics/transform.hpp"
 
 namespace nicol {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/grid.hpp"
+#include "harmonics/grid.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -43,7 +43,7 @@ std::vector<double> cosines(int n) {
     return out;
 }
 
-double turn_cosine(const std::vector<double>& cosine, long long i) {
+double rotation_cosine(const std::vector<double>& cosine, long long i) {
     return cosine[static_cast<std::size_t>(i) % cosine.size()];
 }
 
@@ -86,7 +86,7 @@ LatitudeRows fejer_rows(int count) {
     for (int j = 0; j < (count + 1) / 2; ++j) {
         double sum = 0;
         for (int k = (count - 1) / 2; k >= 1; --k)
-            sum += turn_cosine(cosine, static_cast<long long>(k) * (2 * j + 1)) / (4.0 * k * k - 1);
+            sum += rotation_cosine(cosine, static_cast<long long>(k) * (2 * j + 1)) / (4.0 * k * k - 1);
         set_pair(rows, j, (j + 0.5) * pi / count, (1 - 2 * sum) * 2 / count);
     }
     return rows;
@@ -99,7 +99,7 @@ LatitudeRows clenshaw_curtis_rows(int count) {
     for (int j = 0; j < (count + 1) / 2; ++j) {
         double sum = 0;
         for (int k = n / 2; k >= 1; --k)
-            sum += (2 * k == n ? 1 : 2) * turn_cosine(cosine, 2LL * k * j) / (4.0 * k * k - 1);
+            sum += (2 * k == n ? 1 : 2) * rotation_cosine(cosine, 2LL * k * j) / (4.0 * k * k - 1);
         set_pair(rows, j, j * pi / n, (1 - sum) * (j == 0 ? 1 : 2) / n);
     }
     return rows;

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "harmonics/scaled.hpp"
+#include "harmonics/transform.hpp"
 #include "harmonics/vector_kernel.hpp"
-#include "nicol/transform.hpp"
 
 namespace nicol {
 

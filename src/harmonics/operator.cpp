@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Operators: storage, product and composition.
-#include "nicol/operator.hpp"
+#include "harmonics/operator.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "harmonics/isotropic_lanes.hpp"
-#include "nicol/operator.hpp"
-#include "nicol/rotation.hpp"
+#include "harmonics/operator.hpp"
+#include "harmonics/rotation.hpp"
 
 namespace nicol {
 
@@ -55,9 +55,9 @@ IsotropicMatrix isotropic_part(const CoefficientMatrix& matrix) {
                     }
                     // The part that commutes with multiplication by i, which is what a turn about z is; at m
                     // = 0 the rest is the response to the conjugate in lane 3.
-                    const IsotropicLanes turned = respond(b, Complex(0, 1));
+                    const IsotropicLanes rotated = respond(b, Complex(0, 1));
                     for (std::size_t a = 0; a < 4; ++a) {
-                        const Complex rest = Complex(0, 1) * turned[a];
+                        const Complex rest = Complex(0, 1) * rotated[a];
                         block[4 * a + b] = 0.5 * (one[a] - rest);
                         if (m == 0) block[4 * a + 3] = 0.5 * (one[a] + rest);
                     }

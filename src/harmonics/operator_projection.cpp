@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "harmonics/isotropic_lanes.hpp"
-#include "nicol/operator.hpp"
-#include "nicol/spin_harmonics.hpp"
-#include "nicol/transform.hpp"
+#include "harmonics/operator.hpp"
+#include "harmonics/spin_harmonics.hpp"
+#include "harmonics/transform.hpp"
 
 namespace nicol {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Products with a scalar field, by triple products and by a grid.
-#include "nicol/product.hpp"
+#include "harmonics/product.hpp"
 
 #include <algorithm>
 #include <numbers>
 
 #include "harmonics/require.hpp"
-#include "nicol/spin_harmonics.hpp"
-#include "nicol/wigner3j.hpp"
+#include "harmonics/spin_harmonics.hpp"
+#include "harmonics/wigner3j.hpp"
 
 namespace nicol {
 namespace {

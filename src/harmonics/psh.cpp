@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Coefficient vectors.
-#include "nicol/psh.hpp"
+#include "harmonics/psh.hpp"
 
 #include <algorithm>
 

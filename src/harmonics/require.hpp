@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "nicol/error.hpp"
-#include "nicol/psh.hpp"
+#include "error.hpp"
+#include "harmonics/psh.hpp"
 
 namespace nicol {
 

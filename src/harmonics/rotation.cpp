@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/rotation.hpp"
+#include "harmonics/rotation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <numbers>
 
 #include "harmonics/vector_kernel.hpp"
+#include "harmonics/wigner.hpp"
 #include "harmonics/wigner_sweep.hpp"
-#include "nicol/wigner.hpp"
 
 namespace nicol {
 namespace {
@@ -89,7 +89,7 @@ void load(int l, const double* in, const std::vector<Complex>& phase, Lanes* out
 
 void store(int l, const Lanes* in, const std::vector<Complex>& phase, double* out) {
     const double half = std::numbers::sqrt2 / 2;
-    const auto turned = [&](int m, int lane) {
+    const auto rotated = [&](int m, int lane) {
         const Complex e =
             m >= 0 ? phase[static_cast<std::size_t>(m)] : std::conj(phase[static_cast<std::size_t>(-m)]);
         const double a = in[m].v[lane];
@@ -101,10 +101,10 @@ void store(int l, const Lanes* in, const std::vector<Complex>& phase, double* ou
     out[2] = in[0].v[3];
     out[3] = in[0].v[1];
     for (int m = 1; m <= l; ++m) {
-        const Complex plus = turned(m, 0);
-        const Complex minus = parity(m) * turned(-m, 0);
-        const Complex spin_plus = turned(m, 2);
-        const Complex spin_minus = turned(-m, 2);
+        const Complex plus = rotated(m, 0);
+        const Complex minus = parity(m) * rotated(-m, 0);
+        const Complex spin_plus = rotated(m, 2);
+        const Complex spin_minus = rotated(-m, 2);
         double* p = out + 4 * m;
         double* n = out - 4 * m;
         p[0] = half * (plus.real() + minus.real());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Three-term recursion in l for each degree, after the first value of Scaled range.
-#include "nicol/spin_harmonics.hpp"
+#include "harmonics/spin_harmonics.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -169,9 +169,9 @@ void complex_from_real(std::span<const std::complex<double>> coefficients,
         for (int m = 1; m <= l; ++m) {
             const auto cosine = coefficients[psh_index(l, m)];
             const auto sine = coefficients[psh_index(l, -m)];
-            const std::complex turned(-sine.imag(), sine.real());
-            out[psh_index(l, m)] = half * (cosine - turned);
-            out[psh_index(l, -m)] = parity(m) * half * (cosine + turned);
+            const std::complex rotated(-sine.imag(), sine.real());
+            out[psh_index(l, m)] = half * (cosine - rotated);
+            out[psh_index(l, -m)] = parity(m) * half * (cosine + rotated);
         }
     }
 }

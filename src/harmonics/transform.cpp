@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Both steps of the transform.
-#include "nicol/transform.hpp"
+#include "harmonics/transform.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/wigner.hpp"
+#include "harmonics/wigner.hpp"
 
 #include <numbers>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/wigner3j.hpp"
+#include "harmonics/wigner3j.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -118,11 +118,11 @@ void WignerSweep::block(double* out) const {
             double value = current_[i];
             if (scaled && exponent_[i] < 0)
                 value = exponent_[i] < -4 ? 0 : std::ldexp(value, 256 * exponent_[i]);
-            const double turned = parity(m - n) * value;
+            const double rotated = parity(m - n) * value;
             centre[m * width + n] = value;
             centre[-n * width - m] = value;
-            centre[n * width + m] = turned;
-            centre[-m * width - n] = turned;
+            centre[n * width + m] = rotated;
+            centre[-m * width - n] = rotated;
         }
     }
 }

@@ -12,8 +12,8 @@
 #include <optional>
 #include <string_view>
 
-#include "nicol/error.hpp"
-#include "nicol/stokes_image.hpp"
+#include "error.hpp"
+#include "image/stokes_image.hpp"
 
 namespace nicol {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Channel names of Stokes pictures in OpenEXR files.
+// Channel names of Stokes images in OpenEXR files.
 #pragma once
 
 #include <ImfHeader.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes pictures from OpenEXR.
+// Stokes images from OpenEXR.
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfInputPart.h>
@@ -10,10 +10,10 @@
 #include <exception>
 #include <fstream>
 
+#include "error.hpp"
 #include "image/exr_layout.hpp"
 #include "image/exr_structure.hpp"
-#include "nicol/error.hpp"
-#include "nicol/stokes_image.hpp"
+#include "image/stokes_image.hpp"
 
 namespace nicol {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <type_traits>
 
-#include "nicol/error.hpp"
-#include "nicol/stokes_image.hpp"
+#include "error.hpp"
+#include "image/stokes_image.hpp"
 
 namespace nicol {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes pictures to OpenEXR.
+// Stokes images to OpenEXR.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -18,10 +18,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "error.hpp"
 #include "files/atomic_file.hpp"
 #include "image/exr_layout.hpp"
-#include "nicol/error.hpp"
-#include "nicol/stokes_image.hpp"
+#include "image/stokes_image.hpp"
 
 namespace nicol {
 namespace {
@@ -62,7 +62,7 @@ std::vector<std::string> exr_colours(const StokesImage& image) {
     return colours;
 }
 
-void insert_surfaces(const SurfacePlanes& surfaces, Imf::Header& header, Imf::FrameBuffer& buffer) {
+void insert_surfaces(const Aovs& surfaces, Imf::Header& header, Imf::FrameBuffer& buffer) {
     const auto insert = [&]<class Number>(const char* name, const std::vector<Number>& plane,
                                           std::size_t component, std::size_t components) {
         if (plane.empty()) return;
@@ -99,7 +99,7 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
         options.surfaces->check("write_exr: surfaces");
         if (options.surfaces->width != image.width || options.surfaces->height != image.height)
             throw Error(ErrorCode::invalid_argument,
-                        "write_exr: surfaces must have the picture's width and height");
+                        "write_exr: surfaces must have the image's width and height");
     }
 
     Imf::Header header(image.width, image.height);

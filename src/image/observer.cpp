@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stokes pictures to pictures people look at.
-#include "nicol/observer.hpp"
+// Stokes images to images people look at.
+#include "image/observer.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 namespace {
@@ -25,12 +25,12 @@ void check_channel(const StokesImage& image, int channel, const char* what) {
     image.check(what);
     if (channel != kMeanChannel && (channel < 0 || channel >= image.channels))
         throw Error(ErrorCode::invalid_argument, std::string(what) + ": channel " + std::to_string(channel) +
-                                                     "; the picture has channels 0 to " +
+                                                     "; the observation has channels 0 to " +
                                                      std::to_string(image.channels - 1) +
                                                      ", and -1 is their mean");
 }
 
-/// The Stokes vectors of a picture, one by one in the order of rows, for one channel or the mean of all.
+/// The Stokes vectors of a observation, one by one in the order of rows, for one channel or the mean of all.
 class PixelReader {
 public:
     PixelReader(const StokesImage& image, int channel)
@@ -83,15 +83,16 @@ std::string channel_text(const StokesImage& image, int channel) {
     return channel == kMeanChannel ? "mean of all channels" : "channel " + std::to_string(channel);
 }
 
-Picture blank(const StokesImage& image, const std::string& title, const std::string& observer,
-              const std::string& scale) {
-    Picture picture;
-    picture.width = image.width;
-    picture.height = image.height;
-    picture.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
-    picture.text = {
+Observation blank(const StokesImage& image, const std::string& title, const std::string& observer,
+                  const std::string& scale) {
+    Observation observation;
+    observation.width = image.width;
+    observation.height = image.height;
+    observation.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
+                           3);
+    observation.text = {
         {"Title", title}, {"Nicol:Observer", observer}, {"Nicol:Scale", scale}, {"Nicol:Frame", frame_text}};
-    return picture;
+    return observation;
 }
 
 /// Hue as a fraction of the circle (0 red, 1/3 green, 2/3 blue) at this saturation and value, all in 0..1.
@@ -107,7 +108,7 @@ std::array<double, 3> hsv(double hue, double saturation, double value) {
 
 }  // namespace
 
-Picture tone_mapped(const StokesImage& image, double exposure) {
+Observation tone_mapped(const StokesImage& image, double exposure) {
     image.check("tone_mapped: image");
     if (image.channels != 1 && image.channels != 3)
         throw Error(ErrorCode::invalid_argument, "tone_mapped: image has " + std::to_string(image.channels) +
@@ -115,19 +116,19 @@ Picture tone_mapped(const StokesImage& image, double exposure) {
     if (!(std::abs(exposure) <= 1000))
         throw Error(ErrorCode::invalid_argument,
                     "tone_mapped: exposure must be a number of stops from -1000 to 1000");
-    Picture picture = blank(image, "Radiance s0", "s0, sRGB curve, clipped",
-                            "1 in the picture is " + number_text(std::exp2(-exposure)) + " in s0");
-    picture.srgb = true;
+    Observation observation = blank(image, "Radiance s0", "s0, sRGB curve, clipped",
+                                    "1 in the image is " + number_text(std::exp2(-exposure)) + " in s0");
+    observation.srgb = true;
     const double factor = std::exp2(exposure);
     for (std::size_t c = 0; c < 3; ++c) {
         const PixelReader pixels(image, image.channels == 1 ? 0 : static_cast<int>(c));
         for (std::size_t i = 0; i < pixels.size(); ++i)
-            picture.rgb[3 * i + c] = code(srgb_curve(std::clamp(pixels[i][0] * factor, 0.0, 1.0)));
+            observation.rgb[3 * i + c] = code(srgb_curve(std::clamp(pixels[i][0] * factor, 0.0, 1.0)));
     }
-    return picture;
+    return observation;
 }
 
-Picture signed_component(const StokesImage& image, int component, double scale, int channel) {
+Observation signed_component(const StokesImage& image, int component, double scale, int channel) {
     check_channel(image, channel, "signed_component");
     if (component < 0 || component > 3)
         throw Error(ErrorCode::invalid_argument,
@@ -143,15 +144,16 @@ Picture signed_component(const StokesImage& image, int component, double scale, 
         if (scale == 0) scale = 1;
     }
     const std::string name = std::string("s").append(std::to_string(component));
-    Picture picture = blank(image, "Stokes component " + name,
-                            name + ", red negative, green positive, linear, " + channel_text(image, channel),
-                            "code 255 is |" + name + "| = " + number_text(scale) +
-                                (automatic ? " (largest of the picture)" : " (given)"));
+    Observation observation =
+        blank(image, "Stokes component " + name,
+              name + ", red negative, green positive, linear, " + channel_text(image, channel),
+              "code 255 is |" + name + "| = " + number_text(scale) +
+                  (automatic ? " (largest of the observation)" : " (given)"));
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const double value = pixels[i][component] / scale;
-        picture.rgb[3 * i + (value < 0 ? 0 : 1)] = code(std::abs(value));
+        observation.rgb[3 * i + (value < 0 ? 0 : 1)] = code(std::abs(value));
     }
-    return picture;
+    return observation;
 }
 
 Plane dolp(const StokesImage& image, int channel) {
@@ -162,14 +164,15 @@ Plane dolp(const StokesImage& image, int channel) {
     return plane;
 }
 
-Picture dolp_picture(const StokesImage& image, int channel) {
-    check_channel(image, channel, "dolp_picture");
+Observation dolp_image(const StokesImage& image, int channel) {
+    check_channel(image, channel, "dolp_image");
     const PixelReader pixels(image, channel);
-    Picture picture = blank(image, "Degree of linear polarization",
-                            "DoLP, linear grey, " + channel_text(image, channel), "code 255 is DoLP = 1");
+    Observation observation =
+        blank(image, "Degree of linear polarization", "DoLP, linear grey, " + channel_text(image, channel),
+              "code 255 is DoLP = 1");
     for (std::size_t i = 0; i < pixels.size(); ++i)
-        for (std::size_t c = 0; c < 3; ++c) picture.rgb[3 * i + c] = code(dolp_of(pixels[i]));
-    return picture;
+        for (std::size_t c = 0; c < 3; ++c) observation.rgb[3 * i + c] = code(dolp_of(pixels[i]));
+    return observation;
 }
 
 Plane aolp(const StokesImage& image, int channel) {
@@ -180,8 +183,8 @@ Plane aolp(const StokesImage& image, int channel) {
     return plane;
 }
 
-Picture aolp_picture(const StokesImage& image, AolpStyle style, int channel) {
-    check_channel(image, channel, "aolp_picture");
+Observation aolp_image(const StokesImage& image, AolpStyle style, int channel) {
+    check_channel(image, channel, "aolp_image");
     std::string carrier;
     switch (style) {
         case AolpStyle::light:
@@ -194,13 +197,13 @@ Picture aolp_picture(const StokesImage& image, AolpStyle style, int channel) {
             carrier = "black where DoLP < 1e-6";
             break;
         default:
-            throw Error(ErrorCode::invalid_argument, "aolp_picture: style must be light, dark or full");
+            throw Error(ErrorCode::invalid_argument, "aolp_image: style must be light, dark or full");
     }
     const PixelReader pixels(image, channel);
-    Picture picture = blank(image, "Angle of linear polarization",
-                            "AoLP, hue = AoLP / pi (0 red, +45 yellow-green, 90 cyan, -45 violet), " +
-                                carrier + ", " + channel_text(image, channel),
-                            "the full colour wheel is 180 degrees");
+    Observation observation = blank(image, "Angle of linear polarization",
+                                    "AoLP, hue = AoLP / pi (0 red, +45 yellow-green, 90 cyan, -45 violet), " +
+                                        carrier + ", " + channel_text(image, channel),
+                                    "the full colour wheel is 180 degrees");
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const Stokes s = pixels[i];
         const double degree = dolp_of(s);
@@ -209,9 +212,9 @@ Picture aolp_picture(const StokesImage& image, AolpStyle style, int channel) {
         if (style == AolpStyle::light) rgb = hsv(hue, degree, 1);
         if (style == AolpStyle::dark) rgb = hsv(hue, 1, degree);
         if (style == AolpStyle::full && degree >= 1e-6) rgb = hsv(hue, 1, 1);
-        for (std::size_t c = 0; c < 3; ++c) picture.rgb[3 * i + c] = code(rgb[c]);
+        for (std::size_t c = 0; c < 3; ++c) observation.rgb[3 * i + c] = code(rgb[c]);
     }
-    return picture;
+    return observation;
 }
 
 StokesImage through_polarizer(const StokesImage& image, double angle) {

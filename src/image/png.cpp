@@ -1,28 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Pictures to PNG.
+// Images to PNG.
 #include <png.h>
 
 #include <algorithm>
 #include <string>
 
+#include "error.hpp"
 #include "files/atomic_file.hpp"
-#include "nicol/error.hpp"
-#include "nicol/observer.hpp"
+#include "image/observer.hpp"
 
 namespace nicol {
 namespace {
 
-void check(const Picture& picture) {
-    if (picture.width < 1 || picture.height < 1 || picture.width > kMaxImageSide ||
-        picture.height > kMaxImageSide ||
-        picture.rgb.size() !=
-            static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 3)
-        throw Error(ErrorCode::invalid_argument, "write_png: picture of " + std::to_string(picture.width) +
-                                                     " x " + std::to_string(picture.height) + " with " +
-                                                     std::to_string(picture.rgb.size()) +
+void check(const Observation& image) {
+    if (image.width < 1 || image.height < 1 || image.width > kMaxImageSide || image.height > kMaxImageSide ||
+        image.rgb.size() !=
+            static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3)
+        throw Error(ErrorCode::invalid_argument, "write_png: image of " + std::to_string(image.width) +
+                                                     " x " + std::to_string(image.height) + " with " +
+                                                     std::to_string(image.rgb.size()) +
                                                      " bytes; it needs width * height * 3, sides of 1 to " +
                                                      std::to_string(kMaxImageSide));
-    for (const auto& [keyword, text] : picture.text) {
+    for (const auto& [keyword, text] : image.text) {
         const bool fit =
             !keyword.empty() && keyword.size() <= 79 && keyword.front() != ' ' && keyword.back() != ' ' &&
             std::all_of(keyword.begin(), keyword.end(), [](char c) { return c >= 32 && c < 127; });
@@ -35,28 +34,28 @@ void check(const Picture& picture) {
 
 /// libpng leaves by longjmp, which must not jump over C++ objects: here live only plain values. Returns false
 /// on failure.
-bool write_rows(png_structp png, png_infop info, std::FILE* file, const Picture& picture, png_text* text,
+bool write_rows(png_structp png, png_infop info, std::FILE* file, const Observation& image, png_text* text,
                 int text_count) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
     png_init_io(png, file);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height),
-                 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
-    if (picture.srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_RELATIVE);
+    if (image.srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_RELATIVE);
     png_set_text(png, info, text, text_count);
     png_write_info(png, info);
-    const png_size_t row = static_cast<png_size_t>(picture.width) * 3;
-    for (int y = 0; y < picture.height; ++y)
-        png_write_row(png, picture.rgb.data() + static_cast<png_size_t>(y) * row);
+    const png_size_t row = static_cast<png_size_t>(image.width) * 3;
+    for (int y = 0; y < image.height; ++y)
+        png_write_row(png, image.rgb.data() + static_cast<png_size_t>(y) * row);
     png_write_end(png, nullptr);
     return true;
 }
 
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Picture& picture) {
-    check(picture);
-    auto entries = picture.text;
+void write_png(const std::filesystem::path& path, const Observation& image) {
+    check(image);
+    auto entries = image.text;
     entries.emplace_back("Software", "Nicol " NICOL_VERSION_STRING);
     std::vector<png_text> text(entries.size());
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -72,7 +71,7 @@ void write_png(const std::filesystem::path& path, const Picture& picture) {
     const auto leave = [](png_structp png, png_const_charp) { png_longjmp(png, 1); };
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, quiet);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
-    const bool written = info != nullptr && write_rows(png, info, file.handle(), picture, text.data(),
+    const bool written = info != nullptr && write_rows(png, info, file.handle(), image, text.data(),
                                                        static_cast<int>(text.size()));
     png_destroy_write_struct(&png, &info);
     if (!written)

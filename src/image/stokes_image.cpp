@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Sizes and element access of Stokes pictures.
-#include "nicol/stokes_image.hpp"
+// Sizes and element access of Stokes images.
+#include "image/stokes_image.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 namespace {
@@ -35,14 +35,14 @@ std::size_t offset(const StokesImage& image, int channel, int y, int x) {
     if (channel < 0 || channel >= image.channels || y < 0 || y >= image.height || x < 0 || x >= image.width)
         throw Error(ErrorCode::invalid_argument, "channel " + std::to_string(channel) + ", y " +
                                                      std::to_string(y) + ", x " + std::to_string(x) +
-                                                     " lies outside a picture of " +
+                                                     " lies outside a image of " +
                                                      size_text(image.width, image.height, image.channels));
     const auto width = static_cast<std::size_t>(image.width);
     const auto height = static_cast<std::size_t>(image.height);
     const std::size_t row = static_cast<std::size_t>(channel) * height + static_cast<std::size_t>(y);
     const std::size_t element = (row * width + static_cast<std::size_t>(x)) * 4;
     if (element + 4 > image.data.size())
-        throw Error(ErrorCode::invalid_argument, "the picture's data is shorter than its sizes say");
+        throw Error(ErrorCode::invalid_argument, "the image's data is shorter than its sizes say");
     return element;
 }
 

@@ -31,7 +31,7 @@ public:
         return result;
     }
 
-    EquirectImage picture() const override {
+    EquirectImage image() const override {
         EquirectImage image(2, 2, channels());
         for (int c = 0; c < channels(); ++c)
             for (int y = 0; y < 2; ++y)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cube maps: directions, frames, and the same light as an equirectangular picture.
-#include "nicol/cube_cross.hpp"
+// Cube maps: directions, frames, and the same light as an equirectangular image.
+#include "light/cube_cross.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -11,8 +11,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "error.hpp"
 #include "light/equirect.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

@@ -3,9 +3,9 @@
 #include <array>
 #include <string>
 
+#include "error.hpp"
+#include "light/cube_cross.hpp"
 #include "light/cube_names.hpp"
-#include "nicol/cube_cross.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 
@@ -46,7 +46,7 @@ CubeCross read_cube_cross(const path& given) {
         if (p == 0) {
             static_cast<StokesImage&>(cross) = part;
             try {
-                cross.check("the picture");
+                cross.check("the image");
             } catch (const Error& e) {
                 invalid(e.what());
             }
@@ -74,7 +74,7 @@ void write_cube_cross(const path& name, const Environment& environment, int edge
             const CubePoint point = cube_point(edge, x + 0.5, y + 0.5);
             const double angle = angle_between(theta_phi_frame(-point.towards_light), point.frame);
             for (int c = 0; c < cross.channels; ++c) {
-                const Stokes s = turned(environment.radiance(c, point.towards_light), angle);
+                const Stokes s = rotated(environment.radiance(c, point.towards_light), angle);
                 for (std::size_t p = 0; p < 4; ++p)
                     cross.at(c, y, x)[p] = static_cast<float>(s[static_cast<glm::length_t>(p)]);
             }

@@ -8,7 +8,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 

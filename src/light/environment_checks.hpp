@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "nicol/environment.hpp"
-#include "nicol/error.hpp"
+#include "error.hpp"
+#include "light/environment.hpp"
 
 namespace nicol {
 
@@ -24,8 +24,8 @@ void check_radiance(const char* what, const std::vector<double>& radiance);
 /// each of the channels.
 void check_wavelengths(const char* what, const std::vector<double>& wavelengths, int channels);
 
-/// What a picture that can be light holds.
-struct PictureContents {
+/// What a image that can be light holds.
+struct ImageContents {
     bool linear = false;    ///< some s1 or s2 is not 0
     bool circular = false;  ///< some s3 is not 0
     bool negative = false;  ///< some s0 < 0, to be taken for 0
@@ -34,21 +34,21 @@ struct PictureContents {
 /// Looks at the pixels times `scale`. Throws Error(code) with `name` in front of the channel and pixel where
 /// they are not what image_environment() tolerates; row_weights are the solid angles of the rows' pixels up
 /// to a factor.
-[[nodiscard]] PictureContents examine_picture(const EquirectView& view, double scale,
-                                              std::span<const double> row_weights, const std::string& name,
-                                              ErrorCode code);
+[[nodiscard]] ImageContents examine_image(const EquirectView& view, double scale,
+                                          std::span<const double> row_weights, const std::string& name,
+                                          ErrorCode code);
 
-/// The same for an equirectangular picture, which must have 2 x 2 pixels at least.
-[[nodiscard]] PictureContents examine_equirect(const EquirectView& view, double scale,
-                                               const std::string& name, ErrorCode code);
+/// The same for an equirectangular image, which must have 2 x 2 pixels at least.
+[[nodiscard]] ImageContents examine_equirect(const EquirectView& view, double scale, const std::string& name,
+                                             ErrorCode code);
 
 /// Throws Error(invalid_argument) naming `what` unless scale is finite and >= 0.
 void check_scale(const std::string& what, double scale);
 
-/// A view of all of a picture.
+/// A view of all of a image.
 [[nodiscard]] EquirectView view_of(const StokesImage& image);
 
-/// image_environment() whose errors about the picture have this code and begin with `name`.
+/// image_environment() whose errors about the image have this code and begin with `name`.
 [[nodiscard]] EnvironmentPtr checked_environment(const EquirectView& view, std::vector<double> wavelengths,
                                                  double scale, const std::string& name, ErrorCode code);
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <string>
 
+#include "error.hpp"
+#include "light/cube_cross.hpp"
 #include "light/cube_names.hpp"
 #include "light/environment_checks.hpp"
-#include "nicol/cube_cross.hpp"
-#include "nicol/error.hpp"
-#include "nicol/psh_file.hpp"
+#include "light/psh_file.hpp"
 
 namespace nicol {
 
@@ -35,7 +35,7 @@ EnvironmentPtr load_environment(const path& file, double scale, std::span<const 
     if (cube) {
         CubeCross cross = read_cube_cross(file);
         const std::vector<double> weights(static_cast<std::size_t>(cross.height), 1.0);
-        if (examine_picture(view_of(cross), 1, weights, name, ErrorCode::invalid_file).negative)
+        if (examine_image(view_of(cross), 1, weights, name, ErrorCode::invalid_file).negative)
             for (std::size_t i = 0; i < cross.data.size(); i += 4)
                 cross.data[i] = std::max(cross.data[i], 0.0F);
         const EquirectImage image = equirect_from_cross(cross);
@@ -47,7 +47,7 @@ EnvironmentPtr load_environment(const path& file, double scale, std::span<const 
 
 void write_environment(const path& file, const Environment& environment) {
     write_exr(
-        file, environment.picture(),
+        file, environment.image(),
         {.components = environment.polarized() ? kStokesAll : 0u,
          .frame = "equirectangular, y up, over the directions the light comes from; z propagation, x image "
                   "right (increasing u), y image up; s3 > 0 right circular"});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Directions, coordinates and frames of equirectangular pictures.
+// Directions, coordinates and frames of equirectangular images.
 #include "light/equirect.hpp"
 
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The mapping between directions and equirectangular pictures (see EquirectImage).
+// The mapping between directions and equirectangular images (see EquirectImage).
 #pragma once
 
 #include <glm/vec2.hpp>
 
-#include "nicol/stokes.hpp"
+#include "polarization/stokes.hpp"
 
 namespace nicol {
 
@@ -14,12 +14,12 @@ namespace nicol {
 /// (u, v) of a unit direction towards the light: 0 <= u < 1, 0 <= v <= 1. At the zenith and nadir u is 0.
 [[nodiscard]] glm::dvec2 equirect_coordinates(const glm::dvec3& towards_light);
 
-/// The Stokes frame of the picture at (u, v): z = propagation, x = the horizontal direction of increasing u.
+/// The Stokes frame of the image at (u, v): z = propagation, x = the horizontal direction of increasing u.
 [[nodiscard]] Frame equirect_frame(double u, double v);
 
-/// Axes (as columns) about which the picture's rows are circles of latitude: z = world y, x = world -z,
+/// Axes (as columns) about which the image's rows are circles of latitude: z = world y, x = world -z,
 /// y = world -x. A propagation direction has theta = pi (1 - v) and phi = pi - 2 pi u about them, and its
-/// picture frame is its theta-phi frame turned by +90 degrees: x = phi-hat, y = -theta-hat.
+/// image frame is its theta-phi frame rotated by +90 degrees: x = phi-hat, y = -theta-hat.
 [[nodiscard]] glm::dmat3 equirect_axes();
 
 }  // namespace nicol

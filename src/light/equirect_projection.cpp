@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact integration of a bilinear picture against the harmonics.
+// Exact integration of a bilinear image against the harmonics.
 #include "light/equirect_projection.hpp"
 
 #include <tbb/blocked_range.h>
@@ -10,11 +10,11 @@
 #include <numbers>
 #include <vector>
 
+#include "harmonics/grid.hpp"
+#include "harmonics/rotation.hpp"
+#include "harmonics/transform.hpp"
 #include "light/equirect.hpp"
 #include "light/row_analysis.hpp"
-#include "nicol/grid.hpp"
-#include "nicol/rotation.hpp"
-#include "nicol/transform.hpp"
 
 namespace nicol {
 namespace {
@@ -149,7 +149,7 @@ PshVector project_equirect(const EquirectView& view, int order) {
         const std::vector<FourierRows> rows = analyze_rows(view, first, count, order);
         for (int c = 0; c < count; ++c) {
             MeridianSum sum(rows[static_cast<std::size_t>(c)], rule);
-            // Deterministic: the same picture gives the same bits whatever the number of threads.
+            // Deterministic: the same image gives the same bits whatever the number of threads.
             tbb::parallel_deterministic_reduce(
                 tbb::blocked_range<int>(0, view.height / 2, static_cast<std::size_t>(grain)), sum);
             std::ranges::copy(sum.result(), result.channel(first + c).begin());

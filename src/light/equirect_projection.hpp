@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// PSH coefficients of an equirectangular picture.
+// PSH coefficients of an equirectangular image.
 #pragma once
 
-#include "nicol/environment.hpp"
+#include "light/environment.hpp"
 
 namespace nicol {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light from an equirectangular picture.
+// Light from an equirectangular image.
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -7,17 +7,17 @@
 #include <string>
 #include <utility>
 
+#include "error.hpp"
 #include "light/environment_checks.hpp"
 #include "light/equirect_projection.hpp"
-#include "light/picture_light.hpp"
-#include "nicol/error.hpp"
+#include "light/image_light.hpp"
 
 namespace nicol {
 namespace {
 
 class ImageEnvironment final : public Environment {
 public:
-    ImageEnvironment(const EquirectView& from, double scale, const PictureContents& contents,
+    ImageEnvironment(const EquirectView& from, double scale, const ImageContents& contents,
                      std::vector<double> wavelengths)
         : width_(from.width),
           height_(from.height),
@@ -46,7 +46,7 @@ public:
         return project_equirect(view(), order);
     }
 
-    EquirectImage picture() const override {
+    EquirectImage image() const override {
         EquirectImage image(width_, height_, channels_);
         image.wavelengths = wavelengths_;
         const auto step = static_cast<std::size_t>(components_);
@@ -107,7 +107,7 @@ void check_view(const EquirectView& view) {
     if (!in_range ||
         static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) > kMaxImagePixels)
         invalid(std::to_string(view.width) + " x " + std::to_string(view.height) + " pixels in " +
-                std::to_string(view.channels) + " channels; a picture has at most " +
+                std::to_string(view.channels) + " channels; a image has at most " +
                 std::to_string(kMaxImageSide) + " a side, " + std::to_string(kMaxImagePixels) +
                 " in all, and at least one channel");
 }
@@ -129,7 +129,7 @@ EquirectView view_of(const StokesImage& image) {
 EnvironmentPtr checked_environment(const EquirectView& view, std::vector<double> wavelengths, double scale,
                                    const std::string& name, ErrorCode code) {
     check_scale(name, scale);
-    const PictureContents contents = examine_equirect(view, scale, name, code);
+    const ImageContents contents = examine_equirect(view, scale, name, code);
     return std::make_shared<ImageEnvironment>(view, scale, contents, std::move(wavelengths));
 }
 
@@ -147,7 +147,7 @@ EnvironmentPtr image_environment(const EquirectView& view, double scale) {
 PshVector project_image(const EquirectView& view, int order) {
     check_view(view);
     check_projection_order(order);
-    const PictureContents contents = examine_equirect(view, 1, "project_image", ErrorCode::invalid_argument);
+    const ImageContents contents = examine_equirect(view, 1, "project_image", ErrorCode::invalid_argument);
     if (!contents.negative) return project_equirect(view, order);
     return ImageEnvironment(view, 1, contents, {}).project(order);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Energies from the coefficients, ranges from the picture.
-#include "nicol/light_report.hpp"
+// Energies from the coefficients, ranges from the image.
+#include "light/light_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +64,7 @@ void describe_pixels(const EquirectImage& image, int channel, LightChannelReport
 
 LightReport describe(const Environment& environment, int order) {
     const PshVector field = environment.project(order);
-    const EquirectImage image = environment.picture();
+    const EquirectImage image = environment.image();
     LightReport report;
     report.width = image.width;
     report.height = image.height;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a picture can be light at all (Eq. 70): a quick look, and a thorough one where that leaves doubts.
+// Whether a image can be light at all (Eq. 70): a quick look, and a thorough one where that leaves doubts.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
@@ -102,7 +102,7 @@ public:
                  const std::string& name, ErrorCode code)
         : view_(view), scale_(scale), row_weights_(row_weights), name_(name), code_(code) {}
 
-    [[nodiscard]] PictureContents run() {
+    [[nodiscard]] ImageContents run() {
         for (int c = 0; c < view_.channels; ++c) look_at(c);
         return contents_;
     }
@@ -177,13 +177,13 @@ private:
     std::span<const double> row_weights_;
     const std::string& name_;
     ErrorCode code_;
-    PictureContents contents_;
+    ImageContents contents_;
 };
 
 }  // namespace
 
-PictureContents examine_picture(const EquirectView& view, double scale, std::span<const double> row_weights,
-                                const std::string& name, ErrorCode code) {
+ImageContents examine_image(const EquirectView& view, double scale, std::span<const double> row_weights,
+                            const std::string& name, ErrorCode code) {
     // A scale that takes the quick look's limits out of the range of float gets the thorough one.
     if (scale > 1e-15 && scale < 1e15) {
         QuickLook look(view);
@@ -193,15 +193,15 @@ PictureContents examine_picture(const EquirectView& view, double scale, std::spa
     return ThoroughLook(view, scale, row_weights, name, code).run();
 }
 
-PictureContents examine_equirect(const EquirectView& view, double scale, const std::string& name,
-                                 ErrorCode code) {
+ImageContents examine_equirect(const EquirectView& view, double scale, const std::string& name,
+                               ErrorCode code) {
     if (view.width < 2 || view.height < 2)
         throw Error(code, name + ": " + std::to_string(view.width) + " x " + std::to_string(view.height) +
                               " pixels; an environment needs at least 2 x 2");
     std::vector<double> weights;
     for (int y = 0; y < view.height; ++y)
         weights.push_back(std::sin(std::numbers::pi * y / (view.height - 1)));
-    return examine_picture(view, scale, weights, name, code);
+    return examine_image(view, scale, weights, name, code);
 }
 
 }  // namespace nicol

@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
+#include "error.hpp"
+#include "harmonics/evaluate.hpp"
 #include "light/environment_checks.hpp"
-#include "light/picture_grid.hpp"
-#include "light/picture_light.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
+#include "light/image_grid.hpp"
+#include "light/image_light.hpp"
 
 namespace nicol {
 namespace {
@@ -40,23 +40,23 @@ public:
         return with_order(field_, order);
     }
 
-    EquirectImage picture() const override {
+    EquirectImage image() const override {
         constexpr int most_order = 1023;
         const int order = std::min(field_.order(), most_order);
         int width = 512;
         while (width < 4 * (order + 1)) width *= 2;
-        return picture(order, width);
+        return image(order, width);
     }
 
     std::unique_ptr<const Environment> tabulated() const override {
         constexpr int columns_an_order = 16;
-        return std::make_unique<const PictureLight>(
-            picture(field_.order(), std::clamp(columns_an_order * (field_.order() + 1), 512, 4096)));
+        return std::make_unique<const ImageLight>(
+            image(field_.order(), std::clamp(columns_an_order * (field_.order() + 1), 512, 4096)));
     }
 
 private:
-    EquirectImage picture(int order, int width) const {
-        EquirectImage image = synthesize_picture(with_order(field_, order), width, width / 2 + 1);
+    EquirectImage image(int order, int width) const {
+        EquirectImage image = synthesize_image(with_order(field_, order), width, width / 2 + 1);
         image.wavelengths = wavelengths_;
         return image;
     }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Coefficients of light from and to .npz.
-#include "nicol/psh_file.hpp"
+#include "light/psh_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "error.hpp"
 #include "files/npz.hpp"
-#include "nicol/error.hpp"
-#include "nicol/stokes_image.hpp"
+#include "image/stokes_image.hpp"
 
 namespace nicol {
 namespace {

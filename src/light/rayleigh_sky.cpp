@@ -6,12 +6,12 @@
 
 #include <glm/geometric.hpp>
 
+#include "error.hpp"
+#include "harmonics/grid.hpp"
+#include "harmonics/transform.hpp"
 #include "light/environment_checks.hpp"
 #include "light/equirect.hpp"
 #include "light/turbid_sky.hpp"
-#include "nicol/error.hpp"
-#include "nicol/grid.hpp"
-#include "nicol/transform.hpp"
 
 namespace nicol {
 namespace {
@@ -62,7 +62,7 @@ public:
         return result;
     }
 
-    EquirectImage picture() const override {
+    EquirectImage image() const override {
         constexpr int width = 512;
         constexpr int height = 257;
         EquirectImage image(width, height, channels());
@@ -123,7 +123,7 @@ EnvironmentPtr rayleigh_sky(const RayleighSky& sky) {
     if (scaled.y < 0)
         throw Error(ErrorCode::invalid_argument,
                     "rayleigh_sky: with turbidity, sun_direction must not point below the horizon (y < 0)");
-    return image_environment(turbid_sky_picture(sky, scaled / length));
+    return image_environment(turbid_sky_image(sky, scaled / length));
 }
 
 }  // namespace nicol

@@ -29,7 +29,7 @@ public:
             const double sinc = m == 0 ? 1 : std::sin(x) / x;
             factor_.push_back(sinc * sinc / view.width);
             // The columns start half a step from phi = -pi.
-            turn_.push_back(std::polar(factor_.back(), m * (pi - pi / view.width)));
+            rotation_.push_back(std::polar(factor_.back(), m * (pi - pi / view.width)));
         }
     }
 
@@ -91,7 +91,7 @@ private:
                 folded_factor(m) * Complex(sums[8 * m + k], sums[8 * m + 4 + k]);
     }
 
-    /// From the picture's frame to the theta-phi frame: a quarter turn, the sign of s1 + i s2.
+    /// From the image's frame to the theta-phi frame: a quarter turn, the sign of s1 + i s2.
     void store_folded_spin(std::span<const double> sums, FourierRows& result, int i) const {
         for (int m = 0; m <= order_; ++m) {
             const double* s = &sums[8 * static_cast<std::size_t>(m)];
@@ -163,7 +163,7 @@ private:
     [[nodiscard]] Complex degree(const double* out, int m) const {
         const int bin = (m % view_.width + view_.width) % view_.width;
         const double* z = out + BatchFft::kElement * static_cast<std::size_t>(bin);
-        const Complex turn = turn_[static_cast<std::size_t>(std::abs(m))];
+        const Complex turn = rotation_[static_cast<std::size_t>(std::abs(m))];
         return Complex(z[0], z[BatchFft::kLanes]) * (m < 0 ? std::conj(turn) : turn);
     }
 
@@ -189,8 +189,8 @@ private:
     int first_;
     int count_;
     int order_;
-    std::vector<double> factor_;  // of degree |m|
-    std::vector<Complex> turn_;   // the factor of m >= 0, turned to where the columns start
+    std::vector<double> factor_;     // of degree |m|
+    std::vector<Complex> rotation_;  // the factor of m >= 0, rotated to where the columns start
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sky with haze, as a picture: Perez's radiance, Rayleigh's polarization, and a ground below.
+// A sky with haze, as a image: Perez's radiance, Rayleigh's polarization, and a ground below.
 #include "light/turbid_sky.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ double solid_angle(int y) {
 
 }  // namespace
 
-EquirectImage turbid_sky_picture(const RayleighSky& sky, const glm::dvec3& sun) {
+EquirectImage turbid_sky_image(const RayleighSky& sky, const glm::dvec3& sun) {
     const int channels = static_cast<int>(sky.radiance.size());
     const PerezSky perez(sky.turbidity, std::acos(std::clamp(sun.y, 0.0, 1.0)));
     EquirectImage image(kWidth, kHeight, channels);

@@ -5,10 +5,10 @@
 #include <sstream>
 #include <utility>
 
+#include "error.hpp"
 #include "material/frames.hpp"
+#include "material/material.hpp"
 #include "material/reflectance.hpp"
-#include "nicol/error.hpp"
-#include "nicol/material.hpp"
 
 namespace nicol {
 namespace {
@@ -43,8 +43,8 @@ public:
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
         if (towards_light.z <= 0 || towards_viewer.z <= 0) return {};
-        return in_turned_frames(call(term, towards_light, towards_viewer),
-                                turns_from_s_frames(towards_light, towards_viewer));
+        return in_rotated_frames(call(term, towards_light, towards_viewer),
+                                 rotations_from_s_frames(towards_light, towards_viewer));
     }
 
 private:
@@ -68,7 +68,7 @@ private:
                     const glm::dvec3 light = direction(in, azimuth);
                     const glm::dvec3 viewer = direction(out, 0);
                     const Mueller m = call(channel, light, viewer);
-                    const Mueller turned = call(channel, direction(in, azimuth + 2.1), direction(out, 2.1));
+                    const Mueller rotated = call(channel, direction(in, azimuth + 2.1), direction(out, 2.1));
                     const Mueller mirrored = call(channel, direction(in, -azimuth), viewer);
                     double largest = 0;
                     for (std::size_t i = 0; i < 16; ++i)
@@ -76,7 +76,7 @@ private:
                     for (std::size_t i = 0; i < 16; ++i) {
                         const double sign = (i / 4 < 2) == (i % 4 < 2) ? 1 : -1;
                         const double value = m(i / 4, i % 4);
-                        require(std::abs(value - turned(i / 4, i % 4)) <= 1e-3 * largest,
+                        require(std::abs(value - rotated(i / 4, i % 4)) <= 1e-3 * largest,
                                 "is not isotropic: turning both directions about the normal changes it", i,
                                 light, viewer);
                         require(

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/conductor.hpp"
+#include "material/conductor.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "error.hpp"
 #include "material/frames.hpp"
 #include "material/key.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {
@@ -75,15 +75,15 @@ private:
             : half(glm::normalize(light + viewer)),
               cosine(std::min(1.0, glm::dot(viewer, half))),
               scale(facet_reflection(p.distribution, p.alpha, light, viewer, half)),
-              turns(turns_from_s_frames(light, viewer)) {}
+              turns(rotations_from_s_frames(light, viewer)) {}
         [[nodiscard]] Mueller reflect(std::complex<double> eta) const {
-            return in_turned_frames(scale, reflection_block(cosine, eta), turns);
+            return in_rotated_frames(scale, reflection_block(cosine, eta), turns);
         }
 
         glm::dvec3 half;
         double cosine;
         double scale;
-        SurfaceTurns turns;
+        SurfaceRotations turns;
     };
 
     RoughConductorParameters p_;

@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "material/key.hpp"
+#include "material/material.hpp"
 #include "material/reflectance.hpp"
-#include "nicol/material.hpp"
 
 namespace nicol {
 namespace {

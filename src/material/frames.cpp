@@ -4,13 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "nicol/fresnel.hpp"
+#include "polarization/fresnel.hpp"
 
 namespace nicol {
 namespace {
 
 // From x along s (any length, perpendicular to the propagation z) to theta-hat.
-FrameTurn to_theta_phi(const glm::dvec3& s, const glm::dvec3& z) {
+FrameRotation to_theta_phi(const glm::dvec3& s, const glm::dvec3& z) {
     // Theta-hat and phi-hat times sin(theta): all lengths cancel in the ratios below.
     glm::dvec3 theta_hat(z.x * z.z, z.y * z.z, -(z.x * z.x + z.y * z.y));
     glm::dvec3 phi_hat(-z.y, z.x, 0);
@@ -24,7 +24,7 @@ FrameTurn to_theta_phi(const glm::dvec3& s, const glm::dvec3& z) {
     return {(cosine * cosine - sine * sine) * norm, 2 * cosine * sine * norm};
 }
 
-void turn_rows(Mueller& m, const FrameTurn& turn) {
+void rotate_rows(Mueller& m, const FrameRotation& turn) {
     for (std::size_t q = 0; q < 4; ++q) {
         const double m1 = m(1, q);
         const double m2 = m(2, q);
@@ -35,7 +35,7 @@ void turn_rows(Mueller& m, const FrameTurn& turn) {
 
 }  // namespace
 
-SurfaceTurns turns_from_s_frames(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer) {
+SurfaceRotations rotations_from_s_frames(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer) {
     glm::dvec3 s = glm::cross(towards_light, towards_viewer);
     if (glm::dot(s, s) < 1e-24) {
         const glm::dvec3& v = towards_viewer;
@@ -45,13 +45,13 @@ SurfaceTurns turns_from_s_frames(const glm::dvec3& towards_light, const glm::dve
     return {to_theta_phi(s, -towards_light), to_theta_phi(s, towards_viewer)};
 }
 
-Mueller in_turned_frames(const Mueller& m, const SurfaceTurns& turns) {
+Mueller in_rotated_frames(const Mueller& m, const SurfaceRotations& turns) {
     Mueller out = m;
     for (std::size_t p = 0; p < 4; ++p) {
         out(p, 1) = turns.in.cos2 * m(p, 1) + turns.in.sin2 * m(p, 2);
         out(p, 2) = turns.in.cos2 * m(p, 2) - turns.in.sin2 * m(p, 1);
     }
-    turn_rows(out, turns.out);
+    rotate_rows(out, turns.out);
     return out;
 }
 
@@ -70,14 +70,14 @@ ReflectionBlock reflection_block(double cos_incident, std::complex<double> eta) 
             cross.imag()};
 }
 
-Mueller in_turned_frames(double scale, const ReflectionBlock& block, const SurfaceTurns& turns) {
+Mueller in_rotated_frames(double scale, const ReflectionBlock& block, const SurfaceRotations& turns) {
     const double a = scale * block.a;
     const double b = scale * block.b;
     const double c = scale * block.c;
     const double d = scale * block.d;
     const auto& [ci, si] = turns.in;
     Mueller out({a, b * ci, -b * si, 0, b, a * ci, -a * si, 0, 0, c * si, c * ci, -d, 0, d * si, d * ci, c});
-    turn_rows(out, turns.out);
+    rotate_rows(out, turns.out);
     return out;
 }
 

@@ -4,30 +4,30 @@
 
 #include <complex>
 
-#include "nicol/mueller.hpp"
+#include "polarization/mueller.hpp"
 
 namespace nicol {
 
 /// A turn of a frame about its z, by the cosine and sine of twice the angle.
-struct FrameTurn {
+struct FrameRotation {
     double cos2 = 1;
     double sin2 = 0;
 };
 
 /// The turns that bring frames with x along s to the theta-phi frames of the incident propagation
 /// -towards_light and of towards_viewer.
-struct SurfaceTurns {
-    FrameTurn in;
-    FrameTurn out;
+struct SurfaceRotations {
+    FrameRotation in;
+    FrameRotation out;
 };
 
-/// Turns for x along towards_light x towards_viewer, which is the s-axis of a facet between them. Where they
-/// are parallel, x is some direction across them.
-[[nodiscard]] SurfaceTurns turns_from_s_frames(const glm::dvec3& towards_light,
-                                               const glm::dvec3& towards_viewer);
+/// Rotations for x along towards_light x towards_viewer, which is the s-axis of a facet between them. Where
+/// they are parallel, x is some direction across them.
+[[nodiscard]] SurfaceRotations rotations_from_s_frames(const glm::dvec3& towards_light,
+                                                       const glm::dvec3& towards_viewer);
 
-/// m in frames turned from its own.
-[[nodiscard]] Mueller in_turned_frames(const Mueller& m, const SurfaceTurns& turns);
+/// m in frames rotated from its own.
+[[nodiscard]] Mueller in_rotated_frames(const Mueller& m, const SurfaceRotations& turns);
 
 /// Fresnel's reflection [[a, b, 0, 0], [b, a, 0, 0], [0, 0, c, -d], [0, 0, d, c]] in s-frames.
 struct ReflectionBlock {
@@ -37,7 +37,8 @@ struct ReflectionBlock {
 /// fresnel_reflection() of mueller.hpp as its four numbers; quick where eta is real.
 [[nodiscard]] ReflectionBlock reflection_block(double cos_incident, std::complex<double> eta);
 
-/// scale times the block in turned frames.
-[[nodiscard]] Mueller in_turned_frames(double scale, const ReflectionBlock& block, const SurfaceTurns& turns);
+/// scale times the block in rotated frames.
+[[nodiscard]] Mueller in_rotated_frames(double scale, const ReflectionBlock& block,
+                                        const SurfaceRotations& turns);
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/material.hpp"
+#include "material/material.hpp"
 
 namespace nicol {
 

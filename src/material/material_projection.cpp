@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/material_projection.hpp"
+#include "material/material_projection.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -9,10 +9,10 @@
 #include <numbers>
 #include <string>
 
+#include "error.hpp"
 #include "material/lobe_quadrature.hpp"
 #include "material/matrix_rows.hpp"
 #include "material/row_integral.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "nicol/spin_harmonics.hpp"
+#include "harmonics/spin_harmonics.hpp"
 
 namespace nicol {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "nicol/light_layout.hpp"
-#include "nicol/operator.hpp"
+#include "harmonics/light_layout.hpp"
+#include "harmonics/operator.hpp"
 
 namespace nicol {
 

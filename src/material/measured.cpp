@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/measured.hpp"
+#include "material/measured.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "error.hpp"
 #include "material/frames.hpp"
 #include "material/key.hpp"
 #include "material/measured_table.hpp"
 #include "material/reflectance.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {
@@ -45,8 +45,8 @@ private:
             return;
         }
         table_.at(angles(light, viewer), first, out);
-        const SurfaceTurns turns = turns_from_s_frames(light, viewer);
-        for (Mueller& m : out) m = in_turned_frames(m, turns);
+        const SurfaceRotations turns = rotations_from_s_frames(light, viewer);
+        for (Mueller& m : out) m = in_rotated_frames(m, turns);
     }
 
     static MeasuredTable::Angles angles(const glm::dvec3& light, const glm::dvec3& viewer) {

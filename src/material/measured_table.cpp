@@ -6,8 +6,8 @@
 #include <cstring>
 #include <numbers>
 
+#include "error.hpp"
 #include "files/content_hash.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "material/spectrum_weights.hpp"
 #include "material/tensor_file.hpp"
-#include "nicol/mueller.hpp"
-#include "nicol/spectrum_weights.hpp"
+#include "polarization/mueller.hpp"
 
 namespace nicol {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
+#include "error.hpp"
+#include "material/conductor.hpp"
 
 namespace nicol {
 namespace {

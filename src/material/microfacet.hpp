@@ -2,7 +2,7 @@
 // Isotropic microfacet distributions and their shadowing, after Walter et al. 2007.
 #pragma once
 
-#include "nicol/material.hpp"
+#include "material/material.hpp"
 
 namespace nicol {
 

@@ -8,10 +8,10 @@
 
 #include "material/frames.hpp"
 #include "material/key.hpp"
+#include "material/material.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
-#include "nicol/fresnel.hpp"
-#include "nicol/material.hpp"
+#include "polarization/fresnel.hpp"
 
 namespace nicol {
 namespace {
@@ -69,9 +69,9 @@ private:
     // Single reflection off the facets whose normal is the half vector.
     [[nodiscard]] Mueller boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const glm::dvec3 half = glm::normalize(light + viewer);
-        return in_turned_frames(facet_reflection(p_.distribution, p_.alpha, light, viewer, half),
-                                reflection_block(std::min(1.0, glm::dot(viewer, half)), eta_),
-                                turns_from_s_frames(light, viewer));
+        return in_rotated_frames(facet_reflection(p_.distribution, p_.alpha, light, viewer, half),
+                                 reflection_block(std::min(1.0, glm::dot(viewer, half)), eta_),
+                                 rotations_from_s_frames(light, viewer));
     }
 
     PplasticParameters p_;

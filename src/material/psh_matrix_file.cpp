@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The layout ISOBI2: for a = max(l_in, l_out) and b = min, degrees -b..b; at each m the pair (m, m) and next
 // to it (m, -m).
-#include "nicol/psh_matrix_file.hpp"
+#include "material/psh_matrix_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "error.hpp"
 #include "files/npz.hpp"
 #include "harmonics/isotropic_lanes.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

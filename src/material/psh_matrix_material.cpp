@@ -4,13 +4,13 @@
 #include <numbers>
 #include <string>
 
+#include "error.hpp"
 #include "files/content_hash.hpp"
+#include "harmonics/spin_harmonics.hpp"
 #include "material/key.hpp"
 #include "material/matrix_rows.hpp"
+#include "material/psh_matrix_file.hpp"
 #include "material/reflectance.hpp"
-#include "nicol/error.hpp"
-#include "nicol/psh_matrix_file.hpp"
-#include "nicol/spin_harmonics.hpp"
 
 namespace nicol {
 namespace {

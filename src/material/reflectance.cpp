@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 

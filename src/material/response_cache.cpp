@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/response_cache.hpp"
+#include "material/response_cache.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "error.hpp"
 #include "files/cache_file.hpp"
 #include "files/content_hash.hpp"
 #include "material/key.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

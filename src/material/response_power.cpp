@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "material/matrix_rows.hpp"
+#include "material/response_table.hpp"
 #include "material/row_integral.hpp"
-#include "nicol/response_table.hpp"
 
 namespace nicol {
 namespace {

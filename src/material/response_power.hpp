@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "nicol/light_layout.hpp"
-#include "nicol/material.hpp"
+#include "harmonics/light_layout.hpp"
+#include "material/material.hpp"
 
 namespace nicol {
 

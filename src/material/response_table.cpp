@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/response_table.hpp"
+#include "material/response_table.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <string>
 
+#include "error.hpp"
 #include "material/matrix_rows.hpp"
 #include "material/row_integral.hpp"
-#include "nicol/error.hpp"
 
 namespace nicol {
 namespace {

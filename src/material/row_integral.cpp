@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "harmonics/spin_harmonics.hpp"
 #include "material/lobe_quadrature.hpp"
-#include "nicol/spin_harmonics.hpp"
 
 namespace nicol {
 namespace {

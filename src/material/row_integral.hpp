@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "nicol/light_layout.hpp"
-#include "nicol/material.hpp"
+#include "harmonics/light_layout.hpp"
+#include "material/material.hpp"
 
 namespace nicol {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/spectrum_weights.hpp"
+#include "material/spectrum_weights.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 namespace {

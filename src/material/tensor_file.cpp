@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 namespace {

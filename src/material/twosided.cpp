@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
-#include "nicol/error.hpp"
-#include "nicol/material.hpp"
+#include "error.hpp"
+#include "material/material.hpp"
 
 namespace nicol {
 namespace {

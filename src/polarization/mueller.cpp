@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/mueller.hpp"
+#include "polarization/mueller.hpp"
 
 #include <cmath>
 
@@ -44,14 +44,14 @@ Mueller operator+(const Mueller& a, const Mueller& b) {
     return sum;
 }
 
-Mueller frame_turn(double angle) {
+Mueller frame_rotation(double angle) {
     const double c = std::cos(2 * angle);
     const double s = std::sin(2 * angle);
     return Mueller({1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, 0, 0, 1});
 }
 
-Mueller in_turned_frames(const Mueller& m, double in, double out) {
-    return frame_turn(out) * m * frame_turn(-in);
+Mueller in_rotated_frames(const Mueller& m, double in, double out) {
+    return frame_rotation(out) * m * frame_rotation(-in);
 }
 
 }  // namespace nicol

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/stokes.hpp"
+#include "polarization/stokes.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
 namespace nicol {
 
-Stokes turned(const Stokes& s, double angle) {
+Stokes rotated(const Stokes& s, double angle) {
     const double c = std::cos(2 * angle);
     const double n = std::sin(2 * angle);
     return {s[0], c * s[1] + n * s[2], c * s[2] - n * s[1], s[3]};

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The rays of a picture.
+// The rays of a image.
 #pragma once
 
 #include "geometry/ray_scene.hpp"
-#include "render/projection.hpp"
+#include "scene/projection.hpp"
 
 namespace nicol {
 
-/// Rays through a picture of width x height pixels, between the clip planes of the projection.
+/// Rays through a image of width x height pixels, between the clip planes of the projection.
 class CameraRays {
 public:
     CameraRays(const Projection& projection, int width, int height);
 
-    /// Through the picture at (x, y) in pixels from its upper left corner.
+    /// Through the image at (x, y) in pixels from its upper left corner.
     [[nodiscard]] Ray through(double x, double y) const;
     /// The frame in which the light along the ray is measured.
     [[nodiscard]] Frame frame(const Ray& ray) const { return projection_.view.frame(-ray.direction); }

@@ -104,7 +104,7 @@ void DirectLight::add_background(const glm::dvec3& direction, const Frame& recei
     const glm::dvec3 towards_light = glm::normalize(direction * light_to_world_);
     const double turn = angle_between(light_to_world_ * theta_phi_frame(-towards_light), received);
     for (int c = 0; c < channels_; ++c)
-        sum[static_cast<std::size_t>(c)] += turned(radiance(c, towards_light), turn);
+        sum[static_cast<std::size_t>(c)] += rotated(radiance(c, towards_light), turn);
 }
 
 void DirectLight::add_reflected(const Hit& hit, const glm::dvec3& towards_light, double pdf,
@@ -121,19 +121,19 @@ void DirectLight::add_reflected(const Hit& hit, const glm::dvec3& towards_light,
     workspace.terms.resize(static_cast<std::size_t>(terms));
     material.evaluate_terms(towards_light, hit.towards_viewer, workspace.terms);
     const glm::dvec3 in_light = glm::normalize(in_world * light_to_world_);
-    const double turn_in = environment_->polarized()
-                               ? angle_between(light_to_world_ * theta_phi_frame(-in_light),
-                                               hit.frame * theta_phi_frame(-towards_light))
-                               : 0;
-    const double turn_out = angle_between(hit.frame * theta_phi_frame(hit.towards_viewer), received);
+    const double rotate_in = environment_->polarized()
+                                 ? angle_between(light_to_world_ * theta_phi_frame(-in_light),
+                                                 hit.frame * theta_phi_frame(-towards_light))
+                                 : 0;
+    const double rotate_out = angle_between(hit.frame * theta_phi_frame(hit.towards_viewer), received);
     for (int c = 0; c < channels_; ++c) {
-        const Stokes incident = turned(radiance(c, in_light), turn_in);
+        const Stokes incident = rotated(radiance(c, in_light), rotate_in);
         Stokes reflected(0.0);
         for (int t = 0; t < terms; ++t) {
             const double weight = material.weight(t, material.channels() == 1 ? 0 : c);
             reflected += weight * (workspace.terms[static_cast<std::size_t>(t)] * incident);
         }
-        sum[static_cast<std::size_t>(c)] += turned(towards_light.z / pdf * reflected, turn_out);
+        sum[static_cast<std::size_t>(c)] += rotated(towards_light.z / pdf * reflected, rotate_out);
     }
 }
 

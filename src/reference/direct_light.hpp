@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
-#include "nicol/scene.hpp"
 #include "reference/light_sampler.hpp"
 #include "reference/surface_sampler.hpp"
+#include "scene/scene.hpp"
 
 namespace nicol {
 

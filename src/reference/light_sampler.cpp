@@ -36,15 +36,15 @@ double linear_sample(double u, double a, double b) {
 }  // namespace
 
 LightSampler::LightSampler(const Environment& environment) {
-    const EquirectImage picture = environment.picture();
-    width_ = picture.width;
-    height_ = picture.height;
+    const EquirectImage image = environment.image();
+    width_ = image.width;
+    height_ = image.height;
     const std::size_t pixels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
     values_.resize(pixels);
     for (std::size_t i = 0; i < pixels; ++i) {
-        for (int c = 0; c < picture.channels; ++c) {
-            const float s0 = picture.data[4 * (static_cast<std::size_t>(c) * pixels + i)];
-            values_[i] += std::abs(s0) / static_cast<float>(picture.channels);
+        for (int c = 0; c < image.channels; ++c) {
+            const float s0 = image.data[4 * (static_cast<std::size_t>(c) * pixels + i)];
+            values_[i] += std::abs(s0) / static_cast<float>(image.channels);
         }
     }
 

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "nicol/environment.hpp"
+#include "light/environment.hpp"
 
 namespace nicol {
 
@@ -15,14 +15,14 @@ struct LightSample {
     double pdf;                ///< per steradian, above 0
 };
 
-/// Samples directions in proportion to |s0|, mean over the channels, of an environment's picture. Between the
-/// picture's rows and columns the density is bilinear in azimuth and height (the cosine of the zenith angle),
+/// Samples directions in proportion to |s0|, mean over the channels, of an environment's image. Between the
+/// image's rows and columns the density is bilinear in azimuth and height (the cosine of the zenith angle),
 /// so that each cell's share is exact, and zero only where the bilinear look-up of the light is.
 class LightSampler {
 public:
     explicit LightSampler(const Environment& environment);
 
-    /// The picture is black: there is nothing to sample and the density is 0 everywhere.
+    /// The image is black: there is nothing to sample and the density is 0 everywhere.
     [[nodiscard]] bool dark() const noexcept { return !(total_ > 0); }
     /// `point` in [0, 1)^2; not for dark light.
     [[nodiscard]] LightSample sample(const glm::dvec2& point) const;
@@ -35,7 +35,7 @@ private:
         double ul, ur, ll, lr;
     };
     [[nodiscard]] Corners corners(int row, int column) const;
-    /// sin^2 of half the zenith angle of a picture row: linear in solid angle, exact near the zenith.
+    /// sin^2 of half the zenith angle of a image row: linear in solid angle, exact near the zenith.
     [[nodiscard]] double depth(int row) const;
 
     int width_, height_;

@@ -14,7 +14,7 @@
 #include <thread>
 #include <utility>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 #include "reference/camera_rays.hpp"
 #include "reference/low_discrepancy.hpp"
 #include "render/progress.hpp"
@@ -61,7 +61,7 @@ class Tracer {
 public:
     Tracer(const DirectLight& light, const CameraRays& rays, const ReferenceOptions& options,
            SharedProgress& progress, tbb::task_group_context& group, const Viewpoint& view,
-           StokesImage& image, SurfacePlanes& surfaces)
+           StokesImage& image, Aovs& surfaces)
         : light_(light),
           rays_(rays),
           options_(options),
@@ -137,17 +137,17 @@ private:
     tbb::task_group_context& group_;
     const Viewpoint& view_;
     StokesImage& image_;
-    SurfacePlanes& surfaces_;
+    Aovs& surfaces_;
     std::atomic<std::uint64_t> shadow_rays_ = 0;
 };
 
 StokesImage render(const Scene& scene, const Projection& projection, int width, int height,
                    const ReferenceOptions& options, ReferenceStatistics& statistics, Strategy strategy,
-                   SurfacePlanes& surfaces) {
+                   Aovs& surfaces) {
     const Stopwatch build;
     const DirectLight light(scene, strategy, options.shadows);
     StokesImage image(width, height, light.channels());
-    surfaces = SurfacePlanes(width, height, options.planes);
+    surfaces = Aovs(width, height, options.planes);
     statistics.triangles = light.triangles();
     statistics.build_ms = build.milliseconds();
 
@@ -177,16 +177,16 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
 
 StokesImage render_reference(const Scene& scene, const Projection& projection, int width, int height,
                              const ReferenceOptions& options, ReferenceStatistics& statistics,
-                             Strategy strategy, SurfacePlanes* surfaces) {
+                             Strategy strategy, Aovs* surfaces) {
     check(options);
     try {
-        SurfacePlanes made;
+        Aovs made;
         StokesImage image = render(scene, projection, width, height, options, statistics, strategy, made);
         if (surfaces != nullptr) *surfaces = std::move(made);
         return image;
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::out_of_memory,
-                    "not enough memory for the scene's triangles, its light and a picture of " +
+                    "not enough memory for the scene's triangles, its light and a image of " +
                         std::to_string(width) + " x " + std::to_string(height));
     }
 }

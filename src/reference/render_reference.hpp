@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The reference method (see nicol/reference.hpp).
+// The reference method (see reference/reference.hpp).
 #pragma once
 
-#include "nicol/reference.hpp"
-#include "nicol/scene.hpp"
-#include "nicol/stokes_image.hpp"
-#include "nicol/surface_planes.hpp"
+#include "image/aovs.hpp"
+#include "image/stokes_image.hpp"
 #include "reference/direct_light.hpp"
-#include "render/projection.hpp"
+#include "reference/reference.hpp"
+#include "scene/projection.hpp"
+#include "scene/scene.hpp"
 
 namespace nicol {
 
@@ -22,7 +22,6 @@ namespace nicol {
 [[nodiscard]] StokesImage render_reference(const Scene& scene, const Projection& projection, int width,
                                            int height, const ReferenceOptions& options,
                                            ReferenceStatistics& statistics,
-                                           Strategy strategy = Strategy::both,
-                                           SurfacePlanes* surfaces = nullptr);
+                                           Strategy strategy = Strategy::both, Aovs* surfaces = nullptr);
 
 }  // namespace nicol

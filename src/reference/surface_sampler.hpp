@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "nicol/material.hpp"
+#include "material/material.hpp"
 
 namespace nicol {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "nicol/material_projection.hpp"
+#include "material/material_projection.hpp"
 
 namespace nicol {
 

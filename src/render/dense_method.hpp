@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The dense method: the article's transfer matrices, one a vertex.
+// The dense method: the paper's transfer matrices, one a vertex.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 #include <memory>
 #include <vector>
 
-#include "nicol/render.hpp"
+#include "render/render.hpp"
 #include "render/transfer_input.hpp"
+#include "shading/outgoing_shade.hpp"
 #include "transfer/dense.hpp"
-#include "transfer/outgoing_shade.hpp"
 
 namespace nicol {
 

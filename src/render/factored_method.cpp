@@ -56,7 +56,7 @@ void FactoredMethod::prepare_shadows(const TransferInput& input, Workers& worker
     const auto before = RelightKey::before(input);
     const bool follows = shadows_ && before && shadows_for_ == before->without_light();
     shadows_for_ = {};
-    std::optional<ShadowProduct> former = std::move(shadows_);
+    std::optional<VisibilityProduct> former = std::move(shadows_);
     shadows_.reset();
     if (input.visibility != nullptr) {
         const Stopwatch watch;
@@ -70,7 +70,7 @@ void FactoredMethod::prepare_shadows(const TransferInput& input, Workers& worker
                 AwaitedVisibility* const awaited = input.awaited;
                 const bool fits = awaited != nullptr && awaited->blocks.order() == 2 * input.layout.order();
                 shadows_.emplace(*input.visibility, *input.directions, normals, input.layout, input.horizon,
-                                 ShadowProduct::Form::best, ShadowStorage::fixed16,
+                                 VisibilityProduct::Form::best, ShadowStorage::fixed16,
                                  fits ? &awaited->blocks : nullptr);
                 if (fits) awaited->filled = true;
             }

@@ -6,12 +6,12 @@
 #include <map>
 #include <optional>
 
-#include "nicol/render.hpp"
-#include "nicol/response_cache.hpp"
+#include "material/response_cache.hpp"
+#include "render/render.hpp"
 #include "render/transfer_input.hpp"
-#include "transfer/shade.hpp"
-#include "transfer/shadow_product.hpp"
+#include "shading/shade.hpp"
 #include "transfer/vertex_light.hpp"
+#include "transfer/visibility_product.hpp"
 
 namespace nicol {
 
@@ -33,7 +33,7 @@ public:
     /// Counts the changes of tables().
     [[nodiscard]] std::uint64_t tables_revision() const noexcept { return tables_revision_; }
     /// None where nothing casts shadows.
-    [[nodiscard]] const std::optional<ShadowProduct>& shadows() const noexcept { return shadows_; }
+    [[nodiscard]] const std::optional<VisibilityProduct>& shadows() const noexcept { return shadows_; }
 
 private:
     void project(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);
@@ -46,7 +46,7 @@ private:
     int table_channels_ = 0;  // what the tables are for
     int tables_order_ = -1;
     LightKind tables_kind_ = LightKind::unpolarized;
-    std::optional<ShadowProduct> shadows_;
+    std::optional<VisibilityProduct> shadows_;
     RelightKey shadows_for_;  // light not counted
     VertexLight vertex_light_;
     RelightKey lit_for_;

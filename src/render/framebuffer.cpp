@@ -7,15 +7,15 @@
 #include <string>
 #include <utility>
 
-#include "nicol/error.hpp"
-#include "render/plane_layout.hpp"
+#include "error.hpp"
+#include "render/aov_layout.hpp"
 #include "render/stopwatch.hpp"
 
 namespace nicol {
 namespace {
 
 // What was drawn by a layout, one attachment after the other.
-void unpack(const gl::RenderTarget& attachments, const PlaneLayout& layout, SurfacePlanes& surfaces) {
+void unpack(const gl::RenderTarget& attachments, const AovLayout& layout, Aovs& surfaces) {
     const std::size_t pixels =
         static_cast<std::size_t>(surfaces.width) * static_cast<std::size_t>(surfaces.height);
     std::vector<float> packed(4 * pixels);
@@ -84,12 +84,12 @@ const StokesImage& Framebuffer::image() {
     return *image_;
 }
 
-const SurfacePlanes& Framebuffer::surfaces() {
+const Aovs& Framebuffer::surfaces() {
     if (!surfaces_) {
         const Stopwatch watch;
-        SurfacePlanes surfaces(width_, height_, planes_);
+        Aovs surfaces(width_, height_, planes_);
         if (plane_attachments_) {
-            context_->run([&] { unpack(*plane_attachments_, PlaneLayout(planes_), surfaces); });
+            context_->run([&] { unpack(*plane_attachments_, AovLayout(planes_), surfaces); });
         }
         surfaces_ = std::move(surfaces);
         statistics_.observe_ms += watch.milliseconds();
@@ -101,7 +101,7 @@ std::shared_ptr<gl::RenderTarget> Framebuffer::plane_attachments(std::uint32_t p
     if (plane_attachments_ && planes == planes_) return plane_attachments_;
     return std::make_shared<gl::RenderTarget>(
         context_, gl::RenderTargetDescription{
-                      .width = width_, .height = height_, .colours = PlaneLayout(planes).attachments()});
+                      .width = width_, .height = height_, .colours = AovLayout(planes).attachments()});
 }
 
 void Framebuffer::drew_planes(std::uint32_t planes, std::shared_ptr<gl::RenderTarget> attachments) {
@@ -110,14 +110,14 @@ void Framebuffer::drew_planes(std::uint32_t planes, std::shared_ptr<gl::RenderTa
     surfaces_.reset();
 }
 
-void Framebuffer::show(StokesImage image, const Statistics& statistics, SurfacePlanes surfaces) {
-    image.check("Framebuffer::show: the picture");
+void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs surfaces) {
+    image.check("Framebuffer::show: the image");
     surfaces.check("Framebuffer::show: the planes");
     const bool same_size = surfaces.width == width_ && surfaces.height == height_;
     if (image.width != width_ || image.height != height_ || image.channels != channels_ ||
         (surfaces.planes() != 0 && !same_size)) {
         throw Error(ErrorCode::invalid_argument,
-                    "Framebuffer::show: the picture must have the framebuffer's size and channels");
+                    "Framebuffer::show: the image must have the framebuffer's size and channels");
     }
     const std::size_t plane = image.data.size() / static_cast<std::size_t>(channels_);
     context_->run([&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The Stokes picture of the last render into it.
+// The Stokes image of the last render into it.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "gl/render_target.hpp"
-#include "nicol/render.hpp"
-#include "nicol/stokes_image.hpp"
-#include "nicol/surface_planes.hpp"
+#include "image/aovs.hpp"
+#include "image/stokes_image.hpp"
+#include "render/render.hpp"
 
 namespace nicol {
 
@@ -31,19 +31,19 @@ public:
     /// Channels group * kGroup and following.
     [[nodiscard]] std::vector<gl::RenderTarget>& groups() noexcept { return groups_; }
 
-    /// The picture in memory, read back on first use after a render.
+    /// The image in memory, read back on first use after a render.
     [[nodiscard]] const StokesImage& image();
 
-    /// Which planes of surfaces the last render left, as bits of PlaneBit.
+    /// Which planes of surfaces the last render left, as bits of AovBit.
     [[nodiscard]] std::uint32_t planes() const noexcept { return planes_; }
     /// They, in memory, read back on first use after a render.
-    [[nodiscard]] const SurfacePlanes& surfaces();
+    [[nodiscard]] const Aovs& surfaces();
 
-    /// Takes a picture that was made without drawing, and the planes of its surfaces. Throws
+    /// Takes a image that was made without drawing, and the planes of its surfaces. Throws
     /// Error(invalid_argument) unless they have this size and these channels.
-    void show(StokesImage image, const Statistics& statistics, SurfacePlanes surfaces = {});
+    void show(StokesImage image, const Statistics& statistics, Aovs surfaces = {});
 
-    /// Where to draw these planes, as PlaneLayout says: attachments that an earlier render left, or new ones.
+    /// Where to draw these planes, as AovLayout says: attachments that an earlier render left, or new ones.
     /// Inside run().
     [[nodiscard]] std::shared_ptr<gl::RenderTarget> plane_attachments(std::uint32_t planes) const;
     /// To be called once they are drawn; null: no planes. Inside run().
@@ -64,7 +64,7 @@ private:
     std::optional<StokesImage> image_;
     std::uint32_t planes_ = 0;
     std::shared_ptr<gl::RenderTarget> plane_attachments_;  // of planes_; null where they were not drawn
-    std::optional<SurfacePlanes> surfaces_;
+    std::optional<Aovs> surfaces_;
     Statistics statistics_;
     std::uint64_t content_ = 0;
 };

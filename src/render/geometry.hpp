@@ -6,8 +6,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "nicol/scene.hpp"
-#include "render/projection.hpp"
+#include "scene/projection.hpp"
+#include "scene/scene.hpp"
 
 namespace nicol {
 
@@ -20,7 +20,7 @@ struct VertexRange {
     bool operator==(const VertexRange&) const = default;
 };
 
-/// An instance of a two-sided material appears twice, the second time turned inside out, so that each side
+/// An instance of a two-sided material appears twice, the second time rotated inside out, so that each side
 /// has vertices of its own; of those triangles only the front may be drawn.
 struct WorldGeometry {
     std::vector<glm::vec3> positions;
@@ -36,7 +36,7 @@ struct WorldGeometry {
 };
 
 /// 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one side of the view;
-/// the others cannot reach the picture. Resizes `visible`; returns how many are 0. Runs on the calling
+/// the others cannot reach the image. Resizes `visible`; returns how many are 0. Runs on the calling
 /// thread's TBB arena.
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
                          std::vector<std::uint8_t>& visible);

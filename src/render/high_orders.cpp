@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "material/high_order_cache.hpp"
-#include "material/high_order_kernel.hpp"
+#include "specular/convolution_kernel.hpp"
+#include "specular/high_order_cache.hpp"
 
 namespace nicol {
 

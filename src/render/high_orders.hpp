@@ -11,12 +11,12 @@
 #include <span>
 #include <vector>
 
-#include "nicol/render.hpp"
-#include "nicol/response_cache.hpp"
+#include "material/response_cache.hpp"
+#include "render/render.hpp"
 #include "render/transfer_input.hpp"
-#include "transfer/high_order.hpp"
-#include "transfer/high_order_light.hpp"
-#include "transfer/high_order_visibility.hpp"
+#include "specular/high_order.hpp"
+#include "specular/high_order_light.hpp"
+#include "specular/high_order_visibility.hpp"
 
 namespace nicol {
 

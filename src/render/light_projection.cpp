@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "nicol/rotation.hpp"
+#include "harmonics/rotation.hpp"
 #include "render/stopwatch.hpp"
 
 namespace nicol {
@@ -59,22 +59,23 @@ void LightProjection::update(const Scene& scene, const RenderOptions& options, c
                              Statistics& statistics) {
     const Stopwatch watch;
     const int high = options.high_orders == HighOrders::none ? options.order_low : options.order_high;
-    const LightKind kind = (options.unskipped & skip_light_components) != 0
+    const LightKind kind = (options.disabled_optimisations & skip_light_components) != 0
                                ? LightKind::full
                                : light_kind(scene.environment().get());
     const bool same_layout = layout_ && layout_->order() == options.order_low && layout_->kind() == kind;
     if (!projected_ || environment_ != scene.environment() || !same_layout || light_.order() != high ||
-        dering_ != options.dering || unskipped_ != options.unskipped) {
+        dering_ != options.dering || disabled_optimisations_ != options.disabled_optimisations) {
         projected_ = false;
         scale_ = -1;
         environment_ = scene.environment();
         light_ = environment_ ? environment_->project(high) : PshVector(high, 1);
-        if ((options.unskipped & skip_channels) == 0) light_ = without_repeats(std::move(light_));
+        if ((options.disabled_optimisations & skip_channels) == 0)
+            light_ = without_repeats(std::move(light_));
         dering_ = options.dering;
         suppress_ringing(light_, dering_);
-        unskipped_ = options.unskipped;
+        disabled_optimisations_ = options.disabled_optimisations;
         layout_.emplace(options.order_low, kind);
-        last_order_ = (options.unskipped & skip_orders) != 0
+        last_order_ = (options.disabled_optimisations & skip_orders) != 0
                           ? high
                           : std::max(options.order_low, last_order_of(light_));
         projected_ = true;
@@ -82,20 +83,20 @@ void LightProjection::update(const Scene& scene, const RenderOptions& options, c
         statistics.project_ms += watch.milliseconds();
     }
     const bool same_scale = scale_ == scene.light_scale();
-    if (same_scale && turned_by_ == rotation && turned_from_ == distant_revision_) return;
-    const Stopwatch turning;
+    if (same_scale && rotated_by_ == rotation && rotated_from_ == distant_revision_) return;
+    const Stopwatch watch;
     if (!same_scale) {
         distant_ = light_;
         for (double& coefficient : distant_.data()) coefficient *= scene.light_scale();
         scale_ = scene.light_scale();
         ++distant_revision_;
     }
-    turned_from_ = 0;
-    turned_ = rotated(with_order(distant_, options.order_low), rotation);
-    ++turned_revision_;
-    turned_by_ = rotation;
-    turned_from_ = distant_revision_;
-    statistics.relight_ms += turning.milliseconds();
+    rotated_from_ = 0;
+    rotated_ = nicol::rotated(with_order(distant_, options.order_low), rotation);
+    ++rotated_revision_;
+    rotated_by_ = rotation;
+    rotated_from_ = distant_revision_;
+    statistics.relight_ms += watch.milliseconds();
 }
 
 }  // namespace nicol

@@ -6,9 +6,9 @@
 #include <glm/mat3x3.hpp>
 #include <optional>
 
-#include "nicol/light_layout.hpp"
-#include "nicol/render.hpp"
-#include "nicol/scene.hpp"
+#include "harmonics/light_layout.hpp"
+#include "render/render.hpp"
+#include "scene/scene.hpp"
 
 namespace nicol {
 
@@ -26,9 +26,9 @@ public:
 
     /// Of the low orders.
     [[nodiscard]] const LightLayout& layout() const { return *layout_; }
-    [[nodiscard]] const PshVector& turned() const noexcept { return turned_; }
-    /// Counts the changes of turned().
-    [[nodiscard]] std::uint64_t turned_revision() const noexcept { return turned_revision_; }
+    [[nodiscard]] const PshVector& rotated() const noexcept { return rotated_; }
+    /// Counts the changes of rotated().
+    [[nodiscard]] std::uint64_t rotated_revision() const noexcept { return rotated_revision_; }
 
     [[nodiscard]] const PshVector& distant() const noexcept { return distant_; }
     /// Counts the changes of distant().
@@ -43,12 +43,12 @@ private:
     std::optional<LightLayout> layout_;
     int last_order_ = -1;
     double dering_ = 0;
-    std::uint32_t unskipped_ = 0;
+    std::uint32_t disabled_optimisations_ = 0;
     double scale_ = 1;  // of distant_
-    PshVector turned_;
-    glm::dmat3 turned_by_{1.0};
-    std::uint64_t turned_from_ = 0;  // revision of distant_
-    std::uint64_t turned_revision_ = 0;
+    PshVector rotated_;
+    glm::dmat3 rotated_by_{1.0};
+    std::uint64_t rotated_from_ = 0;  // revision of distant_
+    std::uint64_t rotated_revision_ = 0;
     PshVector distant_;
     std::uint64_t distant_revision_ = 0;
 };

@@ -7,10 +7,10 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "nicol/light_layout.hpp"
-#include "nicol/psh.hpp"
-#include "transfer/shadow_product.hpp"
+#include "harmonics/light_layout.hpp"
+#include "harmonics/psh.hpp"
 #include "transfer/vertex_light.hpp"
+#include "transfer/visibility_product.hpp"
 
 namespace nicol {
 namespace {
@@ -33,7 +33,7 @@ Size size_of(const Scene& scene) {
 
 LightKind kind_of(const Scene& scene, const RenderOptions& options) {
     const Environment* light = scene.environment().get();
-    if ((options.unskipped & skip_light_components) != 0) return LightKind::full;
+    if ((options.disabled_optimisations & skip_light_components) != 0) return LightKind::full;
     if (light == nullptr || !light->polarized()) return LightKind::unpolarized;
     return light->circular() ? LightKind::full : LightKind::linear;
 }
@@ -49,7 +49,7 @@ std::uint64_t shadows_of_block(const LightLayout& layout, HorizonExtension horiz
     const DirectionSet directions(DirectionSet::kFewest);
     const Visibility nothing(directions.size(), block);
     const std::vector<glm::vec3> normals(block, glm::vec3(0, 0, 1));
-    return ShadowProduct(nothing, directions, normals, layout, horizon).bytes();
+    return VisibilityProduct(nothing, directions, normals, layout, horizon).bytes();
 }
 
 // Matrices from what the light has to all that a material may make of it, and what they make.

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "nicol/render.hpp"
-#include "nicol/scene.hpp"
+#include "render/render.hpp"
+#include "scene/scene.hpp"
 
 namespace nicol {
 

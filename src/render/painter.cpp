@@ -17,9 +17,9 @@ int group_size(int channels, std::size_t group) {
     return std::min(Framebuffer::kGroup, channels - static_cast<int>(group) * Framebuffer::kGroup);
 }
 
-gl::TextureDescription equirect(const EquirectImage& picture) {
-    return {.width = picture.width,
-            .height = picture.height,
+gl::TextureDescription equirect(const EquirectImage& image) {
+    return {.width = image.width,
+            .height = image.height,
             .filter = gl::Filter::linear,
             .wrap_x = gl::Wrap::repeat,
             .wrap_y = gl::Wrap::clamp};
@@ -94,7 +94,7 @@ void Painter::draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuff
 void Painter::draw_surface(const HighOrdersOfPixels& high_orders, int components,
                            const Projection& projection, const glm::mat3& to_light, std::size_t group,
                            Framebuffer& target) {
-    gl::RenderTarget& picture = target.groups()[group];
+    gl::RenderTarget& image = target.groups()[group];
     std::set<std::string> features;
     if (high_orders.textures != nullptr) {
         features.insert("HIGH_ORDERS");
@@ -110,16 +110,16 @@ void Painter::draw_surface(const HighOrdersOfPixels& high_orders, int components
         surface.set("physical", high_orders.physical ? 1 : 0);
     }
     if (environment_ && components == 4) {
-        picture.clear_depth();
+        image.clear_depth();
     } else {
-        picture.clear();
+        image.clear();
     }
     for (const Batch& batch : batches_) {
         if (high_orders.textures != nullptr) {
             HighOrderTextures::bind(surface, high_orders.textures->part(batch.material), group);
         }
         // Materials without a back are drawn black from behind, the others have triangles for each side.
-        gl::draw(picture, surface, *groups_[group].vertices, batch.first, batch.last - batch.first,
+        gl::draw(image, surface, *groups_[group].vertices, batch.first, batch.last - batch.first,
                  {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none, .components = components});
     }
 }
@@ -165,18 +165,17 @@ void Painter::bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffer
 void Painter::upload_environment(const Environment* environment, int channels) {
     for (Group& group : groups_) group.environment.clear();
     if (environment == nullptr) return;
-    const EquirectImage picture = environment->picture();
-    const std::size_t pixels =
-        static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    const EquirectImage image = environment->image();
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const auto channel_data = [&](int c) {
-        const auto from = static_cast<std::size_t>(picture.channels == 1 ? 0 : c) * 4 * pixels;
-        return std::span(picture.data).subspan(from, 4 * pixels);
+        const auto from = static_cast<std::size_t>(image.channels == 1 ? 0 : c) * 4 * pixels;
+        return std::span(image.data).subspan(from, 4 * pixels);
     };
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         const int first = static_cast<int>(g) * Framebuffer::kGroup;
         if (environment->polarized()) {
             for (int c = 0; c < group_size(channels, g); ++c) {
-                groups_[g].environment.emplace_back(context_, equirect(picture), channel_data(first + c));
+                groups_[g].environment.emplace_back(context_, equirect(image), channel_data(first + c));
             }
             continue;
         }
@@ -186,7 +185,7 @@ void Painter::upload_environment(const Environment* environment, int channels) {
             for (std::size_t i = 0; i < pixels; ++i)
                 packed[4 * i + static_cast<std::size_t>(c)] = from[4 * i];
         }
-        groups_[g].environment.emplace_back(context_, equirect(picture), packed);
+        groups_[g].environment.emplace_back(context_, equirect(image), packed);
     }
 }
 

@@ -10,17 +10,17 @@
 #include <vector>
 
 #include "gl/draw.hpp"
-#include "nicol/scene.hpp"
+#include "render/aov_painter.hpp"
 #include "render/framebuffer.hpp"
 #include "render/high_order_textures.hpp"
-#include "render/plane_painter.hpp"
-#include "render/projection.hpp"
 #include "render/scene_geometry.hpp"
 #include "render/vertex_buffers.hpp"
+#include "scene/projection.hpp"
+#include "scene/scene.hpp"
 
 namespace nicol {
 
-/// Keeps a scene's environment's pictures and the programs on the device.
+/// Keeps a scene's environment's images and the programs on the device.
 class Painter {
 public:
     explicit Painter(std::shared_ptr<gl::Context> context);
@@ -34,7 +34,7 @@ public:
 
     struct Wanted {
         int components = 4;        ///< Stokes components that are drawn; the others are 0
-        std::uint32_t planes = 0;  ///< of surfaces, bits of PlaneBit
+        std::uint32_t planes = 0;  ///< of surfaces, bits of AovBit
     };
 
     /// `buffers` are of `surfaces`; `projection` is of the world. Everything that can fail for want of memory
@@ -86,7 +86,7 @@ private:
     Binding bound_;
     int channels_ = 0;
     EnvironmentPtr environment_;  // that the textures show
-    PlanePainter planes_;
+    AovPainter planes_;
 };
 
 }  // namespace nicol

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 #include "render/stopwatch.hpp"
 
 namespace nicol {

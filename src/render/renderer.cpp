@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol {
 namespace {
@@ -37,8 +37,9 @@ void check(const RenderOptions& options) {
     if (options.components != 1 && options.components != 3 && options.components != 4) {
         refuse("components is " + std::to_string(options.components) + "; it must be 1, 3 or 4");
     }
-    if ((options.unskipped & ~std::uint32_t{skip_all}) != 0) {
-        refuse("unskipped is " + std::to_string(options.unskipped) + "; it must be a sum of skips");
+    if ((options.disabled_optimisations & ~std::uint32_t{skip_all}) != 0) {
+        refuse("disabled_optimisations is " + std::to_string(options.disabled_optimisations) +
+               "; it must be a sum of skips");
     }
     if (options.tolerance > 0 &&
         (options.method != Method::factored || options.high_orders == HighOrders::convolution)) {
@@ -52,7 +53,7 @@ void check(const RenderOptions& options) {
 auto values(const RenderOptions& o) {
     return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
                     o.high_orders, o.high_orders_at, o.high_order_shadows, o.tolerance, o.dering, o.physical,
-                    o.components, o.planes, o.unskipped);
+                    o.components, o.planes, o.disabled_optimisations);
 }
 
 }  // namespace
@@ -90,7 +91,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
         refuse("the framebuffer has " + std::to_string(target.channels()) +
                " colour channels and the scene " + std::to_string(scene.channels()) + "; they must agree");
     }
-    if ((options.unskipped & skip_unchanged) == 0 && holds(target, scene, camera, options)) {
+    if ((options.disabled_optimisations & skip_unchanged) == 0 && holds(target, scene, camera, options)) {
         Statistics& kept = target.statistics();
         for (double* ms : {&kept.project_ms, &kept.bake_ms, &kept.bake_trace_ms, &kept.relight_ms,
                            &kept.shade_ms, &kept.draw_ms, &kept.observe_ms}) {

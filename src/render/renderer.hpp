@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "render/compute/compute_executor.hpp"
+#include "render/gpu/compute_executor.hpp"
 #include "render/painter.hpp"
 #include "render/transfer_cache.hpp"
 
@@ -34,7 +34,7 @@ private:
     // Null for threads.
     [[nodiscard]] ComputeExecutor* device_for(Executor executor);
 
-    // What a picture was made of; where all of it is the same, so is the picture.
+    // What a image was made of; where all of it is the same, so is the image.
     struct Made {
         std::uint64_t content;   // of the framebuffer
         std::uint64_t geometry;  // revisions of the scene

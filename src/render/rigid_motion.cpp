@@ -17,7 +17,7 @@ double largest(const glm::dmat3& m) {
 
 }  // namespace
 
-glm::dmat3 turn_in(const glm::dmat3& m) {
+glm::dmat3 rotate_in(const glm::dmat3& m) {
     // Newton's iteration for the polar decomposition; halves logarithms of singular values until they are
     // small, then their error squares.
     constexpr int most_steps = 200;
@@ -36,8 +36,8 @@ std::optional<glm::dmat4> rigid_motion(const glm::dmat4& before, const glm::dmat
     if (before == after) return glm::dmat4(1.0);
     const glm::dmat3 linear = glm::dmat3(after) * glm::inverse(glm::dmat3(before));
     const glm::dmat3 deviation = glm::transpose(linear) * linear - glm::dmat3(1.0);
-    if (!(largest(deviation) < kTurnTolerance) || glm::determinant(linear) < 0) return std::nullopt;
-    const glm::dmat3 turn = glm::dmat3(before) == glm::dmat3(after) ? glm::dmat3(1.0) : turn_in(linear);
+    if (!(largest(deviation) < kRotationTolerance) || glm::determinant(linear) < 0) return std::nullopt;
+    const glm::dmat3 turn = glm::dmat3(before) == glm::dmat3(after) ? glm::dmat3(1.0) : rotate_in(linear);
     glm::dmat4 motion(turn);
     motion[3] = glm::dvec4(glm::dvec3(after[3]) - turn * glm::dvec3(before[3]), 1);
     return motion;

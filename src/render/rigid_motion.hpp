@@ -6,16 +6,16 @@
 #include <glm/mat4x4.hpp>
 #include <optional>
 
-#include "render/projection.hpp"
+#include "scene/projection.hpp"
 
 namespace nicol {
 
 /// How far turns may be off, relative: matrices may come from 32-bit floats.
-inline constexpr double kTurnTolerance = 1e-6;
+inline constexpr double kRotationTolerance = 1e-6;
 
 /// The proper rotation nearest to an invertible matrix, or to its negative where it mirrors: the turn in
 /// R * m is R times that in m.
-[[nodiscard]] glm::dmat3 turn_in(const glm::dmat3& m);
+[[nodiscard]] glm::dmat3 rotate_in(const glm::dmat3& m);
 
 /// The motion with after = motion * before, where that is a proper rotation and a shift; exactly the identity
 /// where both are equal. Both are affine and invertible.

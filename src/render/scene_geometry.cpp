@@ -9,8 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "error.hpp"
 #include "geometry/principal_axes.hpp"
-#include "nicol/error.hpp"
 #include "render/rigid_motion.hpp"
 
 namespace nicol {
@@ -46,8 +46,8 @@ bool near(const glm::dmat4& a, const glm::dmat4& b, const Ball& ball, double shi
         }
     }
     constexpr double of_floats = 2e-7;
-    return linear <= kTurnTolerance * size &&
-           offset <= kTurnTolerance * static_cast<double>(ball.radius) + of_floats * shift;
+    return linear <= kRotationTolerance * size &&
+           offset <= kRotationTolerance * static_cast<double>(ball.radius) + of_floats * shift;
 }
 
 std::vector<std::uint8_t> same(const std::vector<glm::vec3>& before, const std::vector<glm::vec3>& after) {
@@ -98,7 +98,7 @@ void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
     // Askew: directions of a bake that lie in a mesh's own planes of symmetry would be above the horizons of
     // its vertices or not as rounding has it.
     const glm::dmat3 askew = glm::mat3_cast(glm::normalize(glm::dquat(0.9, 0.31, 0.17, 0.23)));
-    own_axes_ = turn_in(glm::dmat3(instance.to_world)) * mesh_axes_ * askew;
+    own_axes_ = rotate_in(glm::dmat3(instance.to_world)) * mesh_axes_ * askew;
 }
 
 std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {

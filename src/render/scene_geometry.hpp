@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
-#include "nicol/scene.hpp"
 #include "render/geometry.hpp"
-#include "transfer/bake.hpp"
+#include "scene/scene.hpp"
+#include "visibility/bake.hpp"
 
 namespace nicol {
 

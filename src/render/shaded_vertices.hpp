@@ -7,10 +7,10 @@
 #include <tuple>
 #include <vector>
 
-#include "nicol/render.hpp"
+#include "polarization/viewpoint.hpp"
 #include "render/geometry.hpp"
+#include "render/render.hpp"
 #include "render/transfer_input.hpp"
-#include "transfer/viewpoint.hpp"
 
 namespace nicol {
 

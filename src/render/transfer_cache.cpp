@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "render/rigid_motion.hpp"
-#include "transfer/bake_cache.hpp"
-#include "transfer/physical_range.hpp"
+#include "shading/physical_range.hpp"
+#include "visibility/bake_cache.hpp"
 
 namespace nicol {
 
@@ -29,23 +29,24 @@ void TransferCache::update(const Scene& scene, const Projection& of_world, const
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(scene, options, light_to_axes, statistics);
     const std::uint64_t visibility = shadowed_ ? visibility_revision_ : 0;
-    const TransferInput input{.geometry = geometry,
-                              .geometry_revision = surfaces_.revision(),
-                              .material_revision = surfaces_.material_revision(),
-                              .layout = light_.layout(),
-                              .light = light_.turned(),
-                              .light_revision = light_.turned_revision(),
-                              .channels = scene.channels(),
-                              .visibility = shadowed_ ? &visibility_ : nullptr,
-                              .directions = shadowed_ ? &*directions_ : nullptr,
-                              .visibility_revision = visibility,
-                              .horizon = options.horizon,
-                              .least_components = (options.unskipped & skip_response_rows) != 0 ? 4U : 1U,
-                              .most_components = static_cast<std::size_t>(options.components),
-                              .unchanged = follows_ ? std::optional(Unchanged{.geometry = last_geometry_,
-                                                                              .visibility = last_visibility_,
-                                                                              .vertices = unchanged_})
-                                                    : std::nullopt};
+    const TransferInput input{
+        .geometry = geometry,
+        .geometry_revision = surfaces_.revision(),
+        .material_revision = surfaces_.material_revision(),
+        .layout = light_.layout(),
+        .light = light_.rotated(),
+        .light_revision = light_.rotated_revision(),
+        .channels = scene.channels(),
+        .visibility = shadowed_ ? &visibility_ : nullptr,
+        .directions = shadowed_ ? &*directions_ : nullptr,
+        .visibility_revision = visibility,
+        .horizon = options.horizon,
+        .least_components = (options.disabled_optimisations & skip_response_rows) != 0 ? 4U : 1U,
+        .most_components = static_cast<std::size_t>(options.components),
+        .unchanged = follows_ ? std::optional(Unchanged{.geometry = last_geometry_,
+                                                        .visibility = last_visibility_,
+                                                        .vertices = unchanged_})
+                              : std::nullopt};
     const DistantLight distant{.coefficients = light_.distant(),
                                .revision = light_.distant_revision(),
                                .to_world = light_to_axes,
@@ -64,7 +65,7 @@ void TransferCache::update(const Scene& scene, const Projection& of_world, const
     const auto on_host = [&](auto& method) {
         method.relight(input, workers_, progress, statistics);
         const Stopwatch watch;
-        if ((options.unskipped & skip_hidden) != 0) {
+        if ((options.disabled_optimisations & skip_hidden) != 0) {
             visible_.assign(geometry.positions.size(), 1);
         } else {
             workers_.run([&] { statistics.vertices_skipped = find_visible(geometry, projection, visible_); });
@@ -72,7 +73,7 @@ void TransferCache::update(const Scene& scene, const Projection& of_world, const
         stokes_.resize(static_cast<std::size_t>(input.channels));
         for (auto& channel : stokes_) channel.resize(geometry.positions.size());
         // What has been moved into the physical range is not counted again.
-        if (physical || (options.unskipped & skip_unchanged) != 0) shaded_.forget();
+        if (physical || (options.disabled_optimisations & skip_unchanged) != 0) shaded_.forget();
         shaded_.follow({.view = projection.view,
                         .method = options.method,
                         .high_orders = high_orders ? options.high_orders : HighOrders::none,
@@ -170,7 +171,7 @@ RenderOptions TransferCache::choose_orders(const Scene& scene, const RenderOptio
     if (!(options.tolerance > 0)) return chosen;
     const Stopwatch watch;
     workers_.run([&] {
-        const ErrorBudget::Orders orders =
+        const OrderSelector::Orders orders =
             budget_.choose(scene, surfaces_.geometry(), surfaces_.revision() + surfaces_.material_revision(),
                            {.visibility = shadowed_ ? &visibility_ : nullptr,
                             .directions = shadowed_ ? &*directions_ : nullptr,
@@ -190,7 +191,7 @@ void TransferCache::bake(const RenderOptions& options, Progress& progress, Stati
     const bool same_lattice =
         lattice_ && lattice_->size() == static_cast<std::size_t>(options.bake_directions);
     const bool same_directions = same_lattice && directions_axes_ == surfaces_.own_axes();
-    const bool shadow_all = (options.unskipped & skip_unoccluded) != 0;
+    const bool shadow_all = (options.disabled_optimisations & skip_unoccluded) != 0;
     if (same_directions && baked_geometry_ == surfaces_.revision() && shadow_all_ == shadow_all) return;
     const Stopwatch watch;
     const SceneGeometry::Change& change = surfaces_.change();
@@ -199,7 +200,7 @@ void TransferCache::bake(const RenderOptions& options, Progress& progress, Stati
     baked_geometry_ = 0;
     if (!same_lattice) lattice_.emplace(options.bake_directions);
     if (!same_directions) {
-        directions_ = lattice_->turned(surfaces_.own_axes());
+        directions_ = lattice_->rotated(surfaces_.own_axes());
         directions_axes_ = surfaces_.own_axes();
     }
     const WorldGeometry& surfaces = surfaces_.geometry();

@@ -6,20 +6,20 @@
 #include <optional>
 #include <vector>
 
-#include "nicol/render.hpp"
-#include "nicol/scene.hpp"
-#include "render/compute/compute_executor.hpp"
 #include "render/dense_method.hpp"
-#include "render/error_budget.hpp"
 #include "render/factored_method.hpp"
+#include "render/gpu/compute_executor.hpp"
 #include "render/high_orders.hpp"
 #include "render/light_projection.hpp"
+#include "render/order_selector.hpp"
 #include "render/progress.hpp"
+#include "render/render.hpp"
 #include "render/scene_geometry.hpp"
 #include "render/shaded_vertices.hpp"
 #include "render/transfer_input.hpp"
 #include "render/workers.hpp"
-#include "transfer/visibility.hpp"
+#include "scene/scene.hpp"
+#include "visibility/visibility.hpp"
 
 namespace nicol {
 
@@ -76,7 +76,7 @@ private:
     bool follows_ = false;                 // this update's state from that one
     std::vector<std::uint8_t> unchanged_;  // vertices, where it does
 
-    ErrorBudget budget_;
+    OrderSelector budget_;
     LightProjection light_;
 
     FactoredMethod factored_;

@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "nicol/light_layout.hpp"
-#include "nicol/psh.hpp"
+#include "harmonics/light_layout.hpp"
+#include "harmonics/psh.hpp"
 #include "render/geometry.hpp"
 #include "render/workers.hpp"
-#include "transfer/visibility.hpp"
-#include "transfer/visibility_blocks.hpp"
-#include "transfer/visibility_harmonics.hpp"
+#include "visibility/visibility.hpp"
+#include "visibility/visibility_blocks.hpp"
+#include "visibility/visibility_harmonics.hpp"
 
 namespace nicol {
 
@@ -40,7 +40,7 @@ struct TransferInput {
     const LightLayout& layout;
     const PshVector& light;  ///< in the geometry's axes, scaled; one channel where all are equal
     std::uint64_t light_revision;
-    int channels;                  ///< of the picture
+    int channels;                  ///< of the image
     const Visibility* visibility;  ///< of the vertices; null where nothing casts shadows
     const DirectionSet* directions;
     std::uint64_t visibility_revision;  ///< 0 where there is none
@@ -102,7 +102,7 @@ void for_runs(std::size_t first, std::size_t last, const Stale& stale, const Bod
     }
 }
 
-/// One Stokes vector a vertex for each channel of the picture.
+/// One Stokes vector a vertex for each channel of the image.
 using VertexStokes = std::vector<std::vector<glm::vec4>>;
 
 }  // namespace nicol

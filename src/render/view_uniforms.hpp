@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gl/program.hpp"
-#include "transfer/viewpoint.hpp"
+#include "polarization/viewpoint.hpp"
 
 namespace nicol {
 

@@ -3,10 +3,10 @@
 #include <span>
 #include <string>
 
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
-#include "nicol/scene_color.hpp"
-#include "nicol/spectrum_weights.hpp"
+#include "error.hpp"
+#include "material/conductor.hpp"
+#include "material/spectrum_weights.hpp"
+#include "scene/scene_color.hpp"
 
 namespace nicol {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 #include "scene/xml_file.hpp"
 
 namespace nicol::scene {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "nicol/scene_description.hpp"
+#include "scene/scene_description.hpp"
 
 namespace nicol::scene {
 

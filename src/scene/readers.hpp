@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "nicol/scene_description.hpp"
+#include "scene/scene_description.hpp"
 #include "scene/xml_document.hpp"
 
 namespace nicol::scene {

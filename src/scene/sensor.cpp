@@ -25,11 +25,11 @@ void check_crop(Plugin& film, const SensorDescription& sensor) {
     for (const auto& [name, whole] : {Crop{"crop_offset_x", 0}, Crop{"crop_offset_y", 0},
                                       Crop{"crop_width", sensor.width}, Crop{"crop_height", sensor.height}})
         if (film.integer(name, whole, 0, max_size) != whole)
-            film.fail(name, "is not " + std::to_string(whole) + "; a part of the picture is not supported",
+            film.fail(name, "is not " + std::to_string(whole) + "; a part of the image is not supported",
                       ErrorCode::unsupported);
 }
 
-/// Pictures are EXR files of 32-bit floats.
+/// Images are EXR files of 32-bit floats.
 void read_format(Plugin& film, pugi::xml_node node, SensorDescription& sensor, Notices& notices) {
     enum { luminance, luminance_alpha, rgb, rgba, xyz, xyza };
     const std::vector<std::string> formats = {"luminance", "luminance_alpha", "rgb", "rgba", "xyz", "xyza"};
@@ -39,11 +39,11 @@ void read_format(Plugin& film, pugi::xml_node node, SensorDescription& sensor, N
                   ErrorCode::unsupported);
     sensor.luminance = format == luminance || format == luminance_alpha;
     if (format == luminance_alpha || format == rgba)
-        notices.add(node, "pixel_format " + formats[format] + ": pictures have no alpha channel");
+        notices.add(node, "pixel_format " + formats[format] + ": images have no alpha channel");
     const std::vector<std::string> components = {"float32", "float16", "uint32"};
     const std::size_t component = film.choice("component_format", 0, components);
     if (component != 0)
-        notices.add(node, "component_format " + components[component] + ": pictures are written as float32");
+        notices.add(node, "component_format " + components[component] + ": images are written as float32");
     if (film.choice("file_format", 0, {"openexr", "exr", "rgbe", "pfm"}) > 1)
         film.fail("file_format", "is not openexr, the only one that is written", ErrorCode::unsupported);
 }
@@ -104,7 +104,7 @@ SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node, 
             if (plugin.number(offset, 0.0) != 0.0)
                 plugin.fail(offset, "is not supported", ErrorCode::unsupported);
         if (!is_rigid(sensor.to_world))
-            plugin.fail("to_world", "scales; a perspective sensor may only be turned and moved");
+            plugin.fail("to_world", "scales; a perspective sensor may only be rotated and moved");
     } else if (plugin.type() == "orthographic") {
         sensor.kind = SensorDescription::Kind::orthographic;
     } else {
@@ -128,8 +128,8 @@ SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node, 
     if (sensor.kind == SensorDescription::Kind::perspective) {
         const double horizontal = horizontal_fov(sensor);
         if (!(horizontal > 0.0 && horizontal < 179.99))
-            plugin.fail("fov", "makes the picture " + std::to_string(horizontal) +
-                                   " degrees wide; expected below 180");
+            plugin.fail(
+                "fov", "makes the image " + std::to_string(horizontal) + " degrees wide; expected below 180");
     }
     return sensor;
 }

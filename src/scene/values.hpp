@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "nicol/scene_description.hpp"
+#include "scene/scene_description.hpp"
 #include "scene/xml_document.hpp"
 
 namespace nicol::scene {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "nicol/error.hpp"
-#include "nicol/scene_description.hpp"
+#include "error.hpp"
 #include "scene/parameters.hpp"
+#include "scene/scene_description.hpp"
 #include "scene/xml_file.hpp"
 
 namespace nicol::scene {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 namespace nicol::scene {
 namespace {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "nicol/error.hpp"
-#include "nicol/rotation.hpp"
-#include "nicol/stokes.hpp"
-#include "transfer/simd.hpp"
-#include "transfer/work_space.hpp"
+#include "error.hpp"
+#include "harmonics/rotation.hpp"
+#include "polarization/stokes.hpp"
+#include "simd/simd.hpp"
+#include "simd/work_space.hpp"
 
 namespace nicol {
 namespace {
@@ -158,24 +158,26 @@ DenseBuilder::DenseBuilder(std::shared_ptr<const DenseMaterial> material,
     : material_(std::move(material)),
       shadows_(std::move(shadows)),
       identity_(material_->order(), material_->order()),
-      turned_(material_->order(), material_->order()),
-      rows_(turned_.rows() * material_->columns().size()),
+      rotated_(material_->order(), material_->order()),
+      rows_(rotated_.rows() * material_->columns().size()),
       products_(2 * material_->outgoing().size() * material_->columns().size()) {
     for (std::size_t i = 0; i < identity_.rows(); ++i) identity_(i, i) = 1;
 }
 
 void DenseBuilder::build(const glm::vec3& normal, std::span<const double> visibility, std::span<float> out) {
-    // shadow x turn: since turns are orthogonal, the rows of the shadow matrix turned as if they were fields.
+    // shadow x turn: since turns are orthogonal, the rows of the shadow matrix rotated as if they were
+    // fields.
     const PshRotation to_world(material_->order(), theta_phi_frame(glm::dvec3(normal)));
     if (visibility.empty()) {
-        to_world.apply(identity_.data(), turned_.data());
+        to_world.apply(identity_.data(), rotated_.data());
     } else {
-        to_world.apply(shadows_->expand(visibility).data(), turned_.data());
+        to_world.apply(shadows_->expand(visibility).data(), rotated_.data());
     }
     const std::vector<std::size_t>& columns = material_->columns();
     const std::size_t n = columns.size();
-    for (std::size_t row = 0; row < turned_.rows(); ++row) {
-        for (std::size_t j = 0; j < n; ++j) rows_[row * n + j] = static_cast<float>(turned_(row, columns[j]));
+    for (std::size_t row = 0; row < rotated_.rows(); ++row) {
+        for (std::size_t j = 0; j < n; ++j)
+            rows_[row * n + j] = static_cast<float>(rotated_(row, columns[j]));
     }
 
     const std::size_t rows = 2 * material_->outgoing().size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transfer matrices of the article: one a vertex, from the world's light to outgoing coefficients.
+// The transfer matrices of the paper: one a vertex, from the world's light to outgoing coefficients.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "nicol/light_layout.hpp"
-#include "nicol/operator.hpp"
-#include "nicol/product.hpp"
-#include "nicol/psh.hpp"
+#include "harmonics/light_layout.hpp"
+#include "harmonics/operator.hpp"
+#include "harmonics/product.hpp"
+#include "harmonics/psh.hpp"
 
 namespace nicol {
 
@@ -124,8 +124,8 @@ private:
     std::shared_ptr<const DenseMaterial> material_;
     std::shared_ptr<const ShadowMatrix> shadows_;
     CoefficientMatrix identity_;
-    CoefficientMatrix turned_;
-    std::vector<float> rows_;      // of turned_, the columns that go in
+    CoefficientMatrix rotated_;
+    std::vector<float> rows_;      // of rotated_, the columns that go in
     std::vector<float> products_;  // [row][column]
 };
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "nicol/psh.hpp"
-#include "nicol/wigner.hpp"
-#include "transfer/lane_phases.hpp"
-#include "transfer/lane_vector.hpp"
-#include "transfer/simd.hpp"
+#include "harmonics/psh.hpp"
+#include "harmonics/wigner.hpp"
+#include "simd/lane_phases.hpp"
+#include "simd/lane_vector.hpp"
+#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -98,7 +98,7 @@ template <int Fields>
 }
 
 // What a turn of fields needs.
-struct Turn {
+struct Rotation {
     int order;
     const float* first;
     const float* second;
@@ -111,7 +111,7 @@ struct Turn {
 };
 
 template <int Fields>
-[[gnu::always_inline]] inline void turn_real_fields(const Turn& t) {
+[[gnu::always_inline]] inline void rotate_real_fields(const Rotation& t) {
     const float* first = t.first;
     const float* second = t.second;
     Lanes* const other_re = t.scratch;
@@ -171,7 +171,7 @@ template <int Fields>
 }
 
 template <int Fields>
-[[gnu::always_inline]] inline void turn_complex_fields(const Turn& t) {
+[[gnu::always_inline]] inline void rotate_complex_fields(const Rotation& t) {
     const float* first = t.first;
     const float* second = t.second;
     for (int l = 0; l <= t.order; ++l) {
@@ -195,22 +195,22 @@ template <int Fields>
 }
 
 NICOL_MULTIVERSION
-void turn_some_real(const Turn& t, std::size_t fields) {
+void rotate_some_real(const Rotation& t, std::size_t fields) {
     static_assert(LaneRotation::kMostFields == 3);
-    if (fields == 1) turn_real_fields<1>(t);
-    if (fields == 2) turn_real_fields<2>(t);
-    if (fields == 3) turn_real_fields<3>(t);
+    if (fields == 1) rotate_real_fields<1>(t);
+    if (fields == 2) rotate_real_fields<2>(t);
+    if (fields == 3) rotate_real_fields<3>(t);
 }
 
 NICOL_MULTIVERSION
-void turn_some_complex(const Turn& t, std::size_t fields) {
-    if (fields == 1) turn_complex_fields<1>(t);
-    if (fields == 2) turn_complex_fields<2>(t);
-    if (fields == 3) turn_complex_fields<3>(t);
+void rotate_some_complex(const Rotation& t, std::size_t fields) {
+    if (fields == 1) rotate_complex_fields<1>(t);
+    if (fields == 2) rotate_complex_fields<2>(t);
+    if (fields == 3) rotate_complex_fields<3>(t);
 }
 
 // Of the turns by phi + pi / 2 and by -theta.
-struct Turns {
+struct Rotations {
     DoubleLanes azimuth_cosine;
     DoubleLanes azimuth_sine;
     DoubleLanes zenith_cosine;
@@ -218,7 +218,7 @@ struct Turns {
 };
 
 NICOL_MULTIVERSION
-void find_turns(const DoubleLanes& x, const DoubleLanes& y, const DoubleLanes& z, Turns& out) {
+void find_rotations(const DoubleLanes& x, const DoubleLanes& y, const DoubleLanes& z, Rotations& out) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const double rho = std::sqrt(x.value[i] * x.value[i] + y.value[i] * y.value[i]);
         // At a pole theta_phi_frame takes phi as 0, and so must this. The quarter turn is i exp(i phi).
@@ -274,8 +274,8 @@ void LaneRotation::set_normals(std::span<const glm::vec3> normals, Work& work) c
         y.value[i] = n.y;
         z.value[i] = n.z;
     }
-    Turns turns;
-    find_turns(x, y, z, turns);
+    Rotations turns;
+    find_rotations(x, y, z, turns);
     const auto count = static_cast<std::size_t>(order_) + 1;
     raise_phases(turns.azimuth_cosine, turns.azimuth_sine, count, work.azimuth_.cosine.data(),
                  work.azimuth_.sine.data());
@@ -284,8 +284,8 @@ void LaneRotation::set_normals(std::span<const glm::vec3> normals, Work& work) c
 }
 
 template <class Run>
-void LaneRotation::turn_by(const Quarters& quarters, std::span<const std::complex<float>* const> in,
-                           Work& work, Run run) const {
+void LaneRotation::rotate_by(const Quarters& quarters, std::span<const std::complex<float>* const> in,
+                             Work& work, Run run) const {
     run({.order = order_,
          .first = quarters.first.data(),
          .second = quarters.second.data(),
@@ -298,12 +298,12 @@ void LaneRotation::turn_by(const Quarters& quarters, std::span<const std::comple
         in.size());
 }
 
-void LaneRotation::turn_real(std::span<const std::complex<float>* const> in, Work& work) const {
-    turn_by(real_, in, work, turn_some_real);
+void LaneRotation::rotate_real(std::span<const std::complex<float>* const> in, Work& work) const {
+    rotate_by(real_, in, work, rotate_some_real);
 }
 
-void LaneRotation::turn_complex(std::span<const std::complex<float>* const> in, Work& work) const {
-    turn_by(complex_, in, work, turn_some_complex);
+void LaneRotation::rotate_complex(std::span<const std::complex<float>* const> in, Work& work) const {
+    rotate_by(complex_, in, work, rotate_some_complex);
 }
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Turns one light into the frames of sixteen vertices at once.
+// Rotations one light into the frames of sixteen vertices at once.
 #pragma once
 
 #include <complex>
@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "transfer/lanes.hpp"
+#include "simd/lanes.hpp"
 
 namespace nicol {
 
-/// A light's coefficients turned by Ry(-theta) Rz(-phi), one normal (theta, phi) a lane. The y rotation is
+/// A light's coefficients rotated by Ry(-theta) Rz(-phi), one normal (theta, phi) a lane. The y rotation is
 /// two constant matrices around a phase: d(theta) = i^m D e^{-ik theta} D^T i^-m', D = d(-pi/2). Because
 /// D_{m,-n} = (-1)^{l+m} D_mn and D_{-m,n} = (-1)^{l+n} D_mn, a quarter of each product suffices, and an
 /// eighth for real fields. Immutable; threads share it.
@@ -19,7 +19,7 @@ class LaneRotation {
 public:
     explicit LaneRotation(int order);
 
-    /// Fields that are turned at once, which saves time.
+    /// Fields that are rotated at once, which saves time.
     static constexpr std::size_t kMostFields = 3;
 
     /// One thread's: normals and results.
@@ -49,9 +49,9 @@ public:
 
     /// Real fields (s0 or s3), 1 to kMostFields: each of `in` holds coefficients f_lm over complex harmonics
     /// for m >= 0, the result is v_lm with f'_lm = (-i)^m v_lm. Position l (l + 1) / 2 + m.
-    void turn_real(std::span<const std::complex<float>* const> in, Work& work) const;
+    void rotate_real(std::span<const std::complex<float>* const> in, Work& work) const;
     /// Complex fields (s1 + i s2): all m, position psh_index(l, m); result likewise.
-    void turn_complex(std::span<const std::complex<float>* const> in, Work& work) const;
+    void rotate_complex(std::span<const std::complex<float>* const> in, Work& work) const;
 
 private:
     // For each l the quarter of D (or its transpose) with rows and columns >= 0, [row][column]; for real
@@ -63,8 +63,8 @@ private:
 
     // Hands what a turn works on to `run`.
     template <class Run>
-    void turn_by(const Quarters& quarters, std::span<const std::complex<float>* const> in, Work& work,
-                 Run run) const;
+    void rotate_by(const Quarters& quarters, std::span<const std::complex<float>* const> in, Work& work,
+                   Run run) const;
 
     int order_;
     Quarters real_;

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "transfer/lane_vector.hpp"
-#include "transfer/simd.hpp"
+#include "simd/lane_vector.hpp"
+#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -26,13 +26,13 @@ std::vector<std::complex<float>> complex_half(std::span<const double> channel, i
 }
 
 // Of (-i)^m (x + i y): whether the real part comes from y, and the signs of both parts.
-struct Turned {
+struct Rotated {
     bool exchange;
     float re;
     float im;
 };
 
-Turned quarter_turns(int m) {
+Rotated quarter_rotations(int m) {
     switch (((m % 4) + 4) % 4) {
         case 0:
             return {false, 1, 1};
@@ -57,21 +57,21 @@ std::vector<Pick> picks(const LightLayout& layout) {
     std::vector<Pick> out(2 * size);
     for (std::size_t j = 0; j < size; ++j) {
         const LightLayout::Entry& e = layout.entries()[j];
-        Turned turned = quarter_turns(e.m);
+        Rotated rotated = quarter_rotations(e.m);
         std::size_t position = psh_index(e.l, e.m);
         if (e.part != LightKind::linear) {
             position = static_cast<std::size_t>(e.l * (e.l + 1) / 2 + e.m);
             const float norm = e.m > 0 ? std::numbers::sqrt2_v<float> : 1.0F;
-            turned.re *= norm;
-            turned.im *= norm;
+            rotated.re *= norm;
+            rotated.im *= norm;
             if (e.part == LightKind::unpolarized) {  // conj
-                turned.im = -turned.im;
+                rotated.im = -rotated.im;
             } else {  // i times
-                turned = {!turned.exchange, -turned.im, turned.re};
+                rotated = {!rotated.exchange, -rotated.im, rotated.re};
             }
         }
-        out[j] = {position + (turned.exchange ? imaginary : 0), turned.re};
-        out[size + j] = {position + (turned.exchange ? 0 : imaginary), turned.im};
+        out[j] = {position + (rotated.exchange ? imaginary : 0), rotated.re};
+        out[size + j] = {position + (rotated.exchange ? 0 : imaginary), rotated.im};
     }
     return out;
 }
@@ -208,9 +208,9 @@ void Relight::run_part(const Part& part, LaneRotation::Work& work, std::size_t b
         const std::size_t count = std::min(fields.size(), channels - first);
         for (std::size_t f = 0; f < count; ++f) fields[f] = part.channels[first + f].data();
         if (part.spin) {
-            rotation_.turn_complex(std::span(fields).first(count), work);
+            rotation_.rotate_complex(std::span(fields).first(count), work);
         } else {
-            rotation_.turn_real(std::span(fields).first(count), work);
+            rotation_.rotate_real(std::span(fields).first(count), work);
         }
         for (std::size_t f = 0; f < count; ++f) {
             add_up(part.terms, work.results(), count, f,

@@ -8,10 +8,10 @@
 #include <span>
 #include <vector>
 
-#include "nicol/light_layout.hpp"
+#include "harmonics/light_layout.hpp"
+#include "harmonics/mirror_basis.hpp"
+#include "simd/lanes.hpp"
 #include "transfer/lane_rotation.hpp"
-#include "transfer/lanes.hpp"
-#include "transfer/mirror_basis.hpp"
 
 namespace nicol {
 

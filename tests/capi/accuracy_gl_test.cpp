@@ -85,7 +85,7 @@ std::vector<double> random_light(std::uint32_t order) {
     return out;
 }
 
-// A camera whose picture is the middle of a plate, seen at an angle to its normal.
+// A camera whose image is the middle of a plate, seen at an angle to its normal.
 nicol_camera camera_on(const Plate& plate, double tilt, double turn) {
     const double s = 3 * std::sin(tilt);
     const Vector origin =

@@ -15,7 +15,7 @@ void count_call(void* user) {
     ++*static_cast<int*>(user);
 }
 
-// A 4 x 3 picture of three channels whose rows lie `stride` floats apart.
+// A 4 x 3 image of three channels whose rows lie `stride` floats apart.
 struct Pixels {
     std::vector<float> values;
     nicol_image image = NICOL_IMAGE_INIT;
@@ -47,7 +47,7 @@ struct Pixels {
 };
 
 // What an empty scene shows of an environment.
-std::vector<float> picture_of(nicol_context context, nicol_environment environment) {
+std::vector<float> image_of(nicol_context context, nicol_environment environment) {
     nicol_scene scene = nullptr;
     OK(nicol_scene_create(context, &scene));
     OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
@@ -87,10 +87,10 @@ TEST_CASE("rows may lie apart, and what lies between them is not read") {
             // The pixels are no longer needed.
             tight.values.assign(tight.values.size(), 0);
             loose.values.assign(loose.values.size(), 0);
-            const std::vector<float> picture = picture_of(context, a);
-            CHECK(picture == picture_of(context, b));
-            CHECK(picture[0] > 0);
-            CHECK((picture[1] != 0) == (components == 4));
+            const std::vector<float> image = image_of(context, a);
+            CHECK(image == image_of(context, b));
+            CHECK(image[0] > 0);
+            CHECK((image[1] != 0) == (components == 4));
             OK(nicol_environment_release(a));
             OK(nicol_environment_release(b));
         }
@@ -128,7 +128,7 @@ TEST_CASE("an image that cannot be taken is given back") {
         with([](nicol_image& i) { i.components = 0; }, "components");
         with([](nicol_image& i) { i.components = 3; }, "components");
         with([](nicol_image& i) { i.pixels = nullptr; }, "pixels");
-        // Larger than any picture may be, and the caller even claims to have it.
+        // Larger than any image may be, and the caller even claims to have it.
         with(
             [](nicol_image& i) {
                 i.width = i.height = NICOL_MAX_SIZE;
@@ -231,10 +231,10 @@ TEST_CASE("zero in a sky means its default, and a negative degree of polarizatio
         OK(nicol_environment_create_sky(context, &sky, &spelled));
         sky.dop_max = -1;
         OK(nicol_environment_create_sky(context, &sky, &unpolarized));
-        const std::vector<float> a = picture_of(context, standard), b = picture_of(context, spelled);
+        const std::vector<float> a = image_of(context, standard), b = image_of(context, spelled);
         REQUIRE(a.size() == b.size());
         for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(1e-5));
-        const std::vector<float> c = picture_of(context, unpolarized);
+        const std::vector<float> c = image_of(context, unpolarized);
         REQUIRE(a.size() == c.size());
         float largest = 0;
         for (std::size_t i = 0; i < c.size(); i += 4) {
@@ -385,7 +385,7 @@ TEST_CASE("files that are not there or not what they say") {
               "absent.ply");
         FAILS(nicol_scene_load(context, folder.file("absent.xml").c_str(), nullptr, 0, &scene),
               NICOL_ERROR_FILE_NOT_FOUND, "absent.xml");
-        const std::string exr = folder.write("text.exr", "no picture");
+        const std::string exr = folder.write("text.exr", "no image");
         const std::string ply = folder.write("text.ply", "ply\nno mesh");
         const std::string xml = folder.write("text.xml", "<scene version='3.0.0'><shape");
         FAILS(nicol_environment_load(context, exr.c_str(), nullptr, &environment), NICOL_ERROR_INVALID_FILE,

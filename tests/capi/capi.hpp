@@ -64,7 +64,7 @@ inline nicol_spectrum spectrum(const std::vector<float>& values) {
     return s;
 }
 
-/// A camera at (0, 0, distance) that looks at the origin; the world's x is to the picture's right.
+/// A camera at (0, 0, distance) that looks at the origin; the world's x is to the image's right.
 inline nicol_camera front_camera(double distance = 3) {
     nicol_camera camera = NICOL_CAMERA_INIT;
     const double origin[] = {0, 0, distance}, target[] = {0, 0, 0}, up[] = {0, 1, 0};
@@ -115,8 +115,8 @@ struct Stage {
         nicol_instance instance = NICOL_INSTANCE_INIT;
         instance.mesh = mesh;
         instance.material = material;
-        const Matrix turned = {{0.4, 0, 0.3, 0, 0.1, 0.5, 0, 0, -0.3, 0, 0.4, 0, 0, 0, 0, 1}};
-        std::copy_n(turned.rows, 16, instance.to_world);
+        const Matrix rotated = {{0.4, 0, 0.3, 0, 0.1, 0.5, 0, 0, -0.3, 0, 0.4, 0, 0, 0, 0, 1}};
+        std::copy_n(rotated.rows, 16, instance.to_world);
         OK(nicol_scene_add_instance(scene, &instance, nullptr));
         OK(nicol_framebuffer_create(context, 24, 16, 3, &framebuffer));
     }

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "capi.hpp"
-#include "nicol/stokes_image.hpp"
+#include "image/stokes_image.hpp"
 
 using namespace capi_test;
 using doctest::Approx;

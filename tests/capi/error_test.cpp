@@ -123,7 +123,7 @@ TEST_CASE("messages are one line of whole characters, however long") {
     OK(nicol_context_release(context));
 }
 
-TEST_CASE("a camera is turned towards its target") {
+TEST_CASE("a camera is rotated towards its target") {
     nicol_camera camera = NICOL_CAMERA_INIT;
     camera.fov = 30;
     camera.far_clip = 7;

@@ -127,21 +127,22 @@ TEST_CASE("planes that do not fit are refused and nothing is written") {
     });
 }
 
-TEST_CASE("pictures are written in every kind and read back") {
+TEST_CASE("images are written in every kind and read back") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         stage.render();
         const Folder folder;
         std::set<std::string> contents;
-        for (nicol_picture_kind kind = NICOL_PICTURE_S0; kind <= NICOL_PICTURE_POLARIZER; ++kind) {
-            nicol_picture picture = NICOL_PICTURE_INIT;
-            picture.kind = kind;
+        for (nicol_observation_kind kind = NICOL_OBSERVATION_S0; kind <= NICOL_OBSERVATION_POLARIZER;
+             ++kind) {
+            nicol_observation image = NICOL_OBSERVATION_INIT;
+            image.kind = kind;
             const std::string path = folder.file(std::to_string(kind) + ".png");
-            OK(nicol_framebuffer_write_png(stage.framebuffer, &picture, path.c_str()));
+            OK(nicol_framebuffer_write_png(stage.framebuffer, &image, path.c_str()));
             std::ifstream file(path, std::ios::binary);
             const std::string bytes((std::istreambuf_iterator<char>(file)), {});
             CHECK(bytes.starts_with("\x89PNG"));
-            CHECK_MESSAGE(contents.insert(bytes).second, "two kinds of picture are the same");
+            CHECK_MESSAGE(contents.insert(bytes).second, "two kinds of image are the same");
         }
         const std::string path = folder.file("\xC3\xA9.exr");
         OK(nicol_framebuffer_write_exr(stage.framebuffer, path.c_str()));
@@ -161,7 +162,7 @@ TEST_CASE("files that cannot be written leave nothing behind") {
         const std::string file = folder.write("file", "content");
         std::filesystem::create_directory(folder.file("folder"));
         const std::set<std::string> before = folder.names();
-        const nicol_picture picture = NICOL_PICTURE_INIT;
+        const nicol_observation image = NICOL_OBSERVATION_INIT;
         for (const std::string& path :
              {file + "/below.out", folder.file("absent/below.out"), folder.file("folder"),
               folder.file("folder/"), std::string("/proc/nicol.out"), folder.file(std::string(300, 'n')),
@@ -169,11 +170,11 @@ TEST_CASE("files that cannot be written leave nothing behind") {
             CAPTURE(path);
             FAILS(nicol_framebuffer_write_exr(stage.framebuffer, path.c_str()), NICOL_ERROR_WRITE_FAILED,
                   path);
-            FAILS(nicol_framebuffer_write_png(stage.framebuffer, &picture, path.c_str()),
+            FAILS(nicol_framebuffer_write_png(stage.framebuffer, &image, path.c_str()),
                   NICOL_ERROR_WRITE_FAILED, path);
         }
         FAILS(nicol_framebuffer_write_exr(stage.framebuffer, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "path");
-        FAILS(nicol_framebuffer_write_png(stage.framebuffer, &picture, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
+        FAILS(nicol_framebuffer_write_png(stage.framebuffer, &image, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
               "path");
         CHECK(folder.names() == before);
         CHECK(std::filesystem::is_empty(folder.file("folder")));
@@ -182,38 +183,39 @@ TEST_CASE("files that cannot be written leave nothing behind") {
     });
 }
 
-TEST_CASE("pictures out of range are refused by name") {
+TEST_CASE("images out of range are refused by name") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         stage.render();
         const Folder folder;
-        const std::string path = folder.file("picture.png");
+        const std::string path = folder.file("image.png");
         const auto with = [&](auto change, const char* text) {
-            nicol_picture picture = NICOL_PICTURE_INIT;
-            change(picture);
-            FAILS(nicol_framebuffer_write_png(stage.framebuffer, &picture, path.c_str()),
+            nicol_observation image = NICOL_OBSERVATION_INIT;
+            change(image);
+            FAILS(nicol_framebuffer_write_png(stage.framebuffer, &image, path.c_str()),
                   NICOL_ERROR_INVALID_ARGUMENT, text);
         };
-        with([](nicol_picture& p) { p.kind = 7; }, "kind");
-        with([](nicol_picture& p) { p.exposure = NAN; }, "exposure");
-        with([](nicol_picture& p) { p.exposure = INFINITY; }, "exposure");
-        for (const nicol_picture_kind kind : {NICOL_PICTURE_S1, NICOL_PICTURE_S2, NICOL_PICTURE_S3}) {
+        with([](nicol_observation& p) { p.kind = 7; }, "kind");
+        with([](nicol_observation& p) { p.exposure = NAN; }, "exposure");
+        with([](nicol_observation& p) { p.exposure = INFINITY; }, "exposure");
+        for (const nicol_observation_kind kind :
+             {NICOL_OBSERVATION_S1, NICOL_OBSERVATION_S2, NICOL_OBSERVATION_S3}) {
             with(
-                [&](nicol_picture& p) {
-                    p.kind = static_cast<nicol_picture_kind>(kind);
+                [&](nicol_observation& p) {
+                    p.kind = static_cast<nicol_observation_kind>(kind);
                     p.scale = -1;
                 },
                 "scale");
             with(
-                [&](nicol_picture& p) {
-                    p.kind = static_cast<nicol_picture_kind>(kind);
+                [&](nicol_observation& p) {
+                    p.kind = static_cast<nicol_observation_kind>(kind);
                     p.scale = NAN;
                 },
                 "scale");
         }
         with(
-            [](nicol_picture& p) {
-                p.kind = NICOL_PICTURE_POLARIZER;
+            [](nicol_observation& p) {
+                p.kind = NICOL_OBSERVATION_POLARIZER;
                 p.polarizer_angle = INFINITY;
             },
             "angle");

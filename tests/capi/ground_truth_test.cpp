@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures against Mitsuba 3's. A sphere under constant light has neither shadow nor truncation: every
+// Images against Mitsuba 3's. A sphere under constant light has neither shadow nor truncation: every
 // difference is either Monte Carlo noise or ours.
 #include <doctest/doctest.h>
 
@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "image/stokes_image.hpp"
 #include "nicol.h"
-#include "nicol/stokes_image.hpp"
 
 namespace {
 
-struct Picture {
+struct Observation {
     std::uint32_t width = 0, height = 0, channels = 0;
     std::vector<std::vector<float>> planes;  // [channel] of four floats a pixel
 };
@@ -27,8 +27,8 @@ struct Picture {
         REQUIRE(result_ == NICOL_OK);        \
     } while (false)
 
-Picture render(nicol_backend backend, const std::string& scene_file, const char* definition,
-               std::int32_t order) {
+Observation render(nicol_backend backend, const std::string& scene_file, const char* definition,
+                   std::int32_t order) {
     nicol_context_options context_options = NICOL_CONTEXT_OPTIONS_INIT;
     context_options.backend = backend;
     nicol_context context = nullptr;
@@ -37,23 +37,23 @@ Picture render(nicol_backend backend, const std::string& scene_file, const char*
     OK(nicol_scene_load(context, scene_file.c_str(), &definition, 1, &scene));
     nicol_camera camera = NICOL_CAMERA_INIT;
     OK(nicol_scene_get_camera(scene, &camera));
-    Picture picture;
-    OK(nicol_scene_get_film_size(scene, &picture.width, &picture.height));
-    OK(nicol_scene_get_channels(scene, &picture.channels));
+    Observation image;
+    OK(nicol_scene_get_film_size(scene, &image.width, &image.height));
+    OK(nicol_scene_get_channels(scene, &image.channels));
     nicol_framebuffer framebuffer = nullptr;
-    OK(nicol_framebuffer_create(context, picture.width, picture.height, picture.channels, &framebuffer));
+    OK(nicol_framebuffer_create(context, image.width, image.height, image.channels, &framebuffer));
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.order_low = options.order_high = order;
     OK(nicol_render(scene, &camera, &options, framebuffer));
-    for (std::uint32_t c = 0; c < picture.channels; ++c) {
-        picture.planes.emplace_back(std::size_t{4} * picture.width * picture.height);
-        OK(nicol_framebuffer_read(framebuffer, NICOL_PLANE_STOKES, c, picture.planes.back().data(), 0,
-                                  picture.planes.back().size() * sizeof(float)));
+    for (std::uint32_t c = 0; c < image.channels; ++c) {
+        image.planes.emplace_back(std::size_t{4} * image.width * image.height);
+        OK(nicol_framebuffer_read(framebuffer, NICOL_PLANE_STOKES, c, image.planes.back().data(), 0,
+                                  image.planes.back().size() * sizeof(float)));
     }
     OK(nicol_framebuffer_release(framebuffer));
     OK(nicol_scene_release(scene));
     OK(nicol_context_release(context));
-    return picture;
+    return image;
 }
 
 // What is compared over the sphere's interior.
@@ -65,13 +65,13 @@ struct Comparison {
     double noise_share[3] = {0, 0, 0};  // residual over the truth's own noise, in the worst channel
 };
 
-bool inside(const Picture& picture, std::uint32_t x, std::uint32_t y) {
-    const double half = picture.width / 2.0;  // the sphere of radius 1 in a picture of half width 1.25
+bool inside(const Observation& image, std::uint32_t x, std::uint32_t y) {
+    const double half = image.width / 2.0;  // the sphere of radius 1 in a image of half width 1.25
     return 1.25 * std::hypot(x + 0.5 - half, y + 0.5 - half) / half < 0.97;
 }
 
 // Under constant light left and right halves are mirror images, so what they differ by is the truth's noise.
-Comparison compare(const Picture& ours, const nicol::StokesImage& truth) {
+Comparison compare(const Observation& ours, const nicol::StokesImage& truth) {
     Comparison out;
     double total = 0, total_truth = 0;
     double product[3] = {0, 0, 0}, square[3] = {0, 0, 0};
@@ -150,7 +150,7 @@ TEST_CASE("a sphere under constant light is Mitsuba 3's, in every Stokes compone
     }
 }
 
-TEST_CASE("a sphere under a picture of light differs from Mitsuba 3's by the truncation alone") {
+TEST_CASE("a sphere under a image of light differs from Mitsuba 3's by the truncation alone") {
     if (!std::filesystem::exists(data_folder() + "sphere_env.xml")) {
         MESSAGE("skipped: NICOL_TEST_DATA has no mitsuba/sphere_env.xml");
         return;

@@ -241,8 +241,8 @@ std::vector<NamedCall> calls(nicol_framebuffer handle, const Everything& with) {
             {"framebuffer_write_exr", [=] { return nicol_framebuffer_write_exr(handle, "/nowhere/x.exr"); }},
             {"framebuffer_write_png",
              [=] {
-                 const nicol_picture picture = NICOL_PICTURE_INIT;
-                 return nicol_framebuffer_write_png(handle, &picture, "/nowhere/x.png");
+                 const nicol_observation image = NICOL_OBSERVATION_INIT;
+                 return nicol_framebuffer_write_png(handle, &image, "/nowhere/x.png");
              }},
             {"render", [=] {
                  const nicol_camera camera = NICOL_CAMERA_INIT;

@@ -71,8 +71,8 @@ nicol_scene sphere_beside_wall(nicol_context context, double end) {
 using Values = std::vector<double>;
 
 /// [row][column][component] of `side` rows, each pixel the mean of a square.
-Values picture(nicol_context context, nicol_scene scene, const nicol_render_options& options,
-               std::uint32_t rows) {
+Values image(nicol_context context, nicol_scene scene, const nicol_render_options& options,
+             std::uint32_t rows) {
     nicol_framebuffer framebuffer = nullptr;
     OK(nicol_framebuffer_create(context, rows, rows, 1, &framebuffer));
     nicol_camera camera = front_camera(8);
@@ -97,7 +97,7 @@ Values real_time(nicol_context context, nicol_scene scene, std::int32_t high, st
     options.order_low = 4;
     options.order_high = high;
     options.shadows = shadows;
-    return picture(context, scene, options, fine);
+    return image(context, scene, options, fine);
 }
 
 /// Of s0 and of s1 and s2 together, over the RMS of s0, where pixels count.
@@ -125,7 +125,7 @@ TEST_CASE("a highlight half behind a wall is dimmed as the reference has it") {
         nicol_render_options reference = NICOL_RENDER_OPTIONS_INIT;
         reference.method = NICOL_METHOD_REFERENCE;
         reference.samples = 256;
-        const Values truth = picture(context, scene, reference, side);
+        const Values truth = image(context, scene, reference, side);
         const Values dimmed = real_time(context, scene, 32, 1);
         // Light adds: low orders in shadow, with high orders that nothing hides.
         Values undimmed = real_time(context, scene, 4, 1);

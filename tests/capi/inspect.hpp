@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "nicol/stokes_image.hpp"
+#include "image/stokes_image.hpp"
 #include "psh_sky.hpp"
 
 namespace capi_test {
@@ -68,12 +68,12 @@ inline nicol_light_report light_report_of(const std::string& path,
     return report;
 }
 
-/// The sky of psh_sky.hpp as a picture file.
+/// The sky of psh_sky.hpp as a image file.
 inline void write_sky(const std::string& path, std::uint32_t width, std::uint32_t height) {
-    const std::vector<float> pixels = sky_picture(width, height, 1);
-    nicol::StokesImage picture(static_cast<int>(width), static_cast<int>(height), 1);
-    std::copy(pixels.begin(), pixels.end(), picture.data.begin());
-    nicol::write_exr(path, picture);
+    const std::vector<float> pixels = sky_image(width, height, 1);
+    nicol::StokesImage image(static_cast<int>(width), static_cast<int>(height), 1);
+    std::copy(pixels.begin(), pixels.end(), image.data.begin());
+    nicol::write_exr(path, image);
 }
 
 }  // namespace capi_test

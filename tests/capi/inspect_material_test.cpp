@@ -5,11 +5,11 @@
 #include <glm/geometric.hpp>
 
 #include "inspect.hpp"
+#include "material/material.hpp"
+#include "material/material_projection.hpp"
 #include "material/pbsdf_file.hpp"
-#include "nicol/material.hpp"
-#include "nicol/material_projection.hpp"
-#include "nicol/psh_matrix_file.hpp"
-#include "nicol/response_cache.hpp"
+#include "material/psh_matrix_file.hpp"
+#include "material/response_cache.hpp"
 #include "psh_checks.hpp"
 
 using namespace capi_test;

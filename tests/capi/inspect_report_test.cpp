@@ -53,7 +53,7 @@ TEST_CASE("inspect: what a light holds, in closed form") {
     SUBCASE("a clear sky") {
         write_sky(folder.file("sky.exr"), 256, 129);
         const nicol_light_report r = light_report_of(folder.file("sky.exr"));
-        CHECK(r.kind == NICOL_FILE_LIGHT_PICTURE);
+        CHECK(r.kind == NICOL_FILE_LIGHT_IMAGE);
         CHECK((r.width == 256 && r.height == 129 && r.channels == 1 && r.order == 32));
         CHECK((r.polarized == 1 && r.circular == 0));
         CHECK(r.largest_dolp[0] == doctest::Approx(dop_max).epsilon(1e-3));

@@ -43,7 +43,7 @@ TEST_CASE("inspect: written coefficients are read as they were") {
     CHECK(folder.names() == std::set<std::string>{"f.npz"});
 }
 
-TEST_CASE("inspect: light without high orders survives pictures in both directions") {
+TEST_CASE("inspect: light without high orders survives images in both directions") {
     const Folder folder;
     std::mt19937 random(4);
     for (const std::uint32_t order : {2U, 9U, 40U}) {
@@ -55,7 +55,7 @@ TEST_CASE("inspect: light without high orders survives pictures in both directio
         const nicol_file_options exact = of_order(static_cast<std::int32_t>(order), NICOL_FILE_BAND_LIMITED);
         convert(folder.file("a.exr"), folder.file("b.npz"), exact);
         CHECK(difference(coefficients_of(folder.file("b.npz"), order, 3), field) < 1e-6 * scale);
-        // And pictures through coefficients.
+        // And images through coefficients.
         convert(folder.file("b.npz"), folder.file("b.exr"), NICOL_FILE_OPTIONS_INIT);
         const nicol::StokesImage a = nicol::read_exr(folder.file("a.exr"));
         const nicol::StokesImage b = nicol::read_exr(folder.file("b.exr"));
@@ -79,7 +79,7 @@ TEST_CASE("inspect: light without high orders survives pictures in both directio
     }
 }
 
-TEST_CASE("inspect: a picture of coefficients shows the field where nicol_image says it is") {
+TEST_CASE("inspect: a image of coefficients shows the field where nicol_image says it is") {
     const Folder folder;
     write_sky(folder.file("sky.exr"), 128, 65);
     convert(folder.file("sky.exr"), folder.file("sky.npz"), of_order(2, NICOL_FILE_BAND_LIMITED));
@@ -88,14 +88,14 @@ TEST_CASE("inspect: a picture of coefficients shows the field where nicol_image 
     options.width = 30;
     options.height = 17;
     convert(folder.file("sky.npz"), folder.file("small.exr"), options);
-    const nicol::StokesImage picture = nicol::read_exr(folder.file("small.exr"));
-    REQUIRE(picture.width == 30);
-    REQUIRE(picture.height == 17);
-    const std::vector<float> wanted = sky_picture(30, 17, 1);
-    for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(std::abs(picture.data[i] - wanted[i]) < 1e-6F);
+    const nicol::StokesImage image = nicol::read_exr(folder.file("small.exr"));
+    REQUIRE(image.width == 30);
+    REQUIRE(image.height == 17);
+    const std::vector<float> wanted = sky_image(30, 17, 1);
+    for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(std::abs(image.data[i] - wanted[i]) < 1e-6F);
 }
 
-TEST_CASE("inspect: a picture of unpolarized coefficients has no polarized channels") {
+TEST_CASE("inspect: a image of unpolarized coefficients has no polarized channels") {
     const Folder folder;
     std::mt19937 random(9);
     Doubles field = random_light(random, 6, 1);
@@ -107,7 +107,7 @@ TEST_CASE("inspect: a picture of unpolarized coefficients has no polarized chann
     CHECK(bytes_of(folder.file("f.exr")).find("S1.Y") == std::string::npos);
 }
 
-TEST_CASE("inspect: a picture gets another size") {
+TEST_CASE("inspect: a image gets another size") {
     const Folder folder;
     write_sky(folder.file("sky.exr"), 256, 129);
     for (const auto& [width, height] : {std::pair(64U, 33U), std::pair(100U, 200U), std::pair(512U, 257U)}) {
@@ -116,15 +116,15 @@ TEST_CASE("inspect: a picture gets another size") {
         options.width = width;
         options.height = height;
         convert(folder.file("sky.exr"), folder.file("out.exr"), options);
-        const nicol::StokesImage picture = nicol::read_exr(folder.file("out.exr"));
-        const std::vector<float> wanted = sky_picture(width, height, 1);
-        REQUIRE(picture.data.size() == wanted.size());
+        const nicol::StokesImage image = nicol::read_exr(folder.file("out.exr"));
+        const std::vector<float> wanted = sky_image(width, height, 1);
+        REQUIRE(image.data.size() == wanted.size());
         // At the poles the frames of a row turn with the columns: means over large pixels lose there.
-        for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(std::abs(picture.data[i] - wanted[i]) < 6e-3F);
+        for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(std::abs(image.data[i] - wanted[i]) < 6e-3F);
     }
 }
 
-TEST_CASE("inspect: light is turned and scaled") {
+TEST_CASE("inspect: light is rotated and scaled") {
     const Folder folder;
     std::mt19937 random(5);
     const Rotation turn = random_rotation(random);
@@ -138,16 +138,16 @@ TEST_CASE("inspect: light is turned and scaled") {
     options.scale = 2.5;
     write_light(folder.file("f.npz"), 5, field);
 
-    convert(folder.file("f.npz"), folder.file("turned.npz"), options);
-    CHECK(difference(coefficients_of(folder.file("turned.npz"), 5, 2), wanted) < 1e-12 * scale);
+    convert(folder.file("f.npz"), folder.file("rotated.npz"), options);
+    CHECK(difference(coefficients_of(folder.file("rotated.npz"), 5, 2), wanted) < 1e-12 * scale);
 
-    convert(folder.file("f.npz"), folder.file("turned.exr"), options);
-    convert(folder.file("turned.exr"), folder.file("back.npz"), of_order(5, NICOL_FILE_BAND_LIMITED));
+    convert(folder.file("f.npz"), folder.file("rotated.exr"), options);
+    convert(folder.file("rotated.exr"), folder.file("back.npz"), of_order(5, NICOL_FILE_BAND_LIMITED));
     CHECK(difference(coefficients_of(folder.file("back.npz"), 5, 2), wanted) < 1e-6 * scale);
 
     convert(folder.file("f.npz"), folder.file("f.exr"), NICOL_FILE_OPTIONS_INIT);
-    convert(folder.file("f.exr"), folder.file("turned.exr"), options);  // by look-ups in the picture
-    convert(folder.file("turned.exr"), folder.file("back.npz"), of_order(5, NICOL_FILE_BAND_LIMITED));
+    convert(folder.file("f.exr"), folder.file("rotated.exr"), options);  // by look-ups in the image
+    convert(folder.file("rotated.exr"), folder.file("back.npz"), of_order(5, NICOL_FILE_BAND_LIMITED));
     CHECK(difference(coefficients_of(folder.file("back.npz"), 5, 2), wanted) < 5e-4 * scale);
 
     options.order = 5;
@@ -187,12 +187,12 @@ TEST_CASE("inspect: the authors' cube map is the light of their coefficients") {
     CHECK(std::abs(wanted[position(2, 0, 1)] - 0.18872) < 1e-5);
     convert(cube, folder.file("direct.npz"), of_order(4));
     convert(cube, folder.file("sponza.exr"), NICOL_FILE_OPTIONS_INIT);
-    convert(folder.file("sponza.exr"), folder.file("picture.npz"), of_order(4));
-    for (const char* name : {"direct.npz", "picture.npz"})
+    convert(folder.file("sponza.exr"), folder.file("image.npz"), of_order(4));
+    for (const char* name : {"direct.npz", "image.npz"})
         CHECK(difference(coefficients_of(folder.file(name), 4, 3), wanted) < 5e-3);
 }
 
-TEST_CASE("inspect: a given order cuts coefficients and smooths pictures") {
+TEST_CASE("inspect: a given order cuts coefficients and smooths images") {
     const Folder folder;
     std::mt19937 random(7);
     const Doubles field = random_light(random, 6, 1);
@@ -212,14 +212,14 @@ TEST_CASE("inspect: a given order cuts coefficients and smooths pictures") {
     CHECK(difference(coefficients_of(folder.file("back.npz"), 6, 1), wanted) < 1e-6 * largest_of(wanted));
 }
 
-TEST_CASE("inspect: wavelengths of spectral pictures") {
+TEST_CASE("inspect: wavelengths of spectral images") {
     const Folder folder;
-    nicol::StokesImage picture(8, 4, 4);
-    picture.wavelengths = {450, 500, 550, 600};
+    nicol::StokesImage image(8, 4, 4);
+    image.wavelengths = {450, 500, 550, 600};
     for (int c = 0; c < 4; ++c)
         for (int y = 0; y < 4; ++y)
-            for (int x = 0; x < 8; ++x) picture.at(c, y, x)[0] = static_cast<float>(c + 1);
-    nicol::write_exr(folder.file("s.exr"), picture);
+            for (int x = 0; x < 8; ++x) image.at(c, y, x)[0] = static_cast<float>(c + 1);
+    nicol::write_exr(folder.file("s.exr"), image);
     nicol_light_report r = light_report_of(folder.file("s.exr"));
     CHECK(r.channels == 4);
     CHECK(r.wavelengths[3] == 600);

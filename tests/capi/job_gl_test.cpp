@@ -71,7 +71,7 @@ nicol_job_status poll(nicol_job job) {
 
 }  // namespace
 
-TEST_CASE("a job makes the picture that a render makes") {
+TEST_CASE("a job makes the image that a render makes") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         for (const nicol_method method :
@@ -80,7 +80,7 @@ TEST_CASE("a job makes the picture that a render makes") {
             options.method = method;
             options.samples = 4;
             OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
-            const std::vector<float> picture = read_all(stage.framebuffer);
+            const std::vector<float> image = read_all(stage.framebuffer);
             nicol_framebuffer other = nullptr;
             OK(nicol_framebuffer_create(context, 24, 16, 3, &other));
             nicol_job job = nullptr;
@@ -92,7 +92,7 @@ TEST_CASE("a job makes the picture that a render makes") {
             CHECK(status.result == NICOL_OK);
             CHECK(status.fraction == 1);
             CHECK(std::string(status.verb) == "");
-            CHECK(read_all(other) == picture);
+            CHECK(read_all(other) == image);
             OK(nicol_job_cancel(job));  // too late
             OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
             OK(nicol_job_release(job));
@@ -139,7 +139,7 @@ TEST_CASE("jobs wait their turn, and end at once when they are cancelled there")
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         stage.render();
-        const std::vector<float> picture = read_all(stage.framebuffer);
+        const std::vector<float> image = read_all(stage.framebuffer);
         Gate gate;
         const nicol_render_options held = gated(gate), plain = traced();
         const nicol_job running = submit(stage, &held);
@@ -164,7 +164,7 @@ TEST_CASE("jobs wait their turn, and end at once when they are cancelled there")
         CHECK(poll(running).state == NICOL_JOB_RUNNING);
         gate.open();
         FAILS(nicol_job_wait(running, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "cancelled");
-        CHECK(read_all(stage.framebuffer) == picture);
+        CHECK(read_all(stage.framebuffer) == image);
         OK(nicol_job_release(running));
         OK(nicol_job_release(waiting));
     });

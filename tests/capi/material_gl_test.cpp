@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "capi.hpp"
+#include "material/material_projection.hpp"
 #include "material/pbsdf_file.hpp"
-#include "nicol/material_projection.hpp"
-#include "nicol/psh_matrix_file.hpp"
+#include "material/psh_matrix_file.hpp"
 
 using namespace capi_test;
 using doctest::Approx;
@@ -16,9 +16,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A square that fills most of the picture under a constant sky, seen from its front or its back.
-std::vector<float> picture_of(nicol_context context, nicol_material material, bool back = false,
-                              nicol_result wanted = NICOL_OK) {
+// A square that fills most of the image under a constant sky, seen from its front or its back.
+std::vector<float> image_of(nicol_context context, nicol_material material, bool back = false,
+                            nicol_result wanted = NICOL_OK) {
     nicol_environment environment = nullptr;
     const nicol_spectrum light = spectrum({1});
     OK(nicol_environment_create_constant(context, &light, &environment));
@@ -44,7 +44,7 @@ std::vector<float> picture_of(nicol_context context, nicol_material material, bo
     return all;
 }
 
-// s0 in the middle of the picture of each channel.
+// s0 in the middle of the image of each channel.
 std::vector<float> middle_of(const std::vector<float>& all) {
     std::vector<float> out;
     for (std::size_t first = 0; first < all.size(); first += 8 * 6 * 4)
@@ -53,7 +53,7 @@ std::vector<float> middle_of(const std::vector<float>& all) {
 }
 
 std::vector<float> use(nicol_context context, nicol_material material) {
-    std::vector<float> all = picture_of(context, material);
+    std::vector<float> all = image_of(context, material);
     OK(nicol_material_release(material));
     return all;
 }
@@ -257,11 +257,11 @@ TEST_CASE("two-sided materials have a back") {
         nicol_material front = nullptr, both = nullptr;
         OK(nicol_material_create_diffuse(context, &reflectance, &front));
         OK(nicol_material_create_twosided(context, front, &both));
-        CHECK(middle_of(picture_of(context, front, true))[0] == 0);
-        CHECK(middle_of(picture_of(context, front))[0] == Approx(0.5).epsilon(1e-3));
+        CHECK(middle_of(image_of(context, front, true))[0] == 0);
+        CHECK(middle_of(image_of(context, front))[0] == Approx(0.5).epsilon(1e-3));
         OK(nicol_material_release(front));
-        CHECK(middle_of(picture_of(context, both, true))[0] == Approx(0.5).epsilon(1e-3));
-        CHECK(middle_of(picture_of(context, both))[0] == Approx(0.5).epsilon(1e-3));
+        CHECK(middle_of(image_of(context, both, true))[0] == Approx(0.5).epsilon(1e-3));
+        CHECK(middle_of(image_of(context, both))[0] == Approx(0.5).epsilon(1e-3));
         nicol_material out = marker<nicol_material>();
         FAILS(nicol_material_create_twosided(context, nullptr, &out), NICOL_ERROR_INVALID_HANDLE, "NULL");
         FAILS(nicol_material_create_twosided(context, front, &out), NICOL_ERROR_INVALID_HANDLE, "released");
@@ -285,17 +285,17 @@ TEST_CASE("a function of the caller's serves as a material until nothing needs i
         CHECK(function.calls > 0);
         nicol_material both = nullptr;
         OK(nicol_material_create_twosided(context, material, &both));
-        const std::vector<float> middle = middle_of(picture_of(context, material));
+        const std::vector<float> middle = middle_of(image_of(context, material));
         REQUIRE(middle.size() == 2);
         CHECK(middle[0] == Approx(0.5).epsilon(1e-3));
         CHECK(middle[1] == Approx(1.0).epsilon(1e-3));
         OK(nicol_material_release(material));
         CHECK(function.released == 0);
-        CHECK(middle_of(picture_of(context, both, true))[0] == Approx(0.5).epsilon(1e-3));
+        CHECK(middle_of(image_of(context, both, true))[0] == Approx(0.5).epsilon(1e-3));
         CHECK(function.released == 0);
         // A render that needs the function is stopped by it.
         function.stop = true;
-        static_cast<void>(picture_of(context, both, false, NICOL_ERROR_CANCELLED));
+        static_cast<void>(image_of(context, both, false, NICOL_ERROR_CANCELLED));
         CHECK(std::string(nicol_last_error()).find("callback") != std::string::npos);
         OK(nicol_material_release(both));
         CHECK(function.released == 1);

@@ -33,7 +33,7 @@ std::vector<nicol_render_options> many_options() {
                     options.high_orders = high;
                     options.shadows = shadows;
                     options.bake_directions = 700;
-                    options.unskipped = order == 1 ? NICOL_SKIP_ALL : 0;
+                    options.disabled_optimisations = order == 1 ? NICOL_OPTIMISATION_ALL : 0;
                     all.push_back(options);
                 }
             }

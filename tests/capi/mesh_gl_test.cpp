@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Meshes as they come, from their arrays to the picture.
+// Meshes as they come, from their arrays to the image.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "capi.hpp"
-#include "nicol/operator.hpp"
-#include "nicol/psh_matrix_file.hpp"
+#include "harmonics/operator.hpp"
+#include "material/psh_matrix_file.hpp"
 
 using namespace capi_test;
 
@@ -73,7 +73,7 @@ Arrays open_cube() {
     return a;
 }
 
-// A context, light and a material, and pictures of meshes with them.
+// A context, light and a material, and images of meshes with them.
 struct Studio {
     nicol_context context = make_context(NICOL_BACKEND_AUTOMATIC);
     nicol_environment environment = nullptr;
@@ -105,7 +105,7 @@ struct Studio {
     }
 
     // [channel][pixel][component]; the camera stands 4 units before the origin, a little up and aside.
-    [[nodiscard]] std::vector<float> picture(const nicol_mesh_data& data, double unit = 1) const {
+    [[nodiscard]] std::vector<float> image(const nicol_mesh_data& data, double unit = 1) const {
         nicol_mesh mesh = nullptr;
         OK(nicol_mesh_create(context, &data, &mesh));
         nicol_scene scene = simple_scene(context, environment, mesh, material);
@@ -124,13 +124,13 @@ struct Studio {
         OK(nicol_mesh_release(mesh));
         return all;
     }
-    [[nodiscard]] std::vector<float> picture(const Arrays& arrays, double unit = 1) const {
-        return picture(arrays.data(), unit);
+    [[nodiscard]] std::vector<float> image(const Arrays& arrays, double unit = 1) const {
+        return image(arrays.data(), unit);
     }
 };
 
-float middle(const std::vector<float>& picture) {
-    return picture[4 * (edge / 2 * edge + edge / 2)];
+float middle(const std::vector<float>& image) {
+    return image[4 * (edge / 2 * edge + edge / 2)];
 }
 
 float difference(const std::vector<float>& a, const std::vector<float>& b) {
@@ -144,40 +144,40 @@ float difference(const std::vector<float>& a, const std::vector<float>& b) {
 
 TEST_CASE("through a hole the inside of a surface is black, and is seen where it has two sides") {
     Studio studio;
-    CHECK(middle(studio.picture(open_cube())) == 0);
+    CHECK(middle(studio.image(open_cube())) == 0);
     nicol_material both = nullptr;
     OK(nicol_material_create_twosided(studio.context, studio.material, &both));
     studio.set_material(both);
-    CHECK(middle(studio.picture(open_cube())) > 0.01F);
+    CHECK(middle(studio.image(open_cube())) > 0.01F);
 }
 
-TEST_CASE("normals against their faces make a picture all the same") {
+TEST_CASE("normals against their faces make a image all the same") {
     const Studio studio;
     Arrays inverted = corner();
     for (float& n : inverted.normals) n = -n;
-    (void)studio.picture(inverted);
+    (void)studio.image(inverted);
     // Some of them only, so that they cancel between vertices.
     Arrays mixed = corner();
     for (std::size_t i = 0; i < mixed.normals.size(); ++i)
         if (i / 3 % 2 == 0) mixed.normals[i] *= -1;
-    (void)studio.picture(mixed);
+    (void)studio.image(mixed);
 }
 
 TEST_CASE("normals of no length are made from the faces") {
     const Studio studio;
     const Arrays given = corner();
-    const auto truth = studio.picture(given);
+    const auto truth = studio.image(given);
     CHECK(middle(truth) > 0.01F);
     Arrays zero = given;
     std::ranges::fill(zero.normals, 0.0F);
-    CHECK(difference(studio.picture(zero), truth) < 1e-6F);
+    CHECK(difference(studio.image(zero), truth) < 1e-6F);
     Arrays some = given;
     for (std::size_t i = 0; i < some.normals.size(); ++i)
         if (i / 3 % 3 == 0) some.normals[i] = 0;
-    CHECK(difference(studio.picture(some), truth) < 1e-6F);
+    CHECK(difference(studio.image(some), truth) < 1e-6F);
     nicol_mesh_data none = given.data();
     none.normals = nullptr;
-    CHECK(difference(studio.picture(none), truth) < 1e-6F);
+    CHECK(difference(studio.image(none), truth) < 1e-6F);
 }
 
 TEST_CASE("faces that are there twice change nothing") {
@@ -185,7 +185,7 @@ TEST_CASE("faces that are there twice change nothing") {
     const Arrays once = corner();
     Arrays twice = once;
     twice.indices.insert(twice.indices.end(), once.indices.begin(), once.indices.end());
-    CHECK(difference(studio.picture(twice), studio.picture(once)) == 0);
+    CHECK(difference(studio.image(twice), studio.image(once)) == 0);
 }
 
 TEST_CASE("faces without area are refused, by number") {
@@ -203,12 +203,12 @@ TEST_CASE("faces without area are refused, by number") {
 
 TEST_CASE("the size of an object does not matter") {
     const Studio studio;
-    const auto truth = studio.picture(corner());
+    const auto truth = studio.image(corner());
     for (const float unit : {1e-7F, 1e7F}) {
         CAPTURE(unit);
         Arrays sized = corner();
         for (float& p : sized.positions) p *= unit;
-        const auto found = studio.picture(sized, static_cast<double>(unit));
+        const auto found = studio.image(sized, static_cast<double>(unit));
         // Edges may fall on the other side of a pixel's centre.
         std::size_t apart = 0;
         for (std::size_t i = 0; i < found.size(); ++i) apart += std::abs(found[i] - truth[i]) > 1e-4F ? 1 : 0;
@@ -220,8 +220,8 @@ TEST_CASE("the size of an object does not matter") {
     const std::size_t large = together.positions.size();
     together.add_square({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     for (std::size_t i = large; i < together.positions.size(); ++i) together.positions[i] *= 1e-7F;
-    (void)studio.picture(together, 1e7);
-    (void)studio.picture(together, 1e-7);
+    (void)studio.image(together, 1e7);
+    (void)studio.image(together, 1e-7);
 }
 
 TEST_CASE("a matrix of fewer orders than the light's reflects none of the others") {
@@ -242,20 +242,20 @@ TEST_CASE("a matrix of fewer orders than the light's reflects none of the others
     const Arrays square = corner();
     studio.options.order_low = order;
     studio.options.high_orders = NICOL_HIGH_ORDERS_NONE;
-    const auto truth = studio.picture(square);
+    const auto truth = studio.image(square);
     CHECK(middle(truth) != 0);
     for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE}) {
         CAPTURE(method);
         studio.options.method = method;
         studio.options.order_low = 8;
         studio.options.high_orders = NICOL_HIGH_ORDERS_NONE;
-        CHECK(difference(studio.picture(square), truth) < 1e-4F);
+        CHECK(difference(studio.image(square), truth) < 1e-4F);
         for (const nicol_high_orders form : {NICOL_HIGH_ORDERS_SPLIT, NICOL_HIGH_ORDERS_CONVOLUTION}) {
             CAPTURE(form);
             studio.options.order_low = order;
             studio.options.order_high = 9;
             studio.options.high_orders = form;
-            CHECK(difference(studio.picture(square), truth) < 1e-4F);
+            CHECK(difference(studio.image(square), truth) < 1e-4F);
         }
         studio.options.order_high = 0;
     }

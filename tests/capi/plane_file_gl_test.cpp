@@ -5,7 +5,7 @@
 #include <ImfHeader.h>
 #include <ImfInputFile.h>
 
-#include "nicol/stokes_image.hpp"
+#include "image/stokes_image.hpp"
 #include "planes.hpp"
 
 using namespace capi_test;
@@ -40,7 +40,7 @@ std::set<std::string> channel_names(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("pictures have the planes that were asked for, and read as they did") {
+TEST_CASE("images have the planes that were asked for, and read as they did") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         const Folder folder;
@@ -48,7 +48,7 @@ TEST_CASE("pictures have the planes that were asked for, and read as they did") 
         stage.render();
         OK(nicol_framebuffer_write_exr(stage.framebuffer, bare.c_str()));
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.planes = NICOL_PLANES_ALL;
+        options.planes = NICOL_AOV_ALL;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
         const Surfaces seen(stage.framebuffer);
@@ -66,7 +66,7 @@ TEST_CASE("pictures have the planes that were asked for, and read as they did") 
         CHECK(nicol::read_exr(full).data == nicol::read_exr(bare).data);
 
         std::set<std::string> expected = channel_names(bare);
-        options.planes = NICOL_PLANES_NORMALS;
+        options.planes = NICOL_AOV_NORMALS;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
         expected.insert({"N.X", "N.Y", "N.Z"});

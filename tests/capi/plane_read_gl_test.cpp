@@ -50,7 +50,7 @@ std::size_t components_of(nicol_plane plane) {
 }
 
 // A light of many magnitudes, seen directly: what half precision rounds, makes infinite and makes small.
-nicol_framebuffer picture_of_magnitudes(nicol_context context) {
+nicol_framebuffer image_of_magnitudes(nicol_context context) {
     std::vector<float> pixels;
     for (int i = 0; i < 64 * 33; ++i) {
         for (const double base : {1.0, 65000.0, 6e-8}) {
@@ -89,7 +89,7 @@ TEST_CASE("half precision is the nearest number, ties to even, infinite beyond i
     CHECK(nearest_half(1 + 1.0F / 2048) == 0x3c00);
     CHECK(nearest_half(1 + 3.0F / 2048) == 0x3c02);
     on_every_backend([](nicol_context context) {
-        const nicol_framebuffer framebuffer = picture_of_magnitudes(context);
+        const nicol_framebuffer framebuffer = image_of_magnitudes(context);
         std::set<bool> infinite, small;
         for (std::uint32_t c = 0; c < 3; ++c) {
             const std::vector<float> single = read_plane(framebuffer, NICOL_PLANE_STOKES, c);
@@ -149,7 +149,7 @@ TEST_CASE("planes of surfaces come in their formats") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.planes = NICOL_PLANES_ALL;
+        options.planes = NICOL_AOV_ALL;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         for (const nicol_plane plane : {NICOL_PLANE_DEPTH, NICOL_PLANE_NORMAL, NICOL_PLANE_POSITION}) {
             const std::size_t n = components_of(plane);
@@ -179,7 +179,7 @@ TEST_CASE("requests that make no sense are refused and nothing is written") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.planes = NICOL_PLANES_DEPTH | NICOL_PLANES_INSTANCES;
+        options.planes = NICOL_AOV_DEPTH | NICOL_AOV_INSTANCES;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         std::vector<std::uint32_t> pixels(24 * 16 * 12, 0xabcdef01);
         const std::uint64_t bytes = 4 * pixels.size();

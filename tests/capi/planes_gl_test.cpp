@@ -108,7 +108,7 @@ TEST_CASE("a sphere has the planes of a sphere, before and after it moves, by ev
             OK(nicol_scene_set_transform(scene, id, placed(0, 0, 0).rows));
             OK(nicol_render(scene, &camera, &options, framebuffer));
             check_sphere(Surfaces(framebuffer), 5, {0, 0, 0}, 1, id);
-            // Turned and moved: normals and positions stay the world's.
+            // Rotated and moved: normals and positions stay the world's.
             const Matrix moved = {{0, 0, 0.8, 0.5, 0.8, 0, 0, -0.25, 0, 0.8, 0, 0.75, 0, 0, 0, 1}};
             OK(nicol_scene_set_transform(scene, id, moved.rows));
             OK(nicol_render(scene, &camera, &options, framebuffer));
@@ -240,15 +240,15 @@ TEST_CASE("planes follow the mask of the last render, and nothing else is made")
         const struct {
             std::uint32_t bit;
             nicol_plane plane;
-        } planes[] = {{NICOL_PLANES_DEPTH, NICOL_PLANE_DEPTH},
-                      {NICOL_PLANES_NORMALS, NICOL_PLANE_NORMAL},
-                      {NICOL_PLANES_POSITIONS, NICOL_PLANE_POSITION},
-                      {NICOL_PLANES_INSTANCES, NICOL_PLANE_INSTANCE}};
+        } planes[] = {{NICOL_AOV_DEPTH, NICOL_PLANE_DEPTH},
+                      {NICOL_AOV_NORMALS, NICOL_PLANE_NORMAL},
+                      {NICOL_AOV_POSITIONS, NICOL_PLANE_POSITION},
+                      {NICOL_AOV_INSTANCES, NICOL_PLANE_INSTANCE}};
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
         nicol_statistics bare = NICOL_STATISTICS_INIT;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         OK(nicol_framebuffer_get_statistics(stage.framebuffer, &bare));
-        const std::vector<float> picture = read_all(stage.framebuffer);
+        const std::vector<float> image = read_all(stage.framebuffer);
         std::vector<std::uint32_t> pixels(24 * 16 * 3);
         const auto readable = [&](nicol_plane plane) {
             nicol_plane_buffer to = NICOL_PLANE_BUFFER_INIT;
@@ -259,12 +259,12 @@ TEST_CASE("planes follow the mask of the last render, and nothing else is made")
             if (result != NICOL_OK) CHECK(result == NICOL_ERROR_INVALID_ARGUMENT);
             return result == NICOL_OK;
         };
-        for (std::uint32_t mask = NICOL_PLANES_ALL; mask > 0; --mask) {
+        for (std::uint32_t mask = NICOL_AOV_ALL; mask > 0; --mask) {
             CAPTURE(mask);
             options.planes = mask;
             OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
             for (const auto& [bit, plane] : planes) CHECK(readable(plane) == ((mask & bit) != 0));
-            CHECK(read_all(stage.framebuffer) == picture);
+            CHECK(read_all(stage.framebuffer) == image);
             // The same again: nothing runs, the planes stay.
             nicol_statistics again = NICOL_STATISTICS_INIT;
             OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
@@ -280,7 +280,7 @@ TEST_CASE("planes follow the mask of the last render, and nothing else is made")
         OK(nicol_render(stage.scene, &stage.camera, nullptr, stage.framebuffer));
         OK(nicol_framebuffer_get_statistics(stage.framebuffer, &after));
         CHECK(after.texture_bytes == bare.texture_bytes);
-        options.planes = NICOL_PLANES_ALL + 1;
+        options.planes = NICOL_AOV_ALL + 1;
         FAILS(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer),
               NICOL_ERROR_INVALID_ARGUMENT, "planes");
         options.method = NICOL_METHOD_REFERENCE;
@@ -293,10 +293,10 @@ TEST_CASE("a render that is stopped leaves the planes of the one before") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.planes = NICOL_PLANES_DEPTH;
+        options.planes = NICOL_AOV_DEPTH;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         const std::vector<float> depth = read_surface<float>(stage.framebuffer, NICOL_PLANE_DEPTH, 1);
-        options.planes = NICOL_PLANES_NORMALS;
+        options.planes = NICOL_AOV_NORMALS;
         options.progress = [](void*, const char*, double) -> std::int32_t { return 0; };
         const nicol_camera other = front_camera(6);
         FAILS(nicol_render(stage.scene, &other, &options, stage.framebuffer), NICOL_ERROR_CANCELLED, "stop");

@@ -87,15 +87,15 @@ inline Rotation random_rotation(std::mt19937& random) {
 inline std::array<double, 4> in_theta_phi(const double* s, const Vec3& x, const Vec3& w) {
     const auto axes = theta_phi(w);
     const double angle = std::atan2(dot(x, axes[1]), dot(x, axes[0]));
-    const auto turned = std::complex(s[1], s[2]) * std::polar(1.0, 2 * angle);
-    return {s[0], turned.real(), turned.imag(), s[3]};
+    const auto rotated = std::complex(s[1], s[2]) * std::polar(1.0, 2 * angle);
+    return {s[0], rotated.real(), rotated.imag(), s[3]};
 }
 /// The inverse: components in the frame with `x`.
 inline std::array<double, 4> from_theta_phi(const double* s, const Vec3& x, const Vec3& w) {
     const auto axes = theta_phi(w);
     const double angle = std::atan2(dot(x, axes[1]), dot(x, axes[0]));
-    const auto turned = std::complex(s[1], s[2]) * std::polar(1.0, -2 * angle);
-    return {s[0], turned.real(), turned.imag(), s[3]};
+    const auto rotated = std::complex(s[1], s[2]) * std::polar(1.0, -2 * angle);
+    return {s[0], rotated.real(), rotated.imag(), s[3]};
 }
 
 inline std::array<double, 4> value(std::uint32_t order, const double* field, const Vec3& w) {

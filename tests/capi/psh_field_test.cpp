@@ -54,19 +54,19 @@ TEST_CASE("psh: many vectors and directions at once are the single ones") {
         }
 }
 
-TEST_CASE("psh: a rotated field is the field turned in space, frames included") {
+TEST_CASE("psh: a rotated field is the field rotated in space, frames included") {
     std::mt19937 random(3);
     const std::uint32_t order = 12;
     const Doubles fields = random_fields(random, order, 2);
     const Rotation turn = random_rotation(random);
-    Doubles turned(fields.size());
-    OK(nicol_psh_rotate(order, 2, fields.data(), fields.size(), turn.data(), turned.data(), turned.size()));
+    Doubles rotated(fields.size());
+    OK(nicol_psh_rotate(order, 2, fields.data(), fields.size(), turn.data(), rotated.data(), rotated.size()));
     for (std::size_t v = 0; v < 2; ++v)
         for (int trial = 0; trial < 20; ++trial) {
             const Vec3 w = random_direction(random);
             const auto before = value(order, fields.data() + v * vector_size(order), w);
             const auto wanted = in_theta_phi(before.data(), turn * theta_phi(w)[0], turn * w);
-            const auto now = value(order, turned.data() + v * vector_size(order), turn * w);
+            const auto now = value(order, rotated.data() + v * vector_size(order), turn * w);
             for (std::size_t p = 0; p < 4; ++p) CHECK(std::abs(now[p] - wanted[p]) < 1e-11);
         }
 }

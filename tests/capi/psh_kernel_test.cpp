@@ -85,8 +85,8 @@ TEST_CASE("psh: convolution is the integral over all directions in great-circle 
                     double t[4] = {};
                     for (std::size_t a = 0; a < 4; ++a)
                         for (std::size_t b = 0; b < 4; ++b) t[a] += k[4 * a + b] * s[b];
-                    const auto turned = in_theta_phi(t, cross(y, w), w);
-                    for (std::size_t p = 0; p < 4; ++p) sum[p] += weight[j] * 2 * pi / columns * turned[p];
+                    const auto rotated = in_theta_phi(t, cross(y, w), w);
+                    for (std::size_t p = 0; p < 4; ++p) sum[p] += weight[j] * 2 * pi / columns * rotated[p];
                 }
             const auto s = value(order, out.data() + v * vector_size(order), w);
             for (std::size_t p = 0; p < 4; ++p) CHECK(std::abs(sum[p] - s[p]) < 1e-11);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Pictures and files of light as coefficients, without a context.
-#include "nicol/stokes_image.hpp"
+// Images and files of light as coefficients, without a context.
+#include "image/stokes_image.hpp"
 #include "psh_sky.hpp"
 
 using namespace capi_test;
 
-TEST_CASE("psh: a picture of one radiance has one coefficient") {
+TEST_CASE("psh: a image of one radiance has one coefficient") {
     const std::vector<float> pixels(16 * 9 * 2, 3.0F);
     const nicol_image image = image_of(pixels, 16, 9, 2, 1);
     Doubles f(2 * vector_size(4), -1);
@@ -24,8 +24,8 @@ TEST_CASE("psh: light from above propagates downwards") {
     CHECK(std::abs(value(12, f.data(), {0, 1, 0})[0]) < 0.2);
 }
 
-TEST_CASE("psh: a picture of a polarized sky is that sky, in every channel") {
-    const std::vector<float> pixels = sky_picture(512, 257, 3);
+TEST_CASE("psh: a image of a polarized sky is that sky, in every channel") {
+    const std::vector<float> pixels = sky_image(512, 257, 3);
     const nicol_image image = image_of(pixels, 512, 257, 3);
     for (const std::uint32_t order : {2U, 6U}) {
         Doubles f(3 * vector_size(order));
@@ -38,7 +38,7 @@ TEST_CASE("psh: a picture of a polarized sky is that sky, in every channel") {
     }
 }
 
-TEST_CASE("psh: a picture is released once, on success and on failure") {
+TEST_CASE("psh: a image is released once, on success and on failure") {
     const std::vector<float> pixels(16, 1.0F);
     nicol_image image = image_of(pixels, 4, 4, 1, 1);
     int released = 0;
@@ -55,16 +55,16 @@ TEST_CASE("psh: a picture is released once, on success and on failure") {
     CHECK(released == 3);
 }
 
-TEST_CASE("psh: a file is the picture in it") {
+TEST_CASE("psh: a file is the image in it") {
     const Folder folder;
-    const std::vector<float> pixels = sky_picture(32, 17, 3);
-    nicol::StokesImage picture(32, 17, 3);
+    const std::vector<float> pixels = sky_image(32, 17, 3);
+    nicol::StokesImage image(32, 17, 3);
     for (std::size_t i = 0; i < 32 * 17; ++i)
         for (std::size_t c = 0; c < 3; ++c)
             std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>(4 * (3 * i + c)), 4,
-                        picture.data.begin() + static_cast<std::ptrdiff_t>(4 * (c * 32 * 17 + i)));
+                        image.data.begin() + static_cast<std::ptrdiff_t>(4 * (c * 32 * 17 + i)));
     const std::string path = folder.file("sky.exr");
-    nicol::write_exr(path, picture);
+    nicol::write_exr(path, image);
 
     std::uint32_t channels = 0;
     OK(nicol_psh_project_file(path.c_str(), 5, &channels, nullptr, 0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Operators as matrices: products, Mueller fields, composition, and the matrix of the article's authors.
+// Operators as matrices: products, Mueller fields, composition, and the matrix of the paper's authors.
 #include <algorithm>
 #include <cstdlib>
 

@@ -31,8 +31,8 @@ inline double difference_from_sky(std::uint32_t order, const double* field) {
     return largest;
 }
 
-/// The sky as a picture [row][column][channel][4], each channel a multiple: 1, 2, ...
-inline std::vector<float> sky_picture(std::uint32_t width, std::uint32_t height, std::uint32_t channels) {
+/// The sky as a image [row][column][channel][4], each channel a multiple: 1, 2, ...
+inline std::vector<float> sky_image(std::uint32_t width, std::uint32_t height, std::uint32_t channels) {
     std::vector<float> pixels;
     for (std::uint32_t row = 0; row < height; ++row)
         for (std::uint32_t column = 0; column < width; ++column) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference method through the interface, and pictures of the luminance.
+// The reference method through the interface, and images of the luminance.
 #include <cmath>
 #include <cstring>
 #include <thread>
@@ -47,10 +47,10 @@ TEST_CASE("the reference method shows what the factored one shows, and what it t
         stage.render();
         const std::vector<float> factored = read_all(stage.framebuffer);
         CHECK(statistics_of(stage.framebuffer).camera_rays == 0);
-        const std::vector<float> picture = traced(stage, 256);
-        CHECK(picture != factored);
+        const std::vector<float> image = traced(stage, 256);
+        CHECK(image != factored);
         // Edges are smoothed by one and not by the other.
-        CHECK(mean_difference(picture, factored) < 0.05);
+        CHECK(mean_difference(image, factored) < 0.05);
         const nicol_statistics statistics = statistics_of(stage.framebuffer);
         CHECK(statistics.camera_rays == 24 * 16 * 256);
         CHECK(statistics.shadow_rays > 0);
@@ -65,14 +65,14 @@ TEST_CASE("the reference method shows what the factored one shows, and what it t
         CHECK(statistics.vertices == vertices);
         CHECK(statistics.triangles == triangles);
         // 0 asks for 256, and what was drawn before does not shine through.
-        CHECK(traced(stage, 0) == picture);
+        CHECK(traced(stage, 0) == image);
         stage.render();
         CHECK(read_all(stage.framebuffer) == factored);
     });
 }
 
-TEST_CASE("a seed gives one picture, whatever the threads and the backend") {
-    std::vector<std::vector<float>> pictures;
+TEST_CASE("a seed gives one image, whatever the threads and the backend") {
+    std::vector<std::vector<float>> images;
     for (const nicol_backend backend : every_backend) {
         for (const std::uint32_t threads : {1U, 3U}) {
             nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
@@ -82,17 +82,17 @@ TEST_CASE("a seed gives one picture, whatever the threads and the backend") {
             OK(nicol_context_create(&options, &context));
             {
                 const Stage stage(context);
-                pictures.push_back(traced(stage, 4, 7));
-                CHECK(traced(stage, 4, 8) != pictures.front());
-                CHECK(traced(stage, 4, std::uint64_t{7} << 32) != pictures.front());
+                images.push_back(traced(stage, 4, 7));
+                CHECK(traced(stage, 4, 8) != images.front());
+                CHECK(traced(stage, 4, std::uint64_t{7} << 32) != images.front());
             }
             OK(nicol_context_release(context));
         }
     }
-    for (const auto& picture : pictures) CHECK(picture == pictures.front());
+    for (const auto& image : images) CHECK(image == images.front());
 }
 
-TEST_CASE("reference options that cannot be are refused, and the picture stays") {
+TEST_CASE("reference options that cannot be are refused, and the image stays") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         const std::vector<float> before = traced(stage, 2);

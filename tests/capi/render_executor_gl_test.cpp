@@ -23,7 +23,7 @@ std::vector<float> render_by(const Stage& stage, nicol_executor executor, nicol_
 
 }  // namespace
 
-TEST_CASE("threads and compute shaders make the same picture, and statistics tell them apart") {
+TEST_CASE("threads and compute shaders make the same image, and statistics tell them apart") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         // A second cube hides the sky from the first.
@@ -62,10 +62,10 @@ TEST_CASE("the automatic executor is threads where OpenGL runs on the CPU") {
         OK(nicol_context_get_info(context, &info));
         const Stage stage(context);
         stage.render();
-        const std::vector<float> picture = read_all(stage.framebuffer);
+        const std::vector<float> image = read_all(stage.framebuffer);
         CHECK(statistics_of(stage.framebuffer).compute == (info.software != 0 ? 0U : 1U));
         const nicol_executor same = info.software != 0 ? NICOL_EXECUTOR_CPU : NICOL_EXECUTOR_COMPUTE;
-        CHECK(render_by(stage, same, NICOL_RENDER_OPTIONS_INIT) == picture);
+        CHECK(render_by(stage, same, NICOL_RENDER_OPTIONS_INIT) == image);
     });
 }
 

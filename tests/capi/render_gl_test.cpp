@@ -6,13 +6,13 @@
 #include <thread>
 
 #include "capi.hpp"
-#include "nicol/stokes_image.hpp"
+#include "image/stokes_image.hpp"
 
 using namespace capi_test;
 
 namespace {
 
-// A diffuse square of half the picture's width in front of constant light.
+// A diffuse square of half the image's width in front of constant light.
 struct Square {
     nicol_scene scene = nullptr;
     nicol_framebuffer framebuffer = nullptr;
@@ -125,17 +125,17 @@ TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
                 }
             }
             const Folder folder;
-            const std::string exr = folder.file("picture.exr"), png = folder.file("picture.png");
-            const nicol_picture picture = NICOL_PICTURE_INIT;
-            // Files hold any number of channels; pictures for people need one or three.
+            const std::string exr = folder.file("image.exr"), png = folder.file("image.png");
+            const nicol_observation image = NICOL_OBSERVATION_INIT;
+            // Files hold any number of channels; images for people need one or three.
             OK(nicol_framebuffer_write_exr(square.framebuffer, exr.c_str()));
             CHECK(nicol::read_exr(exr).data == read_all(square.framebuffer));
             if (channels == 1) {
-                OK(nicol_framebuffer_write_png(square.framebuffer, &picture, png.c_str()));
+                OK(nicol_framebuffer_write_png(square.framebuffer, &image, png.c_str()));
             } else {
-                FAILS(nicol_framebuffer_write_png(square.framebuffer, &picture, png.c_str()),
+                FAILS(nicol_framebuffer_write_png(square.framebuffer, &image, png.c_str()),
                       NICOL_ERROR_INVALID_ARGUMENT, "must have 1 (grey) or 3");
-                CHECK(folder.names() == std::set<std::string>{"picture.exr"});
+                CHECK(folder.names() == std::set<std::string>{"image.exr"});
             }
         }
     });
@@ -194,7 +194,7 @@ TEST_CASE("an empty scene shows its environment") {
     });
 }
 
-TEST_CASE("moving an instance moves it in the picture") {
+TEST_CASE("moving an instance moves it in the image") {
     on_every_backend([](nicol_context context) {
         const Square square(context, {1}, {0.25F});
         const auto render_at = [&](double x, double y, double size) {
@@ -218,7 +218,7 @@ TEST_CASE("moving an instance moves it in the picture") {
     });
 }
 
-TEST_CASE("cameras that cannot be are refused, and the picture stays") {
+TEST_CASE("cameras that cannot be are refused, and the image stays") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         stage.render();
@@ -348,13 +348,13 @@ TEST_CASE("a framebuffer must have the scene's channels, or one of three") {
     });
 }
 
-TEST_CASE("a cancelled render leaves the picture, whichever verb was at work") {
+TEST_CASE("a cancelled render leaves the image, whichever verb was at work") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         const auto stop_at = [&](const char* verb, nicol_scene scene, const nicol_camera& camera,
                                  Stop* given = nullptr) {
             nicol_statistics before = NICOL_STATISTICS_INIT, after = NICOL_STATISTICS_INIT;
-            const std::vector<float> picture = read_all(stage.framebuffer);
+            const std::vector<float> image = read_all(stage.framebuffer);
             OK(nicol_framebuffer_get_statistics(stage.framebuffer, &before));
             Stop fresh;
             Stop& stop = given != nullptr ? *given : fresh;
@@ -363,7 +363,7 @@ TEST_CASE("a cancelled render leaves the picture, whichever verb was at work") {
             INFO(std::string(verb));
             REQUIRE(stop.verbs.size() == 1);
             CHECK(stop.verbs.front() == verb);
-            CHECK(read_all(stage.framebuffer) == picture);
+            CHECK(read_all(stage.framebuffer) == image);
             OK(nicol_framebuffer_get_statistics(stage.framebuffer, &after));
             after.observe_ms = before.observe_ms;  // the reading in between
             CHECK(std::memcmp(&before, &after, sizeof before) == 0);
@@ -444,7 +444,7 @@ TEST_CASE("a callback that calls back gets an error and no deadlock") {
                 instance.mesh = own.mesh;
                 instance.material = own.material;
                 nicol_statistics statistics = NICOL_STATISTICS_INIT;
-                const nicol_picture picture = NICOL_PICTURE_INIT;
+                const nicol_observation image = NICOL_OBSERVATION_INIT;
                 float pixels[24 * 16] = {};
                 std::uint32_t channels = 0;
                 self.refused = {
@@ -456,7 +456,7 @@ TEST_CASE("a callback that calls back gets an error and no deadlock") {
                     nicol_framebuffer_get_statistics(own.framebuffer, &statistics),
                     nicol_framebuffer_read(own.framebuffer, NICOL_PLANE_S0, 0, pixels, 0, sizeof pixels),
                     nicol_framebuffer_write_exr(own.framebuffer, "/nowhere/x.exr"),
-                    nicol_framebuffer_write_png(own.framebuffer, &picture, "/nowhere/x.png")};
+                    nicol_framebuffer_write_png(own.framebuffer, &image, "/nowhere/x.png")};
                 self.allowed = {
                     nicol_render(self.other.scene, &self.other.camera, nullptr, self.other.framebuffer),
                     nicol_framebuffer_read(self.other.framebuffer, NICOL_PLANE_S0, 0, pixels, 0,

@@ -20,14 +20,14 @@ TEST_CASE("de-ringing removes the negative light of the demonstration") {
     // The least s0 over the mean.
     const auto least = [&] {
         OK(nicol_render(scene, &camera, &options, framebuffer));
-        const std::vector<float> picture = read_all(framebuffer);
+        const std::vector<float> image = read_all(framebuffer);
         float least_s0 = 1;
         double sum = 0;
-        for (std::size_t i = 0; i < picture.size(); i += 4) {
-            least_s0 = std::min(least_s0, picture[i]);
-            sum += static_cast<double>(picture[i]);
+        for (std::size_t i = 0; i < image.size(); i += 4) {
+            least_s0 = std::min(least_s0, image[i]);
+            sum += static_cast<double>(image[i]);
         }
-        return static_cast<double>(least_s0) / (sum / static_cast<double>(picture.size() / 4));
+        return static_cast<double>(least_s0) / (sum / static_cast<double>(image.size() / 4));
     };
 
     options.shadows = -1;

@@ -48,10 +48,10 @@ std::vector<float> fresh(nicol_context context, const Stage& stage, nicol_scene 
     nicol_framebuffer framebuffer = nullptr;
     OK(nicol_framebuffer_create(context, 24, 16, 3, &framebuffer));
     OK(nicol_render(scene, &stage.camera, nullptr, framebuffer));
-    std::vector<float> picture = read_all(framebuffer);
+    std::vector<float> image = read_all(framebuffer);
     OK(nicol_framebuffer_release(framebuffer));
     OK(nicol_scene_release(scene));
-    return picture;
+    return image;
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST_CASE("transforms that lose the surface are refused") {
     });
 }
 
-TEST_CASE("an environment is turned and scaled, nothing else") {
+TEST_CASE("an environment is rotated and scaled, nothing else") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         stage.render();
@@ -119,8 +119,8 @@ TEST_CASE("an environment is turned and scaled, nothing else") {
         const std::vector<float> doubled = read_all(stage.framebuffer);
         for (std::size_t i = 0; i < before.size(); ++i)
             CHECK(doubled[i] == doctest::Approx(2 * before[i]).epsilon(1e-4));
-        const double turned[16] = {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1};
-        OK(set(turned, 1));
+        const double rotated[16] = {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1};
+        OK(set(rotated, 1));
         stage.render();
         CHECK(read_all(stage.framebuffer) != before);
     });
@@ -129,8 +129,8 @@ TEST_CASE("an environment is turned and scaled, nothing else") {
 TEST_CASE("a scene's environment comes back as it was set") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
-        const double turned[16] = {0, 0, 2, 0, 0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 0, 1};
-        OK(nicol_scene_set_environment(stage.scene, stage.environment, turned, 0.25));
+        const double rotated[16] = {0, 0, 2, 0, 0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 0, 1};
+        OK(nicol_scene_set_environment(stage.scene, stage.environment, rotated, 0.25));
         stage.render();
         const std::vector<float> before = read_all(stage.framebuffer);
 
@@ -139,7 +139,7 @@ TEST_CASE("a scene's environment comes back as it was set") {
         OK(nicol_scene_get_environment(stage.scene, &light, to_world, &scale));
         CHECK(scale == 0.25);
         // The rotation alone: what else is in a matrix does not concern light.
-        for (std::size_t i = 0; i < 16; ++i) CHECK(to_world[i] == (i < 12 ? turned[i] / 2 : turned[i]));
+        for (std::size_t i = 0; i < 16; ++i) CHECK(to_world[i] == (i < 12 ? rotated[i] / 2 : rotated[i]));
         nicol_environment_info info = NICOL_ENVIRONMENT_INFO_INIT;
         OK(nicol_environment_get_info(light, &info));
         CHECK(info.polarized == 1);
@@ -190,9 +190,9 @@ TEST_CASE("a file's light comes back with its turn and scale, a scale of 0 as da
             OK(nicol_scene_get_environment(scene, &light, to_world, &scale));
             CHECK((light == nullptr) == dark);
             CHECK(scale == (dark ? 1 : 2.5));
-            const double turned[16] = {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1};
+            const double rotated[16] = {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1};
             for (std::size_t i = 0; i < 16; ++i)
-                CHECK(to_world[i] == doctest::Approx(dark ? (i % 5 == 0 ? 1 : 0) : turned[i]));
+                CHECK(to_world[i] == doctest::Approx(dark ? (i % 5 == 0 ? 1 : 0) : rotated[i]));
             OK(nicol_environment_release(light));
             OK(nicol_scene_release(scene));
         }

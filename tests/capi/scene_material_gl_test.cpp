@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "capi.hpp"
+#include "image/stokes_image.hpp"
+#include "material/material_projection.hpp"
 #include "material/pbsdf_file.hpp"
-#include "nicol/material_projection.hpp"
-#include "nicol/psh_matrix_file.hpp"
-#include "nicol/stokes_image.hpp"
+#include "material/psh_matrix_file.hpp"
 
 using namespace capi_test;
 using doctest::Approx;
@@ -22,7 +22,7 @@ const std::string sky =
     "<emitter type='sky'><vector name='sun_direction' x='0.3' y='0.8' z='0.5'/>"
     "<rgb name='radiance' value='1,0.8,0.6'/></emitter>";
 
-// A flat square that fills the picture, so that nothing is interpolated or hidden.
+// A flat square that fills the image, so that nothing is interpolated or hidden.
 std::string scene_text(const std::string& bsdf, const std::string& emitter = sky,
                        const std::string& film = "", const std::string& turn = "") {
     return "<scene version='3.0.0'><sensor type='perspective'><float name='fov' value='30'/>"
@@ -47,8 +47,7 @@ struct Loaded {
     Loaded(const Loaded&) = delete;
     Loaded& operator=(const Loaded&) = delete;
 
-    [[nodiscard]] std::vector<float> picture(nicol_context context,
-                                             const nicol_render_options& options) const {
+    [[nodiscard]] std::vector<float> image(nicol_context context, const nicol_render_options& options) const {
         nicol_framebuffer framebuffer = nullptr;
         OK(nicol_framebuffer_create(context, width, height, channels, &framebuffer));
         OK(nicol_render(scene, &camera, &options, framebuffer));
@@ -83,8 +82,8 @@ std::array<double, 4> rmse(const std::vector<float>& found, const std::vector<fl
 // The sky has no order above 2, so that the factored method misses nothing.
 std::vector<float> check_against_reference(nicol_context context, const std::string& path, double tolerance) {
     const Loaded loaded(context, path);
-    const std::vector<float> factored = loaded.picture(context, options_of(NICOL_METHOD_FACTORED, 2));
-    const auto error = rmse(factored, loaded.picture(context, options_of(NICOL_METHOD_REFERENCE, 2, 1024)));
+    const std::vector<float> factored = loaded.image(context, options_of(NICOL_METHOD_FACTORED, 2));
+    const auto error = rmse(factored, loaded.image(context, options_of(NICOL_METHOD_REFERENCE, 2, 1024)));
     for (std::size_t p = 0; p < 4; ++p) {
         CAPTURE(p);
         CHECK(error[p] < tolerance);
@@ -143,12 +142,12 @@ TEST_CASE("materials of scene files agree with the reference method") {
             const std::vector<float> front = check_against_reference(context, path, tolerance);
             CHECK(front[0] > 0.02F);
             // From behind there is something where there are two sides, and only there.
-            const std::string turned = "<rotate y='1' angle='180'/>";
-            const Loaded one(context, folder.write("one.xml", scene_text(bsdf, sky, "", turned)));
-            for (const float value : one.picture(context, options_of(NICOL_METHOD_FACTORED, 2)))
+            const std::string rotated = "<rotate y='1' angle='180'/>";
+            const Loaded one(context, folder.write("one.xml", scene_text(bsdf, sky, "", rotated)));
+            for (const float value : one.image(context, options_of(NICOL_METHOD_FACTORED, 2)))
                 CHECK(value == 0);
             const std::string both = folder.write(
-                "both.xml", scene_text("<bsdf type='twosided'>" + bsdf + "</bsdf>", sky, "", turned));
+                "both.xml", scene_text("<bsdf type='twosided'>" + bsdf + "</bsdf>", sky, "", rotated));
             const std::vector<float> back = check_against_reference(context, both, tolerance);
             for (std::size_t i = 0; i < front.size(); ++i) CHECK(std::abs(back[i] - front[i]) < 2e-3F);
         }
@@ -167,8 +166,7 @@ TEST_CASE("a film of luminance has one channel, the sum of the colours") {
         CHECK(colours.channels == 3);
         CHECK(luminance.channels == 1);
         const auto options = options_of(NICOL_METHOD_FACTORED, 2);
-        const std::vector<float> c = colours.picture(context, options),
-                                 y = luminance.picture(context, options);
+        const std::vector<float> c = colours.image(context, options), y = luminance.image(context, options);
         REQUIRE(c.size() == 3 * y.size());
         for (std::size_t i = 0; i < y.size(); ++i) {
             CHECK(y[i] == Approx(0.2126 * c[i] + 0.7152 * c[y.size() + i] + 0.0722 * c[2 * y.size() + i])
@@ -182,7 +180,7 @@ TEST_CASE("tables and colours of light and ground") {
     const std::string bsdf = "<bsdf type='diffuse'><float name='reflectance' value='1'/></bsdf>";
     const auto middle = [&](nicol_context context, const std::string& emitter, const std::string& turn = "") {
         const Loaded loaded(context, folder.write("light.xml", scene_text(bsdf, emitter, "", turn)));
-        const std::vector<float> all = loaded.picture(context, options_of(NICOL_METHOD_FACTORED, 4));
+        const std::vector<float> all = loaded.image(context, options_of(NICOL_METHOD_FACTORED, 4));
         const std::size_t plane = all.size() / 3;
         return std::array{all[60], all[plane + 60], all[2 * plane + 60]};
     };
@@ -247,7 +245,7 @@ TEST_CASE("what a scene names and is not there or of the wrong colours is refuse
               "<bsdf type='diffuse'><spectrum name='reflectance' value='400:0, 800:0.8'/></bsdf>"}) {
             const Loaded loaded(context, folder.write("good.xml", scene_text(bsdf, light)));
             CHECK(loaded.channels == 5);
-            const std::vector<float> all = loaded.picture(context, options_of(NICOL_METHOD_FACTORED, 2));
+            const std::vector<float> all = loaded.image(context, options_of(NICOL_METHOD_FACTORED, 2));
             CHECK(all[0] > 0);
             if (std::string(bsdf).find("spectrum") == std::string::npos) continue;
             for (std::size_t c = 0; c < 5; ++c)
@@ -285,7 +283,7 @@ TEST_CASE("measured gold under measured light, from the authors' coefficients") 
             for (const std::int32_t order : {4, 9, 19}) {
                 CAPTURE(order);
                 const std::vector<float> all =
-                    loaded.picture(context, options_of(NICOL_METHOD_FACTORED, order));
+                    loaded.image(context, options_of(NICOL_METHOD_FACTORED, order));
                 std::array<double, 3> mean{};
                 double polarized = 0;
                 const std::size_t plane = all.size() / 3;

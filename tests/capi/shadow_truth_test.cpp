@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "capi.hpp"
-#include "nicol/stokes_image.hpp"
+#include "image/stokes_image.hpp"
 
 using namespace capi_test;
 
@@ -43,18 +43,18 @@ struct Scene {
     }
 
     /// 1 where a pixel and its eight neighbours show the same object. Under even light without shadows the
-    /// background is 1, the plane grey and the statue coloured. Turns the scene's light into that.
+    /// background is 1, the plane grey and the statue coloured. Rotations the scene's light into that.
     [[nodiscard]] std::vector<char> inner_pixels() const {
         nicol_environment even = nullptr;
         const nicol_spectrum one = spectrum({1, 1, 1});
         OK(nicol_environment_create_constant(context, &one, &even));
         OK(nicol_scene_set_environment(scene, even, nullptr, 0));
         OK(nicol_environment_release(even));
-        const std::vector<float> picture = render(-1, -1);
+        const std::vector<float> image = render(-1, -1);
         const std::size_t pixels = std::size_t{width} * height;
         std::vector<int> object(pixels);
         for (std::size_t i = 0; i < pixels; ++i) {
-            const float red = picture[4 * i], blue = picture[4 * (2 * pixels + i)];
+            const float red = image[4 * i], blue = image[4 * (2 * pixels + i)];
             const bool background = red > 0.9999F && blue > 0.9999F;
             object[i] = background ? 0 : red - blue < 0.01F ? 1 : 2;
         }
@@ -120,6 +120,6 @@ TEST_CASE("a statue on a plane, with shadows, is Mitsuba 3's, but for truncation
     CHECK(error[0] < 0.03);
     CHECK(error[1] < 0.01);
     CHECK(error[2] < 0.01);
-    // Shadows are what makes the picture right.
+    // Shadows are what makes the image right.
     CHECK(without[0] > 3 * error[0]);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a render may leave out: with every skip the picture is the same as without it.
+// What a render may leave out: with every skip the image is the same as without it.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,10 @@ using namespace capi_test;
 
 namespace {
 
-constexpr std::uint32_t every_skip[] = {
-    NICOL_SKIP_UNCHANGED,     NICOL_SKIP_LIGHT_COMPONENTS, NICOL_SKIP_CHANNELS,   NICOL_SKIP_ORDERS,
-    NICOL_SKIP_RESPONSE_ROWS, NICOL_SKIP_HIDDEN,           NICOL_SKIP_UNOCCLUDED, NICOL_SKIP_ALL};
+constexpr std::uint32_t every_skip[] = {NICOL_OPTIMISATION_UNCHANGED,     NICOL_OPTIMISATION_LIGHT_COMPONENTS,
+                                        NICOL_OPTIMISATION_CHANNELS,      NICOL_OPTIMISATION_ORDERS,
+                                        NICOL_OPTIMISATION_RESPONSE_ROWS, NICOL_OPTIMISATION_HIDDEN,
+                                        NICOL_OPTIMISATION_UNOCCLUDED,    NICOL_OPTIMISATION_ALL};
 
 float largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
     REQUIRE(a.size() == b.size());
@@ -89,7 +90,7 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("skips leave the picture as it is, and count") {
+TEST_CASE("skips leave the image as it is, and count") {
     on_every_backend([](nicol_context context) {
         for (const bool grey : {false, true}) {
             const nicol_environment environment = plain_light(context, grey);
@@ -105,22 +106,22 @@ TEST_CASE("skips leave the picture as it is, and count") {
             CHECK(skipped.vertices_unoccluded > 0);
             for (const std::uint32_t skip : every_skip) {
                 CAPTURE(skip);
-                options.unskipped = skip;
+                options.disabled_optimisations = skip;
                 CHECK(largest_difference(skipping, pair.render(options)) < 1e-6F);
                 const nicol_statistics s = pair.statistics();
                 CHECK(s.draw_ms > 0);
                 const auto off = [&](std::uint32_t which) { return (skip & which) != 0; };
-                CHECK((s.light_columns_skipped == 0) == off(NICOL_SKIP_LIGHT_COMPONENTS));
-                CHECK((s.channels_shared == 0) == (off(NICOL_SKIP_CHANNELS) || !grey));
-                CHECK(s.order == (off(NICOL_SKIP_ORDERS) ? 9 : 4));
-                CHECK((s.vertices_skipped == 0) == off(NICOL_SKIP_HIDDEN));
-                CHECK((s.vertices_unoccluded == 0) == off(NICOL_SKIP_UNOCCLUDED));
+                CHECK((s.light_columns_skipped == 0) == off(NICOL_OPTIMISATION_LIGHT_COMPONENTS));
+                CHECK((s.channels_shared == 0) == (off(NICOL_OPTIMISATION_CHANNELS) || !grey));
+                CHECK(s.order == (off(NICOL_OPTIMISATION_ORDERS) ? 9 : 4));
+                CHECK((s.vertices_skipped == 0) == off(NICOL_OPTIMISATION_HIDDEN));
+                CHECK((s.vertices_unoccluded == 0) == off(NICOL_OPTIMISATION_UNOCCLUDED));
             }
-            options.unskipped = 0;
+            options.disabled_optimisations = 0;
             CHECK(pair.render(options) == skipping);
             CHECK(pair.render(options) == skipping);
             CHECK(pair.statistics().draw_ms == 0);
-            options.unskipped = NICOL_SKIP_UNCHANGED;
+            options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
             CHECK(pair.render(options) == skipping);
             CHECK(pair.render(options) == skipping);
             CHECK(pair.statistics().draw_ms > 0);
@@ -184,7 +185,7 @@ TEST_CASE("options that mean nothing are refused by name") {
     for (const double bad : {-1.0, std::nan(""), HUGE_VAL})
         refused([&](auto& o) { o.tolerance = bad; }, "tolerance");
     refused([](auto& o) { o.components = 2; }, "components");
-    refused([](auto& o) { o.unskipped = 128; }, "unskipped");
+    refused([](auto& o) { o.disabled_optimisations = 128; }, "disabled_optimisations");
     refused([](auto& o) { o.tolerance = 0.1, o.method = NICOL_METHOD_DENSE; }, "tolerance");
     refused([](auto& o) { o.tolerance = 0.1, o.high_orders = NICOL_HIGH_ORDERS_CONVOLUTION; }, "tolerance");
     OK(nicol_context_release(context));

@@ -257,11 +257,12 @@ TEST_CASE("scene and render descriptors of any version") {
         OK(render(older.get()));
 
         const Folder folder;
-        const nicol_picture picture = NICOL_PICTURE_INIT;
-        const std::string path = folder.file("picture.png");
-        check_input(picture, offsetof(nicol_picture, exposure), "picture", [&](const nicol_picture* given) {
-            return nicol_framebuffer_write_png(stage.framebuffer, given, path.c_str());
-        });
+        const nicol_observation image = NICOL_OBSERVATION_INIT;
+        const std::string path = folder.file("image.png");
+        check_input(image, offsetof(nicol_observation, exposure), "image",
+                    [&](const nicol_observation* given) {
+                        return nicol_framebuffer_write_png(stage.framebuffer, given, path.c_str());
+                    });
     });
 }
 

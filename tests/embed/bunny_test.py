@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The example of another language gives the picture that C gets, and says clearly what is wrong with a bad scene.
+"""The example of another language gives the image that C gets, and says clearly what is wrong with a bad scene.
 
 usage: bunny_test.py C_PROGRAM SCENES command of the example...
 """
@@ -44,15 +44,15 @@ class BunnyTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
 
-    def picture(self, command, name, scene="bunny_sky.xml"):
+    def image(self, command, name, scene="bunny_sky.xml"):
         path = os.path.join(self.folder, name)
         ended = run(command, self.folder, os.path.join(SCENES, scene), path, *SIZE)
         self.assertEqual(ended.returncode, 0, ended.stderr)
         return read_npy(path), ended.stdout
 
-    def test_same_picture_as_c(self):
-        (shape, expected), _ = self.picture([PROGRAM], "c.npy")
-        (shape_here, found), output = self.picture(EXAMPLE, "example.npy")
+    def test_same_image_as_c(self):
+        (shape, expected), _ = self.image([PROGRAM], "c.npy")
+        (shape_here, found), output = self.image(EXAMPLE, "example.npy")
         self.assertEqual(shape, (72, 96, 4))
         self.assertEqual(shape_here, shape)
         self.assertGreater(max(abs(s1) for s1 in expected[1::4]), 0.01)

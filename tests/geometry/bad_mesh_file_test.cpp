@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "error.hpp"
+#include "geometry/mesh.hpp"
 #include "geometry/temporary_folder.hpp"
-#include "nicol/error.hpp"
-#include "nicol/mesh.hpp"
 
 using nicol::ErrorCode;
 using nicol::load_mesh;

@@ -16,9 +16,9 @@
 #include <sstream>
 #include <thread>
 
+#include "error.hpp"
+#include "geometry/mesh.hpp"
 #include "geometry/temporary_folder.hpp"
-#include "nicol/error.hpp"
-#include "nicol/mesh.hpp"
 
 using nicol::load_mesh;
 using nicol::Mesh;

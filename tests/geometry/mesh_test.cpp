@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checks, normals and transforms.
-#include "nicol/mesh.hpp"
+#include "geometry/mesh.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 using nicol::ErrorCode;
 using nicol::Mesh;

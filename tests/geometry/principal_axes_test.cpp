@@ -53,9 +53,9 @@ TEST_CASE("axes lie along the points and turn with them") {
         for (int i = 0; i < 20; ++i) {
             const glm::dmat3 turn = glm::mat3_cast(
                 glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random))));
-            std::vector<glm::vec3> turned;
-            for (const glm::vec3& point : points) turned.emplace_back(turn * glm::dvec3(point));
-            CHECK(largest(principal_axes(turned) - turn * axes) < 1e-5);
+            std::vector<glm::vec3> rotated;
+            for (const glm::vec3& point : points) rotated.emplace_back(turn * glm::dvec3(point));
+            CHECK(largest(principal_axes(rotated) - turn * axes) < 1e-5);
         }
     }
 }

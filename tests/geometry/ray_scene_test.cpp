@@ -6,9 +6,9 @@
 #include <limits>
 #include <random>
 
+#include "error.hpp"
+#include "geometry/mesh.hpp"
 #include "geometry/ray_scene.hpp"
-#include "nicol/error.hpp"
-#include "nicol/mesh.hpp"
 
 using namespace nicol;
 

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <utility>
 
-#include "nicol/error.hpp"
-#include "nicol/mesh.hpp"
+#include "error.hpp"
+#include "geometry/mesh.hpp"
 
 using nicol::Mesh;
 

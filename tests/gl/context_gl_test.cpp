@@ -9,9 +9,9 @@
 #include <thread>
 #include <vector>
 
+#include "error.hpp"
 #include "gl/buffer.hpp"
 #include "gl/contexts.hpp"
-#include "nicol/error.hpp"
 
 using namespace nicol;
 using namespace nicol::gl;

@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
+#include "error.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "gl/test_shaders.hpp"
-#include "nicol/error.hpp"
 
 using namespace nicol;
 using namespace nicol::gl;
@@ -52,12 +52,12 @@ std::array<float, 4> pixel(const std::vector<float>& pixels, int width, int x, i
 }
 
 constexpr std::uint32_t one_triangle[] = {0, 1, 2};
-// Counter-clockwise with y up; covers the upper left half of the picture.
+// Counter-clockwise with y up; covers the upper left half of the image.
 const std::array<Vertex, 3> upper_left{vertex(-1, 1), vertex(-1, -1), vertex(1, 1)};
 
-/// Both attachments of a picture whose upper left half is covered.
-std::array<std::vector<float>, 2> upper_left_picture(const std::shared_ptr<Context>& context, int width,
-                                                     int height) {
+/// Both attachments of a image whose upper left half is covered.
+std::array<std::vector<float>, 2> upper_left_image(const std::shared_ptr<Context>& context, int width,
+                                                   int height) {
     return context->run([&] {
         RenderTarget target(context, {width, height, 2, true});
         target.clear({-1.0f, -2.0f, -3.0f, -4.0f});
@@ -71,7 +71,7 @@ std::array<std::vector<float>, 2> upper_left_picture(const std::shared_ptr<Conte
 TEST_CASE("a triangle arrives exactly, the top row first") {
     on_every_backend([](const std::shared_ptr<Context>& context) {
         constexpr int width = 7, height = 5;
-        const auto [colours, places] = upper_left_picture(context, width, height);
+        const auto [colours, places] = upper_left_image(context, width, height);
         int covered = 0;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
@@ -96,14 +96,14 @@ TEST_CASE("a triangle arrives exactly, the top row first") {
     });
 }
 
-TEST_CASE("both backends draw the same picture") {
+TEST_CASE("both backends draw the same image") {
     std::array<std::vector<float>, 2> first;
     on_every_backend([&](const std::shared_ptr<Context>& context) {
-        const auto picture = upper_left_picture(context, 64, 33);
+        const auto image = upper_left_image(context, 64, 33);
         if (first[0].empty()) {
-            first = picture;
+            first = image;
         } else if (context->info().software) {
-            CHECK(picture == first);
+            CHECK(image == first);
         }
     });
 }
@@ -187,7 +187,7 @@ TEST_CASE("culling drops the faces it names") {
 
 TEST_CASE("separate attributes draw what interleaved ones do") {
     on_every_backend([](const std::shared_ptr<Context>& context) {
-        const auto expected = upper_left_picture(context, 8, 8)[0];
+        const auto expected = upper_left_image(context, 8, 8)[0];
         context->run([&] {
             std::vector<float> positions{99.0f}, colours;  // one float in front: an offset
             for (const Vertex& v : upper_left) {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "error.hpp"
 #include "gl/context.hpp"
-#include "nicol/error.hpp"
 
 int main(int count, char** arguments) {
     nicol::gl::ContextRequest request;

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "error.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "gl/object.hpp"
 #include "gl/test_shaders.hpp"
-#include "nicol/error.hpp"
 
 using namespace nicol;
 using namespace nicol::gl;

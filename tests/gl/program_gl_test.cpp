@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "error.hpp"
 #include "gl/buffer.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "gl/test_shaders.hpp"
-#include "nicol/error.hpp"
 
 using namespace nicol;
 using namespace nicol::gl;

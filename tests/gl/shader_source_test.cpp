@@ -7,8 +7,8 @@
 #include <array>
 #include <string>
 
+#include "error.hpp"
 #include "gl/test_shaders.hpp"
-#include "nicol/error.hpp"
 
 using namespace nicol;
 using namespace nicol::gl;

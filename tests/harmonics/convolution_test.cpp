@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Convolution: the theorem against the integral over the sphere, block by block, with the wrong variants.
-#include "nicol/convolution.hpp"
+#include "harmonics/convolution.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,10 +10,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "error.hpp"
+#include "harmonics/evaluate.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/rotation.hpp"
+#include "harmonics/rotation.hpp"
 
 using namespace nicol;
 using std::numbers::pi;
@@ -56,9 +56,9 @@ Stokes angular(const ConvolutionKernel& kernel, const PshVector& field, const gl
             const Frame in(towards, glm::cross(from, towards), from);
             const Frame out(onwards, glm::cross(to, onwards), to);
             const Stokes f = evaluate(field, 0, from);
-            const auto turned =
+            const auto rotated =
                 std::complex(f[1], f[2]) * reference::frame_change(reference::theta_phi(from), in);
-            const double v[4] = {f[0], turned.real(), turned.imag(), f[3]};
+            const double v[4] = {f[0], rotated.real(), rotated.imag(), f[3]};
             const Mueller k =
                 kernel_at(kernel, std::atan2(glm::length(glm::cross(from, to)), glm::dot(from, to)));
             double r[4] = {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Values of fields: against the definition in high precision, and across the poles.
-#include "nicol/evaluate.hpp"
+#include "harmonics/evaluate.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "error.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/error.hpp"
 
 using namespace nicol;
 using std::numbers::pi;
@@ -50,7 +50,7 @@ TEST_CASE("a field is continuous across the pole once its frames are compared") 
         const Stokes at = evaluate(f, 0, {0, 0, z});
         for (const double phi : {0.0, 1.0, 2.5, -2.0}) {
             const Stokes near = evaluate(f, 0, {1e-9 * std::cos(phi), 1e-9 * std::sin(phi), z});
-            // At the pole x is along phi = 0; the frame beside it is turned by phi (by -phi in the south).
+            // At the pole x is along phi = 0; the frame beside it is rotated by phi (by -phi in the south).
             const auto turn = std::polar(1.0, -2 * z * phi);
             CHECK(std::abs(std::complex(at[1], at[2]) * turn - std::complex(near[1], near[2])) < 1e-6);
             CHECK(std::abs(at[0] - near[0]) < 1e-6);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Operators: coefficient matrices of Mueller fields act as the fields do.
-#include "nicol/operator.hpp"
+#include "harmonics/operator.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,11 +10,11 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+#include "error.hpp"
+#include "harmonics/evaluate.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/rotation.hpp"
-#include "nicol/transform.hpp"
+#include "harmonics/rotation.hpp"
+#include "harmonics/transform.hpp"
 
 using namespace nicol;
 using std::numbers::pi;
@@ -256,8 +256,8 @@ TEST_CASE("the isotropic part keeps isotropic operators, and is the mean over tu
     for (int k = 0; k < turns; ++k) {
         const CoefficientMatrix there = rotation_matrix(3, reference::about_z(2 * pi * k / turns));
         const CoefficientMatrix back = rotation_matrix(3, reference::about_z(-2 * pi * k / turns));
-        const CoefficientMatrix turned = compose(back, compose(any, there));
-        for (std::size_t i = 0; i < mean.data().size(); ++i) mean.data()[i] += turned.data()[i] / turns;
+        const CoefficientMatrix rotated = compose(back, compose(any, there));
+        for (std::size_t i = 0; i < mean.data().size(); ++i) mean.data()[i] += rotated.data()[i] / turns;
     }
     CHECK(reference::max_difference(isotropic_part(any).dense().data(), mean.data()) < 1e-13);
 }

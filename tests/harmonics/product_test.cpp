@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Visibility times light: the matrix of triple products and the grid product are the same and match the
 // directions.
-#include "nicol/product.hpp"
+#include "harmonics/product.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,9 +13,9 @@
 #include <fstream>
 #include <string>
 
+#include "error.hpp"
+#include "harmonics/evaluate.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
 
 using namespace nicol;
 

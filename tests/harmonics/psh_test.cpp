@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Coefficient vectors: layout and refused arguments.
-#include "nicol/psh.hpp"
+#include "harmonics/psh.hpp"
 
 #include <doctest/doctest.h>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 using namespace nicol;
 

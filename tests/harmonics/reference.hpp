@@ -9,8 +9,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "nicol/psh.hpp"
-#include "nicol/stokes.hpp"
+#include "harmonics/psh.hpp"
+#include "polarization/stokes.hpp"
 
 namespace reference {
 

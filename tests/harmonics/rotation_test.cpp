@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rotation of fields: against evaluation, as a group, and at the angles where Euler angles break down.
-#include "nicol/rotation.hpp"
+#include "harmonics/rotation.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+#include "error.hpp"
+#include "harmonics/evaluate.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
 
 using namespace nicol;
 using reference::about_y;
@@ -52,7 +52,7 @@ TEST_CASE("the rotated field has the rotated values") {
     }
 }
 
-TEST_CASE("rotating the other way round, or with the frames turned backwards, is noticed") {
+TEST_CASE("rotating the other way round, or with the frames rotated backwards, is noticed") {
     std::mt19937_64 random(2);
     const PshVector f = reference::random_field(random, 5);
     const glm::dmat3 r = reference::random_rotation(random);

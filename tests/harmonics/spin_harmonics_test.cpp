@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Spin harmonics against explicit sums in high precision, next to and at both poles.
-#include "nicol/spin_harmonics.hpp"
+#include "harmonics/spin_harmonics.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include <numbers>
 #include <vector>
 
+#include "error.hpp"
+#include "harmonics/grid.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/error.hpp"
-#include "nicol/grid.hpp"
 
 using namespace nicol;
 using std::numbers::pi;

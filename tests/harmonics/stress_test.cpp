@@ -10,13 +10,13 @@
 #include <random>
 #include <string>
 
+#include "error.hpp"
+#include "harmonics/convolution.hpp"
+#include "harmonics/evaluate.hpp"
+#include "harmonics/product.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/convolution.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/product.hpp"
-#include "nicol/rotation.hpp"
-#include "nicol/transform.hpp"
+#include "harmonics/rotation.hpp"
+#include "harmonics/transform.hpp"
 
 using namespace nicol;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Transforms: exact on every grid for band-limited fields, and equal to evaluation point by point.
-#include "nicol/transform.hpp"
+#include "harmonics/transform.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include <numbers>
 #include <vector>
 
+#include "error.hpp"
+#include "harmonics/evaluate.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
 
 using namespace nicol;
 using std::numbers::pi;

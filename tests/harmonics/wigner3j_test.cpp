@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // 3j symbols against Racah's sum; triple products against quadrature, and the misprint of Eq. 216.
-#include "nicol/wigner3j.hpp"
+#include "harmonics/wigner3j.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,10 +9,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "error.hpp"
+#include "harmonics/grid.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/error.hpp"
-#include "nicol/grid.hpp"
-#include "nicol/spin_harmonics.hpp"
+#include "harmonics/spin_harmonics.hpp"
 
 using namespace nicol;
 using std::numbers::pi;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wigner matrices against explicit sums, and as a representation of the rotation group.
-#include "nicol/wigner.hpp"
+#include "harmonics/wigner.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "error.hpp"
 #include "harmonics/reference.hpp"
-#include "nicol/error.hpp"
 
 using namespace nicol;
 using std::numbers::pi;

@@ -13,7 +13,7 @@ namespace {
 
 nicol_result try_render(const Stage& stage) {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-    options.unskipped = NICOL_SKIP_UNCHANGED;
+    options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
     options.progress = [](void* called, const char*, double) {
         *static_cast<bool*>(called) = true;
         return std::int32_t{1};
@@ -92,7 +92,7 @@ TEST_CASE("calls refuse to work where the host's context is not current") {
     {
         const Stage stage(context);
         stage.render();
-        const std::vector<float> picture = read_all(stage.framebuffer);
+        const std::vector<float> image = read_all(stage.framebuffer);
         nicol_framebuffer framebuffer = marker<nicol_framebuffer>();
         const auto refused = [&] {
             FAILS(try_render(stage), NICOL_ERROR_NOT_CURRENT, "not current");
@@ -118,7 +118,7 @@ TEST_CASE("calls refuse to work where the host's context is not current") {
         CHECK(framebuffer == marker<nicol_framebuffer>());
         application.enter();
         OK(try_render(stage));
-        CHECK(read_all(stage.framebuffer) == picture);
+        CHECK(read_all(stage.framebuffer) == image);
     }
     OK(nicol_context_release(context));
 }
@@ -146,12 +146,12 @@ TEST_CASE("the host's context may move to another thread, and Nicol with it") {
     {
         const Stage stage(context);
         stage.render();
-        const std::vector<float> picture = read_all(stage.framebuffer);
+        const std::vector<float> image = read_all(stage.framebuffer);
         Application::leave();
         std::thread([&] {
             application.enter();
             CHECK(try_render(stage) == NICOL_OK);
-            CHECK(read_all(stage.framebuffer) == picture);
+            CHECK(read_all(stage.framebuffer) == image);
             Application::leave();
         }).join();
         application.enter();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An application's OpenGL state, however odd, is the same after every call, and does not show in the picture.
+// An application's OpenGL state, however odd, is the same after every call, and does not show in the image.
 #include <array>
 
 #include "host/egl_host.hpp"
@@ -25,7 +25,7 @@ GLuint program_of(const GladGLContext& gl) {
     return program;
 }
 
-/// Nothing as a fresh context has it; most of it would spoil a picture drawn with it.
+/// Nothing as a fresh context has it; most of it would spoil a image drawn with it.
 void disarrange(const GladGLContext& gl, bool compatibility) {
     if (compatibility) {
         gl.Enable(0x0BC0);               // GL_ALPHA_TEST
@@ -117,7 +117,7 @@ void disarrange(const GladGLContext& gl, bool compatibility) {
     REQUIRE(gl.GetError() == GL_NO_ERROR);
 }
 
-std::vector<float> picture_of(nicol_context context, nicol_executor executor) {
+std::vector<float> image_of(nicol_context context, nicol_executor executor) {
     const Stage stage(context);
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.executor = executor;
@@ -171,11 +171,11 @@ TEST_CASE("every call leaves the application's state as it was") {
     }
 }
 
-TEST_CASE("the application's state does not show in the picture") {
+TEST_CASE("the application's state does not show in the image") {
     const nicol_context own = make_context(NICOL_BACKEND_EGL);
     std::vector<float> expected[2];
     constexpr nicol_executor executors[] = {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE};
-    for (int i = 0; i < 2; ++i) expected[i] = picture_of(own, executors[i]);
+    for (int i = 0; i < 2; ++i) expected[i] = image_of(own, executors[i]);
     OK(nicol_context_release(own));
     for (const Profile profile : every_profile) {
         CAPTURE(static_cast<int>(profile));
@@ -183,9 +183,9 @@ TEST_CASE("the application's state does not show in the picture") {
         disarrange(application.gl, profile == Profile::compatibility);
         const nicol_context context = make_host_context();
         for (int i = 0; i < 2; ++i) {
-            const std::vector<float> picture = picture_of(context, executors[i]);
+            const std::vector<float> image = image_of(context, executors[i]);
             std::size_t different = 0;
-            for (std::size_t k = 0; k < picture.size(); ++k) different += picture[k] != expected[i][k];
+            for (std::size_t k = 0; k < image.size(); ++k) different += image[k] != expected[i][k];
             CHECK(different == 0);
         }
         OK(nicol_context_release(context));

@@ -15,8 +15,8 @@
 #include <limits>
 #include <random>
 
+#include "image/stokes_image.hpp"
 #include "image/temporary_folder.hpp"
-#include "nicol/stokes_image.hpp"
 
 using namespace nicol;
 
@@ -48,7 +48,7 @@ void patch(std::string& bytes, const std::string& name, const std::string& type,
     std::memcpy(bytes.data() + at + key.size() + 4, value.data(), 4 * value.size());
 }
 
-/// A small picture, zero but for one value.
+/// A small image, zero but for one value.
 void write_with(const std::filesystem::path& path, const std::string& channel, std::size_t pixel,
                 float value) {
     StokesImage image(4, 3, 3);
@@ -173,7 +173,7 @@ TEST_CASE("deep data is refused") {
         ErrorCode::unsupported, [&] { (void)read_exr(folder / "a.exr"); }, "a.exr", "deep");
 }
 
-TEST_CASE("random damage is an error or a picture, never a crash") {
+TEST_CASE("random damage is an error or a image, never a crash") {
     const TemporaryFolder folder;
     write_exr(folder / "whole.exr", some_image());
     const std::string bytes = file_bytes(folder / "whole.exr");

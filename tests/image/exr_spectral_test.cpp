@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spectral Stokes pictures, and pictures of any number of channels.
+// Spectral Stokes images, and images of any number of channels.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -11,8 +11,8 @@
 #include <cmath>
 #include <limits>
 
+#include "image/stokes_image.hpp"
 #include "image/temporary_folder.hpp"
-#include "nicol/stokes_image.hpp"
 
 using namespace nicol;
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr auto bad = ErrorCode::invalid_file;
 
-/// A 2 x 1 picture in which channel number i of the list holds i + 1 throughout.
+/// A 2 x 1 image in which channel number i of the list holds i + 1 throughout.
 void write_named(const std::filesystem::path& path, const std::vector<std::string>& names,
                  const std::string& handedness = "", int sampling = 1) {
     Imf::Header header(2, 1);
@@ -40,7 +40,7 @@ void write_named(const std::filesystem::path& path, const std::vector<std::strin
 
 }  // namespace
 
-TEST_CASE("spectral pictures come back, in the names of Fichet et al.") {
+TEST_CASE("spectral images come back, in the names of Fichet et al.") {
     const TemporaryFolder folder;
     StokesImage image(5, 4, 16);
     for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = static_cast<float>(i) * 0.5f;
@@ -148,7 +148,7 @@ TEST_CASE("spectral files that lack or repeat something are refused") {
         ErrorCode::invalid_argument, [&] { (void)read_exr(file, three); }, "no wavelengths");
 }
 
-TEST_CASE("wavelengths of a picture that make no sense are refused") {
+TEST_CASE("wavelengths of a image that make no sense are refused") {
     const TemporaryFolder folder;
     StokesImage image(2, 2, 3);
     for (const std::vector<double>& wrong : {std::vector<double>{500},

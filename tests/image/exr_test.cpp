@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes pictures through OpenEXR files.
+// Stokes images through OpenEXR files.
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -16,8 +16,8 @@
 #include <set>
 
 #include "image/file_size_limit.hpp"
+#include "image/stokes_image.hpp"
 #include "image/temporary_folder.hpp"
-#include "nicol/stokes_image.hpp"
 
 using namespace nicol;
 
@@ -103,7 +103,7 @@ TEST_CASE("what is written comes back bit for bit, under Mitsuba's channel names
     CHECK(folder.files() == 1);
 }
 
-TEST_CASE("R G B hold s0, so that any viewer shows the picture") {
+TEST_CASE("R G B hold s0, so that any viewer shows the image") {
     const TemporaryFolder folder;
     const StokesImage image = numbered(4, 3, 3);
     write_exr(folder / "a.exr", image, {.components = 0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Observers, pixel by pixel.
-#include "nicol/observer.hpp"
+#include "image/observer.hpp"
 
 #include <doctest/doctest.h>
 
@@ -28,9 +28,9 @@ StokesImage row_of(const std::vector<Stokes>& pixels) {
     return image;
 }
 
-Rgb pixel(const Picture& picture, int x, int y = 0) {
-    const auto i = static_cast<std::size_t>(3 * (y * picture.width + x));
-    return {picture.rgb.at(i), picture.rgb.at(i + 1), picture.rgb.at(i + 2)};
+Rgb pixel(const Observation& observation, int x, int y = 0) {
+    const auto i = static_cast<std::size_t>(3 * (y * observation.width + x));
+    return {observation.rgb.at(i), observation.rgb.at(i + 1), observation.rgb.at(i + 2)};
 }
 
 /// Fully polarized light of intensity 1 whose field stands at `degrees` from image right, counter-clockwise.
@@ -39,11 +39,11 @@ Stokes linear(double degrees, double degree_of_polarization = 1) {
     return {1, degree_of_polarization * std::cos(2 * angle), degree_of_polarization * std::sin(2 * angle), 0};
 }
 
-const std::string& text_of(const Picture& picture, const std::string& keyword) {
-    for (const auto& [key, text] : picture.text)
+const std::string& text_of(const Observation& observation, const std::string& keyword) {
+    for (const auto& [key, text] : observation.text)
         if (key == keyword) return text;
     FAIL("no text ", keyword);
-    return picture.text.front().second;
+    return observation.text.front().second;
 }
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -59,11 +59,11 @@ TEST_CASE("tone mapping is exposure, clip, and the sRGB curve") {
                                       {-3, 0, 0, 0},
                                       {0.001, 0, 0, 0},
                                       {not_a_number, 0, 0, 0}});
-    const Picture picture = tone_mapped(image);
-    CHECK(picture.srgb);
+    const Observation observation = tone_mapped(image);
+    CHECK(observation.srgb);
     // Published values of the curve: 0.5 is 188, 0.001 lies on the straight part: 12.92 * 0.001 * 255 = 3.3.
     const int expected[] = {0, 188, 255, 255, 0, 3, 0};
-    for (int x = 0; x < 7; ++x) CHECK(pixel(picture, x) == Rgb{expected[x], expected[x], expected[x]});
+    for (int x = 0; x < 7; ++x) CHECK(pixel(observation, x) == Rgb{expected[x], expected[x], expected[x]});
     CHECK(pixel(tone_mapped(image, -1), 2) == Rgb{188, 188, 188});
     CHECK(pixel(tone_mapped(image, 1), 1) == Rgb{255, 255, 255});
     CHECK(text_of(tone_mapped(image, 1), "Nicol:Scale").find("0.5 in s0") != std::string::npos);
@@ -76,15 +76,16 @@ TEST_CASE("tone mapping is exposure, clip, and the sRGB curve") {
 
 TEST_CASE("signed components: red negative, green positive, linear, with their scale") {
     const StokesImage image = row_of({{1, 0.5, 0, 0}, {1, -0.25, 0, 0}, {1, 0, 0, 0}, {1, -0.125, 1, 0}});
-    const Picture picture = signed_component(image, 1);
-    CHECK_FALSE(picture.srgb);
-    CHECK(pixel(picture, 0) == Rgb{0, 255, 0});
-    CHECK(pixel(picture, 1) == Rgb{128, 0, 0});
-    CHECK(pixel(picture, 2) == Rgb{0, 0, 0});
-    CHECK(pixel(picture, 3) == Rgb{64, 0, 0});
-    CHECK(text_of(picture, "Nicol:Scale").find("|s1| = 0.5 (largest") != std::string::npos);
-    CHECK(text_of(picture, "Nicol:Observer").find("s1, red negative, green positive") != std::string::npos);
-    const Picture given = signed_component(image, 1, 0.25);
+    const Observation observation = signed_component(image, 1);
+    CHECK_FALSE(observation.srgb);
+    CHECK(pixel(observation, 0) == Rgb{0, 255, 0});
+    CHECK(pixel(observation, 1) == Rgb{128, 0, 0});
+    CHECK(pixel(observation, 2) == Rgb{0, 0, 0});
+    CHECK(pixel(observation, 3) == Rgb{64, 0, 0});
+    CHECK(text_of(observation, "Nicol:Scale").find("|s1| = 0.5 (largest") != std::string::npos);
+    CHECK(text_of(observation, "Nicol:Observer").find("s1, red negative, green positive") !=
+          std::string::npos);
+    const Observation given = signed_component(image, 1, 0.25);
     CHECK(pixel(given, 0) == Rgb{0, 255, 0});
     CHECK(pixel(given, 3) == Rgb{128, 0, 0});
     CHECK(text_of(given, "Nicol:Scale").find("0.25 (given)") != std::string::npos);
@@ -105,11 +106,11 @@ TEST_CASE("DoLP is 0 to 1 whatever the light") {
     const float expected[] = {0.5f, 0.5f, 1, 0, 0, 0, 1, 0, 0};
     const Plane plane = dolp(image);
     for (std::size_t x = 0; x < 9; ++x) CHECK(plane.values[x] == doctest::Approx(expected[x]));
-    const Picture picture = dolp_picture(image);
-    CHECK_FALSE(picture.srgb);
+    const Observation observation = dolp_image(image);
+    CHECK_FALSE(observation.srgb);
     for (int x = 0; x < 9; ++x) {
         const int grey = static_cast<int>(std::lround(255 * expected[x]));
-        CHECK(pixel(picture, x) == Rgb{grey, grey, grey});
+        CHECK(pixel(observation, x) == Rgb{grey, grey, grey});
     }
 }
 
@@ -139,17 +140,17 @@ TEST_CASE("the AoLP wheel: 0 red, +45 yellow-green, 90 cyan, -45 violet; DoLP is
                                       {0, 0, 0, 0},
                                       {-1, 1, 1, 0},
                                       linear(20, 1e-9)});
-    const Picture light = aolp_picture(image);
-    const Picture dark = aolp_picture(image, AolpStyle::dark);
-    const Picture full = aolp_picture(image, AolpStyle::full);
-    for (const Picture* picture : {&light, &dark, &full}) {
-        CHECK_FALSE(picture->srgb);
-        CHECK(pixel(*picture, 0) == Rgb{255, 0, 0});
-        CHECK(pixel(*picture, 1) == Rgb{128, 255, 0});
-        CHECK(pixel(*picture, 2) == Rgb{0, 255, 255});
-        CHECK(pixel(*picture, 3) == Rgb{128, 0, 255});
-        CHECK(pixel(*picture, 6) == Rgb{0, 255, 0});
-        CHECK(pixel(*picture, 7) == Rgb{0, 0, 255});
+    const Observation light = aolp_image(image);
+    const Observation dark = aolp_image(image, AolpStyle::dark);
+    const Observation full = aolp_image(image, AolpStyle::full);
+    for (const Observation* observation : {&light, &dark, &full}) {
+        CHECK_FALSE(observation->srgb);
+        CHECK(pixel(*observation, 0) == Rgb{255, 0, 0});
+        CHECK(pixel(*observation, 1) == Rgb{128, 255, 0});
+        CHECK(pixel(*observation, 2) == Rgb{0, 255, 255});
+        CHECK(pixel(*observation, 3) == Rgb{128, 0, 255});
+        CHECK(pixel(*observation, 6) == Rgb{0, 255, 0});
+        CHECK(pixel(*observation, 7) == Rgb{0, 0, 255});
     }
     CHECK(pixel(light, 4) == Rgb{255, 128, 128});
     CHECK(pixel(dark, 4) == Rgb{128, 0, 0});
@@ -192,8 +193,8 @@ TEST_CASE("several channels: one of them, or the mean of their Stokes vectors") 
     CHECK(dolp(image).values[0] == doctest::Approx(std::hypot(0.5, 1) / 6));
     CHECK(aolp(image, 1).values[0] == doctest::Approx(pi / 2));
     CHECK(aolp(image).values[0] == doctest::Approx(std::atan2(1, 0.5) / 2));
-    CHECK(text_of(aolp_picture(image), "Nicol:Observer").find("mean of all channels") != std::string::npos);
-    CHECK(text_of(dolp_picture(image, 1), "Nicol:Observer").find("channel 1") != std::string::npos);
+    CHECK(text_of(aolp_image(image), "Nicol:Observer").find("mean of all channels") != std::string::npos);
+    CHECK(text_of(dolp_image(image, 1), "Nicol:Observer").find("channel 1") != std::string::npos);
 }
 
 TEST_CASE("arguments out of range are refused by name") {
@@ -220,11 +221,11 @@ TEST_CASE("arguments out of range are refused by name") {
     check_error(
         bad, [&] { (void)dolp(image, -2); }, "channel -2");
     check_error(
-        bad, [&] { (void)dolp_picture(image, 3); }, "channel 3");
+        bad, [&] { (void)dolp_image(image, 3); }, "channel 3");
     check_error(
         bad, [&] { (void)aolp(image, 3); }, "channel 3");
     check_error(
-        bad, [&] { (void)aolp_picture(image, static_cast<AolpStyle>(9)); }, "style");
+        bad, [&] { (void)aolp_image(image, static_cast<AolpStyle>(9)); }, "style");
     check_error(
         bad, [&] { (void)through_polarizer(image, infinity); }, "angle");
 }

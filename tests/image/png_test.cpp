@@ -9,8 +9,8 @@
 #include <map>
 
 #include "image/file_size_limit.hpp"
+#include "image/observer.hpp"
 #include "image/temporary_folder.hpp"
-#include "nicol/observer.hpp"
 
 using namespace nicol;
 
@@ -55,7 +55,7 @@ Decoded decode(const std::filesystem::path& path) {
     return result;
 }
 
-/// Light polarized around the centre of the picture like a wheel: the field points away from the centre.
+/// Light polarized around the centre of the observation like a wheel: the field points away from the centre.
 StokesImage radial_light(int size) {
     StokesImage image(size, size, 1);
     for (int y = 0; y < size; ++y)
@@ -71,33 +71,33 @@ StokesImage radial_light(int size) {
 
 }  // namespace
 
-TEST_CASE("a PNG holds the pixels and the text of its picture") {
+TEST_CASE("a PNG holds the pixels and the text of its observation") {
     const TemporaryFolder folder;
-    const Picture picture{3,
-                          2,
-                          {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 250, 251, 252, 253, 254, 255},
-                          {{"Title", "A test"}, {"Nicol:Scale", "code 255 is 3"}},
-                          false};
-    write_png(folder / "a.png", picture);
+    const Observation observation{3,
+                                  2,
+                                  {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 250, 251, 252, 253, 254, 255},
+                                  {{"Title", "A test"}, {"Nicol:Scale", "code 255 is 3"}},
+                                  false};
+    write_png(folder / "a.png", observation);
     const Decoded back = decode(folder / "a.png");
     CHECK(back.width == 3);
     CHECK(back.height == 2);
     CHECK(back.depth == 8);
     CHECK(back.colour_type == PNG_COLOR_TYPE_RGB);
-    CHECK(back.rgb == picture.rgb);
+    CHECK(back.rgb == observation.rgb);
     CHECK(back.text.at("Title") == "A test");
     CHECK(back.text.at("Nicol:Scale") == "code 255 is 3");
     CHECK(back.text.at("Software").find("Nicol") == 0);
     CHECK(folder.files() == 1);
 }
 
-TEST_CASE("only tone-mapped pictures claim a transfer curve") {
+TEST_CASE("only tone-mapped images claim a transfer curve") {
     const TemporaryFolder folder;
     write_png(folder / "a.png", tone_mapped(radial_light(4)));
     CHECK(decode(folder / "a.png").srgb);
-    for (const Picture& picture : {signed_component(radial_light(4), 1), dolp_picture(radial_light(4)),
-                                   aolp_picture(radial_light(4))}) {
-        write_png(folder / "a.png", picture);
+    for (const Observation& observation :
+         {signed_component(radial_light(4), 1), dolp_image(radial_light(4)), aolp_image(radial_light(4))}) {
+        write_png(folder / "a.png", observation);
         const Decoded back = decode(folder / "a.png");
         CHECK_FALSE(back.srgb);
         CHECK_FALSE(back.gamma);
@@ -110,7 +110,7 @@ TEST_CASE("only tone-mapped pictures claim a transfer curve") {
 TEST_CASE("in the file the AoLP wheel turns counter-clockwise: y is up") {
     const TemporaryFolder folder;
     constexpr int size = 9;
-    write_png(folder / "a.png", aolp_picture(radial_light(size)));
+    write_png(folder / "a.png", aolp_image(radial_light(size)));
     const Decoded back = decode(folder / "a.png");
     const auto pixel = [&](int x, int y) {
         const auto i = static_cast<std::size_t>(3 * (y * size + x));
@@ -129,7 +129,7 @@ TEST_CASE("in the file the AoLP wheel turns counter-clockwise: y is up") {
 
 TEST_CASE("what cannot be written is an error and leaves nothing behind") {
     const TemporaryFolder folder;
-    const Picture good{1, 1, {1, 2, 3}, {}, false};
+    const Observation good{1, 1, {1, 2, 3}, {}, false};
     check_error(
         ErrorCode::write_failed, [&] { write_png(folder / "none" / "a.png", good); }, "none/a.png");
     std::filesystem::create_directories(folder / "taken.png" / "inside");
@@ -146,9 +146,9 @@ TEST_CASE("what cannot be written is an error and leaves nothing behind") {
     }
     CHECK(folder.files() == 2);
 
-    const auto refuse = [&](Picture picture, const char* what) {
+    const auto refuse = [&](Observation observation, const char* what) {
         check_error(
-            ErrorCode::invalid_argument, [&] { write_png(folder / "a.png", picture); }, what);
+            ErrorCode::invalid_argument, [&] { write_png(folder / "a.png", observation); }, what);
     };
     refuse({}, "0 x 0");
     refuse({2, 1, {1, 2, 3}, {}, false}, "3 bytes");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sizes and layout of Stokes pictures.
-#include "nicol/stokes_image.hpp"
+// Sizes and layout of Stokes images.
+#include "image/stokes_image.hpp"
 
 #include <doctest/doctest.h>
 
@@ -59,7 +59,7 @@ TEST_CASE("sizes out of range are refused before anything is allocated") {
         bad, [] { (void)StokesImage(2, 2, huge); }, "channels 1 to");
 }
 
-TEST_CASE("check() names the picture and the size it should have") {
+TEST_CASE("check() names the image and the size it should have") {
     StokesImage image(2, 2, 1);
     CHECK_NOTHROW(image.check("this"));
     image.data.pop_back();

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 /// Exists while the object lives.
 class TemporaryFolder {

@@ -4,11 +4,11 @@
 
 #include <limits>
 
+#include "harmonics/evaluate.hpp"
+#include "harmonics/grid.hpp"
+#include "harmonics/rotation.hpp"
 #include "image/temporary_folder.hpp"
 #include "light/directions.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/grid.hpp"
-#include "nicol/rotation.hpp"
 
 using namespace nicol;
 using std::numbers::pi;
@@ -67,8 +67,8 @@ TEST_CASE("constant light has the one coefficient sqrt(4 pi) L") {
         for (std::size_t i = 0; i < f.channel(c).size(); ++i)
             CHECK(f.channel(c)[i] == doctest::Approx(i == 0 ? (c == 0 ? 2 : 0.5) * std::sqrt(4 * pi) : 0));
     CHECK(light->radiance(1, {0, 0, 1}) == Stokes(0.5, 0, 0, 0));
-    const EquirectImage picture = light->picture();
-    CHECK(picture.stokes(0, 1, 1) == Stokes(2, 0, 0, 0));
+    const EquirectImage image = light->image();
+    CHECK(image.stokes(0, 1, 1) == Stokes(2, 0, 0, 0));
 }
 
 TEST_CASE("a Rayleigh sky with the sun at +z has the coefficients of its closed form") {
@@ -98,8 +98,8 @@ TEST_CASE("a Rayleigh sky agrees with brute-force quadrature, evaluation and the
               doctest::Approx(0.8 * (1 - cosine * cosine) / (1 + cosine * cosine)));
     }
     const glm::dmat3 turn = some_rotation(7);
-    const auto turned_light = rayleigh_sky({.sun_direction = turn * sun, .radiance = {1, 0.25, 3}});
-    CHECK(largest_difference(turned_light->project(6), rotated(f, turn)) < 1e-13);
+    const auto rotated_light = rayleigh_sky({.sun_direction = turn * sun, .radiance = {1, 0.25, 3}});
+    CHECK(largest_difference(rotated_light->project(6), rotated(f, turn)) < 1e-13);
     CHECK(light->project(0).at(2, 0, 0, 0) == doctest::Approx(3 * std::sqrt(4 * pi)));
     CHECK(light->project(1).at(1, 1, 0, 0) == doctest::Approx(0));
 }
@@ -109,25 +109,25 @@ TEST_CASE("the electric field of the sky stands across the plane of sun and view
     const auto light = rayleigh_sky({.sun_direction = sun, .dop_max = 1, .radiance = {1}});
     for (const glm::dvec3& w : random_directions(20, 3)) {
         const Frame across = frame_with_x(-w, glm::cross(sun, w));
-        const Stokes s = turned(light->radiance(0, w), angle_between(theta_phi_frame(-w), across));
+        const Stokes s = rotated(light->radiance(0, w), angle_between(theta_phi_frame(-w), across));
         CHECK(s[1] > 0);
         CHECK(s[2] == doctest::Approx(0));
     }
 }
 
-TEST_CASE("the sky's picture has the picture's frames and positions") {
-    // Sun overhead: at the horizon the field is horizontal, the picture's x.
+TEST_CASE("the sky's image has the image's frames and positions") {
+    // Sun overhead: at the horizon the field is horizontal, the image's x.
     const auto noon = rayleigh_sky({.radiance = {4}});
-    const EquirectImage picture = noon->picture();
-    const int horizon = (picture.height - 1) / 2;
-    for (int x = 0; x < picture.width; x += 37) {
-        CHECK(picture.stokes(0, horizon, x)[0] == doctest::Approx(3));
-        CHECK(picture.stokes(0, horizon, x)[1] == doctest::Approx(0.8 * 3));
-        CHECK(picture.stokes(0, 0, x)[0] == doctest::Approx(6));
+    const EquirectImage image = noon->image();
+    const int horizon = (image.height - 1) / 2;
+    for (int x = 0; x < image.width; x += 37) {
+        CHECK(image.stokes(0, horizon, x)[0] == doctest::Approx(3));
+        CHECK(image.stokes(0, horizon, x)[1] == doctest::Approx(0.8 * 3));
+        CHECK(image.stokes(0, 0, x)[0] == doctest::Approx(6));
     }
-    // The picture, taken as an environment, is the same light up to its resolution.
+    // The image, taken as an environment, is the same light up to its resolution.
     const auto sky = rayleigh_sky({.sun_direction = {1, 0.4, 0.7}, .radiance = {1, 2}});
-    const auto image = image_environment(sky->picture());
+    const auto image = image_environment(sky->image());
     for (const glm::dvec3& w : random_directions(50, 5))
         CHECK(glm::length(sky->radiance(1, w) - image->radiance(1, w)) < 1e-3);
 }

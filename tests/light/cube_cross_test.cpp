@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Cube maps: geometry and frames from their definition, a field of known coefficients, the authors' light.
-#include "nicol/cube_cross.hpp"
+#include "light/cube_cross.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <cstdlib>
 
+#include "harmonics/evaluate.hpp"
 #include "image/temporary_folder.hpp"
 #include "light/directions.hpp"
+#include "light/psh_file.hpp"
 #include "light/random_field.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/psh_file.hpp"
 
 using namespace nicol;
 
@@ -37,7 +37,7 @@ CubeCross cross_of(const PshVector& field, int edge) {
                 const glm::dvec3 up = glm::normalize(cell.up - glm::dot(cell.up, z) * z);
                 const Frame frame = {glm::cross(up, z), up, z};
                 for (int c = 0; c < field.channels(); ++c) {
-                    const Stokes s = turned(evaluate(field, c, z), angle_between(theta_phi_frame(z), frame));
+                    const Stokes s = rotated(evaluate(field, c, z), angle_between(theta_phi_frame(z), frame));
                     for (int p = 0; p < 4; ++p)
                         cross.at(c, cell.row * edge + y,
                                  cell.column * edge + x)[static_cast<std::size_t>(p)] =
@@ -96,7 +96,7 @@ TEST_CASE("pixels look where the layout says, in right-handed frames of their pr
         CHECK(std::abs(glm::dot(corner.frame[0], face.up)) < 1e-14);
         CHECK(glm::dot(corner.frame[0], face.right) > 0.5);
     }
-    // Neighbours in the picture are neighbours on the sphere: across Front's four edges.
+    // Neighbours in the image are neighbours on the sphere: across Front's four edges.
     for (const auto& [a, b] : {std::pair(glm::dvec2(1.4, 1.0001), glm::dvec2(1.4, 0.9999)),
                                {{1.4, 1.9999}, {1.4, 2.0001}},
                                {{1.0001, 1.3}, {0.9999, 1.3}},
@@ -214,7 +214,7 @@ TEST_CASE("sets of files that do not fit together are refused by name") {
     check_error(
         ErrorCode::invalid_argument, [&] { (void)load_environment(folder / "a_s0.exr", 1, wavelengths); },
         "spectral");
-    // A picture whose name only looks alike.
+    // A image whose name only looks alike.
     write_exr(folder / "s0.exr", StokesImage(4, 3, 1));
     CHECK(load_environment(folder / "s0.exr")->channels() == 1);
 }

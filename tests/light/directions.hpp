@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Directions, rotations and pictures that the light tests share.
+// Directions, rotations and images that the light tests share.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "nicol/environment.hpp"
+#include "light/environment.hpp"
 
 inline std::vector<glm::dvec3> random_directions(int count, unsigned seed = 1) {
     std::mt19937 engine(seed);
@@ -20,20 +20,20 @@ inline std::vector<glm::dvec3> random_directions(int count, unsigned seed = 1) {
     return result;
 }
 
-/// Any rotation: the axes of the frame at a random direction, turned about it.
+/// Any rotation: the axes of the frame at a random direction, rotated about it.
 inline glm::dmat3 some_rotation(unsigned seed) {
     const auto d = random_directions(2, seed);
     return nicol::frame_with_x(d[0], d[1]);
 }
 
-/// The direction towards the light of a picture position, written out from the definition of EquirectImage.
+/// The direction towards the light of a image position, written out from the definition of EquirectImage.
 inline glm::dvec3 towards(double u, double v) {
     const double pi = std::numbers::pi;
     return {std::sin(2 * pi * u) * std::sin(pi * v), std::cos(pi * v),
             -std::cos(2 * pi * u) * std::sin(pi * v)};
 }
 
-/// The picture's Stokes frame: x by a difference along u, so independent of the library's formula.
+/// The image's Stokes frame: x by a difference along u, so independent of the library's formula.
 inline nicol::Frame pixel_frame(double u, double v) {
     const glm::dvec3 z = -towards(u, v);
     const glm::dvec3 x = glm::normalize(towards(u + 1e-5, 0.5) - towards(u - 1e-5, 0.5));
@@ -41,8 +41,8 @@ inline nicol::Frame pixel_frame(double u, double v) {
 }
 
 /// Physical light without any symmetry.
-inline nicol::EquirectImage random_picture(int width, int height, int channels, unsigned seed,
-                                           bool polarized = true) {
+inline nicol::EquirectImage random_image(int width, int height, int channels, unsigned seed,
+                                         bool polarized = true) {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<float> uniform(-0.55f, 0.55f);
     nicol::EquirectImage image(width, height, channels);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mapping between directions and pictures, and its frames.
+// The mapping between directions and images, and its frames.
 #include "light/equirect.hpp"
 
 #include <doctest/doctest.h>
@@ -32,7 +32,7 @@ TEST_CASE("directions and coordinates undo each other") {
           doctest::Approx(1e-9 / pi).epsilon(1e-12));
 }
 
-TEST_CASE("the picture frame is right-handed, propagates to the scene, with x to increasing u and y up") {
+TEST_CASE("the image frame is right-handed, propagates to the scene, with x to increasing u and y up") {
     for (int i = 0; i < 20; ++i) {
         const double u = (i + 0.3) / 20;
         for (const double v : {0.1, 0.5, 0.93}) {
@@ -45,8 +45,7 @@ TEST_CASE("the picture frame is right-handed, propagates to the scene, with x to
     }
 }
 
-TEST_CASE(
-    "the picture frame is the theta-phi frame about y turned by +90 degrees, so s1 and s2 change sign") {
+TEST_CASE("the image frame is the theta-phi frame about y rotated by +90 degrees, so s1 and s2 change sign") {
     const glm::dmat3 axes = equirect_axes();
     CHECK(glm::determinant(axes) == doctest::Approx(1));
     for (int i = 0; i < 20; ++i) {
@@ -58,7 +57,7 @@ TEST_CASE(
         CHECK(std::remainder(std::atan2(local.y, local.x) - (pi - 2 * pi * u), 2 * pi) == doctest::Approx(0));
         const Frame theta_phi = axes * theta_phi_frame(local);
         CHECK(angle_between(theta_phi, equirect_frame(u, v)) == doctest::Approx(pi / 2));
-        const Stokes s = turned({1, 0.3, 0.4, 0.1}, angle_between(theta_phi, equirect_frame(u, v)));
+        const Stokes s = rotated({1, 0.3, 0.4, 0.1}, angle_between(theta_phi, equirect_frame(u, v)));
         CHECK(glm::length(s - Stokes(1, -0.3, -0.4, 0.1)) < 1e-15);
     }
 }

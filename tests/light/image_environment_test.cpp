@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures as light: directions, files, refusals.
+// Images as light: directions, files, refusals.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-EquirectImage grey_picture(int width, int height) {
+EquirectImage grey_image(int width, int height) {
     EquirectImage image(width, height, 1);
     for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = 1;
     return image;
@@ -56,30 +56,30 @@ TEST_CASE("a bright pixel lies in its direction") {
 }
 
 TEST_CASE("Stokes components come back in the theta-phi frame about z") {
-    const EquirectImage image = random_picture(8, 5, 2, 11);
+    const EquirectImage image = random_image(8, 5, 2, 11);
     const auto light = image_environment(image);
     for (int y = 1; y < 4; ++y)
         for (int x = 0; x < 8; ++x) {
             const double u = (x + 0.5) / 8;
             const double v = y / 4.0;
             const glm::dvec3 w = towards(u, v);
-            const Stokes in_picture =
-                turned(light->radiance(1, w), angle_between(theta_phi_frame(-w), pixel_frame(u, v)));
-            CHECK(glm::length(in_picture - image.stokes(1, y, x)) < 1e-7);
+            const Stokes in_image =
+                rotated(light->radiance(1, w), angle_between(theta_phi_frame(-w), pixel_frame(u, v)));
+            CHECK(glm::length(in_image - image.stokes(1, y, x)) < 1e-7);
         }
 }
 
-TEST_CASE("picture() gives the pixels back, times the scale") {
-    const EquirectImage image = random_picture(6, 4, 3, 12);
-    const EquirectImage twice = image_environment(image, 2)->picture();
+TEST_CASE("image() gives the pixels back, times the scale") {
+    const EquirectImage image = random_image(6, 4, 3, 12);
+    const EquirectImage twice = image_environment(image, 2)->image();
     REQUIRE(twice.data.size() == image.data.size());
     for (std::size_t i = 0; i < image.data.size(); ++i) CHECK(twice.data[i] == 2 * image.data[i]);
-    const EquirectImage plain = random_picture(6, 4, 3, 12, false);
-    CHECK(image_environment(plain)->picture().data == plain.data);
+    const EquirectImage plain = random_image(6, 4, 3, 12, false);
+    CHECK(image_environment(plain)->image().data == plain.data);
 }
 
 TEST_CASE("what is zero is not counted as polarization") {
-    EquirectImage image = grey_picture(4, 3);
+    EquirectImage image = grey_image(4, 3);
     CHECK_FALSE(image_environment(image)->polarized());
     image.at(0, 1, 2)[3] = 0.5f;
     CHECK(image_environment(image)->polarized());
@@ -91,10 +91,10 @@ TEST_CASE("what is zero is not counted as polarization") {
     CHECK_FALSE(image_environment(image, 0)->polarized());
 }
 
-TEST_CASE("pictures that are no light are refused by pixel") {
+TEST_CASE("images that are no light are refused by pixel") {
     const auto bad = ErrorCode::invalid_argument;
     const auto refuse = [&](int component, float value, const char* what) {
-        EquirectImage image = random_picture(5, 4, 2, 1, false);
+        EquirectImage image = random_image(5, 4, 2, 1, false);
         image.at(1, 2, 3)[static_cast<std::size_t>(component)] = value;
         check_error(
             bad, [&] { (void)image_environment(image); }, "channel 1", "pixel (3, 2)", what);
@@ -105,37 +105,37 @@ TEST_CASE("pictures that are no light are refused by pixel") {
     refuse(3, -infinity, "finite");
     refuse(2, 1.7f, "more than fully");
     // Rounding and lossy compression are forgiven.
-    EquirectImage rounded = grey_picture(4, 3);
+    EquirectImage rounded = grey_image(4, 3);
     rounded.at(0, 1, 1)[1] = -1.005f;
     CHECK_NOTHROW((void)image_environment(rounded));
 
     check_error(
-        bad, [] { (void)image_environment(grey_picture(1, 4)); }, "1 x 4", "2 x 2");
+        bad, [] { (void)image_environment(grey_image(1, 4)); }, "1 x 4", "2 x 2");
     check_error(
-        bad, [] { (void)image_environment(grey_picture(4, 1)); }, "4 x 1", "2 x 2");
+        bad, [] { (void)image_environment(grey_image(4, 1)); }, "4 x 1", "2 x 2");
     check_error(
         bad, [] { (void)image_environment(EquirectImage()); }, "image");
-    EquirectImage ragged = grey_picture(4, 3);
+    EquirectImage ragged = grey_image(4, 3);
     ragged.data.pop_back();
     check_error(
         bad, [&] { (void)image_environment(ragged); }, "47", "48");
     for (const double scale : {-1.0, double{not_a_number}, double{infinity}})
         check_error(
-            bad, [&] { (void)image_environment(grey_picture(4, 3), scale); }, "scale");
+            bad, [&] { (void)image_environment(grey_image(4, 3), scale); }, "scale");
     check_error(
-        bad, [] { (void)image_environment(grey_picture(4, 3), 1e300); }, "pixel (0, 0)", "finite");
+        bad, [] { (void)image_environment(grey_image(4, 3), 1e300); }, "pixel (0, 0)", "finite");
 }
 
 TEST_CASE("negative unpolarized pixels become 0 unless they are much of the light") {
     // The middle row of 5 has weight 1, the rows beside it sin(pi/4), the poles 0: of all ones, 4 (1 +
     // sqrt(2)) columns' worth.
-    EquirectImage image = grey_picture(4, 5);
+    EquirectImage image = grey_image(4, 5);
     const auto positive = static_cast<float>(4 * (1 + std::sqrt(2.0)) - 1);
     for (const float share : {0.01f, 0.24f}) {
         image.at(0, 2, 1)[0] = -share * positive;
         const auto light = image_environment(image);
-        CHECK(light->picture().at(0, 2, 1)[0] == 0);
-        CHECK(light->picture().at(0, 2, 2)[0] == 1);
+        CHECK(light->image().at(0, 2, 1)[0] == 0);
+        CHECK(light->image().at(0, 2, 2)[0] == 1);
         CHECK(light->radiance(0, towards(0.375, 0.5))[0] == 0);
     }
     for (const float share : {0.26f, 1.0f, 100.0f}) {
@@ -145,11 +145,11 @@ TEST_CASE("negative unpolarized pixels become 0 unless they are much of the ligh
             "s0 < 0");
     }
     // Of no solid angle at all.
-    EquirectImage pole = grey_picture(4, 5);
+    EquirectImage pole = grey_image(4, 5);
     pole.at(0, 0, 1)[0] = -100;
-    CHECK(image_environment(pole)->picture().at(0, 0, 1)[0] == 0);
+    CHECK(image_environment(pole)->image().at(0, 0, 1)[0] == 0);
     // Not even a little where it is polarized, nor where there is no other light.
-    EquirectImage polarized = grey_picture(4, 5);
+    EquirectImage polarized = grey_image(4, 5);
     polarized.at(0, 2, 1)[0] = -1e-4f;
     polarized.at(0, 2, 1)[2] = 1e-5f;
     check_error(
@@ -160,9 +160,9 @@ TEST_CASE("negative unpolarized pixels become 0 unless they are much of the ligh
         ErrorCode::invalid_argument, [&] { (void)image_environment(dark); }, "pixel (3, 2)", "s0 < 0");
 }
 
-TEST_CASE("the quick look at a picture overlooks nothing in any column") {
+TEST_CASE("the quick look at a image overlooks nothing in any column") {
     for (const int width : {2, 3, 4, 5, 8, 11}) {
-        const EquirectImage good = random_picture(width, 3, 2, 8);
+        const EquirectImage good = random_image(width, 3, 2, 8);
         CHECK_NOTHROW((void)image_environment(good));
         for (int x = 0; x < width; ++x)
             for (std::size_t p = 0; p < 4; ++p)
@@ -185,9 +185,9 @@ TEST_CASE("the quick look at a picture overlooks nothing in any column") {
     }
 }
 
-TEST_CASE("a view gives the light of the picture it shows, whatever its layout") {
+TEST_CASE("a view gives the light of the image it shows, whatever its layout") {
     for (const int components : {1, 4}) {
-        const EquirectImage image = random_picture(12, 7, 3, 13, components == 4);
+        const EquirectImage image = random_image(12, 7, 3, 13, components == 4);
         const auto light = image_environment(image, 2);
         // Pixels with their channels side by side, rows with a gap.
         const auto n = static_cast<std::size_t>(components);
@@ -201,7 +201,7 @@ TEST_CASE("a view gives the light of the picture it shows, whatever its layout")
                                (static_cast<std::size_t>(x) * 3 + static_cast<std::size_t>(c)) * n + p] =
                             image.at(c, y, x)[p];
         EquirectView view{12, 7, 3, components, values.data(), n, row_stride, 3 * n};
-        CHECK(image_environment(view, 2)->picture().data == light->picture().data);
+        CHECK(image_environment(view, 2)->image().data == light->image().data);
         CHECK(image_environment(view)->polarized() == (components == 4));
         for (const int order : {4, 40}) {
             const PshVector have = project_image(view, order);
@@ -234,7 +234,7 @@ TEST_CASE("a view gives the light of the picture it shows, whatever its layout")
 }
 
 TEST_CASE("coefficients of a view with negative pixels are those of its light") {
-    EquirectImage image = random_picture(12, 7, 1, 14, false);
+    EquirectImage image = random_image(12, 7, 1, 14, false);
     image.at(0, 3, 4)[0] = -0.5f;
     EquirectImage repaired = image;
     repaired.at(0, 3, 4)[0] = 0;
@@ -246,17 +246,17 @@ TEST_CASE("coefficients of a view with negative pixels are those of its light") 
 
 TEST_CASE("files: polarized by their channels, errors by their name") {
     const TemporaryFolder folder;
-    const EquirectImage image = random_picture(8, 5, 3, 5);
+    const EquirectImage image = random_image(8, 5, 3, 5);
     write_exr(folder / "polarized.exr", image);
     const auto polarized = load_environment(folder / "polarized.exr", 0.5);
     CHECK(polarized->polarized());
     CHECK(polarized->channels() == 3);
-    CHECK(polarized->picture().at(2, 3, 4)[1] == 0.5f * image.at(2, 3, 4)[1]);
+    CHECK(polarized->image().at(2, 3, 4)[1] == 0.5f * image.at(2, 3, 4)[1]);
 
     write_exr(folder / "plain.exr", image, {.components = 0});
     const auto plain = load_environment(folder / "plain.exr");
     CHECK_FALSE(plain->polarized());
-    CHECK(plain->picture().at(2, 3, 4)[0] == image.at(2, 3, 4)[0]);
+    CHECK(plain->image().at(2, 3, 4)[0] == image.at(2, 3, 4)[0]);
 
     EquirectImage negative = image;
     negative.at(1, 2, 3)[0] = -100;
@@ -282,14 +282,14 @@ TEST_CASE("environments of third parties load, and their mean is that of their p
         CHECK(light->channels() == 3);
         CHECK_FALSE(light->polarized());
         const PshVector f = light->project(3);
-        const EquirectImage picture = light->picture();
+        const EquirectImage image = light->image();
         for (int c = 0; c < 3; ++c) {
             double sum = 0;
             double area = 0;
-            for (int y = 0; y < picture.height; ++y)
-                for (int x = 0; x < picture.width; ++x) {
-                    const double weight = std::sin(pi * y / (picture.height - 1.0));
-                    sum += weight * picture.at(c, y, x)[0];
+            for (int y = 0; y < image.height; ++y)
+                for (int x = 0; x < image.width; ++x) {
+                    const double weight = std::sin(pi * y / (image.height - 1.0));
+                    sum += weight * image.at(c, y, x)[0];
                     area += weight;
                 }
             CHECK(f.at(c, 0, 0, 0) == doctest::Approx(std::sqrt(4 * pi) * sum / area).epsilon(1e-4));

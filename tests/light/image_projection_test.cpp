@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Coefficients of pictures against independent integration.
+// Coefficients of images against independent integration.
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <complex>
 
+#include "harmonics/evaluate.hpp"
 #include "light/directions.hpp"
-#include "nicol/evaluate.hpp"
 
 using namespace nicol;
 using std::numbers::pi;
@@ -72,7 +72,7 @@ PshVector smooth_field(int order, int channels) {
     return field;
 }
 
-EquirectImage picture_of(const PshVector& field, int width, int height) {
+EquirectImage image_of(const PshVector& field, int width, int height) {
     EquirectImage image(width, height, field.channels());
     for (int c = 0; c < field.channels(); ++c)
         for (int y = 0; y < height; ++y)
@@ -80,8 +80,8 @@ EquirectImage picture_of(const PshVector& field, int width, int height) {
                 const double u = (x + 0.5) / width;
                 const double v = y / (height - 1.0);
                 const glm::dvec3 along = -towards(u, v);
-                const Stokes s = turned(evaluate(field, c, along),
-                                        angle_between(theta_phi_frame(along), pixel_frame(u, v)));
+                const Stokes s = rotated(evaluate(field, c, along),
+                                         angle_between(theta_phi_frame(along), pixel_frame(u, v)));
                 for (std::size_t p = 0; p < 4; ++p)
                     image.at(c, y, x)[p] = static_cast<float>(s[static_cast<int>(p)]);
             }
@@ -100,7 +100,7 @@ TEST_CASE("the coefficients are those of the bilinear function that radiance() r
         CAPTURE(width);
         CAPTURE(height);
         for (const bool polarized : {true, false}) {
-            const auto light = image_environment(random_picture(width, height, 2, 9, polarized));
+            const auto light = image_environment(random_image(width, height, 2, 9, polarized));
             CHECK(light->polarized() == polarized);
             CHECK(largest_difference(light->project(order), brute_force(*light, width, height, order)) <
                   1e-9);
@@ -108,7 +108,7 @@ TEST_CASE("the coefficients are those of the bilinear function that radiance() r
     }
 }
 
-TEST_CASE("a constant picture has the coefficients of constant light, at any resolution and order") {
+TEST_CASE("a constant image has the coefficients of constant light, at any resolution and order") {
     for (const auto& [width, height] : {std::pair{2, 2}, {5, 3}, {64, 33}, {101, 40}, {256, 128}}) {
         EquirectImage image(width, height, 1);
         for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = 1.5f;
@@ -117,11 +117,11 @@ TEST_CASE("a constant picture has the coefficients of constant light, at any res
     }
 }
 
-TEST_CASE("a field of known harmonics comes back from its picture, better the finer it is") {
+TEST_CASE("a field of known harmonics comes back from its image, better the finer it is") {
     const PshVector field = smooth_field(4, 2);
     double previous = 0;
     for (const int height : {33, 65, 129}) {
-        const auto light = image_environment(picture_of(field, 2 * height - 2, height));
+        const auto light = image_environment(image_of(field, 2 * height - 2, height));
         CHECK(light->polarized());
         CHECK(light->circular());
         const double error = largest_difference(light->project(4), field);
@@ -132,7 +132,7 @@ TEST_CASE("a field of known harmonics comes back from its picture, better the fi
 }
 
 TEST_CASE("radiance() is what the coefficients of high order say, for smooth light") {
-    const auto light = image_environment(picture_of(smooth_field(3, 1), 128, 65));
+    const auto light = image_environment(image_of(smooth_field(3, 1), 128, 65));
     const PshVector f = light->project(24);
     for (const glm::dvec3& w : random_directions(60, 2))
         CHECK(glm::length(light->radiance(0, w) - evaluate(f, 0, -w)) < 1e-3);
@@ -149,8 +149,8 @@ TEST_CASE("light from above travels down: it lies at theta = pi about y") {
     CHECK(evaluate(f, 0, {0, -1, 0})[0] > 5 * std::abs(evaluate(f, 0, {0, 1, 0})[0]));
 }
 
-TEST_CASE("turning the picture about its axis turns the light about y") {
-    const EquirectImage image = random_picture(12, 7, 1, 3);
+TEST_CASE("turning the image about its axis turns the light about y") {
+    const EquirectImage image = random_image(12, 7, 1, 3);
     EquirectImage moved(12, 7, 1);
     // Three of twelve columns to larger u: from -z towards +x, a turn by -90 degrees about y.
     for (int y = 0; y < 7; ++y)
@@ -161,14 +161,14 @@ TEST_CASE("turning the picture about its axis turns the light about y") {
     const auto b = image_environment(moved)->project(6);
     for (const glm::dvec3& d : random_directions(10, 8)) {
         const Stokes before = evaluate(a, 0, d);
-        const Stokes after = turned(evaluate(b, 0, turn * d),
-                                    angle_between(theta_phi_frame(turn * d), turn * theta_phi_frame(d)));
+        const Stokes after = rotated(evaluate(b, 0, turn * d),
+                                     angle_between(theta_phi_frame(turn * d), turn * theta_phi_frame(d)));
         CHECK(glm::length(before - after) < 1e-12);
     }
 }
 
-TEST_CASE("the same picture gives the same bits every time") {
-    const auto light = image_environment(random_picture(40, 300, 1, 6));
+TEST_CASE("the same image gives the same bits every time") {
+    const auto light = image_environment(random_image(40, 300, 1, 6));
     const PshVector a = light->project(12);
     for (int i = 0; i < 3; ++i) CHECK(std::ranges::equal(a.data(), light->project(12).data()));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reports of light against what is known of it.
-#include "nicol/light_report.hpp"
+#include "light/light_report.hpp"
 
 #include <doctest/doctest.h>
 
@@ -66,18 +66,18 @@ TEST_CASE("light beyond Eq. 70 is counted by solid angle") {
     CHECK(report.channels[0].largest_excess == doctest::Approx(0.25).epsilon(1e-2));
 }
 
-TEST_CASE("pictures are written in the layout that is read") {
+TEST_CASE("images are written in the layout that is read") {
     const TemporaryFolder folder;
-    EquirectImage image = random_picture(9, 6, 4, 3);
+    EquirectImage image = random_image(9, 6, 4, 3);
     image.wavelengths = {450, 500, 550, 600};
     const auto light = image_environment(image);
     write_environment(folder / "a.exr", *light);
     const auto back = load_environment(folder / "a.exr");
     CHECK(back->wavelengths() == image.wavelengths);
-    CHECK(back->picture().data == light->picture().data);
+    CHECK(back->image().data == light->image().data);
     CHECK(describe(*back, 0).wavelengths == image.wavelengths);
     const std::vector<double> two = {600, 460};
-    CHECK(load_environment(folder / "a.exr", 1, two)->picture().at(0, 2, 3)[1] == image.at(3, 2, 3)[1]);
+    CHECK(load_environment(folder / "a.exr", 1, two)->image().at(0, 2, 3)[1] == image.at(3, 2, 3)[1]);
     // Unpolarized light takes no more than it needs.
     write_environment(folder / "b.exr", *constant_environment({1, 2, 3}));
     CHECK_FALSE(load_environment(folder / "b.exr")->polarized());

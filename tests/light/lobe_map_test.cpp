@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "light/lobe_map.hpp"
+#include "specular/lobe_map.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,9 +11,9 @@
 #include <random>
 #include <vector>
 
+#include "error.hpp"
+#include "harmonics/evaluate.hpp"
 #include "light/random_field.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
 
 using namespace nicol;
 
@@ -109,7 +109,7 @@ TEST_CASE("a look-up is the filtered light, in any frame") {
             const glm::dvec3 hint = std::abs(d.x) < 0.8 ? glm::dvec3(1, 0.2, 0) : glm::dvec3(0, 0, 1);
             const Frame frame = frame_with_x(d, hint);
             for (int c = 0; c < 5; ++c) {
-                Stokes s = turned(evaluate(expected, c, d), angle_between(theta_phi_frame(d), frame));
+                Stokes s = rotated(evaluate(expected, c, d), angle_between(theta_phi_frame(d), frame));
                 if (!polarized) s = {s[0], 0, 0, 0};
                 const Stokes difference = look_up(map, c, d, frame[0]) - s;
                 error += difference * difference;

@@ -8,15 +8,15 @@
 #include <numbers>
 
 #include "files/npz.hpp"
+#include "harmonics/evaluate.hpp"
 #include "image/temporary_folder.hpp"
 #include "light/directions.hpp"
+#include "light/psh_file.hpp"
 #include "light/random_field.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/psh_file.hpp"
 
 using namespace nicol;
 
-TEST_CASE("look-up, projection and picture are of one field") {
+TEST_CASE("look-up, projection and image are of one field") {
     const PshVector field = random_field(5, 2);
     const auto light = psh_environment(field);
     CHECK(light->channels() == 2);
@@ -30,21 +30,21 @@ TEST_CASE("look-up, projection and picture are of one field") {
                 for (int m = -l; m <= l; ++m)
                     for (int p = 0; p < 4; ++p) CHECK(f.at(c, l, m, p) == (l > 5 ? 0 : field.at(c, l, m, p)));
     }
-    const EquirectImage picture = light->picture();
+    const EquirectImage image = light->image();
     for (const auto& [x, y] : {std::pair(0, 100), {511, 3}, {200, 255}, {77, 128}, {300, 1}}) {
-        const double u = (x + 0.5) / picture.width;
-        const double v = y / (picture.height - 1.0);
+        const double u = (x + 0.5) / image.width;
+        const double v = y / (image.height - 1.0);
         const glm::dvec3 w = glm::normalize(towards(u, v));
         for (int c = 0; c < 2; ++c) {
             const Stokes field_value = evaluate(field, c, -w);
             CHECK(glm::distance(light->radiance(c, w), field_value) < 1e-12);
             const Stokes expected =
-                turned(field_value, angle_between(theta_phi_frame(-w), pixel_frame(u, v)));
-            CHECK(glm::distance(picture.stokes(c, y, x), expected) < 1e-5);
+                rotated(field_value, angle_between(theta_phi_frame(-w), pixel_frame(u, v)));
+            CHECK(glm::distance(image.stokes(c, y, x), expected) < 1e-5);
         }
     }
-    // The picture's own projection, which takes another path altogether.
-    const PshVector back = image_environment(picture)->project(5);
+    // The image's own projection, which takes another path altogether.
+    const PshVector back = image_environment(image)->project(5);
     for (std::size_t i = 0; i < back.data().size(); ++i)
         CHECK(std::abs(back.data()[i] - field.data()[i]) < 2e-3);
 }
@@ -79,7 +79,7 @@ TEST_CASE("the table of coefficients is the light to 0.8 % of what varies in it,
 }
 
 TEST_CASE("light that is quick to look up has no table") {
-    CHECK_FALSE(image_environment(random_picture(8, 5, 1, 1))->tabulated());
+    CHECK_FALSE(image_environment(random_image(8, 5, 1, 1))->tabulated());
     CHECK_FALSE(constant_environment({1})->tabulated());
     CHECK_FALSE(rayleigh_sky({})->tabulated());
 }
@@ -97,7 +97,7 @@ TEST_CASE("what light of coefficients claims about itself is true") {
     CHECK(psh_environment(field)->polarized());
     CHECK(psh_environment(field)->wavelengths().empty());
     CHECK(psh_environment(field, {550})->wavelengths() == std::vector<double>{550});
-    CHECK(psh_environment(field, {550})->picture().wavelengths == std::vector<double>{550});
+    CHECK(psh_environment(field, {550})->image().wavelengths == std::vector<double>{550});
 }
 
 TEST_CASE("coefficients that are no light are refused") {
@@ -222,9 +222,9 @@ TEST_CASE("the authors' light has the published coefficients") {
     CHECK(f.at(0, 2, -2, 1) == doctest::Approx(-0.008983).epsilon(1e-4));
     CHECK(f.at(0, 2, 0, 0) == doctest::Approx(1.473826).epsilon(1e-6));
     CHECK(f.at(0, 2, 0, 1) == doctest::Approx(0.18872).epsilon(1e-5));
-    // Its picture is the light again.
+    // Its image is the light again.
     const auto light = load_environment(file);
     const PshVector back = psh_environment(f)->project(2);
     CHECK(light->project(2).at(0, 2, 0, 1) == back.at(0, 2, 0, 1));
-    CHECK(light->picture().height == 257);
+    CHECK(light->image().height == 257);
 }

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "nicol/psh.hpp"
+#include "harmonics/psh.hpp"
 
 /// Random coefficients of every order and component on a constant that is large enough to keep the light
 /// physical.

@@ -101,7 +101,7 @@ TEST_CASE("polarization is Rayleigh's: across the plane of the sun, strongest at
         const double degree = 0.6 * (1 - cosine * cosine) / (1 + cosine * cosine);
         const Frame frame = frame_with_x(-w, glm::cross(sun, w));
         for (int c = 0; c < 3; ++c) {
-            const Stokes s = turned(light->radiance(c, w), angle_between(theta_phi_frame(-w), frame));
+            const Stokes s = rotated(light->radiance(c, w), angle_between(theta_phi_frame(-w), frame));
             CHECK(s[1] / s[0] == doctest::Approx(degree).epsilon(0.01));
             CHECK(std::abs(s[2] / s[0]) < 0.01);
         }

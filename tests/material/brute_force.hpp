@@ -9,10 +9,10 @@
 #include <random>
 #include <vector>
 
-#include "nicol/evaluate.hpp"
-#include "nicol/grid.hpp"
-#include "nicol/material.hpp"
-#include "nicol/psh.hpp"
+#include "harmonics/evaluate.hpp"
+#include "harmonics/grid.hpp"
+#include "harmonics/psh.hpp"
+#include "material/material.hpp"
 
 namespace nicol::test {
 
@@ -42,14 +42,14 @@ inline Stokes reflected(const Material& material, int channel, const PshVector& 
             const double turn =
                 angle_between(theta_phi_frame(propagation), frame * theta_phi_frame(-incident));
             directions.push_back(propagation);
-            responses.push_back(weight * m * frame_turn(turn));
+            responses.push_back(weight * m * frame_rotation(turn));
         }
     }
     std::vector<Stokes> radiance(directions.size());
     evaluate(light, channel, directions, radiance);
     Stokes out(0.0);
     for (std::size_t i = 0; i < directions.size(); ++i) out += responses[i] * radiance[i];
-    return turned(out, angle_between(frame * theta_phi_frame(viewer), theta_phi_frame(towards_viewer)));
+    return rotated(out, angle_between(frame * theta_phi_frame(viewer), theta_phi_frame(towards_viewer)));
 }
 
 /// A light with every coefficient that `components` (1, 3 or 4) allows, decaying with the order.

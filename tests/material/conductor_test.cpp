@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/conductor.hpp"
+#include "material/conductor.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,10 +10,10 @@
 #include <numbers>
 #include <random>
 
+#include "error.hpp"
 #include "material/frames.hpp"
 #include "material/microfacet.hpp"
-#include "nicol/error.hpp"
-#include "nicol/fresnel.hpp"
+#include "polarization/fresnel.hpp"
 
 using namespace nicol;
 using doctest::Approx;
@@ -48,9 +48,9 @@ TEST_CASE("off the plane of symmetry: Fresnel's matrix of the facet in frames of
         const double scale = facet_density(Distribution::ggx, 0.4, half.z) *
                              facet_visibility(Distribution::ggx, 0.4, light.z) *
                              facet_visibility(Distribution::ggx, 0.4, viewer.z) / (4 * light.z * viewer.z);
-        const Mueller expected = in_turned_frames(scale * fresnel_reflection(glm::dot(half, viewer), eta),
-                                                  angle_between(in, theta_phi_frame(-light)),
-                                                  angle_between(out, theta_phi_frame(viewer)));
+        const Mueller expected = in_rotated_frames(scale * fresnel_reflection(glm::dot(half, viewer), eta),
+                                                   angle_between(in, theta_phi_frame(-light)),
+                                                   angle_between(out, theta_phi_frame(viewer)));
         check_equal(material->evaluate(0, light, viewer), expected, 1e-10 * expected(0, 0));
     }
 }
@@ -90,8 +90,8 @@ TEST_CASE("a metal at 45 degrees turns diagonal light elliptic, as its closed fo
                             std::sin(two_psi) * std::sin(delta), std::sin(two_psi) * std::cos(delta)});
     const Mueller swapped({expected(0, 0), -expected(0, 1), 0, 0, -expected(1, 0), expected(1, 1), 0, 0, 0, 0,
                            expected(2, 2), expected(2, 3), 0, 0, expected(3, 2), expected(3, 3)});
-    // In s-frames diattenuation favours s; turned by a quarter s1 changes sign.
-    check_equal((1 / m(0, 0)) * m, in_turned_frames(swapped, pi / 2, pi / 2), 1e-12);
+    // In s-frames diattenuation favours s; rotated by a quarter s1 changes sign.
+    check_equal((1 / m(0, 0)) * m, in_rotated_frames(swapped, pi / 2, pi / 2), 1e-12);
     CHECK(m(0, 1) < 0);
     CHECK(std::abs(m(3, 2)) > 0.1 * m(0, 0));
 }

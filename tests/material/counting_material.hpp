@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "nicol/material.hpp"
+#include "material/material.hpp"
 
 namespace nicol::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "material/high_order_cache.hpp"
+#include "specular/high_order_cache.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "counting_material.hpp"
-#include "nicol/error.hpp"
+#include "error.hpp"
 #include "scratch.hpp"
 
 using namespace nicol;

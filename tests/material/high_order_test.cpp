@@ -9,14 +9,14 @@
 #include <numbers>
 #include <vector>
 
-#include "material/high_order_factors.hpp"
-#include "material/high_order_gains.hpp"
-#include "material/high_order_kernel.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
-#include "nicol/grid.hpp"
-#include "nicol/material_projection.hpp"
-#include "nicol/psh_matrix_file.hpp"
+#include "error.hpp"
+#include "harmonics/grid.hpp"
+#include "material/conductor.hpp"
+#include "material/material_projection.hpp"
+#include "material/psh_matrix_file.hpp"
+#include "specular/convolution_kernel.hpp"
+#include "specular/high_order_factors.hpp"
+#include "specular/high_order_gains.hpp"
 
 using namespace nicol;
 

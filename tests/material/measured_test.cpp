@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/measured.hpp"
+#include "material/measured.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,10 +11,10 @@
 #include <string>
 
 #include "brute_force.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
-#include "nicol/response_table.hpp"
-#include "nicol/spectrum_weights.hpp"
+#include "error.hpp"
+#include "material/conductor.hpp"
+#include "material/response_table.hpp"
+#include "material/spectrum_weights.hpp"
 #include "pbsdf_file.hpp"
 #include "scratch.hpp"
 
@@ -33,10 +33,10 @@ glm::dvec3 direction(double zenith, double azimuth) {
 // The theta-phi frames of evaluate() to s-frames, by the general functions.
 Mueller in_s_frames(const Mueller& m, const glm::dvec3& light, const glm::dvec3& viewer) {
     const glm::dvec3 s = glm::cross(light, viewer);
-    if (glm::length(s) < 1e-9) return in_turned_frames(m, pi / 2, pi / 2);
+    if (glm::length(s) < 1e-9) return in_rotated_frames(m, pi / 2, pi / 2);
     const double in = angle_between(theta_phi_frame(-light), frame_with_x(-light, s));
     const double out = angle_between(theta_phi_frame(viewer), frame_with_x(viewer, s));
-    return in_turned_frames(m, in, out);
+    return in_rotated_frames(m, in, out);
 }
 
 test::SFrameMueller of(const MaterialPtr& material) {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "nicol/mueller.hpp"
+#include "polarization/mueller.hpp"
 
 namespace nicol::test {
 

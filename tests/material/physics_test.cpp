@@ -9,14 +9,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "error.hpp"
+#include "material/conductor.hpp"
 #include "material/frames.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
-#include "nicol/fresnel.hpp"
-#include "nicol/material.hpp"
-#include "nicol/measured.hpp"
-#include "nicol/response_table.hpp"
+#include "material/material.hpp"
+#include "material/measured.hpp"
+#include "material/response_table.hpp"
 #include "pbsdf_file.hpp"
+#include "polarization/fresnel.hpp"
 #include "scratch.hpp"
 
 using namespace nicol;
@@ -146,11 +146,12 @@ TEST_CASE("mirror symmetry and isotropy hold for every material") {
         for (const double azimuth : {0.3, 1.7, 2.9}) {
             const Mueller left = evaluate(*material, 0, direction(0.7, azimuth), direction(1.1, 0));
             const Mueller right = evaluate(*material, 0, direction(0.7, -azimuth), direction(1.1, 0));
-            const Mueller turned = evaluate(*material, 0, direction(0.7, azimuth + 1.3), direction(1.1, 1.3));
+            const Mueller rotated =
+                evaluate(*material, 0, direction(0.7, azimuth + 1.3), direction(1.1, 1.3));
             for (std::size_t e = 0; e < 16; ++e) {
                 const double sign = (e / 4 < 2) == (e % 4 < 2) ? 1 : -1;
                 CHECK(std::abs(left(e / 4, e % 4) - sign * right(e / 4, e % 4)) <= 1e-9 * left(0, 0));
-                CHECK(std::abs(left(e / 4, e % 4) - turned(e / 4, e % 4)) <= 1e-9 * left(0, 0));
+                CHECK(std::abs(left(e / 4, e % 4) - rotated(e / 4, e % 4)) <= 1e-9 * left(0, 0));
             }
         }
     }
@@ -221,7 +222,7 @@ TEST_CASE("a callback in s-frames is the material it computes") {
         const glm::dvec3 s = glm::cross(light, viewer);
         const double in = angle_between(theta_phi_frame(-light), frame_with_x(-light, s));
         const double out = angle_between(theta_phi_frame(viewer), frame_with_x(viewer, s));
-        return (channel + 1.0) * in_turned_frames(metal->evaluate(0, light, viewer), in, out);
+        return (channel + 1.0) * in_rotated_frames(metal->evaluate(0, light, viewer), in, out);
     };
     const MaterialPtr made = callback_material({.reflect = reflect, .channels = 2, .lobe_width = 0.4});
     CHECK(made->channels() == 2);
@@ -261,7 +262,7 @@ TEST_CASE("callbacks that are no isotropic, mirror symmetric, finite material ar
               return (1 + i.x) * retarder(0);
           }}).find("isotropic") != std::string::npos);
     CHECK(message({.reflect = [](int, const glm::dvec3&, const glm::dvec3&) {
-              return frame_turn(0.3);
+              return frame_rotation(0.3);
           }}).find("mirror") != std::string::npos);
     CHECK(message({.reflect = [](int, const glm::dvec3&, const glm::dvec3&) {
               return std::nan("") * retarder(0);

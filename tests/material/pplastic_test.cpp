@@ -7,10 +7,10 @@
 #include <limits>
 #include <numbers>
 
+#include "error.hpp"
+#include "material/material.hpp"
 #include "material/microfacet.hpp"
-#include "nicol/error.hpp"
-#include "nicol/fresnel.hpp"
-#include "nicol/material.hpp"
+#include "polarization/fresnel.hpp"
 
 using namespace nicol;
 using doctest::Approx;
@@ -92,9 +92,9 @@ TEST_CASE("in the mirror direction the boundary is Fresnel's reflection scaled b
         const Mueller m = material->evaluate(1, direction(zenith, pi), direction(zenith, 0));
         const double g = std::pow(facet_visibility(distribution, 0.2, std::cos(zenith)), 2);
         const double scale = facet_density(distribution, 0.2, 1) * g / (4 * std::pow(std::cos(zenith), 2));
-        // The plane of incidence holds theta-hat, so the s-axis is phi-hat: x turned by 90 degrees.
+        // The plane of incidence holds theta-hat, so the s-axis is phi-hat: x rotated by 90 degrees.
         const Mueller expected =
-            in_turned_frames(scale * fresnel_reflection(std::cos(zenith), 1.5), pi / 2, pi / 2);
+            in_rotated_frames(scale * fresnel_reflection(std::cos(zenith), 1.5), pi / 2, pi / 2);
         for (std::size_t i = 0; i < 16; ++i)
             CHECK(m(i / 4, i % 4) == Approx(expected(i / 4, i % 4)).epsilon(1e-9));
     }

@@ -10,14 +10,14 @@
 #include <random>
 
 #include "brute_force.hpp"
+#include "error.hpp"
 #include "files/npz.hpp"
+#include "harmonics/evaluate.hpp"
+#include "material/conductor.hpp"
+#include "material/material_projection.hpp"
 #include "material/matrix_rows.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/material_projection.hpp"
-#include "nicol/psh_matrix_file.hpp"
-#include "nicol/response_table.hpp"
+#include "material/psh_matrix_file.hpp"
+#include "material/response_table.hpp"
 #include "scratch.hpp"
 
 using namespace nicol;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/response_cache.hpp"
+#include "material/response_cache.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "counting_material.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
-#include "nicol/psh_matrix_file.hpp"
+#include "error.hpp"
+#include "material/conductor.hpp"
+#include "material/psh_matrix_file.hpp"
 #include "scratch.hpp"
 
 using namespace nicol;

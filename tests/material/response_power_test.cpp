@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Energies of responses against what turned light really gives.
+// Energies of responses against what rotated light really gives.
 #include "material/response_power.hpp"
 
 #include <doctest/doctest.h>
@@ -9,8 +9,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
-#include "nicol/response_table.hpp"
-#include "nicol/rotation.hpp"
+#include "harmonics/rotation.hpp"
+#include "material/response_table.hpp"
 
 using namespace nicol;
 
@@ -60,7 +60,7 @@ std::array<double, 2> mean_squares(const ResponseTable& table, const LightLayout
 
 }  // namespace
 
-TEST_CASE("turned light gives the mean square that the energies say") {
+TEST_CASE("rotated light gives the mean square that the energies say") {
     const MaterialPtr material = pplastic({.diffuse_reflectance = {0.2}, .alpha = 0.3});
     const LightLayout layout(order, LightKind::full);
     const ResponseTable table(*material, layout, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/response_table.hpp"
+#include "material/response_table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "brute_force.hpp"
+#include "error.hpp"
 #include "material/lobe_quadrature.hpp"
-#include "nicol/error.hpp"
 
 using namespace nicol;
 using doctest::Approx;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/fresnel.hpp"
+#include "polarization/fresnel.hpp"
 
 #include <doctest/doctest.h>
 

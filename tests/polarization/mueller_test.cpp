@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/mueller.hpp"
+#include "polarization/mueller.hpp"
 
 #include <doctest/doctest.h>
 
@@ -40,10 +40,10 @@ TEST_CASE("the product composes: (a b) s = a (b s)") {
     CHECK(glm::distance((2.0 * a) * s, 2.0 * (a * s)) < 1e-14);
 }
 
-TEST_CASE("frame_turn is turned() as a matrix") {
+TEST_CASE("frame_rotation is rotated() as a matrix") {
     const Stokes s(1, .3, -.2, .1);
     for (const double angle : {0.2, -1.3, 3.0})
-        CHECK(glm::distance(frame_turn(angle) * s, turned(s, angle)) < 1e-15);
+        CHECK(glm::distance(frame_rotation(angle) * s, rotated(s, angle)) < 1e-15);
 }
 
 TEST_CASE("an element seen in other frames acts the same on the same light") {
@@ -52,5 +52,5 @@ TEST_CASE("an element seen in other frames acts the same on the same light") {
     const Stokes s(1, .3, -.2, .1);
     const double in = .7;
     const double out = -1.9;
-    CHECK(glm::distance(in_turned_frames(m, in, out) * turned(s, in), turned(m * s, out)) < 1e-14);
+    CHECK(glm::distance(in_rotated_frames(m, in, out) * rotated(s, in), rotated(m * s, out)) < 1e-14);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/stokes.hpp"
+#include "polarization/stokes.hpp"
 
 #include <doctest/doctest.h>
 
@@ -29,11 +29,11 @@ TEST_CASE("turning the frame by psi subtracts psi from the angle of polarization
     for (const double angle : {0.0, 0.3, 1.2, -0.7}) {
         for (const double psi : {0.0, 0.5, -1.1, pi / 2}) {
             const Stokes expected = linear_light(angle - psi);
-            CHECK(glm::distance(turned(linear_light(angle), psi), expected) < 1e-15);
+            CHECK(glm::distance(rotated(linear_light(angle), psi), expected) < 1e-15);
         }
     }
-    CHECK(turned({1, .2, .3, .4}, .8)[3] == .4);
-    CHECK(turned({1, .2, .3, .4}, .8)[0] == 1);
+    CHECK(rotated({1, .2, .3, .4}, .8)[3] == .4);
+    CHECK(rotated({1, .2, .3, .4}, .8)[0] == 1);
 }
 
 TEST_CASE("angle_between recovers the turn with its sign") {

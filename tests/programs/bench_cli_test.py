@@ -95,7 +95,7 @@ def check_materials(folder, scene):
     os.environ.pop("NICOL_TEST_DATA", None)
     rows = table(folder, "materials", "--size", 12, "--samples", 256, "--orders", "2-9", "--cache", folder / "cache")
     assert len(rows) == 4 * 6, list(rows)
-    # A rough metal is all highlight: each part of the light that is added brings the picture nearer.
+    # A rough metal is all highlight: each part of the light that is added brings the image nearer.
     gold = {name[16:]: row["s1"] for name, row in rows.items() if name.startswith("rough gold 0.2: ")}
     assert gold["0..2 + split to 9"] < gold["0..2 + convolution to 9"], gold
     assert gold["0..9"] < gold["0..3"] < gold["0..2"], gold

@@ -68,7 +68,7 @@ class Success(ConvertTest):
             self.assertAlmostEqual(a, b, delta=1e-3)
         wanted = ["a.exr", "c_s0.exr", "c_s1.exr", "c_s2.exr", "c_s3.exr", "d.npz"]
         self.assertEqual(sorted(os.listdir(self.path("out"))), wanted)
-        for name, kind in (("a.exr", "light picture"), ("c_s2.exr", "light cross"), ("d.npz", "light psh")):
+        for name, kind in (("a.exr", "light image"), ("c_s2.exr", "light cross"), ("d.npz", "light psh")):
             self.assertEqual(self.info("out/" + name)["kind"], kind)
 
     def test_exact_round_trip(self):
@@ -78,7 +78,7 @@ class Success(ConvertTest):
         for a, b in zip(read_npz(self.path("out/b.npz")), light(2, 0.5)):
             self.assertAlmostEqual(a, b, delta=1e-6)
 
-    def test_turns(self):
+    def test_rotations(self):
         # l = 1 stands for -y, z, -x. A quarter about x takes y to z and z to -y; then one about z x to y and y to -x.
         values = [10.0, 0, 0, 0, 1.0, 0, 0, 0, 2.0, 0, 0, 0, 3.0, 0, 0, 0]
         npz(self.path("turn.npz"), (1, 4, 4), values)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""nicol-host: inside an application the picture follows Malus' law, and what the application draws stays as it is."""
+"""nicol-host: inside an application the image follows Malus' law, and what the application draws stays as it is."""
 
 import array
 import math
@@ -20,22 +20,22 @@ def srgb(value):
     return 12.92 * value if value <= 0.0031308 else 1.055 * value ** (1 / 2.4) - 0.055
 
 
-def pixel(picture, x, y):
+def pixel(image, x, y):
     at = 3 * (y * WIDTH + x)
-    return picture[at : at + 3]
+    return image[at : at + 3]
 
 
-def without_quad(picture):
+def without_quad(image):
     """All that the application draws alone."""
-    rows = [bytearray(picture[3 * WIDTH * y : 3 * WIDTH * (y + 1)]) for y in range(HEIGHT)]
+    rows = [bytearray(image[3 * WIDTH * y : 3 * WIDTH * (y + 1)]) for y in range(HEIGHT)]
     for row in rows[TOP : TOP + SIZE]:
         row[3 * LEFT : 3 * (LEFT + SIZE)] = bytes(3 * SIZE)
     return b"".join(rows)
 
 
-def left_part(picture):
-    """Where the triangles are; a quad that is turned is larger on its near side, but does not reach there."""
-    return b"".join(picture[3 * WIDTH * y : 3 * (WIDTH * y + LEFT - 10)] for y in range(HEIGHT))
+def left_part(image):
+    """Where the triangles are; a quad that is rotated is larger on its near side, but does not reach there."""
+    return b"".join(image[3 * WIDTH * y : 3 * (WIDTH * y + LEFT - 10)] for y in range(HEIGHT))
 
 
 class HostTest(ProgramTest):
@@ -74,8 +74,8 @@ class HostTest(ProgramTest):
         self.assertEqual(len(set(alone[i : i + 3] for i in range(0, len(alone), 3))) > 1000, True)
         shown = []
         for angle in (0, 30, 90, -45):
-            picture = self.screenshot("--frames", "1", "--polarizer", str(angle), "--planes", self.path("planes"))
-            self.assertEqual(without_quad(picture), without_quad(alone))
+            image = self.screenshot("--frames", "1", "--polarizer", str(angle), "--planes", self.path("planes"))
+            self.assertEqual(without_quad(image), without_quad(alone))
             with open(self.path("planes"), "rb") as file:
                 stokes = array.array("f", file.read())
             self.assertEqual(len(stokes), 3 * SIZE * SIZE * 4)
@@ -83,13 +83,13 @@ class HostTest(ProgramTest):
             worst = 0
             for y in range(SIZE):
                 for x in range(SIZE):
-                    codes = pixel(picture, LEFT + x, TOP + y)
+                    codes = pixel(image, LEFT + x, TOP + y)
                     for channel in range(3):
                         at = 4 * ((channel * SIZE + y) * SIZE + x)
                         passed = 0.5 * (stokes[at] + c * stokes[at + 1] + s * stokes[at + 2])
                         worst = max(worst, abs(codes[channel] - 255 * srgb(passed)))
             self.assertLess(worst, 0.6, f"codes off at {angle} degrees")
-            shown.append(picture)
+            shown.append(image)
         # A polarizer that makes no difference would satisfy the law for unpolarized light.
         darkest, brightest = (pixel(shown[i], LEFT + 200, TOP + 20)[0] for i in (0, 2))
         self.assertGreater(abs(brightest - darkest), 20)

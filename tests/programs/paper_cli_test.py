@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# nicol-paper from the outside: its pictures and tables where the data is, and a clear line where it is not.
+# nicol-paper from the outside: its images and tables where the data is, and a clear line where it is not.
 #
 # usage: paper_cli_test.py PROGRAM CommandLine|Results
 import os
@@ -76,7 +76,7 @@ class Results(unittest.TestCase):
     def test_succeeds(self):
         self.assertEqual(self.done.returncode, 0, self.done.stderr)
 
-    def test_pictures(self):
+    def test_images(self):
         for name, columns in (("fig20_ablation.png", 3), ("fig22_physical_range.png", 4)):
             with open(self.path(name), "rb") as file:
                 head = file.read(24)
@@ -91,7 +91,7 @@ class Results(unittest.TestCase):
         self.assertEqual(len(contents), 6)
 
     def test_costs(self):
-        """The article's numbers of coefficients, and that nothing is free."""
+        """The paper's numbers of coefficients, and that nothing is free."""
         with open(self.path("table4.md")) as file:
             text = file.read()
         table = rows(text, "step")
@@ -106,7 +106,7 @@ class Results(unittest.TestCase):
                 self.assertGreater(float(time), 0)
 
     def test_errors(self):
-        """Shadows bring the picture nearer to the reference, and either form of the high orders too."""
+        """Shadows bring the image nearer to the reference, and either form of the high orders too."""
         table = rows(self.done.stdout, "relative error")
         low, shadow, convolution, split = ([float(x) for x in row[1:]] for row in table)
         self.assertLess(shadow[0], 0.8 * low[0])
@@ -124,6 +124,6 @@ class Results(unittest.TestCase):
 
 if __name__ == "__main__":
     if sys.argv[1:2] == ["Results"] and not all(os.path.isfile(os.path.join(DATA, name)) for name in FILES):
-        print("skipped: the folder polarsh in NICOL_TEST_DATA lacks the article's data")
+        print("skipped: the folder polarsh in NICOL_TEST_DATA lacks the paper's data")
         sys.exit(SKIPPED)
     unittest.main()

@@ -91,7 +91,7 @@ class RenderTest(ProgramTest):
 
 
 class Success(RenderTest):
-    def test_picture(self):
+    def test_image(self):
         run = self.assert_succeeds("good.xml", "-o", "out/a.exr")
         self.assertEqual(run.stderr, "")
         self.assertEqual(exr_size(self.path("out/a.exr")), (24, 16))
@@ -116,11 +116,11 @@ class Success(RenderTest):
             self.assert_succeeds("good.xml", "-o", "out/a.exr", *arguments)
             self.assertEqual(exr_size(self.path("out/a.exr")), size, arguments)
 
-    def test_pictures_and_statistics(self):
-        self.assert_succeeds("good.xml", "-o", "out/a.exr", "--pictures", "out/deep/er", "--stats", "out/s.json")
-        pictures = sorted(os.listdir(self.path("out/deep/er")))
-        self.assertEqual(pictures, ["aolp.png", "dolp.png", "s0.png", "s1.png", "s2.png", "s3.png"])
-        for name in pictures:
+    def test_images_and_statistics(self):
+        self.assert_succeeds("good.xml", "-o", "out/a.exr", "--images", "out/deep/er", "--stats", "out/s.json")
+        images = sorted(os.listdir(self.path("out/deep/er")))
+        self.assertEqual(images, ["aolp.png", "dolp.png", "s0.png", "s1.png", "s2.png", "s3.png"])
+        for name in images:
             with open(self.path("out/deep/er", name), "rb") as file:
                 head = file.read(24)
             self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
@@ -154,22 +154,22 @@ class Success(RenderTest):
         self.assert_succeeds("good.xml", "-o", "out/a.exr", "--order-low", "4", "--order-high", "4")
 
     def test_reference(self):
-        def picture(*arguments):
+        def image(*arguments):
             self.assert_succeeds("good.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
             return self.files()[self.path("out", "a.exr")]
 
         reference = ["--method", "reference", "--samples", "8"]
-        first = picture(*reference)
+        first = image(*reference)
         with open(self.path("out/s.json"), encoding="utf-8") as file:
             stats = json.load(file)
         self.assertEqual(stats["rays"]["camera"], 24 * 16 * 8)
         self.assertGreater(stats["rays"]["shadow"], 0)
         self.assertGreater(stats["milliseconds"]["trace"], 0)
         self.assertEqual(stats["triangles"], 2 * 64 * 64)
-        self.assertEqual(picture(*reference, "--seed", "0"), first)
-        self.assertNotEqual(picture(*reference, "--seed", "18446744073709551615"), first)
-        self.assertNotEqual(picture("--method=reference", "--samples=16"), first)
-        self.assertNotEqual(picture(), first)
+        self.assertEqual(image(*reference, "--seed", "0"), first)
+        self.assertNotEqual(image(*reference, "--seed", "18446744073709551615"), first)
+        self.assertNotEqual(image("--method=reference", "--samples=16"), first)
+        self.assertNotEqual(image(), first)
 
     def test_cache(self):
         def tables():
@@ -212,22 +212,22 @@ class Success(RenderTest):
         )
         self.write("sky.xml", scene(emitter=sky, shape=squares))
 
-        def picture(*arguments):
+        def image(*arguments):
             self.assert_succeeds("sky.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
             with open(self.path("out/s.json"), encoding="utf-8") as file:
                 stats = json.load(file)
             return self.files()[self.path("out", "a.exr")], stats
 
-        shadowed, stats = picture("--cache", "kept")
+        shadowed, stats = image("--cache", "kept")
         self.assertEqual(stats["order"], 9)
         self.assertLess(stats["skipped"]["unoccluded"], stats["vertices"])
         # About half of the 2048 directions lie above a vertex.
         self.assertAlmostEqual(stats["rays"]["bake"] / stats["vertices"] / 2048, 0.5, delta=0.05)
-        again, stats = picture("--cache", "kept")
+        again, stats = image("--cache", "kept")
         self.assertEqual(again, shadowed)
         self.assertEqual(stats["rays"]["bake"], 0)
         self.assertEqual(stats["milliseconds"]["bake_trace"], 0)
-        pictures = [shadowed]
+        images = [shadowed]
         for arguments in (
             ["--method", "dense"],
             ["--high-orders", "convolution"],
@@ -236,10 +236,10 @@ class Success(RenderTest):
             ["--bake-directions", "256"],
             ["--dering", "0.01"],
         ):
-            pictures.append(picture(*arguments)[0])
-        self.assertEqual(len(set(pictures)), len(pictures))
-        self.assertEqual(picture("--high-orders", "split")[0], shadowed)
-        _, stats = picture("--high-orders", "none", "--no-shadows")
+            images.append(image(*arguments)[0])
+        self.assertEqual(len(set(images)), len(images))
+        self.assertEqual(image("--high-orders", "split")[0], shadowed)
+        _, stats = image("--high-orders", "none", "--no-shadows")
         self.assertEqual(stats["order"], 4)
         self.assertEqual(stats["rays"]["bake"], 0)
         self.assertEqual(stats["bytes"]["visibility"], 0)
@@ -283,7 +283,7 @@ class Success(RenderTest):
             self.assert_fails(["device"], "good.xml", "-o", "out/b.exr", f"--device={len(listed) + 1}")
 
     def test_executor(self):
-        pictures = {}
+        images = {}
         for name in ("cpu", "compute", "automatic"):
             self.assert_succeeds("good.xml", "-o", "out/a.exr", "--stats", "out/s.json", "--executor", name)
             with open(self.path("out/s.json"), encoding="utf-8") as file:
@@ -291,10 +291,10 @@ class Success(RenderTest):
             if name == "automatic":
                 name = "cpu" if stats["software"] else "compute"
             self.assertEqual(stats["executor"], name)
-            picture = self.files()[self.path("out", "a.exr")]
-            self.assertEqual(pictures.setdefault(name, picture), picture)
+            image = self.files()[self.path("out", "a.exr")]
+            self.assertEqual(images.setdefault(name, image), image)
         self.assert_succeeds("good.xml", "-o", "out/a.exr")
-        self.assertIn(self.files()[self.path("out", "a.exr")], pictures.values())
+        self.assertIn(self.files()[self.path("out", "a.exr")], images.values())
 
     def test_high_orders_at(self):
         # A ring of light on a smooth metal ball: its highlight has high orders.
@@ -303,21 +303,21 @@ class Success(RenderTest):
         ball = '<shape type="sphere"><bsdf type="roughconductor"><string name="material" value="Al"/></bsdf></shape>'
         self.write("ring.xml", scene(emitter=emitter, shape=ball))
 
-        def picture(*arguments):
+        def image(*arguments):
             self.assert_succeeds("ring.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
             with open(self.path("out/s.json"), encoding="utf-8") as file:
                 stats = json.load(file)
             return self.files()[self.path("out", "a.exr")], stats
 
-        vertices, stats = picture("--high-orders-at", "vertices")
+        vertices, stats = image("--high-orders-at", "vertices")
         self.assertEqual(stats["high_orders_at"], "vertices")
-        pixels, stats = picture("--high-orders-at", "pixels")
+        pixels, stats = image("--high-orders-at", "pixels")
         self.assertEqual(stats["high_orders_at"], "pixels")
         self.assertNotEqual(vertices, pixels)
-        same, stats = picture("--high-orders-at=automatic")
+        same, stats = image("--high-orders-at=automatic")
         self.assertEqual(stats["high_orders_at"], "vertices" if stats["software"] else "pixels")
         self.assertEqual(same, vertices if stats["software"] else pixels)
-        self.assertEqual(picture("--high-orders", "none", "--high-orders-at", "pixels")[1]["high_orders_at"], "none")
+        self.assertEqual(image("--high-orders", "none", "--high-orders-at", "pixels")[1]["high_orders_at"], "none")
 
     def test_physical(self):
         # The lowest orders of a bright ring are negative between the ring and its poles, and a metal shows it.
@@ -441,10 +441,10 @@ class BadOutput(RenderTest):
         self.assertIn("full.json", run.stderr)
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["a.exr", "full.json"])
 
-    def test_pictures_and_statistics(self):
+    def test_images_and_statistics(self):
         self.write("file", "x")
         self.assert_succeeds("good.xml", "-o", "out/a.exr")
-        self.assert_fails(["--pictures", "file"], "good.xml", "-o", "out/a.exr", "--pictures", "file")
+        self.assert_fails(["--images", "file"], "good.xml", "-o", "out/a.exr", "--images", "file")
         self.assert_fails(["nowhere"], "good.xml", "-o", "out/a.exr", "--stats", "nowhere/s.json")
         self.assertEqual(os.listdir(self.path("out")), ["a.exr"])
 
@@ -494,8 +494,8 @@ class BadEnvironment(RenderTest):
         self.write("light.exr", exr(16, 8))
         self.assert_succeeds("bad.xml", "-o", "out/a.exr")
 
-    def test_no_picture(self):
-        for content in (b"", b"v/1\x01", b"no picture at all", bytes(4096)):
+    def test_no_image(self):
+        for content in (b"", b"v/1\x01", b"no image at all", bytes(4096)):
             with self.subTest(content=content[:16]):
                 self.refuse([], content)
 

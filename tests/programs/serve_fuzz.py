@@ -66,7 +66,7 @@ def send(server, data, leaves):
             connection.sendall(data)
             if leaves:
                 return None
-            # A header without an end is not waited for by either side. Who closes early elsewhere wants no picture.
+            # A header without an end is not waited for by either side. Who closes early elsewhere wants no image.
             if b"\r\n\r\n" not in data:
                 connection.shutdown(socket.SHUT_WR)
             line = connection.makefile("rb").readline(200)

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- For wrk: pictures of ever other cameras. SERVE_TARGET is the beginning of their targets, SERVE_PAUSE the milliseconds that a
+-- For wrk: images of ever other cameras. SERVE_TARGET is the beginning of their targets, SERVE_PAUSE the milliseconds that a
 -- connection rests between two of them.
 local target, rest = os.getenv("SERVE_TARGET"), tonumber(os.getenv("SERVE_PAUSE") or "0")
 local number = 0

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What nicol-serve takes on this machine: pictures a second at its capacity and beyond, latency, memory.
+"""What nicol-serve takes on this machine: images a second at its capacity and beyond, latency, memory.
 
-Fails where an answer is neither a picture nor a 503 that says when to come again. With --library the service is compared with the
+Fails where an answer is neither a image nor a 503 that says when to come again. With --library the service is compared with the
 bare renderer in one process, the two taking turns."""
 
 import argparse
@@ -84,22 +84,22 @@ def compare(server, target, bare, rounds, seconds, workers):
         bare_rates.append(bare.rate(seconds))
         rates.append(wrk(server, target, 2 * workers, seconds)["rate"])
         ratios.append(rates[-1] / bare_rates[-1])
-    print(f"bare renderer {statistics.median(bare_rates):.1f} frames/s, service {statistics.median(rates):.1f} pictures/s, "
+    print(f"bare renderer {statistics.median(bare_rates):.1f} frames/s, service {statistics.median(rates):.1f} images/s, "
           f"ratio {statistics.median(ratios):.2f} (median of {rounds})")  # fmt: skip
 
 
 def load(server, target, seconds, workers, queue):
     full = wrk(server, target, workers + queue, seconds)
-    # A connection rests as long as its picture takes, twice over where all of them were to work.
+    # A connection rests as long as its image takes, twice over where all of them were to work.
     half = wrk(server, target, workers, seconds, pause=round(1000 * workers / full["rate"]))
     beyond = wrk(server, target, 4 * (workers + queue), seconds)
     for name, result in (("half load", half), ("1x", full), ("4x", beyond)):
-        print(f"{name}: {result['rate']:.1f} pictures/s, 503: {100 * result['refused'] / max(1, result['requests']):.1f} %, "
+        print(f"{name}: {result['rate']:.1f} images/s, 503: {100 * result['refused'] / max(1, result['requests']):.1f} %, "
               f"p50 {result['p50']:.0f} ms, p99 {result['p99']:.0f} ms")  # fmt: skip
 
 
 def growth(server, scene, requests):
-    """Pictures of all formats and observers, after a first hundred that fill what is kept."""
+    """Images of all formats and observers, after a first hundred that fill what is kept."""
     def ask(first, count):
         for number in range(first, first + count):
             name = ("image.png", "image.exr", "stokes.f16", "stokes.exr")[number % 4 if number % 40 < 4 else 0]
@@ -120,7 +120,7 @@ def main():
     parser.add_argument("program", type=os.path.abspath)
     parser.add_argument("--scenes", help="a folder; without it small scenes of its own")
     parser.add_argument("--scene", default="box", help="which of them, default box")
-    parser.add_argument("--size", type=int, default=512, help="of the pictures, default 512")
+    parser.add_argument("--size", type=int, default=512, help="of the images, default 512")
     parser.add_argument("--seconds", type=int, default=1, help="of each measurement, default 1")
     parser.add_argument("--rounds", type=int, default=5, help="of the comparison with the bare renderer, default 5")
     parser.add_argument("--library", type=os.path.abspath, help="libnicol.so, of the bare renderer")

@@ -8,7 +8,7 @@ import unittest
 
 from serve_browser import Browser, find_browser
 from serve_client import Server, write_scenes
-from serve_pictures import read_png
+from serve_images import read_png
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 SHIFT = 8
@@ -39,22 +39,22 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.evaluate("document.getElementById('message').textContent"), "")
 
     def settle(self):
-        """Until the picture is that of what was asked for last, drawn."""
+        """Until the image is that of what was asked for last, drawn."""
         self.browser.wait("document.body !== null && 'shown' in document.body.dataset && "
                           "document.body.dataset.shown === document.body.dataset.wanted")  # fmt: skip
         self.browser.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
-    def picture(self):
+    def image(self):
         """A screenshot of what the canvas shows, small."""
         return self.browser.screenshot(*self.box(), 0.25)
 
     def rows(self):
-        width, height, pixels = read_png(self.picture())
+        width, height, pixels = read_png(self.image())
         stride = len(pixels) // height
         return [pixels[y * stride : (y + 1) * stride] for y in range(height)]
 
     def box(self):
-        return self.browser.evaluate("(() => { const b = document.getElementById('picture').getBoundingClientRect();"
+        return self.browser.evaluate("(() => { const b = document.getElementById('image').getBoundingClientRect();"
                                      "return [b.left, b.top, b.width, b.height]; })()")  # fmt: skip
 
     def centre(self):
@@ -62,7 +62,7 @@ class Page(unittest.TestCase):
         return [left + width / 2, top + height / 2]
 
     def asked(self):
-        """The address of the picture that was fetched last."""
+        """The address of the image that was fetched last."""
         return self.browser.evaluate("performance.getEntriesByType('resource').filter((e) => e.name.includes('stokes')).at(-1).name")
 
     def text(self, name):
@@ -70,23 +70,23 @@ class Page(unittest.TestCase):
 
 
 class Desktop(Page):
-    def test_drag_orbits_and_shift_drag_turns_the_light(self):
-        first = self.picture()
+    def test_drag_orbits_and_shift_drag_rotations_the_light(self):
+        first = self.image()
         self.assertGreater(len(set(read_png(first)[2])), 30)
         x, y = self.centre()
         self.browser.drag((x, y), (x + 120, y + 30))
         self.settle()
-        turned = self.picture()
-        self.assertNotEqual(first, turned)
+        rotated = self.image()
+        self.assertNotEqual(first, rotated)
         self.assertIn("azimuth=", self.asked())
         self.assertNotIn("light=", self.asked())
         self.browser.drag((x, y), (x + 120, y), modifiers=SHIFT)
         self.settle()
-        self.assertNotEqual(turned, self.picture())
+        self.assertNotEqual(rotated, self.image())
         self.assertIn("light=", self.asked())
 
-    def test_the_polarizer_turns_without_the_service(self):
-        before = self.picture()
+    def test_the_polarizer_rotations_without_the_service(self):
+        before = self.image()
         asked = self.server.metric("answer_seconds_count")
         left, top, width, height = self.browser.evaluate(
             "(() => { const b = document.getElementById('dial').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()")
@@ -94,16 +94,16 @@ class Desktop(Page):
         self.browser.drag((x + width / 3, y), (x, y - height / 3))
         self.assertEqual(self.text("angle"), "90°")
         self.settle()
-        self.assertNotEqual(before, self.picture())
+        self.assertNotEqual(before, self.image())
         self.assertEqual(self.server.metric("answer_seconds_count"), asked)
 
     def test_views(self):
-        pictures = []
+        images = []
         for key in "1234567":
             self.browser.key(key)
             self.settle()
-            pictures.append(self.picture())
-        self.assertEqual(len(set(pictures)), 7)
+            images.append(self.image())
+        self.assertEqual(len(set(images)), 7)
         self.assertFalse(self.browser.evaluate("document.getElementById('wheel').hidden"))
         self.browser.evaluate("document.getElementById('split').click()")
         self.settle()
@@ -117,12 +117,12 @@ class Desktop(Page):
         self.assertNotEqual([row[-half:] for row in split], [row[-half:] for row in whole])
 
     def test_keys(self):
-        self.browser.evaluate("document.getElementById('picture').focus()")
-        seen = [self.picture()]
+        self.browser.evaluate("document.getElementById('image').focus()")
+        seen = [self.image()]
         for key, modifiers in (("ArrowLeft", 0), ("ArrowUp", 0), ("ArrowRight", SHIFT), ("+", 0), ("]", 0)):
             self.browser.key(key, modifiers)
             self.settle()
-            seen.append(self.picture())
+            seen.append(self.image())
         for one, other in zip(seen, seen[1:]):
             self.assertNotEqual(one, other)
         pixel = self.text("pixel")
@@ -131,12 +131,12 @@ class Desktop(Page):
         self.browser.key("0")
         self.browser.key("[")
         self.settle()
-        self.assertEqual(self.picture(), seen[0])
+        self.assertEqual(self.image(), seen[0])
 
     def test_probe_tells_the_numbers_of_the_service(self):
         self.browser.mouse("mouseMoved", *self.centre())
         x, y = map(int, self.text("pixel").split(", "))
-        width, height = self.browser.evaluate("[picture.width, picture.height]")
+        width, height = self.browser.evaluate("[image.width, image.height]")
         halves = self.server.get(f"/scenes/box/stokes.f16?size={width}x{height}").body
         planes = [struct.unpack_from("<4e", halves, 8 * (c * width * height + y * width + x)) for c in range(3)]
         means = [sum(plane[p] for plane in planes) / 3 for p in range(4)]
@@ -148,10 +148,10 @@ class Desktop(Page):
         self.assertIn("ms to render and fetch", self.text("time"))
 
     def test_scenes(self):
-        before = self.picture()
+        before = self.image()
         self.browser.evaluate("(() => { const s = document.getElementById('scene'); s.selectedIndex = 1; s.dispatchEvent(new Event('change')); })()")
         self.settle()
-        self.assertNotEqual(before, self.picture())
+        self.assertNotEqual(before, self.image())
 
 
 class Phone(Page):
@@ -169,7 +169,7 @@ class Phone(Page):
         self.assertGreaterEqual(size, 16)
 
     def test_the_light_by_touch(self):
-        before = self.picture()
+        before = self.image()
         self.browser.evaluate("document.getElementById('light').click()")
         x, y = self.centre()
         touch = lambda kind, *points: self.browser.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": a, "y": b} for a, b in points])  # noqa: E731
@@ -178,7 +178,7 @@ class Phone(Page):
             touch("touchMove", (x + 20 * step, y))
         touch("touchEnd")
         self.settle()
-        self.assertNotEqual(before, self.picture())
+        self.assertNotEqual(before, self.image())
         self.assertIn("light=", self.asked())
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What nicol-serve answers: resources, pictures, signed URLs.
+# What nicol-serve answers: resources, images, signed URLs.
 import hashlib
 import hmac
 import os
@@ -12,7 +12,7 @@ import unittest
 
 from serve_case import IMAGE, PROGRAM, RENDER, SQUARE, ServeTest, read
 from serve_client import PATIENCE
-from serve_pictures import read_exr, read_png
+from serve_images import read_exr, read_png
 
 
 class Resources(ServeTest):
@@ -89,11 +89,11 @@ class Resources(ServeTest):
         self.assertEqual(answers.count(b"HTTP/1.1 200 OK"), 2)
 
 
-class Pictures(ServeTest):
+class Images(ServeTest):
     def rendered(self, *arguments):
-        """What nicol-render makes of the scene: a folder with stokes.exr and the pictures."""
+        """What nicol-render makes of the scene: a folder with stokes.exr and the images."""
         out = os.path.join(self.folder, "rendered")
-        subprocess.run([RENDER, os.path.join(self.folder, "square.xml"), "-o", os.path.join(out, "stokes.exr"), "--pictures", out,
+        subprocess.run([RENDER, os.path.join(self.folder, "square.xml"), "-o", os.path.join(out, "stokes.exr"), "--images", out,
                         *arguments], check=True, capture_output=True)  # fmt: skip
         return lambda name: read(os.path.join(out, name))
 
@@ -116,7 +116,7 @@ class Pictures(ServeTest):
             self.assert_alike(answer.body, file(name + ".png"))
         self.assertEqual(self.server.get(SQUARE + "stokes.exr?size=40x30").body, file("stokes.exr"))
 
-    def test_light_turns(self):
+    def test_light_rotations(self):
         file = self.rendered("--size", "40x30", "-D", "light_angle=120")
         self.assert_alike(self.server.get(f"{SQUARE}image.png?size=40x30&light=120").body, file("s0.png"))
 
@@ -133,7 +133,7 @@ class Pictures(ServeTest):
             for channel, name in enumerate("RGB"):
                 plane = values[channel * 800 : (channel + 1) * 800]
                 self.assertEqual(tuple(exr[name]), plane[component::4])
-        # A polarizer passes half of what it is turned to and the sum of two across is everything.
+        # A polarizer passes half of what it is rotated to and the sum of two across is everything.
         s0 = read_exr(self.server.get(f"{SQUARE}image.exr{query}").body)["G"]
         first, second = (read_exr(self.server.get(f"{SQUARE}image.exr{query}&polarizer={a}").body)["G"] for a in (30, 120))
         for whole, a, b in zip(s0, first, second):
@@ -143,15 +143,15 @@ class Pictures(ServeTest):
         self.assertEqual([4 * v for v in s0], bright)
 
     def test_cameras(self):
-        def picture(query):
+        def image(query):
             answer = self.server.get(f"{SQUARE}image.png?size=40x30&{query}")
             self.assertEqual(answer.status, 200, query)
             return answer.body
 
-        own = picture("")
-        pictures = {picture(q) for q in ("azimuth=90", "azimuth=30", "elevation=60", "distance=9", "target=0.3,0,0", "fov=20", "light=60",
+        own = image("")
+        images = {image(q) for q in ("azimuth=90", "azimuth=30", "elevation=60", "distance=9", "target=0.3,0,0", "fov=20", "light=60",
                                          "light_tilt=60")}  # fmt: skip
-        self.assertEqual(len(pictures | {own}), 9)
+        self.assertEqual(len(images | {own}), 9)
         # The scene's own camera, written as a matrix.
         forward = [-1 / 17.25**0.5, -0.5 / 17.25**0.5, -4 / 17.25**0.5]
         left = [forward[2], 0, -forward[0]]
@@ -160,10 +160,10 @@ class Pictures(ServeTest):
         up = [forward[1] * left[2] - forward[2] * left[1], forward[2] * left[0] - forward[0] * left[2],
               forward[0] * left[1] - forward[1] * left[0]]  # fmt: skip
         rows = [[left[i], up[i], forward[i], (1, 0.5, 4)[i]] for i in range(3)] + [[0, 0, 0, 1]]
-        self.assert_alike(picture("matrix=" + ",".join(str(v) for row in rows for v in row)), own)
+        self.assert_alike(image("matrix=" + ",".join(str(v) for row in rows for v in row)), own)
         # And as an orbit.
         scene = next(s for s in self.server.get("/scenes").json()["scenes"] if s["id"] == "square")
-        orbit = picture(f"azimuth={scene['azimuth']}")
+        orbit = image(f"azimuth={scene['azimuth']}")
         self.assertLess(sum(a != b for a, b in zip(read_png(orbit)[2], read_png(own)[2])), 400)
 
     def test_scale_is_told(self):

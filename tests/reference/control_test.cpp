@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 #include "scenes.hpp"
 
 using namespace nicol;
@@ -61,7 +61,7 @@ TEST_CASE("light with a table is looked up there, and light of coefficients has 
             return light_->radiance(channel, towards_light);
         }
         PshVector project(int order) const override { return light_->project(order); }
-        EquirectImage picture() const override { return light_->picture(); }
+        EquirectImage image() const override { return light_->image(); }
         std::unique_ptr<const Environment> tabulated() const override {
             return table_ ? light_->tabulated() : nullptr;
         }
@@ -73,34 +73,34 @@ TEST_CASE("light with a table is looked up there, and light of coefficients has 
     // Polarized, to order 12.
     const EnvironmentPtr sky = psh_environment(
         rayleigh_sky({.sun_direction = {1, 0.4, 1}, .radiance = {1}, .turbidity = 3})->project(12));
-    std::vector<StokesImage> pictures;
+    std::vector<StokesImage> images;
     for (const bool table : {false, true}) {
         Scene scene = ball_on_floor();
         scene.set_environment(std::make_shared<const Watched>(sky, table), glm::dmat3(1.0), 1);
-        pictures.push_back(render(scene, camera(), width, height, {.samples = 16, .progress = {}}));
+        images.push_back(render(scene, camera(), width, height, {.samples = 16, .progress = {}}));
     }
     double difference = 0, size = 0;
-    for (std::size_t i = 0; i < pictures[0].data.size(); ++i) {
-        difference += std::pow(static_cast<double>(pictures[0].data[i] - pictures[1].data[i]), 2);
-        size += std::pow(static_cast<double>(pictures[0].data[i]), 2);
+    for (std::size_t i = 0; i < images[0].data.size(); ++i) {
+        difference += std::pow(static_cast<double>(images[0].data[i] - images[1].data[i]), 2);
+        size += std::pow(static_cast<double>(images[0].data[i]), 2);
     }
     // Same samples: nothing but the table's error remains.
     CHECK(std::sqrt(difference / size) < 1e-3);
     CHECK(difference > 0);
 }
 
-TEST_CASE("a seed gives the same picture with any number of threads; another seed another") {
+TEST_CASE("a seed gives the same image with any number of threads; another seed another") {
     const Scene scene = ball_on_floor();
-    const auto picture = [&](std::uint64_t seed, int threads) {
+    const auto image = [&](std::uint64_t seed, int threads) {
         return render(scene, camera(), width, height,
                       {.samples = 20, .seed = seed, .threads = threads, .progress = {}})
             .data;
     };
-    const std::vector<float> one = picture(5, 1);
-    CHECK(one == picture(5, 2));
-    CHECK(one == picture(5, 7));
-    CHECK(one == picture(5, 0));
-    const std::vector<float> other = picture(6, 1);
+    const std::vector<float> one = image(5, 1);
+    CHECK(one == image(5, 2));
+    CHECK(one == image(5, 7));
+    CHECK(one == image(5, 0));
+    const std::vector<float> other = image(6, 1);
     std::size_t same = 0;
     for (std::size_t i = 0; i < one.size(); i += 4) same += one[i] == other[i] ? 1 : 0;
     CHECK(same < one.size() / 4 / 20);

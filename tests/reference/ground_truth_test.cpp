@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures against Mitsuba 3's, object pixels away from silhouettes. Fewer samples than the truth has; what
+// Images against Mitsuba 3's, object pixels away from silhouettes. Fewer samples than the truth has; what
 // matters is that nothing but noise is left: it must average out over blocks of pixels as noise does.
 #include <doctest/doctest.h>
 
@@ -23,7 +23,7 @@ fs::path data_folder() {
     return folder == nullptr ? fs::path() : fs::path(folder);
 }
 
-/// What the scene files beside the pictures say.
+/// What the scene files beside the images say.
 struct MitsubaScene {
     Scene scene;
     Camera camera;
@@ -155,7 +155,7 @@ void check(const MitsubaScene& s, const fs::path& truth_file, int samples) {
 
 }  // namespace
 
-TEST_CASE("a sphere under a picture of light is Mitsuba 3's, but for noise") {
+TEST_CASE("a sphere under a image of light is Mitsuba 3's, but for noise") {
     const fs::path data = data_folder();
     const fs::path truth = data / "mitsuba/sphere_env_a03.exr";
     if (!fs::exists(truth)) {

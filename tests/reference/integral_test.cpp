@@ -56,7 +56,7 @@ TEST_CASE("one channel of light or material serves all") {
     }
 }
 
-TEST_CASE("sampling the light, the surface or both gives the same picture") {
+TEST_CASE("sampling the light, the surface or both gives the same image") {
     for (const double alpha : {0.05, 0.4}) {
         Scene scene;
         scene.add(square(pplastic({.diffuse_reflectance = {0.3, 0.2, 0.6}, .alpha = alpha})));
@@ -116,7 +116,7 @@ TEST_CASE("a material seen from behind is black, and the light turned away gives
     CHECK(point(dark, camera_on({0, 0, 0}, above), 16)[0] == Stokes(0.0));
 }
 
-TEST_CASE("a two-sided material looks from behind as from the front of a surface turned over") {
+TEST_CASE("a two-sided material looks from behind as from the front of a surface rotated over") {
     const MaterialPtr material = pplastic({.alpha = 0.2});
     const Frame over(glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, -1));
     Scene both_sides, front;

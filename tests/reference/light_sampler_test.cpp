@@ -5,7 +5,7 @@
 #include <memory>
 #include <random>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 #include "reference/light_sampler.hpp"
 #include "sampling.hpp"
 
@@ -15,7 +15,7 @@ using namespace nicol::test;
 namespace {
 
 // Noise with black pixels, a lamp, and a colour that only one channel has.
-EquirectImage picture() {
+EquirectImage image() {
     EquirectImage image(24, 13, 2);
     std::mt19937 random(3);
     std::uniform_real_distribution<float> uniform;
@@ -39,7 +39,7 @@ double luminance(const Environment& light, const glm::dvec3& d) {
 }  // namespace
 
 TEST_CASE("the density integrates to 1 and is that of the samples") {
-    for (const EnvironmentPtr& light : {image_environment(picture()), constant_environment({0.2, 3}),
+    for (const EnvironmentPtr& light : {image_environment(image()), constant_environment({0.2, 3}),
                                         rayleigh_sky({.sun_direction = {1, 1, 0}})}) {
         const LightSampler sampler(*light);
         REQUIRE(!sampler.dark());
@@ -52,7 +52,7 @@ TEST_CASE("the density integrates to 1 and is that of the samples") {
 }
 
 TEST_CASE("a sample is a unit direction with the density of that direction") {
-    const EnvironmentPtr light = image_environment(picture());
+    const EnvironmentPtr light = image_environment(image());
     const LightSampler sampler(*light);
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> uniform;
@@ -62,14 +62,14 @@ TEST_CASE("a sample is a unit direction with the density of that direction") {
         const LightSample s = sampler.sample({x, y});
         REQUIRE(glm::length(s.towards_light) == doctest::Approx(1).epsilon(1e-12));
         REQUIRE(s.pdf >= 0);
-        // At the poles themselves the picture has no one value.
+        // At the poles themselves the image has no one value.
         if (std::abs(s.towards_light.y) > 1 - 1e-9) continue;
         REQUIRE(std::abs(s.pdf - sampler.pdf(s.towards_light)) < 1e-6 * (s.pdf + 0.1));
     }
 }
 
 TEST_CASE("samples weighted by 1 / density integrate the light, with little noise") {
-    const EnvironmentPtr light = image_environment(picture());
+    const EnvironmentPtr light = image_environment(image());
     const LightSampler sampler(*light);
     const double exact = sum(integrals([&](const glm::dvec3& d) { return luminance(*light, d); }));
     std::mt19937_64 random(6);
@@ -89,7 +89,7 @@ TEST_CASE("samples weighted by 1 / density integrate the light, with little nois
 }
 
 TEST_CASE("the density is zero only where there is no light") {
-    const EnvironmentPtr light = image_environment(picture());
+    const EnvironmentPtr light = image_environment(image());
     const LightSampler sampler(*light);
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;

@@ -6,8 +6,8 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+#include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
-#include "nicol/rotation.hpp"
 #include "scenes.hpp"
 
 using namespace nicol;
@@ -30,7 +30,7 @@ glm::dmat3 tensor(const Stokes& s, const Frame& f) {
 TEST_CASE("light of every polarization reflected by pplastic is the brute-force integral") {
     const PshVector light = random_light(3, 2, 4, 11);
     const glm::dmat3 rotation = some_rotation();
-    const PshVector turned_light = rotated(light, rotation);
+    const PshVector rotated_light = rotated(light, rotation);
     const MaterialPtr material =
         pplastic({.diffuse_reflectance = {0.6, 0.2}, .alpha = 0.3, .distribution = Distribution::ggx});
     std::mt19937 random(12);
@@ -47,8 +47,8 @@ TEST_CASE("light of every polarization reflected by pplastic is the brute-force 
         const Viewpoint view = project(camera, 1, 1).view;
         const std::vector<Stokes> ours = point(scene, camera, 1 << 13);
         for (int c = 0; c < 2; ++c) {
-            const Stokes wanted = 0.5 * turned(reflected(*material, c, turned_light, frame, towards),
-                                               angle_between(theta_phi_frame(towards), view.frame(towards)));
+            const Stokes wanted = 0.5 * rotated(reflected(*material, c, rotated_light, frame, towards),
+                                                angle_between(theta_phi_frame(towards), view.frame(towards)));
             CAPTURE(i);
             CAPTURE(c);
             for (int p = 0; p < 4; ++p)
@@ -74,7 +74,7 @@ TEST_CASE(
     CHECK(upright[1] / upright[0] > 0.995);
     CHECK(std::abs(upright[2]) < 1e-3 * upright[0]);
 
-    // The camera's head bends to its own right by 30 degrees; in its picture the horizon then rises to the
+    // The camera's head bends to its own right by 30 degrees; in its image the horizon then rises to the
     // right, counter-clockwise, and AoLP is 30 degrees.
     const double roll = std::numbers::pi / 6;
     const glm::dvec3 forward = -towards;

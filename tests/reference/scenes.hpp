@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small scenes and pictures of them.
+// Small scenes and images of them.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "nicol/evaluate.hpp"
-#include "nicol/psh.hpp"
+#include "harmonics/evaluate.hpp"
+#include "harmonics/psh.hpp"
 #include "reference/render_reference.hpp"
 
 namespace nicol::test {
@@ -20,7 +20,7 @@ inline StokesImage render(const Scene& scene, const Camera& camera, int width, i
                             strategy);
 }
 
-/// An orthographic camera so narrow that its picture is one point: `target`, seen from `towards_viewer`.
+/// An orthographic camera so narrow that its image is one point: `target`, seen from `towards_viewer`.
 inline Camera camera_on(const glm::dvec3& target, const glm::dvec3& towards_viewer,
                         const glm::dvec3& up = {0.1, 1, 0.2}) {
     Camera camera;
@@ -68,7 +68,7 @@ public:
     }
     PshVector project(int) const override { return coefficients_; }
     /// Even, so that directions towards the light are sampled evenly whatever its sign.
-    EquirectImage picture() const override {
+    EquirectImage image() const override {
         EquirectImage image(4, 3, channels());
         for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = 1;
         return image;

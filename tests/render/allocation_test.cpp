@@ -14,8 +14,8 @@
 #include "coarse_sphere.hpp"
 #include "falling_light.hpp"
 #include "render/progress.hpp"
-#include "render/projection.hpp"
 #include "render/transfer_cache.hpp"
+#include "scene/projection.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A change of the scene costs what it touches, and the picture is that of a fresh start.
+// A change of the scene costs what it touches, and the image is that of a fresh start.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "coarse_sphere.hpp"
+#include "error.hpp"
 #include "falling_light.hpp"
 #include "gl/contexts.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
+#include "material/conductor.hpp"
 #include "render/renderer.hpp"
 
 using namespace nicol;
@@ -212,24 +212,24 @@ TEST_CASE("what turns and shifts as a whole is relit alone") {
                 Scene scene = balls_on_plate();
                 Studio studio(context, method);
                 studio.options.high_orders_at = where;
-                studio.options.planes = plane_depth | plane_normals | plane_positions;
+                studio.options.planes = aov_depth | aov_normals | aov_positions;
                 studio(scene);
                 for (const std::uint32_t id : scene.ids()) {
                     scene.set_transform(id, motion() * scene.at(id).to_world);
                 }
-                const Statistics turned = studio(scene);
+                const Statistics rotated = studio(scene);
                 CAPTURE(static_cast<int>(method));
                 CAPTURE(static_cast<int>(where));
-                check_nothing_projected(turned);
-                check_nothing_baked(turned);
-                CHECK(turned.vertices_relit == turned.vertices);
+                check_nothing_projected(rotated);
+                check_nothing_baked(rotated);
+                CHECK(rotated.vertices_relit == rotated.vertices);
                 CHECK(difference(studio.target.image(), studio.fresh(scene)) < 2e-5);
 
                 Studio other(context, method);
                 other.options = studio.options;
                 other(scene);
-                const SurfacePlanes& here = studio.target.surfaces();
-                const SurfacePlanes& there = other.target.surfaces();
+                const Aovs& here = studio.target.surfaces();
+                const Aovs& there = other.target.surfaces();
                 std::size_t differing = 0;
                 for (std::size_t i = 0; i < here.normals.size(); ++i) {
                     const bool same = std::abs(here.normals[i] - there.normals[i]) < 1e-4F &&
@@ -272,7 +272,7 @@ TEST_CASE("a moved instance is traced anew, and others where it can be in their 
     });
 }
 
-TEST_CASE("without shadows a shifted instance keeps its light and a turned one is relit alone") {
+TEST_CASE("without shadows a shifted instance keeps its light and a rotated one is relit alone") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     for (const Method method : methods) {
         Scene scene = balls_on_plate();
@@ -290,11 +290,11 @@ TEST_CASE("without shadows a shifted instance keeps its light and a turned one i
         CHECK(studio.target.image().data == studio.fresh(scene).data);
 
         scene.set_transform(2, at(1.6, 0.6, -0.9, 0.5) * glm::rotate(glm::dmat4(1), 0.4, {1, 0.3, 0.2}));
-        const Statistics turned = studio(scene);
-        CHECK(turned.bake_rays == 0);
-        CHECK(turned.vertices_relit >= count);
-        CHECK(turned.vertices_relit < count + 32);  // whole blocks of sixteen
-        CHECK(turned.matrices_baked == (method == Method::dense ? count : 0));
+        const Statistics rotated = studio(scene);
+        CHECK(rotated.bake_rays == 0);
+        CHECK(rotated.vertices_relit >= count);
+        CHECK(rotated.vertices_relit < count + 32);  // whole blocks of sixteen
+        CHECK(rotated.matrices_baked == (method == Method::dense ? count : 0));
         CHECK(studio.target.image().data == studio.fresh(scene).data);
     }
 }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "nicol/mesh.hpp"
+#include "geometry/mesh.hpp"
 
 namespace nicol::test {
 

@@ -12,8 +12,8 @@
 
 #include "coarse_sphere.hpp"
 #include "gl/contexts.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/stokes.hpp"
+#include "material/conductor.hpp"
+#include "polarization/stokes.hpp"
 #include "render/renderer.hpp"
 
 using namespace nicol;
@@ -78,7 +78,7 @@ bool alike(const StokesImage& first, const StokesImage& second) {
     return finite && difference <= tolerance * largest;
 }
 
-/// Renders by both executors and compares the pictures.
+/// Renders by both executors and compares the images.
 struct Comparison {
     Comparison(const std::shared_ptr<gl::Context>& context, int channels)
         : threads(context, 0),

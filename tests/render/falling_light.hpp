@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "nicol/environment.hpp"
+#include "light/environment.hpp"
 
 namespace nicol::test {
 
-/// Light of all orders up to the last, falling as that of pictures does.
+/// Light of all orders up to the last, falling as that of images does.
 inline EnvironmentPtr falling_light(int order, bool polarized, int channels = 3) {
     PshVector light(order, channels);
     for (int c = 0; c < channels; ++c) {

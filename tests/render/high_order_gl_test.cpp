@@ -7,11 +7,11 @@
 #include <glm/matrix.hpp>
 
 #include "coarse_sphere.hpp"
+#include "error.hpp"
 #include "falling_light.hpp"
 #include "gl/contexts.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
-#include "nicol/stokes.hpp"
+#include "material/conductor.hpp"
+#include "polarization/stokes.hpp"
 #include "render/renderer.hpp"
 
 using namespace nicol;
@@ -75,7 +75,7 @@ RenderOptions with(int low, int high, HighOrders form, bool shadows = false,
 
 }  // namespace
 
-TEST_CASE("split takes the picture most of the way to all orders, convolution some") {
+TEST_CASE("split takes the image most of the way to all orders, convolution some") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         for (const bool polarized : {false, true}) {
             Scene scene;
@@ -194,9 +194,9 @@ TEST_CASE("ringing can be windowed away, and what is left of it moved into the p
     Scene scene;
     scene.add({.mesh = std::make_shared<const Mesh>(make_sphere()), .material = pplastic({.alpha = 0.1})});
     scene.set_environment(image_environment(image), glm::dmat3(1), 1);
-    const auto lowest = [](const StokesImage& picture) {
+    const auto lowest = [](const StokesImage& image) {
         float low = 0;
-        for (std::size_t i = 0; i < picture.data.size(); i += 4) low = std::min(low, picture.data[i]);
+        for (std::size_t i = 0; i < image.data.size(); i += 4) low = std::min(low, image.data[i]);
         return low;
     };
     RenderOptions options = with(4, 4, HighOrders::none);

@@ -10,8 +10,8 @@
 
 #include "falling_light.hpp"
 #include "gl/contexts.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/stokes.hpp"
+#include "material/conductor.hpp"
+#include "polarization/stokes.hpp"
 #include "render/renderer.hpp"
 
 using namespace nicol;
@@ -148,7 +148,7 @@ double rms(const StokesImage& image) {
     return difference(image, StokesImage(width, height, image.channels), 0, [](int, int) { return true; });
 }
 
-/// Well inside the unit sphere's picture.
+/// Well inside the unit sphere's image.
 bool inside_sphere(int x, int y) {
     // It covers asin(1 / sqrt(29)) of half of 40 degrees across.
     const double radius =
@@ -298,10 +298,10 @@ TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
         EquirectImage image(64, 33, 3);  // a lamp in the dark
         for (int c = 0; c < 3; ++c) image.at(c, 8, 20)[0] = 500;
         const Scene scene = lone(coarse_sphere(24, 48), image_environment(image));
-        const auto unphysical = [](const StokesImage& picture) {
+        const auto unphysical = [](const StokesImage& image) {
             int count = 0;
-            for (std::size_t i = 0; i < picture.data.size(); i += 4) {
-                const float* s = &picture.data[i];
+            for (std::size_t i = 0; i < image.data.size(); i += 4) {
+                const float* s = &image.data[i];
                 count += s[0] < 0 || std::hypot(s[1], s[2], s[3]) > s[0] * 1.00001F + 1e-6F ? 1 : 0;
             }
             return count;
@@ -333,8 +333,8 @@ TEST_CASE("backs of one-sided surfaces stay black at pixels, and two-sided ones 
                                      both ? twosided(metal()) : metal());
             Camera behind;
             behind.to_world = look_at({0.3, 0.2, -2}, {0, 0, 0}, {0, 1, 0});
-            const StokesImage picture = render(scene, at(HighOrdersAt::pixels), behind);
-            const float centre = picture.at(1, height / 2, width / 2)[0];
+            const StokesImage image = render(scene, at(HighOrdersAt::pixels), behind);
+            const float centre = image.at(1, height / 2, width / 2)[0];
             if (both) {
                 CHECK(centre > 0.5F);
             } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Device memory stays what the present scene and picture need.
+// Device memory stays what the present scene and image need.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -93,7 +93,7 @@ TEST_CASE("changes of scene, light, camera and options give back what they no lo
     });
 }
 
-TEST_CASE("a picture of another size costs its own size alone") {
+TEST_CASE("a image of another size costs its own size alone") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Scene scene;
         scene.add({.mesh = test::coarse_sphere(4), .material = diffuse({0.5})});
@@ -110,7 +110,7 @@ TEST_CASE("a picture of another size costs its own size alone") {
             const Use small = use_at(20, 10);
             const Use large = use_at(200, 100);
             CHECK(large.buffers == small.buffers);
-            // Three pictures of four floats and a depth of one.
+            // Three images of four floats and a depth of one.
             CHECK(large.textures - small.textures == (200 * 100 - 20 * 10) * (3 * 16 + 4));
             for (int i = 0; i < 5; ++i) {
                 CHECK(use_at(200, 100) == large);

@@ -7,10 +7,10 @@
 
 #include "coarse_sphere.hpp"
 #include "gl/contexts.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/material_projection.hpp"
-#include "nicol/psh_matrix_file.hpp"
-#include "nicol/rotation.hpp"
+#include "harmonics/rotation.hpp"
+#include "material/conductor.hpp"
+#include "material/material_projection.hpp"
+#include "material/psh_matrix_file.hpp"
 #include "render/renderer.hpp"
 
 using namespace nicol;
@@ -58,7 +58,7 @@ Camera some_camera() {
 }
 
 struct Difference {
-    double scale = 0;    ///< root mean square of the first picture
+    double scale = 0;    ///< root mean square of the first image
     double mean = 0;     ///< root mean square of the difference
     double largest = 0;  ///< difference
 };
@@ -106,7 +106,7 @@ TEST_CASE("dense equals factored where factored truncates the outgoing side as w
                 CHECK(d.largest < 3e-4 * d.scale);
             };
             check();
-            // Turned light, then an object elsewhere: what depends on them follows.
+            // Rotated light, then an object elsewhere: what depends on them follows.
             const glm::dmat3 turn = theta_phi_frame(glm::normalize(glm::dvec3(1, 2, -1)));
             for (Scene* scene : {&exact, &cut}) scene->set_environment(scene->environment(), turn, 0.5);
             check();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/projection.hpp"
+#include "scene/projection.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,15 +9,15 @@
 #include <limits>
 #include <string>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 using namespace nicol;
 using doctest::Approx;
 
 namespace {
 
-// Position in the picture, -1 to 1 to the right and up, and depth.
-glm::dvec3 in_picture(const Projection& p, const glm::dvec3& world) {
+// Position in the image, -1 to 1 to the right and up, and depth.
+glm::dvec3 in_image(const Projection& p, const glm::dvec3& world) {
     const glm::dvec4 clip = p.world_to_clip * glm::dvec4(world, 1);
     return glm::dvec3(clip) / clip.w;
 }
@@ -44,18 +44,18 @@ TEST_CASE("look_at makes Mitsuba's camera space: z forward, y up, x to the left"
     CHECK_THROWS_AS(static_cast<void>(look_at({0, 0, 0}, {0, 2, 0}, {0, 1, 0})), Error);
 }
 
-TEST_CASE("a perspective camera puts the edge of its horizontal field of view at the picture's edge") {
+TEST_CASE("a perspective camera puts the edge of its horizontal field of view at the image's edge") {
     Camera camera;
     camera.to_world = look_at({1, 2, 3}, {1, 2, 2}, {0, 1, 0});
     camera.fov = 90;
     camera.near_clip = 0.5;
     camera.far_clip = 100;
     const Projection p = project(camera, 200, 100);
-    CHECK(in_picture(p, {3, 2, 1}).x == Approx(1));  // two to the right, two ahead
-    CHECK(in_picture(p, {1, 3, 1}).y == Approx(1));  // the height is half the width
-    CHECK(in_picture(p, {-1, 2, 1}).x == Approx(-1));
-    CHECK(in_picture(p, {1, 2, 2.5}).z == Approx(-1));  // near
-    CHECK(in_picture(p, {1, 2, -97}).z == Approx(1));   // far
+    CHECK(in_image(p, {3, 2, 1}).x == Approx(1));  // two to the right, two ahead
+    CHECK(in_image(p, {1, 3, 1}).y == Approx(1));  // the height is half the width
+    CHECK(in_image(p, {-1, 2, 1}).x == Approx(-1));
+    CHECK(in_image(p, {1, 2, 2.5}).z == Approx(-1));  // near
+    CHECK(in_image(p, {1, 2, -97}).z == Approx(1));   // far
     CHECK(p.half_width == Approx(1));
     CHECK(p.half_height == Approx(0.5));
     CHECK(glm::distance(p.view.right, glm::dvec3(1, 0, 0)) < 1e-15);
@@ -67,8 +67,8 @@ TEST_CASE("an orthographic camera's half width is the length of its x axis") {
     camera.to_world = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}) *
                       glm::dmat4(1.25, 0, 0, 0, 0, 1.25, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
     const Projection p = project(camera, 128, 128);
-    CHECK(in_picture(p, {1.25, 0, 0}).x == Approx(1));
-    CHECK(in_picture(p, {0, -1.25, -3}).y == Approx(-1));
+    CHECK(in_image(p, {1.25, 0, 0}).x == Approx(1));
+    CHECK(in_image(p, {0, -1.25, -3}).y == Approx(-1));
     CHECK(p.view.towards({7, 8, 9}) == glm::dvec3(0, 0, 1));
 }
 

@@ -11,8 +11,8 @@
 #include <numbers>
 #include <random>
 
+#include "error.hpp"
 #include "gl/contexts.hpp"
-#include "nicol/error.hpp"
 #include "render/renderer.hpp"
 
 using namespace nicol;
@@ -90,7 +90,7 @@ std::shared_ptr<const Mesh> sphere() {
 
 }  // namespace
 
-TEST_CASE("the background is the environment, turned, with its Stokes vectors in the camera's frame") {
+TEST_CASE("the background is the environment, rotated, with its Stokes vectors in the camera's frame") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         for (const int channels : {1, 3, 6}) {
             for (const bool polarized : {true, false}) {
@@ -113,7 +113,7 @@ TEST_CASE("the background is the environment, turned, with its Stokes vectors in
                             const glm::dvec3 right = glm::normalize(glm::cross(ray, up));
                             const Frame to(right, glm::cross(-ray, right), -ray);
                             const Frame from = some_rotation() * theta_phi_frame(-local);
-                            const Stokes expected = turned(own, angle_between(from, to));
+                            const Stokes expected = rotated(own, angle_between(from, to));
                             error = std::max(error, glm::distance(image.stokes(c, y, x), expected));
                         }
                     }
@@ -142,7 +142,7 @@ TEST_CASE("OSMesa and EGL give the same floats") {
 TEST_CASE("turning light, object and camera together changes nothing") {
     const glm::dmat3 turn = some_rotation();
     const EnvironmentPtr light = noisy_polarized_light(1);
-    const auto picture = [&](const glm::dmat3& rotation) {
+    const auto image = [&](const glm::dmat3& rotation) {
         Scene scene;
         scene.add({.mesh = std::make_shared<const Mesh>(make_cube(6)),
                    .material = pplastic({.alpha = 0.2}),
@@ -152,8 +152,8 @@ TEST_CASE("turning light, object and camera together changes nothing") {
         camera.to_world = affine(rotation) * camera.to_world;
         return render(gl::make_context(gl::Backend::osmesa), scene, camera, 9);
     };
-    const StokesImage before = picture(glm::dmat3(1.0));
-    const StokesImage after = picture(turn);
+    const StokesImage before = image(glm::dmat3(1.0));
+    const StokesImage after = image(turn);
     // Rounding may move an edge by a pixel here and there.
     std::size_t differing = 0;
     for (std::size_t i = 0; i < before.data.size(); ++i) {
@@ -244,36 +244,36 @@ TEST_CASE("only what a change makes necessary runs again") {
     CHECK(first.channels_shared == 2);
     CHECK(first.response_rows_skipped == 3);  // no s3, in three channels
 
-    const StokesImage picture = target.image();
+    const StokesImage image = target.image();
     const Statistics again = run(camera_at({0, 0, 3}));
     CHECK(again.relight_ms == 0);
     CHECK(again.shade_ms == 0);
     CHECK(again.draw_ms == 0);
     CHECK(again.vertices_skipped == first.vertices_skipped);
-    CHECK(largest_difference(picture, target.image()) == 0);
-    // Another picture in the framebuffer is a change, too, and so is another framebuffer.
+    CHECK(largest_difference(image, target.image()) == 0);
+    // Another image in the framebuffer is a change, too, and so is another framebuffer.
     Framebuffer other(context, width, height, 3);
     renderer.render(scene, camera_at({0, 0, 3}), {}, other);
     CHECK(other.statistics().draw_ms > 0);
-    CHECK(largest_difference(picture, other.image()) == 0);
+    CHECK(largest_difference(image, other.image()) == 0);
     target.show(StokesImage(width, height, 3), {});
     CHECK(run(camera_at({0, 0, 3})).draw_ms > 0);
-    CHECK(largest_difference(picture, target.image()) == 0);
+    CHECK(largest_difference(image, target.image()) == 0);
     RenderOptions coarse;
     coarse.order_low = 0;
     renderer.render(scene, camera_at({0, 0, 3}), coarse, target);
     CHECK(target.statistics().draw_ms > 0);
     run(camera_at({0, 0, 3}));
     CHECK(run(camera_at({0, 3, 3})).relight_ms == 0);
-    CHECK(largest_difference(picture, target.image()) > 0);
+    CHECK(largest_difference(image, target.image()) > 0);
     scene.set_environment(scene.environment(), some_rotation(), 1);
     CHECK(run(camera_at({0, 3, 3})).relight_ms > 0);
     scene.set_transform(id, affine(glm::dmat3(0.5)));
     CHECK(run(camera_at({0, 3, 3})).relight_ms > 0);
-    CHECK(largest_difference(picture, target.image()) > 0.1F);
+    CHECK(largest_difference(image, target.image()) > 0.1F);
 }
 
-TEST_CASE("a picture shown in a framebuffer is in memory and on the device") {
+TEST_CASE("a image shown in a framebuffer is in memory and on the device") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         constexpr int channels = Framebuffer::kGroup + 2;
         Framebuffer target(context, 5, 3, channels);

@@ -59,16 +59,16 @@ TEST_CASE("scales, shears and mirrors are no motions") {
 TEST_CASE("the turn in a matrix turns with it, mirrored or not") {
     for (const double sign : {1.0, -1.0}) {
         const glm::dmat3 m = glm::dmat3(some_placement()) * glm::dmat3(sign, 0, 0, 0.3, 1, 0, 0, 0, 1e-6);
-        const glm::dmat3 turn = turn_in(m);
+        const glm::dmat3 turn = rotate_in(m);
         CHECK(largest(glm::transpose(turn) * turn - glm::dmat3(1)) < 1e-12);
         CHECK(glm::determinant(turn) > 0);
         const glm::dmat3 more(some_motion());
-        CHECK(largest(turn_in(more * m) - more * turn) < 1e-9);
+        CHECK(largest(rotate_in(more * m) - more * turn) < 1e-9);
         // What is left is symmetric.
         const glm::dmat3 rest = glm::transpose(turn) * m;
         CHECK(largest(rest - glm::transpose(rest)) < 1e-9);
     }
-    CHECK(largest(turn_in(glm::dmat3(1e-9)) - glm::dmat3(1)) < 1e-12);
+    CHECK(largest(rotate_in(glm::dmat3(1e-9)) - glm::dmat3(1)) < 1e-12);
 }
 
 TEST_CASE("a projection in other axes sees points where they are") {

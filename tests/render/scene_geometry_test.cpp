@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "coarse_sphere.hpp"
-#include "nicol/error.hpp"
+#include "error.hpp"
 
 using namespace nicol;
 using test::coarse_sphere;
@@ -46,7 +46,7 @@ TEST_CASE("the largest instance carries the axes") {
     CHECK(surfaces.own_axes() == axes);
     for (int i = 0; i < 4; ++i) CHECK(glm::distance(surfaces.to_world()[i], motion[i]) < 1e-12);
 
-    // A fresh start finds the same axes, turned.
+    // A fresh start finds the same axes, rotated.
     SceneGeometry fresh;
     fresh.update(scene);
     CHECK(fresh.to_world() == glm::dmat4(1));

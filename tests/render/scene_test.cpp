@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "nicol/scene.hpp"
+#include "scene/scene.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <memory>
 
-#include "nicol/error.hpp"
+#include "error.hpp"
 #include "render/scene_geometry.hpp"
 
 using namespace nicol;
@@ -108,7 +108,7 @@ TEST_CASE("triangles outside one side of the view are skipped, those that stradd
                .to_world = aside});
     std::vector<std::uint8_t> visible;
     CHECK(find_visible(world_geometry(scene), looking_down_z(5), visible) == 4);
-    // Larger than the picture on every side: no vertex is in view, yet the middle is.
+    // Larger than the image on every side: no vertex is in view, yet the middle is.
     Scene large;
     large.add({.mesh = std::make_shared<const Mesh>(make_rectangle(1)),
                .material = diffuse({0.5}),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // glsl/spin_harmonics.glsl against the same mathematics in double precision.
-#include "nicol/spin_harmonics.hpp"
+#include "harmonics/spin_harmonics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include "gl/buffer.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
-#include "nicol/evaluate.hpp"
+#include "harmonics/evaluate.hpp"
 
 namespace nicol::gl {
 [[nodiscard]] std::span<const ShaderSource> render_test_shaders();

@@ -5,8 +5,8 @@
 
 #include <random>
 
-#include "nicol/error.hpp"
-#include "nicol/scene_description.hpp"
+#include "error.hpp"
+#include "scene/scene_description.hpp"
 #include "scene/scene_file.hpp"
 
 using namespace nicol;
@@ -207,7 +207,7 @@ TEST_CASE("cameras that see nothing") {
     invalid(film_with("<float name='width' value='10'/>"), {"<float>", "<integer>"});
     for (const char* crop : {"crop_width", "crop_height", "crop_offset_x", "crop_offset_y"})
         unsupported(film_with(std::string("<integer name='") + crop + "' value='10'/>"),
-                    {"film \"hdrfilm\": parameter", crop, "a part of the picture"});
+                    {"film \"hdrfilm\": parameter", crop, "a part of the image"});
     unsupported(film_with("<string name='pixel_format' value='xyz'/>"),
                 {"\"pixel_format\"", "rgb and luminance"});
     unsupported(film_with("<string name='pixel_format' value='xyza'/>"), {"\"pixel_format\""});

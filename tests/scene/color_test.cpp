@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "nicol/conductor.hpp"
-#include "nicol/error.hpp"
-#include "nicol/scene_color.hpp"
+#include "error.hpp"
+#include "material/conductor.hpp"
+#include "scene/scene_color.hpp"
 
 using doctest::Approx;
 using namespace nicol;

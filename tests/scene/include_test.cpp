@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "nicol/error.hpp"
-#include "nicol/scene_description.hpp"
+#include "error.hpp"
+#include "scene/scene_description.hpp"
 #include "scene/scene_file.hpp"
 
 using namespace nicol;

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "nicol/scene_description.hpp"
+#include "scene/scene_description.hpp"
 #include "scene/scene_file.hpp"
 
 using namespace nicol;
@@ -179,14 +179,14 @@ TEST_CASE("lookat: +z forward, +x left, +y up") {
     check_equal(transform("<lookat origin='1,2,3' target='4,2,3' up='0,2,0'/>"),
                 glm::dmat4(glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 1, 0, 0), glm::dvec4(1, 0, 0, 0),
                            glm::dvec4(1, 2, 3, 1)));
-    // Looking down with z up the picture.
+    // Looking down with z up the image.
     check_equal(transform("<lookat origin='0,4,0' target='0,0,0' up='0,0,1'/>"),
                 glm::dmat4(glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, 1, 0), glm::dvec4(0, -1, 0, 0),
                            glm::dvec4(0, 4, 0, 1)));
 }
 
 TEST_CASE("operations apply in the order in which they are written") {
-    // The point is scaled, then turned from x to y, then moved.
+    // The point is scaled, then rotated from x to y, then moved.
     const glm::dmat4 m = transform("<scale value='2'/><rotate z='1' angle='90'/><translate x='10'/>");
     CHECK(glm::distance(glm::dvec3(m * glm::dvec4(1, 0, 0, 1)), glm::dvec3(10, 2, 0)) < 1e-12);
     const glm::dmat4 reversed = transform("<translate x='10'/><rotate z='1' angle='90'/><scale value='2'/>");

@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "nicol/error.hpp"
-#include "nicol/scene_description.hpp"
+#include "error.hpp"
+#include "scene/scene_description.hpp"
 #include "scene/scene_file.hpp"
 
 using namespace nicol;
@@ -308,14 +308,14 @@ TEST_CASE("film formats: what is asked for, and what is written instead") {
     CHECK(notices.empty());
     CHECK(film("<string name='pixel_format' value='luminance_alpha'/>", notices).luminance);
     REQUIRE(notices.size() == 1);
-    CHECK(notices[0].ends_with("scene.xml:4: pixel_format luminance_alpha: pictures have no alpha channel."));
+    CHECK(notices[0].ends_with("scene.xml:4: pixel_format luminance_alpha: images have no alpha channel."));
     CHECK_FALSE(film("<string name='pixel_format' value='rgba'/>", notices).luminance);
     CHECK(notices.size() == 1);
     for (const char* format : {"float16", "uint32"}) {
         film(std::string("<string name='component_format' value='") + format + "'/>", notices);
         REQUIRE(notices.size() == 1);
         CHECK(notices[0].ends_with(std::string("component_format ") + format +
-                                   ": pictures are written as float32."));
+                                   ": images are written as float32."));
     }
 }
 

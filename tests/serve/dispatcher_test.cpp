@@ -13,13 +13,13 @@ struct Fixture {
 
     explicit Fixture(std::size_t queue = 2)
         : dispatcher(queue, {.start = [this](int worker, std::uint64_t job,
-                                             const PictureRequest&) { started.emplace_back(worker, job); },
+                                             const ImageRequest&) { started.emplace_back(worker, job); },
                              .cancel = [this](int worker,
                                               std::uint64_t job) { cancelled.emplace_back(worker, job); }}) {}
 
     std::optional<Dispatcher::Ticket> ask(const std::string& key, const std::string& who,
                                           double azimuth = 0) {
-        PictureRequest request;
+        ImageRequest request;
         request.view.orbit.azimuth = azimuth;
         return dispatcher.ask(key, request, [this, who](const AnswerPtr& answer) {
             answers.emplace_back(who, answer->head.status);
@@ -177,7 +177,7 @@ TEST_CASE("a new generation answers what waits and does not repeat what ran") {
 
 TEST_CASE("who is told may ask again at once") {
     Dispatcher dispatcher(
-        4, {.start = [](int, std::uint64_t, const PictureRequest&) {}, .cancel = [](int, std::uint64_t) {}});
+        4, {.start = [](int, std::uint64_t, const ImageRequest&) {}, .cancel = [](int, std::uint64_t) {}});
     dispatcher.worker_idle(0);
     bool again = false;
     const auto first = dispatcher.ask("a", {}, [&](const AnswerPtr&) {

@@ -7,8 +7,8 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "material/high_order_gains.hpp"
-#include "nicol/evaluate.hpp"
+#include "harmonics/evaluate.hpp"
+#include "specular/high_order_gains.hpp"
 #include "stability/double_transfer.hpp"
 
 namespace nicol::test {
@@ -86,10 +86,10 @@ private:
 
 }  // namespace
 
-Picture high_orders_in_double(const Vertices& vertices, const HighOrderFactors& factors,
-                              const HighOrderMaps& maps, const glm::dmat3& light_to_world,
-                              std::span<const glm::dvec2> fractions, int channels) {
-    Picture out(static_cast<std::size_t>(channels), std::vector<Stokes>(vertices.normals.size()));
+Image high_orders_in_double(const Vertices& vertices, const HighOrderFactors& factors,
+                            const HighOrderMaps& maps, const glm::dmat3& light_to_world,
+                            std::span<const glm::dvec2> fractions, int channels) {
+    Image out(static_cast<std::size_t>(channels), std::vector<Stokes>(vertices.normals.size()));
     const glm::dmat3 to_light = glm::transpose(light_to_world);
     const double cos_spread = std::cos(factors.spread());
     const double sin_spread = std::sin(factors.spread());
@@ -128,7 +128,7 @@ Picture high_orders_in_double(const Vertices& vertices, const HighOrderFactors& 
             const glm::dvec2 fraction = fractions.empty() ? glm::dvec2(1) : fractions[i];
             sum *= fraction[0];
             if (factors.normal()) sum += fraction[1] * f.normal(look(*maps.normal, -n, x));
-            out[static_cast<std::size_t>(c)][i] = turned(sum, turn);
+            out[static_cast<std::size_t>(c)][i] = rotated(sum, turn);
         }
     }
     return out;

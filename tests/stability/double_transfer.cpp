@@ -11,9 +11,9 @@
 #include <random>
 #include <utility>
 
-#include "nicol/evaluate.hpp"
-#include "nicol/product.hpp"
-#include "nicol/rotation.hpp"
+#include "harmonics/evaluate.hpp"
+#include "harmonics/product.hpp"
+#include "harmonics/rotation.hpp"
 
 namespace nicol::test {
 namespace {
@@ -186,20 +186,20 @@ Stokes respond(const ResponseTable& response, int channel, const LightLayout& la
                 (p < 2 ? z.real() : z.imag());
         }
     }
-    return turned(sum, sight.turn);
+    return rotated(sum, sight.turn);
 }
 
 }  // namespace
 
-std::vector<Picture> shaded_in_double(const Vertices& vertices, const DirectionSet& directions,
-                                      const LightLayout& layout, std::span<const PshVector> lights,
-                                      std::span<const ResponseTable> responses) {
+std::vector<Image> shaded_in_double(const Vertices& vertices, const DirectionSet& directions,
+                                    const LightLayout& layout, std::span<const PshVector> lights,
+                                    std::span<const ResponseTable> responses) {
     const int order = layout.order();
     const int channels = lights.front().channels();
     Product product(order);
-    std::vector<Picture> out(
+    std::vector<Image> out(
         lights.size() * responses.size(),
-        Picture(static_cast<std::size_t>(channels), std::vector<Stokes>(vertices.normals.size())));
+        Image(static_cast<std::size_t>(channels), std::vector<Stokes>(vertices.normals.size())));
     for (std::size_t v = 0; v < vertices.normals.size(); ++v) {
         const Frame surface = theta_phi_frame(glm::dvec3(vertices.normals[v]));
         const Sight sight(vertices.view, vertices.positions[v], surface);
@@ -218,7 +218,7 @@ std::vector<Picture> shaded_in_double(const Vertices& vertices, const DirectionS
 }
 
 Deviation deviation(const Vertices& vertices, const std::vector<std::vector<glm::vec4>>& found,
-                    const Picture& truth, double tolerance) {
+                    const Image& truth, double tolerance) {
     Deviation out;
     for (const auto& channel : truth)
         for (const Stokes& s : channel)

@@ -10,12 +10,12 @@
 #include <span>
 #include <vector>
 
-#include "nicol/psh.hpp"
-#include "nicol/response_table.hpp"
-#include "nicol/stokes.hpp"
-#include "transfer/high_order.hpp"
-#include "transfer/viewpoint.hpp"
-#include "transfer/visibility.hpp"
+#include "harmonics/psh.hpp"
+#include "material/response_table.hpp"
+#include "polarization/stokes.hpp"
+#include "polarization/viewpoint.hpp"
+#include "specular/high_order.hpp"
+#include "visibility/visibility.hpp"
 
 namespace nicol::test {
 
@@ -42,21 +42,21 @@ struct Vertices {
                                                        int order);
 
 /// Stokes vectors in the camera's frame, [channel][vertex].
-using Picture = std::vector<std::vector<Stokes>>;
+using Image = std::vector<std::vector<Stokes>>;
 
 /// Relight, the product with visibility and shade, for every light under every response table:
 /// [light * responses.size() + response]. Lights are in the world's axes, of the layout's order, and all have
 /// the same number of channels.
-[[nodiscard]] std::vector<Picture> shaded_in_double(const Vertices& vertices, const DirectionSet& directions,
-                                                    const LightLayout& layout,
-                                                    std::span<const PshVector> lights,
-                                                    std::span<const ResponseTable> responses);
+[[nodiscard]] std::vector<Image> shaded_in_double(const Vertices& vertices, const DirectionSet& directions,
+                                                  const LightLayout& layout,
+                                                  std::span<const PshVector> lights,
+                                                  std::span<const ResponseTable> responses);
 
 /// A texel-by-texel look-up of HighOrderMaps with the factors of HighOrder. fractions: as for
 /// HighOrder::run().
-[[nodiscard]] Picture high_orders_in_double(const Vertices& vertices, const HighOrderFactors& factors,
-                                            const HighOrderMaps& maps, const glm::dmat3& light_to_world,
-                                            std::span<const glm::dvec2> fractions, int channels);
+[[nodiscard]] Image high_orders_in_double(const Vertices& vertices, const HighOrderFactors& factors,
+                                          const HighOrderMaps& maps, const glm::dmat3& light_to_world,
+                                          std::span<const glm::dvec2> fractions, int channels);
 
 /// The visible fractions of HighOrderVisibility for a vertex's mirrored visibility of this order.
 [[nodiscard]] glm::dvec2 fractions_in_double(const Vertices& vertices, std::size_t vertex,
@@ -70,6 +70,6 @@ struct Deviation {
     std::size_t negative = 0;  ///< s0 < 0 although the double is above `tolerance` times the largest
 };
 [[nodiscard]] Deviation deviation(const Vertices& vertices, const std::vector<std::vector<glm::vec4>>& found,
-                                  const Picture& truth, double tolerance);
+                                  const Image& truth, double tolerance);
 
 }  // namespace nicol::test

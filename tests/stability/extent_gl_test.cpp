@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "gl/contexts.hpp"
-#include "nicol/conductor.hpp"
+#include "material/conductor.hpp"
 #include "render/coarse_sphere.hpp"
 #include "render/renderer.hpp"
 #include "stability/lights.hpp"
@@ -35,7 +35,7 @@ EnvironmentPtr light() {
 }
 
 // A sphere over a plate with shadows, low and high orders, all lengths times `unit`.
-StokesImage picture(const std::shared_ptr<gl::Context>& context, double unit, Executor executor) {
+StokesImage image(const std::shared_ptr<gl::Context>& context, double unit, Executor executor) {
     const glm::dmat4 grow = glm::scale(glm::dmat4(1), glm::dvec3(unit));
     Scene scene;
     scene.add({.mesh = test::coarse_sphere(12),
@@ -61,7 +61,7 @@ bool finite(const StokesImage& image) {
 
 TEST_CASE("a scene of a millionth or a million of its size looks the same") {
     const auto context = gl::make_context(gl::Backend::automatic);
-    const StokesImage truth = picture(context, 1, Executor::cpu);
+    const StokesImage truth = image(context, 1, Executor::cpu);
     float largest = 0;
     for (const float value : truth.data) largest = std::max(largest, std::abs(value));
     REQUIRE(largest > 0);
@@ -69,7 +69,7 @@ TEST_CASE("a scene of a millionth or a million of its size looks the same") {
         for (const double unit : {1e-7, 1e-6, 1e6, 1e7}) {
             CAPTURE(unit);
             CAPTURE(static_cast<int>(executor));
-            const StokesImage found = picture(context, unit, executor);
+            const StokesImage found = image(context, unit, executor);
             CHECK(finite(found));
             std::size_t apart = 0;
             for (std::size_t i = 0; i < truth.data.size(); ++i)
@@ -80,7 +80,7 @@ TEST_CASE("a scene of a millionth or a million of its size looks the same") {
     }
 }
 
-TEST_CASE("normals that point straight away from the camera make no holes in the picture") {
+TEST_CASE("normals that point straight away from the camera make no holes in the image") {
     const auto context = gl::make_context(gl::Backend::automatic);
     Mesh plate = make_rectangle(8);
     for (glm::vec3& normal : plate.normals) normal = -normal;

@@ -6,12 +6,12 @@
 #include <initializer_list>
 #include <vector>
 
-#include "nicol/conductor.hpp"
+#include "material/conductor.hpp"
+#include "shading/shade.hpp"
 #include "stability/double_transfer.hpp"
 #include "stability/lights.hpp"
-#include "transfer/shade.hpp"
-#include "transfer/shadow_product.hpp"
 #include "transfer/vertex_light.hpp"
+#include "transfer/visibility_product.hpp"
 
 using namespace nicol;
 
@@ -28,8 +28,8 @@ std::vector<std::vector<glm::vec4>> shaded(const test::Vertices& vertices, const
     const std::size_t count = vertices.normals.size();
     VertexLight local(layout, light.channels(), count);
     Relight(layout, light).run(vertices.normals, 0, local.blocks(), local);
-    const ShadowProduct shadows(vertices.visibility, directions(), vertices.normals, layout,
-                                HorizonExtension::mirrored, ShadowProduct::Form::best, storage);
+    const VisibilityProduct shadows(vertices.visibility, directions(), vertices.normals, layout,
+                                    HorizonExtension::mirrored, VisibilityProduct::Form::best, storage);
     shadows.run(local, 0, shadows.blocks());
     std::vector<std::vector<glm::vec4>> out(static_cast<std::size_t>(light.channels()),
                                             std::vector<glm::vec4>(count));
@@ -59,7 +59,7 @@ Worst compare(const test::Vertices& vertices, const LightLayout& layout, const t
         responses.emplace_back(*material, layout, fields[0].channels());
     const auto truth = test::shaded_in_double(vertices, directions(), layout, fields, responses);
     Worst worst;
-    std::size_t picture = 0;
+    std::size_t image = 0;
     for (const auto& [name, light] : lights) {
         CAPTURE(name);
         for (const ResponseTable& response : responses) {
@@ -67,7 +67,7 @@ Worst compare(const test::Vertices& vertices, const LightLayout& layout, const t
                 const bool fixed = storage == ShadowStorage::fixed16;
                 const double allowed = fixed ? fixed_bound : bound;
                 const test::Deviation d = test::deviation(
-                    vertices, shaded(vertices, light, layout, response, storage), truth[picture], allowed);
+                    vertices, shaded(vertices, light, layout, response, storage), truth[image], allowed);
                 CHECK(d.finite);
                 CHECK(d.largest > 0);
                 CHECK(d.worst < allowed);
@@ -75,7 +75,7 @@ Worst compare(const test::Vertices& vertices, const LightLayout& layout, const t
                 double& most = fixed ? worst.fixed : worst.floats;
                 most = std::max(most, d.worst);
             }
-            ++picture;
+            ++image;
         }
     }
     return worst;

@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "nicol/conductor.hpp"
+#include "material/conductor.hpp"
+#include "specular/high_order_light.hpp"
+#include "specular/high_order_visibility.hpp"
 #include "stability/double_transfer.hpp"
 #include "stability/lights.hpp"
-#include "transfer/high_order_light.hpp"
-#include "transfer/high_order_visibility.hpp"
-#include "transfer/visibility_harmonics.hpp"
+#include "visibility/visibility_harmonics.hpp"
 
 using namespace nicol;
 

@@ -5,14 +5,14 @@
 #include <map>
 #include <string>
 
+#include "light/environment.hpp"
 #include "material/brute_force.hpp"
-#include "nicol/environment.hpp"
 
 namespace nicol::test {
 
 using Lights = std::map<std::string, PshVector>;
 
-/// A picture of `background` with one pixel of `pixel` in it.
+/// A image of `background` with one pixel of `pixel` in it.
 inline EnvironmentPtr hot_pixel(const Stokes& background, const Stokes& pixel) {
     EquirectImage image(64, 33, 3);
     for (std::size_t i = 0; i < image.data.size(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contexts, and objects of one context, used from several threads at once. Without a sanitizer it tells wrong
-// pictures, with ThreadSanitizer every unordered access.
+// images, with ThreadSanitizer every unordered access.
 #include <array>
 #include <atomic>
 #include <thread>
@@ -58,7 +58,7 @@ public:
     Painting(const Painting&) = delete;
     Painting& operator=(const Painting&) = delete;
 
-    /// The picture with the light turned this many quarters about the vertical axis; empty on failure.
+    /// The image with the light rotated this many quarters about the vertical axis; empty on failure.
     std::vector<float> frame(int quarters) {
         constexpr double cosines[] = {1, 0, -1, 0};
         const double c = cosines[quarters % 4], s = cosines[(quarters + 3) % 4];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Visibility kept on disk.
-#include "transfer/bake_cache.hpp"
+#include "visibility/bake_cache.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "error.hpp"
+#include "geometry/mesh.hpp"
 #include "material/scratch.hpp"
-#include "nicol/error.hpp"
-#include "nicol/mesh.hpp"
 
 using namespace nicol;
 using test::content;

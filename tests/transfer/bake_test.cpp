@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What vertices see of the environment past the triangles around them.
-#include "transfer/bake.hpp"
+#include "visibility/bake.hpp"
 
 #include <doctest/doctest.h>
 #include <tbb/task_arena.h>
@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "nicol/error.hpp"
-#include "nicol/mesh.hpp"
+#include "error.hpp"
+#include "geometry/mesh.hpp"
 
 using namespace nicol;
 

@@ -6,13 +6,13 @@
 #include <random>
 #include <vector>
 
+#include "harmonics/evaluate.hpp"
+#include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/material_projection.hpp"
-#include "nicol/rotation.hpp"
+#include "material/conductor.hpp"
+#include "material/material_projection.hpp"
+#include "shading/outgoing_shade.hpp"
 #include "transfer/dense.hpp"
-#include "transfer/outgoing_shade.hpp"
 
 using namespace nicol;
 
@@ -141,8 +141,8 @@ TEST_CASE("outgoing coefficients are evaluated at the view direction, in the cam
             const Frame surface = theta_phi_frame(glm::dvec3(normals[v]));
             const Frame from = surface * theta_phi_frame(glm::transpose(surface) * towards);
             for (int c = 0; c < 2; ++c) {
-                Stokes expected = turned(evaluate(field, c, glm::transpose(surface) * towards),
-                                         angle_between(from, view.frame(towards)));
+                Stokes expected = rotated(evaluate(field, c, glm::transpose(surface) * towards),
+                                          angle_between(from, view.frame(towards)));
                 for (int p = static_cast<int>(kind); p < 4; ++p) expected[p] = 0;
                 CHECK(glm::distance(glm::dvec4(out[static_cast<std::size_t>(c)][v]), expected) < 2e-5);
             }

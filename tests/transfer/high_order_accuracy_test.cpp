@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "light/environment.hpp"
 #include "material/brute_force.hpp"
-#include "material/high_order_kernel.hpp"
-#include "nicol/environment.hpp"
-#include "nicol/material_projection.hpp"
-#include "nicol/psh_matrix_file.hpp"
-#include "transfer/high_order_light.hpp"
+#include "material/material_projection.hpp"
+#include "material/psh_matrix_file.hpp"
+#include "specular/convolution_kernel.hpp"
+#include "specular/high_order_light.hpp"
 #include "transfer/high_order_scene.hpp"
 
 using namespace nicol;
@@ -41,16 +41,16 @@ MaterialPtr mirrored_convolution(int order) {
     return psh_matrix_material({compose(reflection_matrix(order), kernel_matrix(kernel))});
 }
 
-test::Picture convolved(const test::SphereView& sphere, const Material& material, const PshVector& light,
-                        const test::Picture& low, int order) {
+test::Image convolved(const test::SphereView& sphere, const Material& material, const PshVector& light,
+                      const test::Image& low, int order) {
     const LobeMap map =
         convolved_map(light, mirrored_kernels(material, order, light.channels()), l_low, order);
     const HighOrderFactors mirror = HighOrderFactors::mirror();
     return sphere.with(low, HighOrder(mirror, {.centre = &map}, glm::dmat3(1.0)));
 }
 
-test::Picture split(const test::SphereView& sphere, const Material& material, const PshVector& light,
-                    const test::Picture& low, int order, bool polarized) {
+test::Image split(const test::SphereView& sphere, const Material& material, const PshVector& light,
+                  const test::Image& low, int order, bool polarized) {
     const HighOrderFactors factors(material, l_low, order, light.channels());
     HighOrderLight filtered(light, l_low, order, polarized);
     return sphere.with(low, HighOrder(factors, filtered.maps(factors), glm::dmat3(1.0)));
@@ -64,14 +64,14 @@ TEST_CASE("of a material that is a convolution about the mirror direction, convo
     const PshVector light = test::random_light(order, 1, 4, 3);
     const test::SphereView sphere(8, 12);
     const auto local = sphere.local(light, LightKind::full);
-    const auto pictures = sphere.reflected(*material, local, {l_low, order});
-    const auto low = test::relative_error(pictures[0], pictures[1]);
+    const auto images = sphere.reflected(*material, local, {l_low, order});
+    const auto low = test::relative_error(images[0], images[1]);
     const HighOrderFactors mirror = HighOrderFactors::mirror();
     const auto kernels = mirrored_kernels(*material, order, 1);
     const auto error = [&](double tolerance) {
         const LobeMap map = convolved_map(light, kernels, l_low, order, tolerance);
         return test::relative_error(
-            sphere.with(pictures[0], HighOrder(mirror, {.centre = &map}, glm::dmat3(1.0))), pictures[1]);
+            sphere.with(images[0], HighOrder(mirror, {.centre = &map}, glm::dmat3(1.0))), images[1]);
     };
     // What is left is the interpolation in the map.
     const auto fine = error(2e-4);
@@ -90,12 +90,12 @@ TEST_CASE("the split form comes close to the full transfer of polarized light") 
     const test::SphereView sphere(6, 10);
     const auto local = sphere.local(light, LightKind::full);
     for (const MaterialPtr& material : {plastic(0.3), gold(0.2)}) {
-        const auto pictures = sphere.reflected(*material, local, {l_low, order});
-        const auto low = test::relative_error(pictures[0], pictures[1]);
+        const auto images = sphere.reflected(*material, local, {l_low, order});
+        const auto low = test::relative_error(images[0], images[1]);
         const auto convolution =
-            test::relative_error(convolved(sphere, *material, light, pictures[0], order), pictures[1]);
+            test::relative_error(convolved(sphere, *material, light, images[0], order), images[1]);
         const auto found =
-            test::relative_error(split(sphere, *material, light, pictures[0], order, true), pictures[1]);
+            test::relative_error(split(sphere, *material, light, images[0], order, true), images[1]);
         for (std::size_t p = 0; p < 4; ++p) {
             CAPTURE(p);
             CHECK(found[p] < 0.3 * low[p]);
@@ -126,20 +126,19 @@ TEST_CASE("under real light the split form halves what convolution misses, and k
         const auto local = sphere.local(light, LightKind::unpolarized);
         for (const Subject& subject : subjects) {
             const Material& material = *subject.material;
-            const auto pictures = sphere.reflected(material, local, {l_low, order});
-            const auto report = [&](const std::string& what, const test::Picture& picture) {
-                const auto error = test::relative_error(picture, pictures[1]);
+            const auto images = sphere.reflected(material, local, {l_low, order});
+            const auto report = [&](const std::string& what, const test::Image& image) {
+                const auto error = test::relative_error(image, images[1]);
                 MESSAGE(name << ", " << subject.name << ", " << what << ": s0 " << error[0] << ", s1 "
                              << error[1] << ", s2 " << error[2]);
                 return error;
             };
-            report("0..4 alone", pictures[0]);
+            report("0..4 alone", images[0]);
             const auto convolution =
-                report("convolution to 9", convolved(sphere, material, light, pictures[0], 9));
-            report("split to 9", split(sphere, material, light, pictures[0], 9, false));
-            report("split to 32", split(sphere, material, light, pictures[0], 32, false));
-            const auto error =
-                report("split to 64", split(sphere, material, light, pictures[0], order, false));
+                report("convolution to 9", convolved(sphere, material, light, images[0], 9));
+            report("split to 9", split(sphere, material, light, images[0], 9, false));
+            report("split to 32", split(sphere, material, light, images[0], 32, false));
+            const auto error = report("split to 64", split(sphere, material, light, images[0], order, false));
             CHECK(error[0] < convolution[0] / 2);
             CHECK(error[1] < convolution[1] / 5);
             CHECK(error[2] < convolution[2] / 5);
@@ -162,12 +161,12 @@ TEST_CASE("of a measured metal given as a matrix the split form keeps polarizati
     const int order = material->matrix(0)->order_in();
     const PshVector light = test::random_light(order, 3, 1, 1);
     const test::SphereView sphere(8, 10);
-    const auto pictures =
+    const auto images =
         sphere.reflected(*material, sphere.local(light, LightKind::unpolarized), {l_low, order});
     const auto convolution =
-        test::relative_error(convolved(sphere, *material, light, pictures[0], order), pictures[1]);
+        test::relative_error(convolved(sphere, *material, light, images[0], order), images[1]);
     const auto error =
-        test::relative_error(split(sphere, *material, light, pictures[0], order, false), pictures[1]);
+        test::relative_error(split(sphere, *material, light, images[0], order, false), images[1]);
     for (std::size_t p = 0; p < 3; ++p) {
         CAPTURE(p);
         CHECK(error[p] < convolution[p] / 5);

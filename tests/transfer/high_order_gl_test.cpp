@@ -13,9 +13,9 @@
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "material/brute_force.hpp"
-#include "material/high_order_kernel.hpp"
-#include "nicol/conductor.hpp"
-#include "transfer/high_order_light.hpp"
+#include "material/conductor.hpp"
+#include "specular/convolution_kernel.hpp"
+#include "specular/high_order_light.hpp"
 #include "transfer/high_order_scene.hpp"
 
 namespace nicol::gl {

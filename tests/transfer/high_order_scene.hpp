@@ -12,19 +12,19 @@
 #include <span>
 #include <vector>
 
+#include "harmonics/light_layout.hpp"
+#include "harmonics/rotation.hpp"
+#include "material/conductor.hpp"
+#include "material/material.hpp"
 #include "material/matrix_rows.hpp"
 #include "material/row_integral.hpp"
-#include "nicol/conductor.hpp"
-#include "nicol/light_layout.hpp"
-#include "nicol/material.hpp"
-#include "nicol/rotation.hpp"
-#include "transfer/high_order.hpp"
-#include "transfer/viewpoint.hpp"
+#include "polarization/viewpoint.hpp"
+#include "specular/high_order.hpp"
 
 namespace nicol::test {
 
 /// Stokes vectors in the camera's frame, [channel][vertex].
-using Picture = std::vector<std::vector<glm::vec4>>;
+using Image = std::vector<std::vector<glm::vec4>>;
 
 inline MaterialPtr plastic(double alpha) {
     return pplastic({.diffuse_reflectance = {0.6, 0.35, 0.1},
@@ -80,20 +80,20 @@ struct SphereView {
     [[nodiscard]] LocalLight local(const PshVector& light, LightKind kind) const {
         LocalLight out{LightLayout(light.order(), kind), light.channels(), {}};
         for (const glm::vec3& normal : normals) {
-            const PshVector turned_light = rotated(light, glm::transpose(surface(normal)));
+            const PshVector rotated_light = rotated(light, glm::transpose(surface(normal)));
             for (int c = 0; c < light.channels(); ++c)
-                out.packed.push_back(out.layout.pack(turned_light.channel(c)));
+                out.packed.push_back(out.layout.pack(rotated_light.channel(c)));
         }
         return out;
     }
 
     /// The reflected light of orders 0..top, for top = each of `tops`.
-    [[nodiscard]] std::vector<Picture> reflected(const Material& material, const LocalLight& light,
-                                                 const std::vector<int>& tops) const {
+    [[nodiscard]] std::vector<Image> reflected(const Material& material, const LocalLight& light,
+                                               const std::vector<int>& tops) const {
         const LightLayout& layout = light.layout;
         const auto channels = static_cast<std::size_t>(light.channels);
         const auto rows = response_rows(material, layout, light.channels);
-        std::vector<Picture> out(tops.size(), black(light.channels));
+        std::vector<Image> out(tops.size(), black(light.channels));
         for (std::size_t v = 0; v < normals.size(); ++v) {
             const Frame frame = surface(normals[v]);
             const glm::dvec3 towards(0, 0, 1);
@@ -110,20 +110,20 @@ struct SphereView {
                             sum[static_cast<int>(p)] +=
                                 row[p * z.size() + j] * (p < 2 ? z[j].real() : z[j].imag());
                     }
-                    out[i][c][v] = glm::vec4(turned(sum, turn));
+                    out[i][c][v] = glm::vec4(rotated(sum, turn));
                 }
             }
         }
         return out;
     }
 
-    [[nodiscard]] Picture black(int channels) const {
-        return Picture(static_cast<std::size_t>(channels), std::vector<glm::vec4>(normals.size()));
+    [[nodiscard]] Image black(int channels) const {
+        return Image(static_cast<std::size_t>(channels), std::vector<glm::vec4>(normals.size()));
     }
 
     /// `low` and the high orders on top.
-    [[nodiscard]] Picture with(const Picture& low, const HighOrder& high) const {
-        Picture out = low;
+    [[nodiscard]] Image with(const Image& low, const HighOrder& high) const {
+        Image out = low;
         std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
         high.run(view, normals, normals, visible, {}, 0, normals.size(), channels);
         return out;
@@ -168,7 +168,7 @@ private:
 };
 
 /// Root of the mean square difference of each Stokes component over that of `truth`, all channels together.
-inline std::array<double, 4> relative_error(const Picture& found, const Picture& truth) {
+inline std::array<double, 4> relative_error(const Image& found, const Image& truth) {
     std::array<double, 4> error{};
     for (int p = 0; p < 4; ++p) {
         double difference = 0;

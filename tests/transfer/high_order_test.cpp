@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "transfer/high_order.hpp"
+#include "specular/high_order.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,10 +8,10 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "error.hpp"
 #include "material/brute_force.hpp"
-#include "material/high_order_gains.hpp"
-#include "nicol/error.hpp"
-#include "transfer/high_order_light.hpp"
+#include "specular/high_order_gains.hpp"
+#include "specular/high_order_light.hpp"
 #include "transfer/high_order_scene.hpp"
 
 using namespace nicol;
@@ -30,9 +30,10 @@ TEST_CASE("turning the light turns the look-up") {
     const glm::dmat3 turn = frame_with_x(glm::normalize(glm::dvec3(1, -2, 0.5)), {0.3, 0.1, 1});
     const HighOrderFactors factors(*plastic(0.2), l_low, 12, 1 + 2);
     HighOrderLight still(light, l_low, 12, true);
-    HighOrderLight turned_light(rotated(light, turn), l_low, 12, true);
+    HighOrderLight rotated_light(rotated(light, turn), l_low, 12, true);
     const auto black = sphere.black(3);
-    const auto expected = sphere.with(black, HighOrder(factors, turned_light.maps(factors), glm::dmat3(1.0)));
+    const auto expected =
+        sphere.with(black, HighOrder(factors, rotated_light.maps(factors), glm::dmat3(1.0)));
     const auto found = sphere.with(black, HighOrder(factors, still.maps(factors), turn));
     for (const double e : test::relative_error(found, expected)) CHECK(e < 3e-3);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "transfer/high_order_visibility.hpp"
+#include "specular/high_order_visibility.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,10 +10,10 @@
 #include <numbers>
 #include <vector>
 
-#include "material/high_order_gains.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/grid.hpp"
+#include "error.hpp"
+#include "harmonics/evaluate.hpp"
+#include "harmonics/grid.hpp"
+#include "specular/high_order_gains.hpp"
 
 using namespace nicol;
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "transfer/physical_range.hpp"
+#include "shading/physical_range.hpp"
 
 using namespace nicol;
 

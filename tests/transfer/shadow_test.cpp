@@ -11,17 +11,17 @@
 #include <random>
 #include <vector>
 
+#include "error.hpp"
+#include "harmonics/mirror_basis.hpp"
+#include "harmonics/product.hpp"
 #include "material/brute_force.hpp"
-#include "nicol/error.hpp"
-#include "nicol/product.hpp"
-#include "transfer/mirror_basis.hpp"
-#include "transfer/shadow_product.hpp"
+#include "transfer/visibility_product.hpp"
 
 using namespace nicol;
 
 namespace {
 
-using Form = ShadowProduct::Form;
+using Form = VisibilityProduct::Form;
 
 constexpr std::array kinds{LightKind::unpolarized, LightKind::linear, LightKind::full};
 
@@ -51,9 +51,9 @@ struct Scene {
             }
         }
     }
-    [[nodiscard]] ShadowProduct product(const LightLayout& layout, HorizonExtension extension, Form form,
-                                        ShadowStorage storage) const {
-        return ShadowProduct(visibility, directions(), normals, layout, extension, form, storage);
+    [[nodiscard]] VisibilityProduct product(const LightLayout& layout, HorizonExtension extension, Form form,
+                                            ShadowStorage storage) const {
+        return VisibilityProduct(visibility, directions(), normals, layout, extension, form, storage);
     }
 
     Visibility visibility;
@@ -157,7 +157,7 @@ TEST_CASE("the product at vertices is the product of harmonics, whatever its for
                                                   std::pair{HorizonExtension::mirrored, Form::grid},
                                                   std::pair{HorizonExtension::dark, Form::grid}}) {
                 for (const ShadowStorage storage : {ShadowStorage::float32, ShadowStorage::fixed16}) {
-                    const ShadowProduct product = scene.product(layout, extension, form, storage);
+                    const VisibilityProduct product = scene.product(layout, extension, form, storage);
                     CHECK(product.form() == form);
                     VertexLight result = light;
                     product.run(result, 0, light.blocks());
@@ -176,7 +176,7 @@ TEST_CASE("vertices that see all keep their light, and blocks of them are not st
     Scene scene(56);
     for (std::size_t v = 16; v < 32; ++v) scene.visibility.set_unoccluded(v, true);
     const LightLayout layout(4, LightKind::linear);
-    const ShadowProduct product =
+    const VisibilityProduct product =
         scene.product(layout, HorizonExtension::mirrored, Form::best, ShadowStorage::fixed16);
     CHECK(product.blocks() == 3);
     CHECK(product.matrices()->vertices.size() == 40);
@@ -205,7 +205,7 @@ TEST_CASE("the product is the same to the last bit in place, in pieces and besid
     const LightLayout layout(3, LightKind::full);
     const VertexLight light = vertex_lights(layout, 1, 300);
     for (const Form form : {Form::matrix, Form::grid}) {
-        std::vector<ShadowProduct> products;
+        std::vector<VisibilityProduct> products;
         for (const int threads : {1, 2}) {
             tbb::task_arena(threads).execute([&] {
                 products.push_back(
@@ -228,7 +228,7 @@ TEST_CASE("no vertex in shadow makes no blocks") {
     Visibility visibility(directions().size(), 3);
     for (std::size_t v = 0; v < 3; ++v) visibility.set_unoccluded(v, true);
     const std::vector<glm::vec3> normals(3, {0, 0, 1});
-    const ShadowProduct product(visibility, directions(), normals, layout);
+    const VisibilityProduct product(visibility, directions(), normals, layout);
     CHECK(product.blocks() == 0);
     CHECK(product.bytes() == sizeof(std::uint32_t));  // that there is none
 }
@@ -251,8 +251,8 @@ TEST_CASE("coefficients that are made on the way can be kept") {
     for (const HorizonExtension extension : {HorizonExtension::mirrored, HorizonExtension::dark}) {
         const VisibilityHarmonics harmonics(directions(), 6, extension);
         VisibilityBlocks kept(scene.visibility, harmonics);
-        const ShadowProduct product(scene.visibility, directions(), scene.normals, layout, extension,
-                                    Form::best, ShadowStorage::fixed16, &kept);
+        const VisibilityProduct product(scene.visibility, directions(), scene.normals, layout, extension,
+                                        Form::best, ShadowStorage::fixed16, &kept);
         VisibilityBlocks expected(scene.visibility, harmonics);
         std::vector<Lanes> lanes(psh_count(6));
         for (std::size_t block = 0; block < 5; ++block) {
@@ -268,8 +268,8 @@ TEST_CASE("coefficients that are made on the way can be kept") {
             CHECK(one == other);
         }
         VisibilityBlocks short_one(scene.visibility, VisibilityHarmonics(directions(), 4, extension));
-        CHECK_THROWS_AS(ShadowProduct(scene.visibility, directions(), scene.normals, layout, extension,
-                                      Form::best, ShadowStorage::fixed16, &short_one),
+        CHECK_THROWS_AS(VisibilityProduct(scene.visibility, directions(), scene.normals, layout, extension,
+                                          Form::best, ShadowStorage::fixed16, &short_one),
                         Error);
     }
 }
@@ -293,8 +293,9 @@ TEST_CASE("what does not fit together is refused") {
     const LightLayout beyond(33, LightKind::linear);
     CHECK(product(beyond, mirrored, Form::best) == ErrorCode::invalid_argument);
     const std::vector<glm::vec3> few(2, {0, 0, 1});
-    CHECK(refused([&] { return ShadowProduct(scene.visibility, directions(), few, low); }) ==
+    CHECK(refused([&] { return VisibilityProduct(scene.visibility, directions(), few, low); }) ==
           ErrorCode::invalid_argument);
-    CHECK(refused([&] { return ShadowProduct(scene.visibility, DirectionSet(256), scene.normals, low); }) ==
-          ErrorCode::invalid_argument);
+    CHECK(refused([&] {
+              return VisibilityProduct(scene.visibility, DirectionSet(256), scene.normals, low);
+          }) == ErrorCode::invalid_argument);
 }

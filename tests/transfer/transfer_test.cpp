@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
+#include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
-#include "nicol/rotation.hpp"
-#include "transfer/shade.hpp"
+#include "shading/shade.hpp"
 #include "transfer/vertex_light.hpp"
 
 using namespace nicol;
@@ -99,7 +99,7 @@ TEST_CASE("relight and shade equal the reflection integral in the angular domain
                     // x of the camera's frame is ray x up, written out once more.
                     const glm::dvec3 x = glm::normalize(glm::cross(-towards, view.up));
                     const Frame camera(x, glm::cross(towards, x), towards);
-                    expected = turned(expected, angle_between(theta_phi_frame(towards), camera));
+                    expected = rotated(expected, angle_between(theta_phi_frame(towards), camera));
                     const glm::vec4 got = out[static_cast<std::size_t>(c)][v];
                     CHECK(glm::distance(glm::dvec4(got), expected) < 1e-4);
                 }
@@ -122,14 +122,14 @@ TEST_CASE("turning light, object and camera together leaves the shading unchange
         visible.push_back(glm::dot(n, glm::vec3(0, 0, -5) - 0.5F * n) > 0 ? 1 : 0);
 
     const auto shade = [&](const glm::dmat3& rotation) {
-        std::vector<glm::vec3> turned_normals;
+        std::vector<glm::vec3> rotated_normals;
         std::vector<glm::vec3> positions;
         for (const glm::vec3& n : normals) {
-            turned_normals.emplace_back(rotation * glm::dvec3(n));
+            rotated_normals.emplace_back(rotation * glm::dvec3(n));
             positions.emplace_back(rotation * (0.5 * glm::dvec3(n)));
         }
         VertexLight local(layout, 1, normals.size());
-        Relight(layout, rotated(light, rotation)).run(turned_normals, 0, local.blocks(), local);
+        Relight(layout, rotated(light, rotation)).run(rotated_normals, 0, local.blocks(), local);
         Viewpoint view;
         view.eye = rotation * glm::dvec3(0, 0, -5);
         view.forward = rotation * glm::dvec3(0, 0, 1);
@@ -137,7 +137,7 @@ TEST_CASE("turning light, object and camera together leaves the shading unchange
         view.right = rotation * glm::dvec3(-1, 0, 0);
         std::vector<glm::vec4> out(normals.size(), glm::vec4(0));
         const std::vector<std::span<glm::vec4>> channels{out};
-        Shade(layout).run(table, local, view, positions, turned_normals, visible, 0, normals.size(),
+        Shade(layout).run(table, local, view, positions, rotated_normals, visible, 0, normals.size(),
                           channels);
         return out;
     };
@@ -177,7 +177,7 @@ TEST_CASE("straight above and below the camera the frame is still a frame") {
         CHECK(glm::distance(f[0], view.right) < 1e-12);
         CHECK(glm::distance(glm::cross(f[0], f[1]), d) < 1e-12);
     }
-    // In the middle of the picture x is image right and y image up.
+    // In the middle of the image x is image right and y image up.
     const Frame centre = view.frame(-view.forward);
     CHECK(glm::distance(centre[0], view.right) < 1e-12);
     CHECK(glm::distance(centre[1], view.up) < 1e-12);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What shadows do to spectra, in the mean over all orientations.
-#include "transfer/visibility_power.hpp"
+#include "visibility/visibility_power.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "nicol/psh.hpp"
+#include "harmonics/psh.hpp"
 
 using namespace nicol;
 

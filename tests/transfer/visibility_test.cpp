@@ -13,16 +13,16 @@
 #include <random>
 #include <vector>
 
+#include "error.hpp"
 #include "files/npz.hpp"
-#include "nicol/error.hpp"
-#include "nicol/evaluate.hpp"
-#include "nicol/grid.hpp"
-#include "nicol/mesh.hpp"
-#include "nicol/psh.hpp"
-#include "nicol/stokes.hpp"
-#include "transfer/bake.hpp"
-#include "transfer/visibility_directions.hpp"
-#include "transfer/visibility_harmonics.hpp"
+#include "geometry/mesh.hpp"
+#include "harmonics/evaluate.hpp"
+#include "harmonics/grid.hpp"
+#include "harmonics/psh.hpp"
+#include "polarization/stokes.hpp"
+#include "visibility/bake.hpp"
+#include "visibility/visibility_directions.hpp"
+#include "visibility/visibility_harmonics.hpp"
 
 using namespace nicol;
 

@@ -54,19 +54,19 @@ HIGH_ORDERS_AT_PIXELS = 2
 EXECUTOR_AUTOMATIC = 0
 EXECUTOR_CPU = 1
 EXECUTOR_COMPUTE = 2
-SKIP_UNCHANGED = 1
-SKIP_LIGHT_COMPONENTS = 2
-SKIP_CHANNELS = 4
-SKIP_ORDERS = 8
-SKIP_RESPONSE_ROWS = 16
-SKIP_HIDDEN = 32
-SKIP_UNOCCLUDED = 64
-SKIP_ALL = 127
-PLANES_DEPTH = 1
-PLANES_NORMALS = 2
-PLANES_POSITIONS = 4
-PLANES_INSTANCES = 8
-PLANES_ALL = 15
+OPTIMISATION_UNCHANGED = 1
+OPTIMISATION_LIGHT_COMPONENTS = 2
+OPTIMISATION_CHANNELS = 4
+OPTIMISATION_ORDERS = 8
+OPTIMISATION_RESPONSE_ROWS = 16
+OPTIMISATION_HIDDEN = 32
+OPTIMISATION_UNOCCLUDED = 64
+OPTIMISATION_ALL = 127
+AOV_DEPTH = 1
+AOV_NORMALS = 2
+AOV_POSITIONS = 4
+AOV_INSTANCES = 8
+AOV_ALL = 15
 COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
 COMPONENTS_LINEAR = 3
@@ -92,13 +92,13 @@ FORMAT_FLOAT32 = 1
 FORMAT_FLOAT16 = 2
 FORMAT_UINT32 = 3
 ALL_CHANNELS = 4294967295
-PICTURE_S0 = 0
-PICTURE_S1 = 1
-PICTURE_S2 = 2
-PICTURE_S3 = 3
-PICTURE_DOLP = 4
-PICTURE_AOLP = 5
-PICTURE_POLARIZER = 6
+OBSERVATION_S0 = 0
+OBSERVATION_S1 = 1
+OBSERVATION_S2 = 2
+OBSERVATION_S3 = 3
+OBSERVATION_DOLP = 4
+OBSERVATION_AOLP = 5
+OBSERVATION_POLARIZER = 6
 ENCODING_LINEAR = 0
 ENCODING_SRGB = 1
 PSH_MAX_ORDER = 4096
@@ -107,7 +107,7 @@ PSH_GRID_FEJER = 0
 PSH_GRID_CLENSHAW_CURTIS = 1
 PSH_GRID_GAUSS_LEGENDRE = 2
 PSH_BAND_SIZE = 16
-FILE_LIGHT_PICTURE = 1
+FILE_LIGHT_IMAGE = 1
 FILE_LIGHT_CROSS = 2
 FILE_LIGHT_PSH = 3
 FILE_MATERIAL_PSH = 4
@@ -172,7 +172,7 @@ class ContextInfo(Struct):
 
 
 class Image(Struct):
-    """An equirectangular picture over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
+    """An equirectangular image over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
     -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole)."""
     _callbacks_ = {"release": ReleaseCallback}
     _fields_ = [
@@ -340,7 +340,7 @@ class RenderOptions(Struct):
         ("high_orders_at", c_uint32),
         ("tolerance", c_double),
         ("components", c_uint32),
-        ("unskipped", c_uint32),
+        ("disabled_optimisations", c_uint32),
         ("high_order_shadows", c_int32),
         ("planes", c_uint32),
     ]
@@ -412,7 +412,7 @@ class PlaneBuffer(Struct):
     ]
 
 
-class Picture(Struct):
+class Observation(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_uint32),
@@ -499,7 +499,7 @@ class FileOptions(Struct):
 
 
 class LightReport(Struct):
-    """What a light is, by channel; means and parts are over the sphere by solid angle, of the picture that would
+    """What a light is, by channel; means and parts are over the sphere by solid angle, of the image that would
     be written."""
     _fields_ = [
         ("struct_size", c_uint32),
@@ -811,7 +811,7 @@ class Scene(Handle):
         check(_scene_set_environment(self, environment, array(to_world, c_double, 16), scale))
 
     def get_environment(self):
-        """What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is turned
+        """What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is rotated
         and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment
         is NULL, to_world the identity and scale 1."""
         environment = Environment()
@@ -833,7 +833,7 @@ class Scene(Handle):
         return width.value, height.value
 
     def get_channels(self):
-        """Colour channels of its pictures: those of everything in it, 1 (all grey) or more, and 1 where the film of a
+        """Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 where the film of a
         loaded file asks for luminance."""
         channels = c_uint32()
         check(_scene_get_channels(self, byref(channels)))
@@ -841,7 +841,7 @@ class Scene(Handle):
 
 
 class Framebuffer(Handle):
-    """the Stokes picture of the last render into it"""
+    """the Stokes image of the last render into it"""
 
     @classmethod
     def create(cls, context, width, height, channels):
@@ -885,13 +885,13 @@ class Framebuffer(Handle):
         and of the planes that the last render was asked for Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned)."""
         check(_framebuffer_write_exr(self, text(path)))
 
-    def write_png(self, picture, path):
+    def write_png(self, image, path):
         """8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
         channels."""
-        check(_framebuffer_write_png(self, byref(picture) if picture is not None else None, text(path)))
+        check(_framebuffer_write_png(self, byref(image) if image is not None else None, text(path)))
 
     def get_texture(self, channel):
-        """The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the picture's TOP.
+        """The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
         The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
         render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
         NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below."""
@@ -903,10 +903,10 @@ class Framebuffer(Handle):
         """Copies the Stokes vectors of a channel. Nothing is read back."""
         check(_framebuffer_draw_stokes(self, channel, byref(target) if target is not None else None))
 
-    def draw_picture(self, picture, target):
-        """The picture that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
+    def draw_observation(self, image, target):
+        """The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
         1 here, since nothing is read back."""
-        check(_framebuffer_draw_picture(self, byref(picture) if picture is not None else None, byref(target) if target is not None else None))
+        check(_framebuffer_draw_observation(self, byref(image) if image is not None else None, byref(target) if target is not None else None))
 
 
 class Job(Handle):
@@ -1026,7 +1026,7 @@ def render_async(scene, camera, options, framebuffer):
 
 def psh_project_image(image, order, coefficients):
     """Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
-    is channels * 4 (order+1)^2. A picture counts as the bilinear function between its pixels. As an
+    is channels * 4 (order+1)^2. A image counts as the bilinear function between its pixels. As an
     environment, it must be physical: polarization up to s0."""
     image = lend(image)
     coefficients = Buffer(coefficients, c_double, writable=True)
@@ -1070,7 +1070,7 @@ def psh_evaluate(order, vectors, coefficients, directions, stokes):
 
 
 def psh_rotate(order, vectors, in_, rotation, out):
-    """The fields turned with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
+    """The fields rotated with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
     orthonormal to 1e-5 and right-handed. out may be in."""
     in_ = Buffer(in_, c_double)
     out = Buffer(out, c_double, writable=True)
@@ -1170,8 +1170,8 @@ def file_identify(path):
 def file_describe_light(path, options, energy=None):
     """options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
     [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
-    change the report as they would an output; what concerns pictures to write must be 0; the order limits the
-    energies of a picture, and all of coefficients. A picture that violates Eq. 70 is described, though it is
+    change the report as they would an output; what concerns images to write must be 0; the order limits the
+    energies of a image, and all of coefficients. A image that violates Eq. 70 is described, though it is
     refused as a light."""
     report = LightReport()
     energy = Buffer(energy, c_double, writable=True)
@@ -1261,11 +1261,11 @@ _framebuffer_get_statistics = declare("nicol_framebuffer_get_statistics", c_int3
 _framebuffer_read = declare("nicol_framebuffer_read", c_int32, Framebuffer, c_uint32, c_uint32, POINTER(c_float), c_uint64, c_uint64)
 _framebuffer_read_plane = declare("nicol_framebuffer_read_plane", c_int32, Framebuffer, POINTER(PlaneBuffer))
 _framebuffer_write_exr = declare("nicol_framebuffer_write_exr", c_int32, Framebuffer, c_char_p)
-_framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Picture), c_char_p)
+_framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Observation), c_char_p)
 _context_create_host = declare("nicol_context_create_host", c_int32, POINTER(Host), POINTER(ContextOptions), POINTER(Context))
 _framebuffer_get_texture = declare("nicol_framebuffer_get_texture", c_int32, Framebuffer, c_uint32, POINTER(Texture))
 _framebuffer_draw_stokes = declare("nicol_framebuffer_draw_stokes", c_int32, Framebuffer, c_uint32, POINTER(TextureTarget))
-_framebuffer_draw_picture = declare("nicol_framebuffer_draw_picture", c_int32, Framebuffer, POINTER(Picture), POINTER(TextureTarget))
+_framebuffer_draw_observation = declare("nicol_framebuffer_draw_observation", c_int32, Framebuffer, POINTER(Observation), POINTER(TextureTarget))
 _psh_project_image = declare("nicol_psh_project_image", c_int32, POINTER(Image), c_uint32, POINTER(c_double), c_uint64)
 _psh_project_environment = declare("nicol_psh_project_environment", c_int32, Environment, c_uint32, POINTER(c_double), c_uint64)
 _psh_project_file = declare("nicol_psh_project_file", c_int32, c_char_p, c_uint32, POINTER(c_uint32), POINTER(c_double), c_uint64)
@@ -1298,6 +1298,11 @@ _psh_write_file = declare("nicol_psh_write_file", c_int32, c_char_p, c_uint32, c
 
 __all__ = [
     "ALL_CHANNELS",
+    "AOV_ALL",
+    "AOV_DEPTH",
+    "AOV_INSTANCES",
+    "AOV_NORMALS",
+    "AOV_POSITIONS",
     "BACKEND_AUTOMATIC",
     "BACKEND_EGL",
     "BACKEND_HOST",
@@ -1338,7 +1343,7 @@ __all__ = [
     "EnvironmentLoadOptions",
     "FILE_BAND_LIMITED",
     "FILE_LIGHT_CROSS",
-    "FILE_LIGHT_PICTURE",
+    "FILE_LIGHT_IMAGE",
     "FILE_LIGHT_PSH",
     "FILE_MATERIAL_MEASURED",
     "FILE_MATERIAL_PSH",
@@ -1381,19 +1386,23 @@ __all__ = [
     "Mesh",
     "MeshData",
     "NO_INSTANCE",
+    "OBSERVATION_AOLP",
+    "OBSERVATION_DOLP",
+    "OBSERVATION_POLARIZER",
+    "OBSERVATION_S0",
+    "OBSERVATION_S1",
+    "OBSERVATION_S2",
+    "OBSERVATION_S3",
     "OK",
-    "PICTURE_AOLP",
-    "PICTURE_DOLP",
-    "PICTURE_POLARIZER",
-    "PICTURE_S0",
-    "PICTURE_S1",
-    "PICTURE_S2",
-    "PICTURE_S3",
-    "PLANES_ALL",
-    "PLANES_DEPTH",
-    "PLANES_INSTANCES",
-    "PLANES_NORMALS",
-    "PLANES_POSITIONS",
+    "OPTIMISATION_ALL",
+    "OPTIMISATION_CHANNELS",
+    "OPTIMISATION_HIDDEN",
+    "OPTIMISATION_LIGHT_COMPONENTS",
+    "OPTIMISATION_ORDERS",
+    "OPTIMISATION_RESPONSE_ROWS",
+    "OPTIMISATION_UNCHANGED",
+    "OPTIMISATION_UNOCCLUDED",
+    "Observation",
     "PLANE_AOLP",
     "PLANE_DEPTH",
     "PLANE_DOLP",
@@ -1413,21 +1422,12 @@ __all__ = [
     "PSH_GRID_GAUSS_LEGENDRE",
     "PSH_MAX_MATRIX_ORDER",
     "PSH_MAX_ORDER",
-    "Picture",
     "PlaneBuffer",
     "Pplastic",
     "PshMuellerField",
     "PshSampling",
     "PshTransform",
     "RenderOptions",
-    "SKIP_ALL",
-    "SKIP_CHANNELS",
-    "SKIP_HIDDEN",
-    "SKIP_LIGHT_COMPONENTS",
-    "SKIP_ORDERS",
-    "SKIP_RESPONSE_ROWS",
-    "SKIP_UNCHANGED",
-    "SKIP_UNOCCLUDED",
     "Scene",
     "Sky",
     "Spectrum",

@@ -51,19 +51,19 @@ pub const NICOL_HIGH_ORDERS_AT_PIXELS: u32 = 2;
 pub const NICOL_EXECUTOR_AUTOMATIC: u32 = 0;
 pub const NICOL_EXECUTOR_CPU: u32 = 1;
 pub const NICOL_EXECUTOR_COMPUTE: u32 = 2;
-pub const NICOL_SKIP_UNCHANGED: u32 = 1;
-pub const NICOL_SKIP_LIGHT_COMPONENTS: u32 = 2;
-pub const NICOL_SKIP_CHANNELS: u32 = 4;
-pub const NICOL_SKIP_ORDERS: u32 = 8;
-pub const NICOL_SKIP_RESPONSE_ROWS: u32 = 16;
-pub const NICOL_SKIP_HIDDEN: u32 = 32;
-pub const NICOL_SKIP_UNOCCLUDED: u32 = 64;
-pub const NICOL_SKIP_ALL: u32 = 127;
-pub const NICOL_PLANES_DEPTH: u32 = 1;
-pub const NICOL_PLANES_NORMALS: u32 = 2;
-pub const NICOL_PLANES_POSITIONS: u32 = 4;
-pub const NICOL_PLANES_INSTANCES: u32 = 8;
-pub const NICOL_PLANES_ALL: u32 = 15;
+pub const NICOL_OPTIMISATION_UNCHANGED: u32 = 1;
+pub const NICOL_OPTIMISATION_LIGHT_COMPONENTS: u32 = 2;
+pub const NICOL_OPTIMISATION_CHANNELS: u32 = 4;
+pub const NICOL_OPTIMISATION_ORDERS: u32 = 8;
+pub const NICOL_OPTIMISATION_RESPONSE_ROWS: u32 = 16;
+pub const NICOL_OPTIMISATION_HIDDEN: u32 = 32;
+pub const NICOL_OPTIMISATION_UNOCCLUDED: u32 = 64;
+pub const NICOL_OPTIMISATION_ALL: u32 = 127;
+pub const NICOL_AOV_DEPTH: u32 = 1;
+pub const NICOL_AOV_NORMALS: u32 = 2;
+pub const NICOL_AOV_POSITIONS: u32 = 4;
+pub const NICOL_AOV_INSTANCES: u32 = 8;
+pub const NICOL_AOV_ALL: u32 = 15;
 pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
 pub const NICOL_COMPONENTS_LINEAR: u32 = 3;
@@ -89,13 +89,13 @@ pub const NICOL_FORMAT_FLOAT32: u32 = 1;
 pub const NICOL_FORMAT_FLOAT16: u32 = 2;
 pub const NICOL_FORMAT_UINT32: u32 = 3;
 pub const NICOL_ALL_CHANNELS: u32 = 4294967295;
-pub const NICOL_PICTURE_S0: u32 = 0;
-pub const NICOL_PICTURE_S1: u32 = 1;
-pub const NICOL_PICTURE_S2: u32 = 2;
-pub const NICOL_PICTURE_S3: u32 = 3;
-pub const NICOL_PICTURE_DOLP: u32 = 4;
-pub const NICOL_PICTURE_AOLP: u32 = 5;
-pub const NICOL_PICTURE_POLARIZER: u32 = 6;
+pub const NICOL_OBSERVATION_S0: u32 = 0;
+pub const NICOL_OBSERVATION_S1: u32 = 1;
+pub const NICOL_OBSERVATION_S2: u32 = 2;
+pub const NICOL_OBSERVATION_S3: u32 = 3;
+pub const NICOL_OBSERVATION_DOLP: u32 = 4;
+pub const NICOL_OBSERVATION_AOLP: u32 = 5;
+pub const NICOL_OBSERVATION_POLARIZER: u32 = 6;
 pub const NICOL_ENCODING_LINEAR: u32 = 0;
 pub const NICOL_ENCODING_SRGB: u32 = 1;
 pub const NICOL_PSH_MAX_ORDER: u32 = 4096;
@@ -104,7 +104,7 @@ pub const NICOL_PSH_GRID_FEJER: u32 = 0;
 pub const NICOL_PSH_GRID_CLENSHAW_CURTIS: u32 = 1;
 pub const NICOL_PSH_GRID_GAUSS_LEGENDRE: u32 = 2;
 pub const NICOL_PSH_BAND_SIZE: u32 = 16;
-pub const NICOL_FILE_LIGHT_PICTURE: u32 = 1;
+pub const NICOL_FILE_LIGHT_IMAGE: u32 = 1;
 pub const NICOL_FILE_LIGHT_CROSS: u32 = 2;
 pub const NICOL_FILE_LIGHT_PSH: u32 = 3;
 pub const NICOL_FILE_MATERIAL_PSH: u32 = 4;
@@ -163,7 +163,7 @@ pub type nicol_scene = *mut nicol_scene_impl;
 pub struct nicol_framebuffer_impl {
     _private: [u8; 0],
 }
-/// the Stokes picture of the last render into it
+/// the Stokes image of the last render into it
 pub type nicol_framebuffer = *mut nicol_framebuffer_impl;
 
 /// One value a colour channel. count 0: the default; 1: the same in every channel; else the scene's channel
@@ -277,7 +277,7 @@ const _: () = {
 
 pub type nicol_release_callback = Option<unsafe extern "C" fn(user: *mut c_void)>;
 
-/// An equirectangular picture over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
+/// An equirectangular image over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
 /// -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole).
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -649,7 +649,7 @@ pub struct nicol_render_options {
     pub high_orders_at: nicol_high_orders_at,
     pub tolerance: f64,
     pub components: nicol_components,
-    pub unskipped: u32,
+    pub disabled_optimisations: u32,
     pub high_order_shadows: i32,
     pub planes: u32,
 }
@@ -681,7 +681,7 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, high_orders_at) == 76);
     assert!(offset_of!(nicol_render_options, tolerance) == 80);
     assert!(offset_of!(nicol_render_options, components) == 88);
-    assert!(offset_of!(nicol_render_options, unskipped) == 92);
+    assert!(offset_of!(nicol_render_options, disabled_optimisations) == 92);
     assert!(offset_of!(nicol_render_options, high_order_shadows) == 96);
     assert!(offset_of!(nicol_render_options, planes) == 100);
 };
@@ -848,18 +848,18 @@ const _: () = {
     assert!(offset_of!(nicol_plane_buffer, row_stride) == 24);
     assert!(offset_of!(nicol_plane_buffer, byte_size) == 32);
 };
-pub type nicol_picture_kind = u32;
+pub type nicol_observation_kind = u32;
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct nicol_picture {
+pub struct nicol_observation {
     pub struct_size: u32,
-    pub kind: nicol_picture_kind,
+    pub kind: nicol_observation_kind,
     pub exposure: f32,
     pub scale: f32,
     pub polarizer_angle: f32,
 }
-impl Default for nicol_picture {
+impl Default for nicol_observation {
     fn default() -> Self {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
@@ -868,12 +868,12 @@ impl Default for nicol_picture {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_picture>() == 20);
-    assert!(offset_of!(nicol_picture, struct_size) == 0);
-    assert!(offset_of!(nicol_picture, kind) == 4);
-    assert!(offset_of!(nicol_picture, exposure) == 8);
-    assert!(offset_of!(nicol_picture, scale) == 12);
-    assert!(offset_of!(nicol_picture, polarizer_angle) == 16);
+    assert!(size_of::<nicol_observation>() == 20);
+    assert!(offset_of!(nicol_observation, struct_size) == 0);
+    assert!(offset_of!(nicol_observation, kind) == 4);
+    assert!(offset_of!(nicol_observation, exposure) == 8);
+    assert!(offset_of!(nicol_observation, scale) == 12);
+    assert!(offset_of!(nicol_observation, polarizer_angle) == 16);
 };
 
 /// The address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and others
@@ -1085,7 +1085,7 @@ const _: () = {
     assert!(offset_of!(nicol_file_options, reserved) == 172);
 };
 
-/// What a light is, by channel; means and parts are over the sphere by solid angle, of the picture that would
+/// What a light is, by channel; means and parts are over the sphere by solid angle, of the image that would
 /// be written.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -1299,14 +1299,14 @@ extern "C" {
     /// environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
     /// one), scale multiplies (0: 1; finite, not negative).
     pub fn nicol_scene_set_environment(scene: nicol_scene, environment: nicol_environment, to_world: *const [f64; 16], scale: f64) -> nicol_result;
-    /// What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is turned
+    /// What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is rotated
     /// and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment
     /// is NULL, to_world the identity and scale 1.
     pub fn nicol_scene_get_environment(scene: nicol_scene, environment: *mut nicol_environment, to_world: *mut [f64; 16], scale: *mut f64) -> nicol_result;
     /// What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
     pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
-    /// Colour channels of its pictures: those of everything in it, 1 (all grey) or more, and 1 where the film of a
+    /// Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 where the film of a
     /// loaded file asks for luminance.
     pub fn nicol_scene_get_channels(scene: nicol_scene, channels: *mut u32) -> nicol_result;
     pub fn nicol_scene_retain(scene: nicol_scene) -> nicol_result;
@@ -1360,23 +1360,23 @@ extern "C" {
     pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
     /// 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
     /// channels.
-    pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, picture: *const nicol_picture, path: *const c_char) -> nicol_result;
+    pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, image: *const nicol_observation, path: *const c_char) -> nicol_result;
     /// A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
     /// options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT where is_current answers
     /// 0, NICOL_ERROR_NO_BACKEND where there is no such OpenGL.
     pub fn nicol_context_create_host(host: *const nicol_host, options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
-    /// The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the picture's TOP.
+    /// The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
     /// The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
     /// render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
     /// NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below.
     pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_texture) -> nicol_result;
     /// Copies the Stokes vectors of a channel. Nothing is read back.
     pub fn nicol_framebuffer_draw_stokes(framebuffer: nicol_framebuffer, channel: u32, target: *const nicol_texture_target) -> nicol_result;
-    /// The picture that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
+    /// The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
     /// 1 here, since nothing is read back.
-    pub fn nicol_framebuffer_draw_picture(framebuffer: nicol_framebuffer, picture: *const nicol_picture, target: *const nicol_texture_target) -> nicol_result;
+    pub fn nicol_framebuffer_draw_observation(framebuffer: nicol_framebuffer, image: *const nicol_observation, target: *const nicol_texture_target) -> nicol_result;
     /// Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
-    /// is channels * 4 (order+1)^2. A picture counts as the bilinear function between its pixels. As an
+    /// is channels * 4 (order+1)^2. A image counts as the bilinear function between its pixels. As an
     /// environment, it must be physical: polarization up to s0.
     pub fn nicol_psh_project_image(image: *const nicol_image, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
     pub fn nicol_psh_project_environment(environment: nicol_environment, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
@@ -1397,7 +1397,7 @@ extern "C" {
     pub fn nicol_psh_synthesize(transform: nicol_psh_transform, vectors: u64, coefficients: *const f64, coefficient_count: u64, samples: *mut f64, sample_count: u64) -> nicol_result;
     /// Stokes vectors [vector][direction][4] at directions [direction][3] of any length but 0.
     pub fn nicol_psh_evaluate(order: u32, vectors: u64, coefficients: *const f64, coefficient_count: u64, directions: *const f64, direction_count: u64, stokes: *mut f64, stokes_count: u64) -> nicol_result;
-    /// The fields turned with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
+    /// The fields rotated with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
     /// orthonormal to 1e-5 and right-handed. out may be in.
     pub fn nicol_psh_rotate(order: u32, vectors: u64, r#in: *const f64, in_count: u64, rotation: *const [f64; 9], out: *mut f64, out_count: u64) -> nicol_result;
     /// The fields' mirror images in the plane z = 0 (Eq. 214, with its conjugation). out may be in.
@@ -1429,8 +1429,8 @@ extern "C" {
     pub fn nicol_file_identify(path: *const c_char, kind: *mut nicol_file_kind) -> nicol_result;
     /// options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
     /// [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
-    /// change the report as they would an output; what concerns pictures to write must be 0; the order limits the
-    /// energies of a picture, and all of coefficients. A picture that violates Eq. 70 is described, though it is
+    /// change the report as they would an output; what concerns images to write must be 0; the order limits the
+    /// energies of a image, and all of coefficients. A image that violates Eq. 70 is described, though it is
     /// refused as a light.
     pub fn nicol_file_describe_light(path: *const c_char, options: *const nicol_file_options, report: *mut nicol_light_report, energy: *mut f64, count: u64) -> nicol_result;
     /// energy: [channel][l], order + 1 a channel: squares of the matrix' entries between orders of which the

@@ -90,7 +90,7 @@ handle!(/// Triangles.
     Mesh, nicol_mesh, nicol_mesh_retain, nicol_mesh_release);
 handle!(/// Instances and one environment.
     Scene, nicol_scene, nicol_scene_retain, nicol_scene_release);
-handle!(/// The Stokes picture of the last render into it.
+handle!(/// The Stokes image of the last render into it.
     Framebuffer, nicol_framebuffer, nicol_framebuffer_retain, nicol_framebuffer_release);
 
 impl Context {

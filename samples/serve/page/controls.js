@@ -3,20 +3,20 @@
 
 const clamp = (value, least, most) => Math.max(least, Math.min(most, value));
 // Into -180 to 180, so that limits of the service never are met.
-const turned = (angle) => ((((angle + 180) % 360) + 360) % 360) - 180;
+const rotated = (angle) => ((((angle + 180) % 360) + 360) % 360) - 180;
 
 export function orbit(state, dx, dy) {
-  return { azimuth: turned(state.azimuth + dx), elevation: clamp(state.elevation + dy, -89, 89) };
+  return { azimuth: rotated(state.azimuth + dx), elevation: clamp(state.elevation + dy, -89, 89) };
 }
-export function turnLight(state, dx, dy) {
-  return { light: turned(state.light + dx), light_tilt: clamp(state.light_tilt + dy, -180, 180) };
+export function rotateLight(state, dx, dy) {
+  return { light: rotated(state.light + dx), light_tilt: clamp(state.light_tilt + dy, -180, 180) };
 }
 export function zoom(state, factor) {
   return { distance: clamp(state.distance * factor, state.nearest, state.farthest) };
 }
 
-// Drags on the picture; `hover` gets pixels of it.
-export function listenToPicture(canvas, { state, move, hover }) {
+// Drags on the image; `hover` gets pixels of it.
+export function listenToImage(canvas, { state, move, hover }) {
   const fingers = new Map();
   let spread = 0;
   const pixel = (event) => {
@@ -42,7 +42,7 @@ export function listenToPicture(canvas, { state, move, hover }) {
     last.x = event.clientX;
     last.y = event.clientY;
     const light = event.shiftKey || fingers.size > 1 || state.dragLight;
-    move(light ? turnLight(state, dx / 2, dy / 2) : orbit(state, dx / -2, dy / 2), true);
+    move(light ? rotateLight(state, dx / 2, dy / 2) : orbit(state, dx / -2, dy / 2), true);
     if (fingers.size === 2) {
       move(zoom(state, spread / distance()), true);
       spread = distance();
@@ -85,7 +85,7 @@ export function listenToKeys(canvas, { state, move, change, nudge, views, reset 
     if (!arrow) return;
     event.preventDefault();
     const [dx, dy] = arrow;
-    move(event.shiftKey ? turnLight(state, dx, dy) : orbit(state, dx, dy), false);
+    move(event.shiftKey ? rotateLight(state, dx, dy) : orbit(state, dx, dy), false);
   });
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("select")) return;

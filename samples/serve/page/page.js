@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The page: what is shown, when it is fetched again, and where each number stands.
-import { listenToDial, listenToKeys, listenToPicture } from "/controls.js";
+import { listenToDial, listenToKeys, listenToImage } from "/controls.js";
 import { showProbe } from "/probe.js";
 import { Stokes } from "/stokes.js";
 import { VIEWS, View, drawWheel } from "/view.js";
 
 const element = (id) => document.getElementById(id);
-const canvas = element("picture");
+const canvas = element("image");
 
 const state = {
   scene: null, azimuth: 0, elevation: 0, distance: 1, nearest: 0.1, farthest: 10, moved: false, light: 0, light_tilt: 0,
@@ -18,7 +18,7 @@ function say(text) {
   element("message").textContent = text;
 }
 
-// ---------------------------------------------------------------- pictures
+// ---------------------------------------------------------------- images
 
 // Half the resolution while something moves.
 function size() {
@@ -136,7 +136,7 @@ function build() {
   element("light").addEventListener("change", (event) => (state.dragLight = event.target.checked));
   element("exposure").addEventListener("input", (event) => change({ exposure: Number(event.target.value) }));
   drawWheel(element("wheel"));
-  listenToPicture(canvas, { state, move, hover: probe });
+  listenToImage(canvas, { state, move, hover: probe });
   listenToDial(element("dial"), { state, change });
   listenToKeys(canvas, { state, move, change, nudge, views: VIEWS, reset: () => choose(state.scene) });
 }

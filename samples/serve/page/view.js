@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws a Stokes picture as an observer sees it. Turning the polarizer draws again; nothing is fetched.
+// Draws a Stokes image as an observer sees it. Rotating the polarizer draws again; nothing is fetched.
 
 export const VIEWS = ["polarizer", "s0", "s1", "s2", "s3", "DoLP", "AoLP"];
 

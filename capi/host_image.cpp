@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "host_image.hpp"
+
+#include <cmath>
+#include <glm/vec4.hpp>
+#include <numbers>
+#include <vector>
+
+#include "gl/draw.hpp"
+#include "render/stopwatch.hpp"
+
+namespace nicol::capi {
+namespace {
+
+/// As glsl/observe.frag numbers them.
+enum class Seen { stokes, radiance, signed_component, dolp, aolp };
+
+struct Observation {
+    Seen seen = Seen::stokes;
+    glm::vec4 analyzer{0.0F};
+    int first = 0;  // channel
+    int channels = 1;
+};
+
+float stops(float exposure) {
+    if (!(std::abs(exposure) <= 100)) {
+        refuse("image->exposure is " + std::to_string(exposure) + "; it must lie in -100 to 100 stops");
+    }
+    return std::exp2(exposure);
+}
+
+Observation observation(const nicol_observation& image, int channels) {
+    Observation o{.channels = channels};
+    switch (image.kind) {
+        case NICOL_OBSERVATION_S0:
+            o.seen = Seen::radiance;
+            o.analyzer.x = stops(image.exposure);
+            break;
+        case NICOL_OBSERVATION_POLARIZER: {
+            if (!std::isfinite(image.polarizer_angle)) refuse("image->polarizer_angle must be finite");
+            const double twice = static_cast<double>(image.polarizer_angle) * std::numbers::pi / 90;
+            o.seen = Seen::radiance;
+            o.analyzer = 0.5F * stops(image.exposure) * glm::vec4(1, std::cos(twice), std::sin(twice), 0);
+            break;
+        }
+        case NICOL_OBSERVATION_S1:
+        case NICOL_OBSERVATION_S2:
+        case NICOL_OBSERVATION_S3:
+            if (!(image.scale >= 0) || !std::isfinite(image.scale)) {
+                refuse("image->scale is " + std::to_string(image.scale) +
+                       "; it must be finite and not negative");
+            }
+            o.seen = Seen::signed_component;
+            o.analyzer[static_cast<int>(image.kind)] = 1 / (image.scale == 0 ? 1.0F : image.scale);
+            break;
+        case NICOL_OBSERVATION_DOLP:
+            o.seen = Seen::dolp;
+            break;
+        case NICOL_OBSERVATION_AOLP:
+            o.seen = Seen::aolp;
+            break;
+        default:
+            refuse("image->kind is " + std::to_string(image.kind) +
+                   "; it must be one of NICOL_OBSERVATION_S0 to NICOL_OBSERVATION_POLARIZER");
+    }
+    if (o.seen == Seen::radiance && channels != 1 && channels != 3) {
+        refuse("the framebuffer has " + std::to_string(channels) +
+               " channels; s0 and polarizer need 1 (grey) or 3 (R G B)");
+    }
+    return o;
+}
+
+gl::Program& program(Session& session, int channels) {
+    if (!session.observer) session.observer = std::make_shared<HostObserver>();
+    auto& programs = session.observer->programs;
+    auto found = programs.find(channels);
+    if (found == programs.end()) {
+        const gl::Define define{.name = "CHANNELS", .value = std::to_string(channels)};
+        found = programs
+                    .emplace(channels, gl::Program::graphics(session.gl, "fullscreen.vert", "observe.frag",
+                                                             std::span(&define, 1)))
+                    .first;
+    }
+    return found->second;
+}
+
+void draw(Session& session, Framebuffer& framebuffer, const Observation& observation,
+          const nicol_texture_target& target) {
+    if (target.bottom_up > 1) refuse("target->bottom_up must be 0 or 1");
+    if (target.encoding > NICOL_ENCODING_SRGB) {
+        refuse("target->encoding is " + std::to_string(target.encoding) +
+               "; it must be one of NICOL_ENCODING_...");
+    }
+    const Stopwatch watch;
+    session.gl->run([&] {
+        gl::RenderTarget image(session.gl, target.texture);
+        if (image.width() != framebuffer.width() || image.height() != framebuffer.height()) {
+            refuse("target->texture is of " + std::to_string(image.width()) + " x " +
+                   std::to_string(image.height()) + " pixels and the framebuffer of " +
+                   std::to_string(framebuffer.width()) + " x " + std::to_string(framebuffer.height()) +
+                   "; they must agree");
+        }
+        for (int c = 0; c < framebuffer.channels(); ++c) {
+            if (channel_texture(framebuffer, c).id() == target.texture) {
+                refuse("target->texture is the framebuffer's own");
+            }
+        }
+        gl::Program& observe = program(session, observation.channels);
+        const auto set = [&observe](const char* name, const auto& value) {
+            if (observe.uses(name)) observe.set(name, value);
+        };
+        set("kind", static_cast<int>(observation.seen));
+        set("analyzer", observation.analyzer);
+        set("encode", target.encoding == NICOL_ENCODING_SRGB ? 1 : 0);
+        set("bottom_up", static_cast<int>(target.bottom_up));
+        for (int c = 0; c < observation.channels; ++c) {
+            channel_texture(framebuffer, observation.first + c).bind(static_cast<unsigned>(c));
+        }
+        gl::draw_fullscreen(image, observe);
+    });
+    framebuffer.statistics().observe_ms += watch.milliseconds();
+}
+
+}  // namespace
+
+void require_channel(const Framebuffer& framebuffer, std::uint32_t channel) {
+    if (channel >= static_cast<std::uint32_t>(framebuffer.channels())) {
+        refuse("channel is " + std::to_string(channel) + "; the framebuffer has " +
+               std::to_string(framebuffer.channels()) + ", counted from 0");
+    }
+}
+
+const gl::Texture2D& channel_texture(Framebuffer& framebuffer, int channel) {
+    return framebuffer.groups()[static_cast<std::size_t>(channel / Framebuffer::kGroup)].colour(
+        channel % Framebuffer::kGroup);
+}
+
+void draw_stokes(Session& session, Framebuffer& framebuffer, int channel,
+                 const nicol_texture_target& target) {
+    draw(session, framebuffer, {.first = channel}, target);
+}
+
+void draw_image(Session& session, Framebuffer& framebuffer, const nicol_observation& image,
+                const nicol_texture_target& target) {
+    draw(session, framebuffer, observation(image, framebuffer.channels()), target);
+}
+
+}  // namespace nicol::capi

@@ -1,0 +1,1243 @@
+/* SPDX-License-Identifier: MIT
+ * Nicol: polarized light in real time, offscreen. The whole contract between the library and its callers. */
+
+/* clang-format off */
+/* Conventions, everywhere:
+ *   Objects    are opaque, counted handles. Creation gives one reference; _retain adds one, _release drops one;
+ *              releasing NULL does nothing. Objects keep what they need alive: any release order is legal.
+ *   Results    Every function that can fail returns a nicol_result and, on failure, leaves its outputs untouched.
+ *              nicol_last_error() then tells the story, per thread.
+ *   Structs    begin with struct_size = sizeof(the struct). Zero in a field asks for its default; where zero is a
+ *              value of its own, the field's comment names what stands for it. NICOL_<TYPE>_INIT makes one.
+ *   Threads    Any function may be called from any thread (but see "inside a host's OpenGL"). Calls on objects of
+ *              one context take turns; calls on different contexts run side by side. Callbacks come on the calling
+ *              thread unless said otherwise.
+ *   Strings    are UTF-8 and copied. Strings returned are owned by the library; each says for how long.
+ *   Matrices   are row-major: a point's image is M * (x, y, z, 1)^T. All zeros means identity.
+ *   World      right-handed, y up, units are the scene's own. Angles of the interface are degrees.
+ *   Light      is radiance, linear, per colour channel. A Stokes vector (s0, s1, s2, s3) is seen by the receiver
+ *              looking at the source: s1 > 0 along the frame's x, s2 > 0 at +45 degrees from x to y, s3 > 0 right
+ *              circular. In a image x points to the image's right and y up, as Mitsuba 3's stokes integrator.
+ */
+/* clang-format on */
+#ifndef NICOL_H
+#define NICOL_H
+
+#include <stdint.h>
+
+#if defined(_WIN32) && defined(NICOL_BUILDING)
+#define NICOL_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define NICOL_API __declspec(dllimport)
+#elif defined(NICOL_BUILDING)
+#define NICOL_API __attribute__((visibility("default")))
+#else
+#define NICOL_API extern
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------- version and build */
+
+#define NICOL_VERSION_MAJOR 0
+#define NICOL_VERSION_MINOR 1
+#define NICOL_VERSION_PATCH 0
+#define NICOL_VERSION (NICOL_VERSION_MAJOR * 10000 + NICOL_VERSION_MINOR * 100 + NICOL_VERSION_PATCH)
+
+/* Of the library that runs: major * 10000 + minor * 100 + patch. */
+NICOL_API uint32_t nicol_version(void);
+/* "0.1.0"; lives as long as the library. */
+NICOL_API const char* nicol_version_string(void);
+/* Facts about this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
+ * ...; NULL past the last one. Lives as long as the library. */
+NICOL_API const char* nicol_build_info(uint32_t index);
+
+/* ---------------------------------------------------------------- results */
+
+typedef int32_t nicol_result;
+#define NICOL_OK 0
+#define NICOL_ERROR_INVALID_ARGUMENT 1 /* a value, size or pointer outside its documented range */
+#define NICOL_ERROR_INVALID_HANDLE 2   /* NULL, released, of another kind or of another context */
+#define NICOL_ERROR_OUT_OF_MEMORY 3
+#define NICOL_ERROR_FILE_NOT_FOUND 4 /* cannot be opened for reading */
+#define NICOL_ERROR_INVALID_FILE 5   /* truncated, malformed, or values out of range */
+#define NICOL_ERROR_WRITE_FAILED 6   /* an output could not be written; nothing half-written remains */
+#define NICOL_ERROR_UNSUPPORTED 7    /* well-formed, but not something this build can do */
+#define NICOL_ERROR_NO_BACKEND 8     /* no OpenGL context could be made; the message lists every try */
+#define NICOL_ERROR_CANCELLED 9      /* a progress callback answered 0 */
+#define NICOL_ERROR_OPENGL 10        /* the driver failed after the context was made */
+#define NICOL_ERROR_INTERNAL 11      /* a defect in Nicol */
+#define NICOL_ERROR_NOT_CURRENT 12   /* the host's OpenGL context is not current on the calling thread */
+#define NICOL_ERROR_TIMEOUT 13       /* the time given for waiting is over */
+#define NICOL_ERROR_BUSY 14          /* NICOL_MAX_JOBS jobs wait already */
+
+/* What the last failing call on this thread had to say: one line that names the file, line, field or argument
+ * and what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing
+ * call. */
+NICOL_API const char* nicol_last_error(void);
+/* "out of memory" and the like for a code; lives as long as the library. */
+NICOL_API const char* nicol_result_name(nicol_result result);
+
+#define NICOL_LOG_INFO 0    /* what a new context opened */
+#define NICOL_LOG_NOTICE 1  /* something asked for has no effect, or a cache was rebuilt */
+#define NICOL_LOG_WARNING 2 /* it works, but worse than it should: on the CPU since a device failed */
+/* message is one line that lives as long as the call; code is NICOL_OK. It must not call Nicol with objects
+ * of the context. */
+typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result code, const char* message);
+
+/* Called about ten times a second on the thread that called; fraction runs from 0 to 1. Answer 1 to go on,
+ * 0 to stop: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same
+ * context. */
+typedef int32_t (*nicol_progress_callback)(void* user, const char* verb, double fraction);
+
+/* ---------------------------------------------------------------- objects */
+
+typedef struct nicol_context_impl* nicol_context;         /* an OpenGL context on a thread of its own */
+typedef struct nicol_environment_impl* nicol_environment; /* light from infinitely far; immutable */
+typedef struct nicol_material_impl* nicol_material;       /* a polarimetric BRDF; immutable */
+typedef struct nicol_mesh_impl* nicol_mesh;               /* triangles; immutable */
+typedef struct nicol_scene_impl* nicol_scene;             /* instances and one environment; may change */
+typedef struct nicol_framebuffer_impl* nicol_framebuffer; /* the Stokes image of the last render into it */
+
+#define NICOL_MAX_CHANNELS 16
+#define NICOL_MAX_ORDER 32
+#define NICOL_MAX_SIZE 16384
+
+/* One value a colour channel. count 0: the default; 1: the same in every channel; else the scene's channel
+ * count. */
+typedef struct nicol_spectrum {
+    uint32_t count;
+    float values[NICOL_MAX_CHANNELS];
+} nicol_spectrum;
+/* clang-format off */
+#define NICOL_SPECTRUM_INIT { 0, {0} }
+/* clang-format on */
+
+/* ---------------------------------------------------------------- context */
+
+typedef uint32_t nicol_backend;
+/* The environment variable NICOL_BACKEND (egl, osmesa), else the first that works: EGL hardware, EGL
+ * software, OSMesa. */
+#define NICOL_BACKEND_AUTOMATIC 0
+#define NICOL_BACKEND_EGL 1
+#define NICOL_BACKEND_OSMESA 2
+#define NICOL_BACKEND_HOST 3 /* what nicol_context_get_info says of nicol_context_create_host's contexts */
+
+/* How many devices nicol_context_options.device can name: those that EGL lists, which no count of CUDA's or
+ * the kernel's follows. 0 where there is no EGL. The list changes where devices and drivers come and go. */
+NICOL_API nicol_result nicol_device_count(uint32_t* count);
+
+typedef struct nicol_device_info {
+    uint32_t struct_size;
+    uint32_t software; /* 1 where OpenGL would run on the CPU */
+    const char*
+        name; /* its driver's, or what else tells it from others; lives as long as the library, as all here */
+    const char* vendor; /* "" where EGL does not say */
+    const char* file;   /* of the kernel's, such as /dev/dri/renderD128; "" where it has none */
+} nicol_device_info;
+#define NICOL_DEVICE_INFO_INIT \
+    { sizeof(nicol_device_info), 0, 0, 0, 0 }
+
+/* device from 1 to nicol_device_count's. No context is made: the driver may yet fail to make one. */
+NICOL_API nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info);
+
+typedef struct nicol_context_options {
+    uint32_t struct_size;
+    nicol_backend backend;  /* an explicit choice never falls back to another */
+    uint32_t device;        /* 0: choose; n: that of nicol_device_get_info, EGL's n - 1; at most 1024 */
+    uint32_t threads;       /* 0: one a core, which is also the most that are used; at most 1024 */
+    nicol_log_callback log; /* NULL: silent. May be called on any thread. */
+    void* log_user;
+    /* Where tables of materials and bakes of shadows are kept between runs; made where missing. Processes may
+     * share it, and it may be emptied at any time. NULL or "": the environment variable NICOL_CACHE, and
+     * where that is not set or is empty, no cache. A folder that cannot be used is a notice to the log, never
+     * an error. */
+    const char* cache_folder;
+    /* Bytes that each scene may keep at run time, on the device too: what the statistics call
+     * visibility_bytes and transfer_bytes, and OpenGL's buffers of its vertices without what compute shaders
+     * work on; by the reference method, its triangles. They are predicted, never too low, before a render
+     * bakes or allocates; where they exceed the limit it fails with NICOL_ERROR_OUT_OF_MEMORY, and the
+     * message has both numbers. With a tolerance, as for the orders that the options name. 0: no limit */
+    uint64_t memory_limit;
+} nicol_context_options;
+#define NICOL_CONTEXT_OPTIONS_INIT \
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, 0 }
+
+typedef struct nicol_context_info {
+    uint32_t struct_size;
+    nicol_backend backend;
+    uint32_t software;    /* 1 where OpenGL itself runs on the CPU */
+    uint32_t threads;     /* used for the mathematics */
+    const char* renderer; /* OpenGL's names; they live as long as the context */
+    const char* vendor;
+    const char* version;
+} nicol_context_info;
+#define NICOL_CONTEXT_INFO_INIT \
+    { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0 }
+
+/* options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND where OpenGL cannot be opened as asked. */
+NICOL_API nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
+NICOL_API nicol_result nicol_context_retain(nicol_context context);
+NICOL_API nicol_result nicol_context_release(nicol_context context);
+/* What was opened. */
+NICOL_API nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
+
+/* ---------------------------------------------------------------- environment */
+
+/* An equirectangular image over the directions light comes FROM, in Mitsuba 3's layout: column u = atan2(x,
+ * -z) / 2 pi (pixel-centred), row v = acos(y) / pi (row 0 is the pole itself, the last row the other pole).
+ */
+typedef struct nicol_image {
+    uint32_t struct_size;
+    uint32_t width, height; /* 1 to NICOL_MAX_SIZE, height at least 2 */
+    uint32_t channels;      /* colour channels, 1 to NICOL_MAX_CHANNELS */
+    uint32_t components; /* 1: s0 alone; 4: s0..s3 in the frame z = propagation, x = horizontal, along growing
+                            u as seen from the scene's centre, y = z cross x */
+    /* [row][column][channel][component]; finite, s0 >= 0, sqrt(s1^2 + s2^2 + s3^2) up to s0 (Eq. 70) */
+    const float* pixels;
+    uint64_t row_stride; /* bytes from row to row; 0: tightly packed */
+    uint64_t byte_size;  /* of all that pixels points to; checked */
+    /* NULL, or called once the library no longer reads pixels, on failure too. */
+    void (*release)(void* user);
+    void* release_user;
+} nicol_image;
+#define NICOL_IMAGE_INIT \
+    { sizeof(nicol_image), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+
+/* A clear sky; the sun's own disc is not part of it. At the angle g from the sun its degree of polarization
+ * is dop_max sin^2 g / (1 + cos^2 g), the E-vector along sun x view, without s3.
+ *
+ * With turbidity 0 light is scattered once: radiance * 3/4 (1 + cos^2 g) over the whole sphere, below the
+ * horizon too.
+ *
+ * With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
+ * formula, mean luminance over the upper half 1, times radiance. Below the horizon lies an unpolarized
+ * ground, alike all over, that reflects ground_albedo of the irradiance of each channel. The sun must not
+ * stand below the horizon. */
+typedef struct nicol_sky {
+    uint32_t struct_size;
+    float dop_max;           /* 0: 0.8; negative: an unpolarized sky; at most 1 */
+    float sun_direction[3];  /* towards the sun, of any length; zeros: straight up */
+    nicol_spectrum radiance; /* default 1 in three channels; finite, not negative */
+    float turbidity;         /* 0, or 1.7 to 10 */
+    float ground_albedo;     /* 0: 0.2; negative: black; at most 1; without effect where turbidity is 0 */
+} nicol_sky;
+#define NICOL_SKY_INIT \
+    { sizeof(nicol_sky), 0, {0}, NICOL_SPECTRUM_INIT, 0, 0 }
+
+typedef struct nicol_environment_load_options {
+    uint32_t struct_size;
+    uint32_t reserved;          /* 0 */
+    double scale;               /* multiplies the radiance, 0: 1; finite and not negative */
+    nicol_spectrum wavelengths; /* of spectral OpenEXR files alone: the channels nearest to these, nm, in this
+                                   order; within the file's range. count 0: all channels of the file */
+} nicol_environment_load_options;
+#define NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT \
+    { sizeof(nicol_environment_load_options), 0, 0, NICOL_SPECTRUM_INIT }
+
+/* clang-format off */
+/* By the path:
+ *   NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
+ *                 S3.<colour> are polarized, in nicol_image's frames; spectral files (S0.550,000000nm and so on)
+ *                 have a channel a wavelength.
+ *   NAME_s0.exr   to NAME_s3.exr, any of them, or NAME alone: a cube map as a cross of 4 x 3 faces, a file for
+ *                 each Stokes component, as the Python package polarsh has them.
+ *   NAME.npz      PSH coefficients as polarsh writes them (SHVec).
+ * options may be NULL: all defaults. */
+/* clang-format on */
+NICOL_API nicol_result nicol_environment_load(nicol_context context, const char* path,
+                                              const nicol_environment_load_options* options,
+                                              nicol_environment* environment);
+/* From memory. */
+NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
+                                                      nicol_environment* environment);
+/* Unpolarized and the same from everywhere; radiance NULL or of count 0: 1 in one channel; finite, not
+ * negative. */
+NICOL_API nicol_result nicol_environment_create_constant(nicol_context context,
+                                                         const nicol_spectrum* radiance,
+                                                         nicol_environment* environment);
+/* A clear sky, without its sun. */
+NICOL_API nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky,
+                                                    nicol_environment* environment);
+/* Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
+ * as "mathematics" below says; order up to NICOL_PSH_MAX_ORDER, channels 1 to NICOL_MAX_CHANNELS, count =
+ * channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
+ * below 0 and more polarization than light. */
+NICOL_API nicol_result nicol_environment_create_psh(nicol_context context, uint32_t order, uint32_t channels,
+                                                    const double* coefficients, uint64_t count,
+                                                    nicol_environment* environment);
+
+typedef struct nicol_environment_info {
+    uint32_t struct_size;
+    uint32_t channels;
+    uint32_t polarized;                     /* 1 where some s1, s2 or s3 is not 0 */
+    uint32_t circular;                      /* 1 where some s3 is not 0 */
+    uint32_t wavelength_count;              /* of spectral light: channels; else 0 */
+    uint32_t reserved;                      /* 0 */
+    double wavelengths[NICOL_MAX_CHANNELS]; /* nm */
+} nicol_environment_info;
+/* clang-format off */
+#define NICOL_ENVIRONMENT_INFO_INIT \
+    { sizeof(nicol_environment_info), 0, 0, 0, 0, 0, {0} }
+/* clang-format on */
+
+/* What the light is made of. */
+NICOL_API nicol_result nicol_environment_get_info(nicol_environment environment,
+                                                  nicol_environment_info* info);
+NICOL_API nicol_result nicol_environment_retain(nicol_environment environment);
+NICOL_API nicol_result nicol_environment_release(nicol_environment environment);
+
+/* ---------------------------------------------------------------- material */
+
+typedef uint32_t nicol_distribution;
+#define NICOL_DISTRIBUTION_BECKMANN 0
+#define NICOL_DISTRIBUTION_GGX 1
+
+/* Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Front side only. */
+typedef struct nicol_pplastic {
+    uint32_t struct_size;
+    nicol_distribution distribution;
+    nicol_spectrum diffuse_reflectance;  /* default 0.5; 0 to 1 */
+    nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
+    float int_ior;                       /* 0: 1.49 */
+    float ext_ior;                       /* 0: 1.000277 */
+    float alpha;                         /* 0: 0.1; 0.001 to 1 */
+} nicol_pplastic;
+#define NICOL_PPLASTIC_INIT \
+    { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0 }
+
+/* NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
+NICOL_API nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
+                                                      nicol_material* material);
+/* Lambertian and depolarizing; reflectance NULL or of count 0: 0.5. Front side only. */
+NICOL_API nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance,
+                                                     nicol_material* material);
+
+/* Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
+ * index is eta - i k, relative to air. Front side only. */
+typedef struct nicol_conductor {
+    uint32_t struct_size;
+    nicol_distribution distribution; /* of rough surfaces */
+    /* Roughness, 0.001 to 1. 0: smooth, for which Beckmann's facets of 0.01 stand, a blur of one degree. */
+    float alpha;
+    uint32_t reserved; /* 0 */
+    /* "Au", "Ag", "Cu" or "Al", or "gold", "silver", "copper" or "aluminium", with measured values; eta and k
+     * must be empty then. NULL or "": eta and k hold. */
+    const char* metal;
+    nicol_spectrum eta; /* default 0; 0 to 100 */
+    nicol_spectrum k;   /* default 1, with eta 0 a perfect mirror; 0 to 100; eta and k must not both be 0 */
+    /* Of a named metal, a channel each, nm, 400 to 800. count 0: those of red, green and blue. */
+    nicol_spectrum wavelengths;
+    nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
+} nicol_conductor;
+/* clang-format off */
+#define NICOL_CONDUCTOR_INIT                                                                        \
+    { sizeof(nicol_conductor), 0, 0, 0, 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT,                \
+      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT }
+/* clang-format on */
+
+/* Likewise; a metal that is not known is refused with the names of those that are. */
+NICOL_API nicol_result nicol_material_create_conductor(nicol_context context,
+                                                       const nicol_conductor* parameters,
+                                                       nicol_material* material);
+
+typedef uint32_t nicol_wavelength_sampling;
+#define NICOL_WAVELENGTH_LINEAR 0  /* linear between the measured wavelengths, constant beyond them */
+#define NICOL_WAVELENGTH_NEAREST 1 /* the nearest measured wavelength */
+
+typedef struct nicol_measured {
+    uint32_t struct_size;
+    nicol_wavelength_sampling sampling; /* between measured wavelengths; of the chosen ones alone */
+    /* A channel each, nm, 100 to 5000. count 0: red, green and blue by the CIE 1931 observer under D65, or
+     * one channel where the file has one wavelength. */
+    nicol_spectrum wavelengths;
+} nicol_measured;
+#define NICOL_MEASURED_INIT \
+    { sizeof(nicol_measured), 0, NICOL_SPECTRUM_INIT }
+
+/* Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 52 MB
+ * stay in memory for each channel at the data set's resolution. options may be NULL: all defaults. Front side
+ * only. */
+NICOL_API nicol_result nicol_material_load_measured(nicol_context context, const char* path,
+                                                    const nicol_measured* options, nicol_material* material);
+/* A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
+ * package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light
+ * of orders above the matrix's is not reflected. Front side only. */
+NICOL_API nicol_result nicol_material_load_psh(nicol_context context, const char* path,
+                                               const nicol_spectrum* scale, nicol_material* material);
+/* The back of a surface reflects as its front. `front` may be released afterwards. */
+NICOL_API nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,
+                                                      nicol_material* material);
+
+/* Writes the Mueller matrix of one colour channel, 16 row-major doubles, 1/sr and without the cosine, for
+ * light from the direction `towards_light` into the direction `towards_viewer`: unit vectors in the surface's
+ * frame, whose normal is z; both have z > 0. Both Stokes frames have x along the s-axis towards_light x
+ * towards_viewer and z along the propagation, y = z cross x, as Fresnel's matrices do (where the directions
+ * agree, x is any direction across them, the same for both). Answer 1 to go on, 0 to stop the call that needs
+ * it with NICOL_ERROR_CANCELLED. It is called by nicol_material_create_callback and nicol_render, on several
+ * threads at once, and must not call Nicol with objects of the material's context. */
+typedef int32_t (*nicol_mueller_callback)(void* user, uint32_t channel, const double towards_light[3],
+                                          const double towards_viewer[3], double mueller[16]);
+
+typedef struct nicol_callback_material {
+    uint32_t struct_size;
+    uint32_t channels; /* 0: 1; at most NICOL_MAX_CHANNELS */
+    nicol_mueller_callback mueller;
+    void* user;
+    /* NULL, or called once, when nothing needs `user` any more: on failure before the call returns, else when
+     * the material and all that use it are gone, on the thread that drops the last of them. */
+    void (*release)(void* user);
+    /* Angular radius in radians of the narrowest feature about the mirror direction, 0.001 to 1; 0: 1. Too
+     * large a value loses highlights, too small a one costs time. */
+    float lobe_width;
+    uint32_t reserved; /* 0 */
+} nicol_callback_material;
+#define NICOL_CALLBACK_MATERIAL_INIT \
+    { sizeof(nicol_callback_material), 0, 0, 0, 0, 0, 0 }
+
+/* The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
+ * probed at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT where it is not. Front only. */
+NICOL_API nicol_result nicol_material_create_callback(nicol_context context,
+                                                      const nicol_callback_material* parameters,
+                                                      nicol_material* material);
+NICOL_API nicol_result nicol_material_retain(nicol_material material);
+NICOL_API nicol_result nicol_material_release(nicol_material material);
+
+/* ---------------------------------------------------------------- mesh */
+
+/* Positions and normals must be finite. A triangle needs three vertices that are there and an area. */
+typedef struct nicol_mesh_data {
+    uint32_t struct_size;
+    uint32_t vertex_count;   /* 1 or more */
+    uint32_t triangle_count; /* 1 or more */
+    uint32_t reserved;       /* 0 */
+    const float* positions;  /* 3 a vertex */
+    const float* normals; /* 3 a vertex, of any length but 0, which asks for the smooth one; NULL: made from
+                             the triangles, smooth across edges whose faces share vertices */
+    const uint32_t* indices; /* 3 a triangle, counter-clockwise from the front */
+} nicol_mesh_data;
+#define NICOL_MESH_DATA_INIT \
+    { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0 }
+
+/* OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face that is
+ * at fault. */
+NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
+/* Copies the arrays. Shading and shadows are per vertex: detail comes from vertices. */
+NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,
+                                         nicol_mesh* mesh);
+/* The unit sphere, finely enough divided for per-vertex shading. */
+NICOL_API nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
+/* [-1, 1]^2 in the plane z = 0, facing +z. */
+NICOL_API nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh);
+/* [-1, 1]^3. */
+NICOL_API nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh);
+/* Of its vertices and triangles. */
+NICOL_API nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
+NICOL_API nicol_result nicol_mesh_retain(nicol_mesh mesh);
+NICOL_API nicol_result nicol_mesh_release(nicol_mesh mesh);
+
+/* ---------------------------------------------------------------- camera */
+
+typedef uint32_t nicol_projection;
+#define NICOL_PROJECTION_PERSPECTIVE 0
+#define NICOL_PROJECTION_ORTHOGRAPHIC 1
+
+typedef struct nicol_camera {
+    uint32_t struct_size;
+    nicol_projection projection;
+    double to_world[16]; /* camera space, as Mitsuba's: +z forward, +y up, +x to the image's LEFT; axes at
+                            right angles, right-handed. A scale in x, y is the half extent of an orthographic
+                            image. */
+    double fov;          /* perspective: the horizontal field of view in degrees, 0: 45; below 180 */
+    double near_clip;    /* distance along +z, in the scene's units; 0: 0.01 */
+    double far_clip;     /* 0: 10000; above near_clip */
+} nicol_camera;
+#define NICOL_CAMERA_INIT \
+    { sizeof(nicol_camera), 0, {0}, 0, 0, 0 }
+
+/* A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view. */
+NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3],
+                                            const double target[3], const double up[3]);
+
+/* ---------------------------------------------------------------- scene */
+
+typedef struct nicol_instance {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    nicol_mesh mesh;
+    nicol_material material;
+    double to_world[16]; /* any invertible affine transform; its last row is 0 0 0 1 */
+} nicol_instance;
+/* clang-format off */
+#define NICOL_INSTANCE_INIT \
+    { sizeof(nicol_instance), 0, 0, 0, {0} }
+/* clang-format on */
+
+/* Empty and dark. */
+NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
+/* A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
+ * that override its <default>s. */
+NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
+                                        const char* const* definitions, uint32_t definition_count,
+                                        nicol_scene* scene);
+/* id may be NULL; ids count up from 0, past those of removed instances too. Materials and environment must
+ * have one colour channel or the same number of them, here and in nicol_scene_set_environment. */
+NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance,
+                                                uint32_t* id);
+/* id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again what the
+ * instance may hide from the light, before or now; what turns and shifts as a whole is lit anew alone. */
+NICOL_API nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
+/* The next render projects the material, where it is new to the scene, and shades its instance. */
+NICOL_API nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
+/* Its id is never given again; the others keep theirs. */
+NICOL_API nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id);
+/* What an instance is made of: mesh and material as handles to release. Each of the three may be NULL. */
+NICOL_API nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh,
+                                                nicol_material* material, double to_world[16]);
+NICOL_API nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instances);
+/* The ids of all instances, ascending; count: of the instances. */
+NICOL_API nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
+/* environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
+ * one), scale multiplies (0: 1; finite, not negative). */
+NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
+                                                   const double to_world[16], double scale);
+/* What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is
+ * rotated and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0,
+ * *environment is NULL, to_world the identity and scale 1. */
+NICOL_API nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment,
+                                                   double to_world[16], double* scale);
+/* What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED. */
+NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
+NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+/* Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 where the film of a
+ * loaded file asks for luminance. */
+NICOL_API nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
+NICOL_API nicol_result nicol_scene_retain(nicol_scene scene);
+NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
+
+/* ---------------------------------------------------------------- render */
+
+typedef uint32_t nicol_method;
+/* Real time. Light up to order_low is kept in each vertex's frame and meets a table of what the material
+ * makes of it at each view angle. */
+#define NICOL_METHOD_FACTORED 0
+/* Real time: a matrix of transfer for each vertex, as the paper has it, which baking computes from shadow
+ * and material. What leaves a vertex is truncated at order_low too. Slower and larger, for comparison. */
+#define NICOL_METHOD_DENSE 1
+/* No harmonics: for each pixel rays and the integral of the light over directions, with shadows, by random
+ * sampling. Slow and noisy, right in the mean: what the other methods are measured against. */
+#define NICOL_METHOD_REFERENCE 2
+
+/* How the light's orders above order_low become reflected light: filtered by lobes beforehand and looked up
+ * at the mirrored view direction, dimmed by what the lobe's directions see of the light. */
+typedef uint32_t nicol_high_orders;
+#define NICOL_HIGH_ORDERS_SPLIT 0       /* lobes times Mueller matrices of the view angle */
+#define NICOL_HIGH_ORDERS_CONVOLUTION 1 /* a kernel a material (Eq. 68): no polarization by reflection */
+#define NICOL_HIGH_ORDERS_NONE 2        /* left out */
+
+/* Where these orders are looked up; at pixels with the normal and what shadows leave of the lobe, both
+ * interpolated. */
+typedef uint32_t nicol_high_orders_at;
+#define NICOL_HIGH_ORDERS_AT_AUTOMATIC 0 /* pixels, or vertices where OpenGL runs on the CPU */
+#define NICOL_HIGH_ORDERS_AT_VERTICES 1  /* and interpolated in between, as all else */
+#define NICOL_HIGH_ORDERS_AT_PIXELS 2    /* smooth highlights on coarse meshes too */
+
+/* Where light meets shadows and materials: relight and shade. The images agree to 1e-5 of their largest
+ * value. */
+typedef uint32_t nicol_executor;
+#define NICOL_EXECUTOR_AUTOMATIC 0 /* compute, unless OpenGL runs on the CPU or lacks what it takes */
+#define NICOL_EXECUTOR_CPU 1       /* threads */
+#define NICOL_EXECUTOR_COMPUTE 2   /* compute shaders, also where OpenGL runs on the CPU and is slow at it */
+
+/* What a render leaves out because the image is the same without it; by default all of them. */
+#define NICOL_OPTIMISATION_UNCHANGED 1u        /* everything, where nothing changed */
+#define NICOL_OPTIMISATION_LIGHT_COMPONENTS 2u /* Stokes components that the light lacks */
+#define NICOL_OPTIMISATION_CHANNELS 4u         /* colour channels of light that equal another */
+#define NICOL_OPTIMISATION_ORDERS 8u           /* orders that the light lacks */
+#define NICOL_OPTIMISATION_RESPONSE_ROWS 16u   /* Stokes components that a material cannot make */
+#define NICOL_OPTIMISATION_HIDDEN 32u          /* vertices that face away or lie outside the view */
+#define NICOL_OPTIMISATION_UNOCCLUDED 64u      /* shadows of vertices that see all above their horizon */
+#define NICOL_OPTIMISATION_ALL 127u
+
+/* Planes that a render makes beside the image, whatever its method: NICOL_PLANE_DEPTH, _NORMAL, _POSITION
+ * and _INSTANCE tell what each holds. They are of the surface that the ray through a pixel's centre meets
+ * first. */
+#define NICOL_AOV_DEPTH 1u
+#define NICOL_AOV_NORMALS 2u
+#define NICOL_AOV_POSITIONS 4u
+#define NICOL_AOV_INSTANCES 8u
+#define NICOL_AOV_ALL 15u
+
+/* Stokes components that a image has; the others are 0. */
+typedef uint32_t nicol_components;
+#define NICOL_COMPONENTS_ALL 0
+#define NICOL_COMPONENTS_S0 1     /* s0 */
+#define NICOL_COMPONENTS_LINEAR 3 /* s0, s1, s2 */
+
+typedef struct nicol_render_options {
+    uint32_t struct_size;
+    nicol_method method;
+    /* These, but for samples and seed, are of the factored and the dense method. The reference method, whose
+     * own those are, looks at `shadows` alone. */
+    int32_t order_low;             /* light up to this order meets the material's full angular detail; 0: 4;
+                                      -1: order 0; at most NICOL_MAX_ORDER */
+    int32_t order_high;            /* light up to this order is rendered at all, what lies above order_low as
+                                      high_orders says; 0: 9, or order_low where that is larger; -1: order 0;
+                                      order_low to 64 */
+    nicol_high_orders high_orders; /* 0: split */
+    int32_t shadows;          /* whether surfaces hide the environment from each other and themselves. 0: the
+                                 default, which is on; 1: on; -1: off */
+    uint32_t bake_directions; /* that each vertex looks for the environment in; 0: 2048; 256 to 65536. Time
+                                 and memory of baking grow with it, noise in the shadows falls */
+    uint32_t physical;        /* 1: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0 and no
+                                 more polarized than s0, which truncated light may leave: those of vertices,
+                                 or of pixels where high orders are looked up there; 0: not */
+    double dering;            /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
+                                 1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
+    nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
+                                         reference method trace */
+    void* progress_user;
+    int32_t samples;   /* reference: camera rays a pixel, 0: 256; up to 2^20. Powers of two are spread best */
+    uint32_t reserved; /* 0 */
+    uint64_t seed; /* reference: the same gives the same image whatever the threads, another other noise */
+    nicol_executor executor;             /* 0: automatic */
+    nicol_high_orders_at high_orders_at; /* 0: automatic */
+    double tolerance; /* above 0: the largest error that orders left out may be predicted to cause, as the
+                         relative RMSE of s0, s1 and s2 over the RMS of s0; order_low and order_high are then
+                         chosen for it and those above are not looked at. Only of the factored method with
+                         high orders split or left out. 0: orders as given; finite, not negative */
+    nicol_components components; /* 0: all */
+    uint32_t
+        disabled_optimisations; /* sum of NICOL_OPTIMISATION_... that are not to be made use of: to measure
+                      what they save. Compute shaders shade all vertices and rows in any case. 0: none */
+    int32_t
+        high_order_shadows; /* whether shadows dim the high orders by the part of their lobe that they leave
+                               visible; 0: the default, which is on; 1: on; -1: off: unshadowed highlights */
+    uint32_t planes;        /* sum of NICOL_AOV_... that are to be made; none costs nothing. 0: none */
+} nicol_render_options;
+#define NICOL_RENDER_OPTIONS_INIT \
+    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+
+/* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
+ * luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */
+NICOL_API nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height,
+                                                uint32_t channels, nicol_framebuffer* framebuffer);
+/* As it was created. */
+NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer, uint32_t* width,
+                                                  uint32_t* height, uint32_t* channels);
+NICOL_API nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
+NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
+
+/* options may be NULL: all defaults. What a change of the scene, the camera or the options does not touch is
+ * kept from the scene's last render; where nothing changed, nothing runs. On failure or cancellation the
+ * framebuffer's content is that of the render before, and its statistics too. NICOL_ERROR_INVALID_ARGUMENT
+ * for options and cameras out of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown
+ * method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
+ * NICOL_ERROR_OUT_OF_MEMORY. */
+NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
+                                    const nicol_render_options* options, nicol_framebuffer framebuffer);
+
+/* A render that goes on while its caller does other things. Jobs of one context run one after another, in the
+ * order in which they came, on a thread that the context keeps for them. Each takes its turn with the calls
+ * that render, make, read and write framebuffers of the context: these wait for the job that runs, not for
+ * those that wait. What changes and asks scenes or makes lights, materials and meshes does not wait. May be
+ * used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too. */
+typedef struct nicol_job_impl* nicol_job;
+
+#define NICOL_MAX_JOBS 256 /* that wait in one context */
+
+/* nicol_render, later. All is copied at once: the scene's changes after this call concern later renders
+ * alone. The framebuffer holds what it held until the job has run. Scene, framebuffer and all they need stay
+ * alive; the caller may release them, and the job too: it is done all the same. The progress callback comes
+ * on the context's thread, and progress_user must live until the job is done. What this call can tell of its
+ * arguments it refuses, all else is the job's result. NICOL_ERROR_BUSY where NICOL_MAX_JOBS wait;
+ * NICOL_ERROR_UNSUPPORTED in a host's OpenGL context. A process that exits cancels its jobs. */
+NICOL_API nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
+                                          const nicol_render_options* options, nicol_framebuffer framebuffer,
+                                          nicol_job* job);
+
+typedef uint32_t nicol_job_state;
+#define NICOL_JOB_WAITING 0
+#define NICOL_JOB_RUNNING 1
+#define NICOL_JOB_DONE 2
+
+typedef struct nicol_job_status {
+    uint32_t struct_size;
+    nicol_job_state state;
+    nicol_result result; /* of a job that is done: what nicol_render would have returned. Else NICOL_OK */
+    uint32_t reserved;   /* 0 */
+    double fraction;     /* done of the verb at work, 0 to 1; 1 after success */
+    const char* verb; /* as a progress callback's; "" while it waits and once it is done. Lives as long as the
+                         library */
+} nicol_job_status;
+#define NICOL_JOB_STATUS_INIT \
+    { sizeof(nicol_job_status), 0, 0, 0, 0, 0 }
+
+/* How far it is; never waits. */
+NICOL_API nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status);
+
+#define NICOL_WAIT_FOREVER 0xffffffffu
+/* Waits until the job is done, at most this long (0: not at all), and returns its result; nicol_last_error()
+ * has the message of one that failed, on every thread that asks. NICOL_ERROR_TIMEOUT where it is not done by
+ * then. Inside a callback of the context it is NICOL_ERROR_INVALID_ARGUMENT: that would wait for itself. */
+NICOL_API nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms);
+/* Ends a job that waits at once, and one that runs where it would next call a progress callback; its result
+ * is NICOL_ERROR_CANCELLED. Does nothing to a job that is done, or about to be. Does not wait. */
+NICOL_API nicol_result nicol_job_cancel(nicol_job job);
+NICOL_API nicol_result nicol_job_retain(nicol_job job);
+NICOL_API nicol_result nicol_job_release(nicol_job job);
+
+/* clang-format off */
+/* What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run. */
+typedef struct nicol_statistics {
+    uint32_t struct_size;
+    uint32_t order;                 /* highest order of the light that was rendered: order_high, or less where the light
+                                       has no more, but at least order_low; 0 by the reference method */
+    uint64_t vertices;              /* of all instances */
+    uint64_t triangles;             /* likewise */
+    double project_ms;              /* light and materials to coefficients, tables and lobes */
+    double bake_ms;                 /* what each vertex sees of the environment, and by the dense method its matrices; of the
+                                       reference method its hierarchy of triangles and table of light */
+    double relight_ms;              /* light, times shadows, into the vertices' frames */
+    double shade_ms;                /* light times response, at the view, high orders included */
+    double draw_ms;                 /* rasterisation, or copying the image into the framebuffer */
+    double observe_ms;              /* reading and writing images since that render */
+    double bake_trace_ms;           /* of bake_ms, tracing rays; 0 where the bake came from the cache */
+    uint64_t bake_rays;             /* traced by the bake; 0 likewise */
+    uint64_t vertices_skipped;      /* not shaded: facing away or outside the view */
+    uint64_t vertices_unoccluded;   /* that nothing hides the environment from: no shadow to compute */
+    uint64_t vertices_unphysical;   /* that `physical` moved into the physical range, times channels; pixels are not counted */
+    uint64_t light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
+    uint64_t response_rows_skipped; /* Stokes components that no material can make, times channels */
+    uint64_t channels_shared;       /* colour channels of light that equal another and are not computed again */
+    uint64_t response_bytes;        /* material tables */
+    uint64_t visibility_bytes;      /* what the bake found: directions in which each vertex sees the environment */
+    uint64_t transfer_bytes;        /* per-vertex light, shadows, matrices and geometry kept for relight and shade */
+    uint64_t buffer_bytes;          /* OpenGL buffers: vertices and triangles, and what compute shaders work on */
+    uint64_t texture_bytes;         /* OpenGL textures, framebuffer included */
+    uint64_t camera_rays;           /* reference: rays from the camera */
+    uint64_t shadow_rays;           /* reference: rays towards the light */
+    double trace_ms;                /* reference: tracing rays */
+    uint32_t compute;               /* 1: compute shaders relight and shade, 0: threads do */
+    nicol_high_orders_at high_orders_at; /* where they were looked up; 0: there were none */
+    uint32_t order_low;             /* of the light that was rendered, as the option or as a tolerance chose */
+    uint32_t reserved;              /* 0 */
+    double predicted_error;         /* where a tolerance was given: of the orders left out; may exceed it where no orders
+                                       reach it. Interpolation between vertices is not in it */
+    /* What this render made anew; 0 where all could be kept from the one before. */
+    uint64_t lights_projected;      /* environments to coefficients */
+    uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, from the cache folder too */
+    uint64_t vertices_traced;       /* that the bake traced rays from */
+    uint64_t matrices_baked;        /* dense: of vertices */
+    uint64_t vertices_relit;        /* into whose frames light was brought */
+    uint64_t vertices_shaded;       /* whose Stokes vectors were computed */
+} nicol_statistics;
+/* clang-format on */
+#define NICOL_STATISTICS_INIT                                                                                \
+    {                                                                                                        \
+        sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                                  \
+    }
+
+/* All zeros before the first render. */
+NICOL_API nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer,
+                                                        nicol_statistics* statistics);
+
+/* ---------------------------------------------------------------- observe */
+
+typedef uint32_t nicol_plane;
+#define NICOL_PLANE_S0 0
+#define NICOL_PLANE_S1 1
+#define NICOL_PLANE_S2 2
+#define NICOL_PLANE_S3 3
+#define NICOL_PLANE_STOKES 4 /* four floats a pixel */
+#define NICOL_PLANE_DOLP 5   /* degree of linear polarization; 0 where s0 <= 0 */
+/* Angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right. */
+#define NICOL_PLANE_AOLP 6
+/* The following are there only where the last render into the framebuffer was asked for them
+ * (NICOL_AOV_...), and have no colour channels. */
+#define NICOL_PLANE_DEPTH 7 /* distance along the camera's +z; +infinity where there is no surface */
+#define NICOL_PLANE_NORMAL                                                                  \
+    8 /* three numbers a pixel: the unit shading normal in the world, of a surface with two \
+         sides on the one that is seen, of others on the front; 0 without a surface */
+#define NICOL_PLANE_POSITION 9  /* three numbers a pixel: the point in the world; 0 without a surface */
+#define NICOL_PLANE_INSTANCE 10 /* a uint32_t a pixel: the instance's id, or NICOL_NO_INSTANCE */
+#define NICOL_NO_INSTANCE 0xffffffffu
+
+/* Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
+ * byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
+ * NICOL_PLANE_INSTANCE, which holds no floats. */
+NICOL_API nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane,
+                                              uint32_t channel, float* pixels, uint64_t row_stride,
+                                              uint64_t byte_size);
+
+typedef uint32_t nicol_format;
+#define NICOL_FORMAT_AUTOMATIC 0 /* float32, and uint32 of NICOL_PLANE_INSTANCE */
+#define NICOL_FORMAT_FLOAT32 1
+#define NICOL_FORMAT_FLOAT16                                                               \
+    2 /* IEEE 754 half precision, rounded to the nearest, ties to even; beyond 65504 it is \
+         infinite, below 2^-24 in steps of that: scale the light where that matters */
+#define NICOL_FORMAT_UINT32 3 /* of NICOL_PLANE_INSTANCE alone */
+
+#define NICOL_ALL_CHANNELS 0xffffffffu
+
+typedef struct nicol_plane_buffer {
+    uint32_t struct_size;
+    nicol_plane plane;
+    nicol_format format;
+    uint32_t channel;    /* counted from 0; NICOL_ALL_CHANNELS: every one, interleaved. 0 of planes without
+                            channels */
+    void* pixels;        /* [row][column][channel][component], first row at the top; aligned to its numbers */
+    uint64_t row_stride; /* bytes from row to row, a multiple of a number's; 0: tightly packed */
+    uint64_t byte_size;  /* of what pixels has room for; checked */
+} nicol_plane_buffer;
+#define NICOL_PLANE_BUFFER_INIT \
+    { sizeof(nicol_plane_buffer), 0, 0, 0, 0, 0, 0 }
+
+/* Copies a plane in the format and of the channels that `to` asks for; only the rows are written. A call that
+ * fails writes nothing. */
+NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer,
+                                                    const nicol_plane_buffer* to);
+/* clang-format off */
+/* Channels of 32-bit floats, named by the number of colour channels:
+ *   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
+ *   1             Y (which is s0) and S0.Y to S3.Y
+ *   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
+ * and of the planes that the last render was asked for Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned). */
+/* clang-format on */
+NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
+
+typedef uint32_t nicol_observation_kind;
+#define NICOL_OBSERVATION_S0 0        /* tone-mapped with the sRGB curve */
+#define NICOL_OBSERVATION_S1 1        /* red negative, green positive, linear */
+#define NICOL_OBSERVATION_S2 2        /* likewise */
+#define NICOL_OBSERVATION_S3 3        /* likewise */
+#define NICOL_OBSERVATION_DOLP 4      /* black 0, white 1 */
+#define NICOL_OBSERVATION_AOLP 5      /* hue = angle / 180 degrees, value = DoLP */
+#define NICOL_OBSERVATION_POLARIZER 6 /* through an ideal linear polarizer, tone-mapped like s0 */
+
+typedef struct nicol_observation {
+    uint32_t struct_size;
+    nicol_observation_kind kind;
+    float exposure; /* stops; s0 and polarizer */
+    float scale;    /* s1..s3: the value shown at full colour; 0: the largest in the image. Written into the
+                       file. */
+    float polarizer_angle; /* degrees counter-clockwise from image right */
+} nicol_observation;
+#define NICOL_OBSERVATION_INIT \
+    { sizeof(nicol_observation), 0, 0, 0, 0 }
+
+/* 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
+ * channels. */
+NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer,
+                                                   const nicol_observation* image, const char* path);
+
+/* ---------------------------------------------------------------- inside a host's OpenGL */
+
+/* clang-format off */
+/* A context can be the caller's own, so that images stay on the device: nothing is made current, no thread of OpenGL's is
+ * started, and nicol_framebuffer_get_texture and nicol_framebuffer_draw_... hand the images over.
+ *
+ *   Current       That OpenGL context, and no other, must be current on the calling thread in nicol_context_create_host and in
+ *                 every call that uses OpenGL: nicol_framebuffer_create, nicol_render, and what reads, writes and draws images.
+ *                 Else they fail with NICOL_ERROR_NOT_CURRENT and touch nothing. It may move from thread to thread.
+ *   State         All of the host's OpenGL state is as before when a call returns: what Nicol changes it saves and restores, and
+ *                 what it depends on (scissor, masks, pixel storage, ...) it sets and restores. Objects are made with new names
+ *                 and others are left alone. Three things cannot be restored: calls must not be made while transform feedback
+ *                 runs unpaused or while a program that is deleted is still in use, which is NICOL_ERROR_UNSUPPORTED, nor within
+ *                 conditional rendering, which OpenGL does not tell. Queries of the host that are active count what is drawn. An
+ *                 error that waits in glGetError when a call begins is cleared and told to the log.
+ *   Callbacks     that come while Nicol renders must not call OpenGL.
+ *   Release       where the context is current deletes its OpenGL objects at once. Elsewhere they wait for the next call that
+ *                 finds it current, or go with the host's context. Release everything before the OpenGL library is unloaded.
+ */
+/* clang-format on */
+/* The address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and others
+ * answer. */
+typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
+/* Answer 1 where the host's context is current on the calling thread, else 0. */
+typedef int32_t (*nicol_is_current_callback)(void* user);
+
+typedef struct nicol_host {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    nicol_get_proc_address_callback get_proc_address;
+    /* NULL: OpenGL is asked itself, which needs OpenGL functions that may be called without a context, as
+     * those of libglvnd and Mesa may. */
+    nicol_is_current_callback is_current;
+    void* user; /* of both; used until the last object of the context is released */
+} nicol_host;
+#define NICOL_HOST_INIT \
+    { sizeof(nicol_host), 0, 0, 0, 0 }
+
+/* A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
+ * options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT where is_current answers
+ * 0, NICOL_ERROR_NO_BACKEND where there is no such OpenGL. */
+NICOL_API nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options,
+                                                 nicol_context* context);
+
+typedef struct nicol_texture {
+    uint32_t struct_size;
+    uint32_t name;            /* OpenGL's */
+    uint32_t target;          /* GL_TEXTURE_2D */
+    uint32_t internal_format; /* GL_RGBA32F */
+    uint32_t width;
+    uint32_t height;
+} nicol_texture;
+#define NICOL_TEXTURE_INIT \
+    { sizeof(nicol_texture), 0, 0, 0, 0, 0 }
+
+/* The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
+ * The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
+ * render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
+ * NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below. */
+NICOL_API nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel,
+                                                     nicol_texture* texture);
+
+typedef uint32_t nicol_encoding;
+#define NICOL_ENCODING_LINEAR 0 /* radiance; stored as far as the texture's format goes */
+#define NICOL_ENCODING_SRGB 1   /* clipped to 0 to 1 and through the sRGB curve, as in PNG files */
+
+/* A texture of the host's to draw into: level 0 of a GL_TEXTURE_2D of GL_RGBA8, GL_SRGB8_ALPHA8, GL_RGBA16F
+ * or GL_RGBA32F, as large as the framebuffer. */
+typedef struct nicol_texture_target {
+    uint32_t struct_size;
+    uint32_t texture;
+    uint32_t bottom_up;      /* 0: row 0 is the image's top; 1: its bottom, as OpenGL's own images have it */
+    nicol_encoding encoding; /* of the images S0 and POLARIZER; SRGB8_ALPHA8 gets these numbers as they are */
+} nicol_texture_target;
+#define NICOL_TEXTURE_TARGET_INIT \
+    { sizeof(nicol_texture_target), 0, 0, 0 }
+
+/* Copies the Stokes vectors of a channel. Nothing is read back. */
+NICOL_API nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel,
+                                                     const nicol_texture_target* target);
+/* The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
+ * 1 here, since nothing is read back. */
+NICOL_API nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
+                                                          const nicol_observation* image,
+                                                          const nicol_texture_target* target);
+
+/* ---------------------------------------------------------------- mathematics */
+
+/* clang-format off */
+/* Polarized spherical harmonics (PSH) as plain numbers, in double precision. No context is needed. Equation numbers
+ * are those of the paper "Spin-Weighted Spherical Harmonics for Polarized Light Transport" (SIGGRAPH 2024) and its
+ * supplement.
+ *
+ *   Fields        are functions of the PROPAGATION direction of the light: what comes from straight above sits at
+ *                 theta = pi. Components are measured in the theta-phi frame of that direction (Eq. 79): x = growing
+ *                 theta, y = growing phi, z = the direction; on the z axis phi is taken as 0. Angles here are radians.
+ *   Coefficients  are [vector][l*l + l + m][p], orders l = 0..order, degrees m = -l..l, components p = 0..3:
+ *                 4 (order+1)^2 doubles a vector. p = 0 and 3 stand over real harmonics; p = 1, 2 are the real and
+ *                 imaginary part of the complex spin-2 coefficient (Eqs. 30 to 34) and do not exist below l = 2: they
+ *                 are written as 0 and must be 0 or are not read. A colour channel is a vector; a batch of vectors
+ *                 shares all set-up.
+ *   Matrices      of operators are [4 * (l*l + l + m) + p of the output][the same of the input], row-major, real
+ *                 (Eq. 40). Mueller matrices are 16 doubles, row-major; rotations 9 doubles, row-major.
+ *   Lengths       follow every pointer, in doubles; any other than the documented one is refused. A length of 0 (no
+ *                 vectors, no directions) does nothing, and its pointer may be NULL. Inputs must be finite. Unless
+ *                 said otherwise, outputs must not overlap inputs; where they may, they must be the same memory.
+ *   Threads       All functions may run at the same time on any threads; a nicol_psh_transform does one call after
+ *                 another.
+ */
+/* clang-format on */
+#define NICOL_PSH_MAX_ORDER 4096
+/* Of dense matrices; the scalar factor of a shadow matrix has up to twice that. */
+#define NICOL_PSH_MAX_MATRIX_ORDER 64
+
+/* Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
+ * is channels * 4 (order+1)^2. A image counts as the bilinear function between its pixels. As an
+ * environment, it must be physical: polarization up to s0. */
+NICOL_API nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients,
+                                               uint64_t count);
+NICOL_API nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order,
+                                                     double* coefficients, uint64_t count);
+/* A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
+ * asks for the number of channels alone. */
+NICOL_API nicol_result nicol_psh_project_file(const char* path, uint32_t order, uint32_t* channels,
+                                              double* coefficients, uint64_t count);
+
+typedef uint32_t nicol_psh_grid;
+#define NICOL_PSH_GRID_FEJER 0           /* theta = (j + 1/2) pi / rows: pixel centres */
+#define NICOL_PSH_GRID_CLENSHAW_CURTIS 1 /* theta = j pi / (rows - 1): both poles are rows */
+#define NICOL_PSH_GRID_GAUSS_LEGENDRE 2  /* cos theta at the roots of the Legendre polynomial */
+
+typedef struct nicol_psh_sampling {
+    uint32_t struct_size;
+    nicol_psh_grid grid;
+    uint32_t order;   /* 0 is order 0 */
+    uint32_t rows;    /* at most 32768 (Gauss-Legendre 16384). 0: the fewest that are exact for fields of this
+                         order: 2 order + 1, and order + 1 with Gauss-Legendre; Clenshaw-Curtis at least 2 */
+    uint32_t columns; /* at azimuths phi0 + 2 pi c / columns; 2 order + 1 to 131072. 0: 2 order + 1 */
+    uint32_t reserved; /* 0 */
+    double phi0;
+} nicol_psh_sampling;
+#define NICOL_PSH_SAMPLING_INIT \
+    { sizeof(nicol_psh_sampling), 0, 0, 0, 0, 0, 0 }
+
+/* Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
+ * context; holds its work space: after creation no call allocates. Calls on one transform take turns. */
+typedef struct nicol_psh_transform_impl* nicol_psh_transform;
+
+/* NICOL_ERROR_INVALID_ARGUMENT where the sampling is too coarse for the order. */
+NICOL_API nicol_result nicol_psh_transform_create(const nicol_psh_sampling* sampling,
+                                                  nicol_psh_transform* transform);
+NICOL_API nicol_result nicol_psh_transform_retain(nicol_psh_transform transform);
+NICOL_API nicol_result nicol_psh_transform_release(nicol_psh_transform transform);
+/* Of its grid. */
+NICOL_API nicol_result nicol_psh_transform_get_size(nicol_psh_transform transform, uint32_t* rows,
+                                                    uint32_t* columns);
+/* theta of each row, and the weights of the integral over cos theta, which sum to 2; count = rows. */
+NICOL_API nicol_result nicol_psh_transform_get_rows(nicol_psh_transform transform, double* theta,
+                                                    double* weight, uint64_t count);
+/* Inner products with the basis (Eq. 32) by the rows' weights. */
+NICOL_API nicol_result nicol_psh_analyze(nicol_psh_transform transform, uint64_t vectors,
+                                         const double* samples, uint64_t sample_count, double* coefficients,
+                                         uint64_t coefficient_count);
+/* The field of the coefficients (Eq. 30) at the samples. */
+NICOL_API nicol_result nicol_psh_synthesize(nicol_psh_transform transform, uint64_t vectors,
+                                            const double* coefficients, uint64_t coefficient_count,
+                                            double* samples, uint64_t sample_count);
+
+/* Stokes vectors [vector][direction][4] at directions [direction][3] of any length but 0. */
+NICOL_API nicol_result nicol_psh_evaluate(uint32_t order, uint64_t vectors, const double* coefficients,
+                                          uint64_t coefficient_count, const double* directions,
+                                          uint64_t direction_count, double* stokes, uint64_t stokes_count);
+
+/* The fields rotated with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
+ * orthonormal to 1e-5 and right-handed. out may be in. */
+NICOL_API nicol_result nicol_psh_rotate(uint32_t order, uint64_t vectors, const double* in, uint64_t in_count,
+                                        const double rotation[9], double* out, uint64_t out_count);
+
+/* The fields' mirror images in the plane z = 0 (Eq. 214, with its conjugation). out may be in. */
+NICOL_API nicol_result nicol_psh_reflect(uint32_t order, uint64_t vectors, const double* in,
+                                         uint64_t in_count, double* out, uint64_t out_count);
+
+/* A scalar field ((scalar_order+1)^2 coefficients over real harmonics, such as visibility) times each field,
+ * cut above order_out: exact, through a grid, in O(order^3). out may be in where the orders agree. */
+NICOL_API nicol_result nicol_psh_multiply(uint32_t scalar_order, const double* scalar, uint64_t scalar_count,
+                                          uint32_t order, uint64_t vectors, const double* in,
+                                          uint64_t in_count, uint32_t order_out, double* out,
+                                          uint64_t out_count);
+
+/* The same product as a matrix (Eq. 54, by the triple products of Eqs. 215 and 216). */
+NICOL_API nicol_result nicol_psh_shadow_matrix(uint32_t scalar_order, const double* scalar,
+                                               uint64_t scalar_count, uint32_t order_out, uint32_t order_in,
+                                               double* matrix, uint64_t matrix_count);
+
+/* Writes the Mueller matrix from the theta-phi frame of the propagation direction `in` to that of `out`,
+ * cosine factors included (Eq. 38). Answer 1 to go on, 0 to stop with NICOL_ERROR_CANCELLED. Called on the
+ * calling thread. It may call Nicol. */
+typedef int32_t (*nicol_psh_mueller_callback)(void* user, const double in[3], const double out[3],
+                                              double mueller[16]);
+
+typedef struct nicol_psh_mueller_field {
+    uint32_t struct_size;
+    uint32_t isotropic; /* 1: depends on the azimuths by their difference alone, as an isotropic pBRDF in its
+                           surface's frame does; `out` is then sampled at azimuth 0 only. 0: any field */
+    uint32_t order_out, order_in;
+    uint32_t rows_out,
+        columns_out;              /* Gauss-Legendre rows and even columns the field is sampled at, for each */
+    uint32_t rows_in, columns_in; /* of the directions. 0: 2 order + 2 rows, 4 order + 4 columns, exact for
+                                     fields up to three times the order. At most 4096 */
+    nicol_psh_mueller_callback callback;
+    void* user;
+} nicol_psh_mueller_field;
+#define NICOL_PSH_MUELLER_FIELD_INIT \
+    { sizeof(nicol_psh_mueller_field), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+
+/* The operator "integrate the field times the light over the incoming directions" as a matrix (Eqs. 39, 40),
+ * by quadrature. */
+NICOL_API nicol_result nicol_psh_project_matrix(const nicol_psh_mueller_field* field, double* matrix,
+                                                uint64_t matrix_count);
+/* out = matrix * in, vector by vector (Eq. 41). */
+NICOL_API nicol_result nicol_psh_apply_matrix(uint32_t order_out, uint32_t order_in, const double* matrix,
+                                              uint64_t matrix_count, uint64_t vectors, const double* in,
+                                              uint64_t in_count, double* out, uint64_t out_count);
+/* The matrix of `second` after `first`. */
+NICOL_API nicol_result nicol_psh_compose_matrix(uint32_t order_out, uint32_t order_between, uint32_t order_in,
+                                                const double* second, uint64_t second_count,
+                                                const double* first, uint64_t first_count, double* matrix,
+                                                uint64_t matrix_count);
+
+/* Convolution kernels are [band l = 0..order][16], 16 (order+1) doubles; a band is k00, k03, k30, k33, then
+ * the real and imaginary parts of k10 + i k20, k13 + i k23, k01 - i k02, k31 - i k32, the isomorphic and the
+ * conjugation part of the 2-to-2 block (Eqs. 44, 68). All but the first four are 0 below l = 2. */
+#define NICOL_PSH_BAND_SIZE 16
+
+/* Writes the Mueller matrix at the angle theta between input and output direction, frames with x along the
+ * great circle, from input to output at both ends (Eq. 62). Answers as nicol_psh_mueller_callback. */
+typedef int32_t (*nicol_psh_kernel_callback)(void* user, double theta, double mueller[16]);
+
+/* Bands by quadrature on this many Gauss-Legendre rows, 0: 2 order + 2, at most 16384 (Eq. 68). */
+NICOL_API nicol_result nicol_psh_project_kernel(nicol_psh_kernel_callback callback, void* user,
+                                                uint32_t order, uint32_t rows, double* bands,
+                                                uint64_t band_count);
+/* The inverse: Mueller matrices [angle][16] at angles in 0 to pi. */
+NICOL_API nicol_result nicol_psh_kernel_at(uint32_t order, const double* bands, uint64_t band_count,
+                                           const double* theta, uint64_t theta_count, double* mueller,
+                                           uint64_t mueller_count);
+/* The convolution of each field (Eq. 69). out may be in. */
+NICOL_API nicol_result nicol_psh_convolve(uint32_t order, const double* bands, uint64_t band_count,
+                                          uint64_t vectors, const double* in, uint64_t in_count, double* out,
+                                          uint64_t out_count);
+/* The convolution as a matrix, and the kernel nearest to a matrix in the Frobenius norm (supplement E.9);
+ * both sides of the matrix have this order. */
+NICOL_API nicol_result nicol_psh_kernel_matrix(uint32_t order, const double* bands, uint64_t band_count,
+                                               double* matrix, uint64_t matrix_count);
+NICOL_API nicol_result nicol_psh_nearest_kernel(uint32_t order, const double* matrix, uint64_t matrix_count,
+                                                double* bands, uint64_t band_count);
+
+/* ---------------------------------------------------------------- inspect and convert */
+
+/* Light and materials in files: what they hold, and from one format to another. Files need no context. These
+ * functions may run at the same time on any threads. An output appears under its name only when complete.
+ * Axes stay as they are: coefficients are taken in the world's axes, whatever the world of their makers was.
+ */
+typedef uint32_t nicol_file_kind;
+/* .exr: an equirectangular image in nicol_image's layout and frames, with the channels R G B or Y, S0 .. S3
+ * by colour, or those of spectral Stokes images. */
+#define NICOL_FILE_LIGHT_IMAGE 1
+/* NAME_s0.exr .. NAME_s3.exr, given as one of the four or as NAME where no file has that name: a cube map as
+ * a cross of 4 x 3 faces, rows Up / Left Front Right Back / Down, which lie at +z / -x +y +x -y / -z. Frames:
+ * z = propagation, y = the face's image up as far as it is perpendicular to z, x = image right. */
+#define NICOL_FILE_LIGHT_CROSS 2
+/* .npz, SHVec: member coeff [channel][l*l + l + m][4], as everywhere in "mathematics". */
+#define NICOL_FILE_LIGHT_PSH 3
+/* .npz, SHMat ISOBI2: member coeff [channel][index][p out][p in], an isotropic pBRDF times the incident
+ * cosine, both sides over propagation directions, the normal along z. */
+#define NICOL_FILE_MATERIAL_PSH 4
+/* .pbsdf, as Mitsuba 3's measured_polarized: half vector and difference angles, s-frames. Read alone. */
+#define NICOL_FILE_MATERIAL_MEASURED 5
+/* .response, a table of Nicol's cache: what leaves at each zenith angle up to 90 degrees, over coefficients
+ * of the light. Written into a cache folder: an output that is a folder or ends in '/'. */
+#define NICOL_FILE_MATERIAL_TABLE 6
+
+/* A image's pixels are taken as samples of light that has no orders above `order`, instead of the bilinear
+ * function between them: what was written from coefficients comes back as it was. Needs 2 order + 1 columns
+ * and rows. */
+#define NICOL_FILE_BAND_LIMITED 1
+/* Images are made physical (Eq. 70): s0 below 0 becomes black, polarization beyond s0 is cut to s0.
+ * Truncated light needs it where others shall take it as a light. */
+#define NICOL_FILE_PHYSICAL 2
+
+typedef struct nicol_file_options {
+    uint32_t struct_size;
+    int32_t order; /* highest order of coefficients and tables, also of a image where it is given. 0: the
+                      file's own where it has one, else 32 for light and 16 for materials; -1: order 0. At
+                      most NICOL_PSH_MAX_ORDER for light, NICOL_PSH_MAX_MATRIX_ORDER for materials */
+    uint32_t width,
+        height;         /* of a image to write, both or none; height at least 2. 0: a image keeps its
+                           size, a cross of edge e gets 8 e columns (4 e above 256); coefficients 512 x
+                           257, doubled until there are 4 (order + 1) columns, at most 4096 x 2049.
+                           Coefficients lose the orders that fewer than 2 order + 1 columns or rows cannot hold */
+    uint32_t edge;      /* of a face of a cross to write, 2 to 4096; 0: 256 */
+    uint32_t flags;     /* NICOL_FILE_BAND_LIMITED, NICOL_FILE_PHYSICAL */
+    double scale;       /* multiplies radiance or reflectance; 0: 1 */
+    double rotation[9]; /* turns light with everything in it, row-major; all zeros: identity. Coefficients
+                           exactly, images by bilinear interpolation. Of materials: must be zeros */
+    nicol_spectrum wavelengths; /* nm, of spectral files: each channel is that of a image which is nearest,
+                                   or linear between those of a material. count 0: every wavelength of a
+                                   image; red, green and blue of a measured material */
+    uint32_t reserved;          /* 0 */
+} nicol_file_options;
+#define NICOL_FILE_OPTIONS_INIT \
+    { sizeof(nicol_file_options), 0, 0, 0, 0, 0, 0, {0}, NICOL_SPECTRUM_INIT, 0 }
+
+/* What a light is, by channel; means and parts are over the sphere by solid angle, of the image that would
+ * be written. */
+typedef struct nicol_light_report {
+    uint32_t struct_size;
+    nicol_file_kind kind;
+    uint32_t channels;
+    uint32_t order; /* up to which the energies go */
+    uint32_t width; /* of the image */
+    uint32_t height;
+    uint32_t polarized;                       /* 1 where some s1, s2 or s3 is not zero */
+    uint32_t circular;                        /* 1 where some s3 is not zero */
+    double wavelengths[NICOL_MAX_CHANNELS];   /* nm; 0: the channels are colours */
+    double mean[NICOL_MAX_CHANNELS];          /* of s0 */
+    double smallest[NICOL_MAX_CHANNELS];      /* of s0 */
+    double largest[NICOL_MAX_CHANNELS];       /* of s0 */
+    double direction[3 * NICOL_MAX_CHANNELS]; /* mean of the directions light comes from, weighted by s0 > 0:
+                                                 of length 0 (evenly) to 1 (from one point) */
+    double mean_dolp[NICOL_MAX_CHANNELS];     /* degree of linear polarization, weighted by s0 */
+    double largest_dolp[NICOL_MAX_CHANNELS];  /* where s0 > 0 */
+    double largest_circular[NICOL_MAX_CHANNELS]; /* |s3| / s0 where s0 > 0 */
+    double unphysical[NICOL_MAX_CHANNELS]; /* part of the sphere that violates Eq. 70 by more than 1e-5 s0 */
+    double largest_excess[NICOL_MAX_CHANNELS]; /* of sqrt(s1^2 + s2^2 + s3^2) - s0 there, over the mean s0 */
+} nicol_light_report;
+#define NICOL_LIGHT_REPORT_INIT                                                                         \
+    {                                                                                                   \
+        sizeof(nicol_light_report), 0, 0, 0, 0, 0, 0, 0, {0}, {0}, {0}, {0}, {0}, {0}, {0}, {0}, {0}, { \
+            0                                                                                           \
+        }                                                                                               \
+    }
+
+/* What a material is, by channel, as far as coefficients up to `order` tell. */
+typedef struct nicol_material_report {
+    uint32_t struct_size;
+    nicol_file_kind kind;
+    uint32_t channels;
+    uint32_t order;                /* of everything below */
+    uint32_t file_order;           /* of the file's own coefficients or table; 0 of measured ones */
+    uint32_t stokes_columns;       /* 4; of a table for unpolarized light 1, for linearly polarized light 3 */
+    uint32_t measured_wavelengths; /* of a measured material, else 0 */
+    uint32_t reserved;
+    double measured_range[2];                  /* nm: the first and the last of them */
+    double wavelengths[NICOL_MAX_CHANNELS];    /* nm; 0: the channels are colours */
+    double albedo[NICOL_MAX_CHANNELS];         /* reflected part of unpolarized light that falls in evenly */
+    double largest_albedo[NICOL_MAX_CHANNELS]; /* of light from one direction, the worst up to 75 degrees from
+                                                  the normal and the worst polarization; above 1 energy
+                                                  appears, the material is not passive */
+    double norms[9 * NICOL_MAX_CHANNELS]; /* [channel][out][in]: Frobenius norms of the parts of the matrix
+                                             between the groups s0, (s1, s2), s3 */
+    double asymmetry[NICOL_MAX_CHANNELS]; /* norm of what breaks mirror symmetry, over that of all. It is left
+                                             out when the material is rendered */
+    double unphysical[NICOL_MAX_CHANNELS]; /* part of all pairs of directions, by projected solid angle, where
+                                              some fully polarized light leaves with sqrt(s1^2 + s2^2 + s3^2)
+                                              above s0 by more than 0.001 of the mean M00 */
+    double excess[NICOL_MAX_CHANNELS];     /* the mean of that over all pairs, over the mean M00 */
+} nicol_material_report;
+#define NICOL_MATERIAL_REPORT_INIT                                                               \
+    {                                                                                            \
+        sizeof(nicol_material_report), 0, 0, 0, 0, 0, 0, 0, {0}, {0}, {0}, {0}, {0}, {0}, {0}, { \
+            0                                                                                    \
+        }                                                                                        \
+    }
+
+/* Looks at suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
+ * the file may yet prove damaged. */
+NICOL_API nicol_result nicol_file_identify(const char* path, nicol_file_kind* kind);
+/* options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
+ * [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
+ * change the report as they would an output; what concerns images to write must be 0; the order limits the
+ * energies of a image, and all of coefficients. A image that violates Eq. 70 is described, though it is
+ * refused as a light. */
+NICOL_API nicol_result nicol_file_describe_light(const char* path, const nicol_file_options* options,
+                                                 nicol_light_report* report, double* energy, uint64_t count);
+/* energy: [channel][l], order + 1 a channel: squares of the matrix' entries between orders of which the
+ * larger is l. */
+NICOL_API nicol_result nicol_file_describe_material(const char* path, const nicol_file_options* options,
+                                                    nicol_material_report* report, double* energy,
+                                                    uint64_t count);
+/* Reads `in` and writes `out` in the kind that its name says: .exr, _s0.exr (all four files), .npz or a cache
+ * folder. Light becomes light and a material a material. options may be NULL. */
+NICOL_API nicol_result nicol_file_convert(const char* in, const nicol_file_options* options, const char* out);
+/* The same from objects; options without wavelengths. */
+NICOL_API nicol_result nicol_environment_write(nicol_environment environment,
+                                               const nicol_file_options* options, const char* path);
+NICOL_API nicol_result nicol_material_write(nicol_material material, const nicol_file_options* options,
+                                            const char* path);
+/* Coefficients of 1 to NICOL_MAX_CHANNELS vectors as a LIGHT_PSH file. */
+NICOL_API nicol_result nicol_psh_write_file(const char* path, uint32_t order, uint64_t vectors,
+                                            const double* coefficients, uint64_t count);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "image.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "common/handles.hpp"
+
+namespace {
+
+// sqrt(mean of f(value index) / mean of s0^2), for each component.
+template <class Term>
+StokesErrors relative_roots(const Truth& truth, Term term) {
+    const std::size_t pixels = truth.mask.size();
+    std::array<double, 4> sums{};
+    double power = 0;
+    for (std::size_t i = 0; i < truth.first.stokes.size(); ++i) {
+        if (!truth.mask[i / 4 % pixels]) continue;
+        sums[i % 4] += term(i);
+        if (i % 4 == 0) power += double{truth.first.stokes[i]} * double{truth.second.stokes[i]};
+    }
+    if (!(power > 0)) throw std::runtime_error("no light reaches the camera from an object");
+    StokesErrors errors{};
+    for (std::size_t p = 0; p < 4; ++p) errors[p] = std::sqrt(std::max(sums[p], 0.0) / power);
+    return errors;
+}
+
+}  // namespace
+
+Image read_image(nicol_framebuffer framebuffer) {
+    Image image;
+    check(nicol_framebuffer_get_size(framebuffer, &image.width, &image.height, &image.channels));
+    const std::size_t plane = std::size_t{4} * image.width * image.height;
+    image.stokes.resize(plane * image.channels);
+    for (std::uint32_t c = 0; c < image.channels; ++c) {
+        check(nicol_framebuffer_read(framebuffer, NICOL_PLANE_STOKES, c, image.stokes.data() + c * plane, 0,
+                                     plane * sizeof(float)));
+    }
+    return image;
+}
+
+Image reduced(const Image& image, std::uint32_t side) {
+    Image small{
+        .width = image.width / side, .height = image.height / side, .channels = image.channels, .stokes = {}};
+    small.stokes.resize(std::size_t{4} * small.width * small.height * small.channels);
+    const float weight = 1.0F / static_cast<float>(side * side);
+    for (std::size_t row = 0; row < std::size_t{small.channels} * small.height * side; ++row) {
+        for (std::size_t column = 0; column < std::size_t{small.width} * side; ++column) {
+            const float* from = &image.stokes[4 * (row * image.width + column)];
+            float* to = &small.stokes[4 * (row / side * small.width + column / side)];
+            for (std::size_t p = 0; p < 4; ++p) to[p] += weight * from[p];
+        }
+    }
+    return small;
+}
+
+Mask eroded(const Mask& mask, std::uint32_t width, std::uint32_t height) {
+    Mask out(mask.size(), 0);
+    for (std::size_t y = 1; y + 1 < height; ++y) {
+        for (std::size_t x = 1; x + 1 < width; ++x) {
+            bool inside = true;
+            for (std::size_t v = y - 1; v <= y + 1; ++v) {
+                for (std::size_t u = x - 1; u <= x + 1; ++u) inside = inside && mask[v * width + u] != 0;
+            }
+            out[y * width + x] = inside ? 1 : 0;
+        }
+    }
+    return out;
+}
+
+StokesErrors Truth::errors(const Image& image) const {
+    return relative_roots(*this, [&](std::size_t i) {
+        const double x = image.stokes[i];
+        return (x - double{first.stokes[i]}) * (x - double{second.stokes[i]});
+    });
+}
+
+StokesErrors Truth::noise() const {
+    return relative_roots(*this, [&](std::size_t i) {
+        const double difference = double{first.stokes[i]} - double{second.stokes[i]};
+        return difference * difference / 2;
+    });
+}

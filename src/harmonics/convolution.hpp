@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Polarized spherical convolution.
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "harmonics/grid.hpp"
+#include "harmonics/operator.hpp"
+#include "harmonics/psh.hpp"
+#include "polarization/mueller.hpp"
+
+namespace nicol {
+
+/// Coefficients of a rotation-equivariant operator in one order: 16 real degrees of freedom (Eq. 68).
+struct KernelBand {
+    double k00 = 0, k03 = 0, k30 = 0, k33 = 0;  ///< over Y_l0
+    std::complex<double> p0, p3;                ///< k10 + i k20, k13 + i k23, over 2Y_l0
+    std::complex<double> from_p0, from_p3;      ///< k01 - i k02, k31 - i k32, over Y_l,-2
+    std::complex<double> iso;                   ///< isomorphic part of the 2-2 block (Eq. 44), over 2Y_l,-2
+    std::complex<double> conj;                  ///< conjugation part, over 2Y_l2
+};
+
+/// A convolution kernel: one band an order, 0..order. Bands below l = 2 have no part with spin 2.
+using ConvolutionKernel = std::vector<KernelBand>;
+
+/// The kernel at an angle between input and output direction; frames with x along the great circle, pointing
+/// from input to output at both ends (Eq. 62).
+using KernelFunction = std::function<Mueller(double theta)>;
+
+/// Coefficients by quadrature on the rows (Eq. 68). Throws Error(invalid_argument) for an order out of range
+/// or a value that is not finite.
+[[nodiscard]] ConvolutionKernel project_kernel(const KernelFunction& kernel, int order,
+                                               const LatitudeRows& rows);
+
+/// The kernel function of the coefficients at an angle in [0, pi]: the inverse of project_kernel.
+[[nodiscard]] Mueller kernel_at(const ConvolutionKernel& kernel, double theta);
+
+/// The convolution of one channel (Eq. 69). in and out have the same length 4 * psh_count(order), order not
+/// above that of the kernel; they may be the same memory.
+void convolve(const ConvolutionKernel& kernel, std::span<const double> in, std::span<double> out);
+[[nodiscard]] PshVector convolved(const ConvolutionKernel& kernel, const PshVector& field);
+
+/// One convolution after another.
+[[nodiscard]] ConvolutionKernel compose(const ConvolutionKernel& second, const ConvolutionKernel& first);
+
+/// The convolution as an operator (supplement E.9).
+[[nodiscard]] IsotropicMatrix kernel_matrix(const ConvolutionKernel& kernel);
+
+/// The kernel nearest to an operator in the Frobenius norm: the mean over m of the entries that a convolution
+/// has.
+[[nodiscard]] ConvolutionKernel nearest_kernel(const CoefficientMatrix& matrix);
+
+}  // namespace nicol

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Sampling grids on the sphere.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "polarization/stokes.hpp"
+
+namespace nicol {
+
+/// Circles of latitude from north to south with weights for the integral over cos(theta):
+/// sum_j weight[j] f(theta[j]) = int_0^pi f(theta) sin(theta) dtheta; the weights sum to 2.
+/// sin_half and cos_half are those of theta/2 and exactly mirrored between north and south.
+struct LatitudeRows {
+    std::vector<double> theta;
+    std::vector<double> sin_half;
+    std::vector<double> cos_half;
+    std::vector<double> weight;
+
+    [[nodiscard]] int count() const noexcept { return static_cast<int>(theta.size()); }
+};
+
+/// Rows at the roots of the Legendre polynomial P_count: exact for products of two fields of order < count.
+[[nodiscard]] LatitudeRows gauss_legendre_rows(int count);
+
+/// The pixel centres of an equirectangular image, theta_j = (j + 1/2) pi / count, with the weights of Fejer's
+/// first rule: exact for products of two fields when the sum of their orders is < count.
+[[nodiscard]] LatitudeRows fejer_rows(int count);
+
+/// theta_j = j pi / (count - 1), both poles included (Clenshaw-Curtis): exact as fejer_rows. count >= 2.
+[[nodiscard]] LatitudeRows clenshaw_curtis_rows(int count);
+
+/// Each throws Error(invalid_argument) for a count below 1 (2) or above kMaxRows (kMaxGaussRows).
+inline constexpr int kMaxRows = 1 << 15;
+inline constexpr int kMaxGaussRows = 1 << 14;
+
+/// Texel centres of a cube map, [face][row][column], faces +x, -x, +y, -y, +z, -z in the orientation of
+/// OpenGL, each with the solid angle of its texel; these sum to 4 pi.
+struct CubeGrid {
+    int size = 0;
+    std::vector<glm::dvec3> direction;
+    std::vector<double> solid_angle;
+};
+
+inline constexpr int kMaxCubeSize = 2048;
+
+/// Throws Error(invalid_argument) for a size outside 1..kMaxCubeSize.
+[[nodiscard]] CubeGrid cube_grid(int size);
+
+/// Coefficients [psh_index(l, m)][p] of the field of this order nearest to the samples of one channel, which
+/// are in the theta-phi frame of each texel. Solid angles alone are no exact quadrature, so what they leave
+/// is projected again until it is down to rounding: exact for fields of this order while size > order. Throws
+/// Error(invalid_argument) for spans of another length or a cube too small. For synthesis, evaluate() at the
+/// grid's directions.
+void analyze_cube(const CubeGrid& grid, std::span<const Stokes> samples, int order,
+                  std::span<double> coefficients);
+
+}  // namespace nicol

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Sizes and contents of planes of surfaces.
+#include "image/aovs.hpp"
+
+#include <limits>
+#include <string>
+
+#include "error.hpp"
+
+namespace nicol {
+
+Aovs::Aovs(int width_, int height_, std::uint32_t planes) : width(width_), height(height_) {
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    if ((planes & aov_depth) != 0) depth.assign(pixels, std::numeric_limits<float>::infinity());
+    if ((planes & aov_normals) != 0) normals.resize(3 * pixels);
+    if ((planes & aov_positions) != 0) positions.resize(3 * pixels);
+    if ((planes & aov_instances) != 0) instances.assign(pixels, kNoInstance);
+}
+
+std::uint32_t Aovs::planes() const noexcept {
+    const auto bit = [](const auto& plane, std::uint32_t value) { return plane.empty() ? 0U : value; };
+    return bit(depth, aov_depth) | bit(normals, aov_normals) | bit(positions, aov_positions) |
+           bit(instances, aov_instances);
+}
+
+void Aovs::check(const char* what) const {
+    const std::size_t pixels =
+        width < 0 || height < 0 ? 0 : static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const auto fits = [&](const auto& plane, std::size_t numbers) {
+        return plane.empty() || plane.size() == numbers * pixels;
+    };
+    if (fits(depth, 1) && fits(normals, 3) && fits(positions, 3) && fits(instances, 1)) return;
+    throw Error(ErrorCode::invalid_argument, std::string(what) + ": a plane does not have " +
+                                                 std::to_string(width) + " x " + std::to_string(height) +
+                                                 " pixels");
+}
+
+}  // namespace nicol

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What the surfaces of a image are, pixel by pixel.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nicol {
+
+/// Planes beside a Stokes image, as bits.
+enum AovBit : std::uint32_t {
+    aov_depth = 1,
+    aov_normals = 2,
+    aov_positions = 4,
+    aov_instances = 8,
+    aov_all = 15,
+};
+
+/// What `instances` has where there is no surface.
+inline constexpr std::uint32_t kNoInstance = 0xffffffff;
+
+/// Of the surface that the ray through each pixel's centre meets first, [y][x], row 0 at the top. A plane
+/// that was not asked for is empty.
+struct Aovs {
+    int width = 0;
+    int height = 0;
+    /// Distance along the camera's z, in the scene's units; +infinity where there is no surface.
+    std::vector<float> depth;
+    /// [y][x][3]: unit shading normals in the world, of a two-sided surface on the side that is seen, else on
+    /// its front; 0 where there is no surface.
+    std::vector<float> normals;
+    /// [y][x][3]: points in the world; 0 where there is no surface.
+    std::vector<float> positions;
+    /// Ids of the scene's instances, or kNoInstance.
+    std::vector<std::uint32_t> instances;
+
+    Aovs() = default;
+    /// These planes (bits of AovBit) of a image without surfaces.
+    Aovs(int width, int height, std::uint32_t planes);
+
+    [[nodiscard]] std::uint32_t planes() const noexcept;
+    /// Throws Error(invalid_argument) naming `what` unless every plane is empty or fits the size.
+    void check(const char* what) const;
+};
+
+}  // namespace nicol

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Environment light: what comes from infinity, as radiance, as a image and as PSH coefficients.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "harmonics/psh.hpp"
+#include "image/stokes_image.hpp"
+
+namespace nicol {
+
+/// An equirectangular image of the light, stored over the directions it comes FROM, y up.
+/// Towards the light at (u, v): (sin 2 pi u sin pi v, cos pi v, -cos 2 pi u sin pi v), so u = atan2(x, -z) /
+/// (2 pi) (negative values wrap) and v = acos(y) / pi, as Mitsuba's envmap. Columns are pixel-centred, u = (x
+/// + 1/2) / width; rows are vertex-centred, v = y / (height - 1), so row 0 is the zenith. Bilinear between, u
+/// periodic.
+///
+/// Stokes frame of a pixel: z = propagation (towards the scene), x = the horizontal direction of increasing u
+/// seen from the scene's centre, y = z cross x (up in the image). It is the theta-phi frame of the
+/// propagation direction about the y axis rotated by +90 degrees, so s1 and s2 change sign between the two.
+struct EquirectImage : StokesImage {
+    using StokesImage::StokesImage;
+};
+
+/// The same in memory of the caller's, in any order of pixels and channels: component p of channel c at (x,
+/// y) is values[c * channel_stride + y * row_stride + x * pixel_stride + p].
+struct EquirectView {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    int components = 4;  ///< 1 (s0 alone) or 4
+    const float* values = nullptr;
+    std::size_t channel_stride = 0;
+    std::size_t row_stride = 0;
+    std::size_t pixel_stride = 0;
+};
+
+/// Distant light, in world axes (turning it is up to the caller: coefficients by rotated(), look-ups by the
+/// inverse rotation). Immutable; every function may be called from any thread.
+class Environment {
+public:
+    virtual ~Environment() = default;
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+
+    [[nodiscard]] virtual int channels() const noexcept = 0;
+    /// Some s1, s2 or s3 is not zero. Where this is false, callers may skip s1, s2, s3.
+    [[nodiscard]] virtual bool polarized() const noexcept = 0;
+    /// Some s3 is not zero.
+    [[nodiscard]] virtual bool circular() const noexcept = 0;
+    /// Of spectral light: nanometres, one a channel. Empty for colours.
+    [[nodiscard]] virtual const std::vector<double>& wavelengths() const noexcept;
+
+    /// Radiance from the unit direction `towards_light`, in the theta-phi frame (about the world's z) of the
+    /// propagation direction -towards_light: theta_phi_frame(-towards_light).
+    /// Throws Error(invalid_argument) for a channel out of range or a direction that is not of unit length.
+    [[nodiscard]] virtual Stokes radiance(int channel, const glm::dvec3& towards_light) const = 0;
+
+    /// Coefficients over PROPAGATION directions in the world's axes (a lamp at the +z side gives s0 at
+    /// theta = pi). Of images, those of the bilinear function that radiance() returns.
+    /// Throws Error(invalid_argument) unless 0 <= order <= kMaxOrder.
+    [[nodiscard]] virtual PshVector project(int order) const = 0;
+
+    /// For drawing the background; of an image, its own pixels times the scale.
+    [[nodiscard]] virtual EquirectImage image() const = 0;
+
+    /// The light made ready for millions of look-ups where radiance() takes long, see psh_environment(); null
+    /// where it does not.
+    [[nodiscard]] virtual std::unique_ptr<const Environment> tabulated() const { return nullptr; }
+
+protected:
+    Environment() = default;
+};
+
+using EnvironmentPtr = std::shared_ptr<const Environment>;
+
+/// Light from a file, its values multiplied by `scale`:
+/// - `.npz`: coefficients, see read_psh_vector() and psh_environment();
+/// - any of `NAME_s0.exr` ... `NAME_s3.exr`, or `NAME` where no file has that name: see read_cube_cross();
+/// - else an OpenEXR file in the layout of EquirectImage (see read_exr() for the channels): R G B or Y is
+///   unpolarized light, S1.. S3 make it polarized. `wavelengths` chooses channels of spectral files.
+/// Throws Error(invalid_argument) unless scale is finite and >= 0, or for `wavelengths` of a file of another
+/// kind; what the readers throw; and what image_environment() throws as Error(invalid_file) naming the file.
+[[nodiscard]] EnvironmentPtr load_environment(const std::filesystem::path& path, double scale = 1,
+                                              std::span<const double> wavelengths = {});
+
+/// Writes image() as OpenEXR in the layout of EquirectImage, see write_exr(); unpolarized light without
+/// S1..S3. Throws as write_exr().
+void write_environment(const std::filesystem::path& path, const Environment& environment);
+
+/// Light from an equirectangular image, its values multiplied by `scale`. Throws Error(invalid_argument)
+/// unless the image is at least 2 x 2, all values are finite, s0 is not negative, and the polarized part is
+/// physical up to rounding and compression: sqrt(s1^2 + s2^2 + s3^2) <= 1.01 s0 + 1e-3 times the largest s0
+/// of the channel.
+///
+/// Colours outside a file's gamut and the overshoot of lossy compression make pixels negative, in images of
+/// the sun as far below zero as a seventh of the largest value. Unpolarized pixels with s0 < 0 therefore
+/// become 0, which makes the light brighter by what they missed; a channel whose negative pixels, weighted by
+/// solid angle, sum up to more than a quarter of its positive ones is refused.
+[[nodiscard]] EnvironmentPtr image_environment(const EquirectImage& image, double scale = 1);
+/// Nothing of the view is kept. Throws as above, and for sizes that StokesImage refuses, components other
+/// than 1 and 4, and values == nullptr.
+[[nodiscard]] EnvironmentPtr image_environment(const EquirectView& view, double scale = 1);
+
+/// Coefficients of image_environment(view), which is not made: a image without negative pixels is read
+/// where it lies. Throws as image_environment(view) and Environment::project().
+[[nodiscard]] PshVector project_image(const EquirectView& view, int order);
+
+/// Light given by its coefficients in the world's axes: radiance() evaluates them, project() truncates or
+/// fills up with zeros, image() synthesizes (orders above 1023 are left out of it). tabulated() is a
+/// image with 16 columns an order, 512 to 4096 in all, bilinear in between: random light up to order 255
+/// has an RMS error of 0.8 % in it, smoother light less. Truncated light rings: s0 may be negative and Eq. 70
+/// violated. Throws Error(invalid_argument) unless all coefficients are finite, there is a channel, p = 1, 2
+/// vanish below l = 2, and `wavelengths` is empty or has one value a channel.
+[[nodiscard]] EnvironmentPtr psh_environment(PshVector coefficients, std::vector<double> wavelengths = {});
+
+/// Unpolarized, the same from everywhere: one radiance a channel, finite and >= 0, at least one.
+[[nodiscard]] EnvironmentPtr constant_environment(std::vector<double> radiance);
+
+/// A clear sky; the sun's own disc is not part of it. With g the angle between the view and the sun, its
+/// degree of linear polarization is dop_max sin^2 g / (1 + cos^2 g), the electric field along sun x view,
+/// without s3.
+///
+/// turbidity 0: scattered once by small particles, s0 = radiance 3/4 (1 + cos^2 g); `radiance` is thus the
+/// mean over the sphere. The formula is kept below the horizon too: the light stays smooth, has no order
+/// above 2 and projects exactly; a scene that has a ground says so with geometry, which hides it.
+///
+/// turbidity 1.7 (very clear) to 10 (hazy): luminance and colour by Perez's formula with the coefficients of
+/// Preetham et al. (1999), scaled so that the mean luminance over the upper half is 1, times `radiance`.
+/// Three channels get linear sRGB (clipped below 0), any other number the luminance in each. Up is +y. Below
+/// the horizon lies a ground that reflects ground_albedo of the irradiance of each channel, unpolarized and
+/// the same everywhere. It is a image of 1024 x 513 pixels with all that image_environment() says.
+struct RayleighSky {
+    glm::dvec3 sun_direction{0, 1, 0};      ///< towards the sun, any length but 0; y >= 0 with turbidity
+    double dop_max = 0.8;                   ///< 0..1, reached 90 degrees from the sun
+    std::vector<double> radiance{1, 1, 1};  ///< a channel each, finite and >= 0
+    double turbidity = 0;                   ///< 0, or 1.7 to 10
+    /// With turbidity: 0..1, one for all channels or one a channel.
+    std::vector<double> ground_albedo{0.2};
+};
+/// Throws Error(invalid_argument) naming the member that is out of range.
+[[nodiscard]] EnvironmentPtr rayleigh_sky(const RayleighSky& sky);
+
+}  // namespace nicol

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Equirectangular images as light.
+#pragma once
+
+#include "light/environment.hpp"
+
+namespace nicol {
+
+/// Radiance from a unit direction as Environment::radiance() has it, bilinear between pixels. Neighbours'
+/// frames differ by no more than the angle between their columns, at the poles too, so that components can be
+/// interpolated before they are turned into the frame of the direction.
+[[nodiscard]] Stokes look_up(const EquirectView& view, int channel, const glm::dvec3& towards_light);
+
+/// A image as light, taken as it is: values need not be physical.
+class ImageLight final : public Environment {
+public:
+    explicit ImageLight(EquirectImage image);
+
+    [[nodiscard]] int channels() const noexcept override { return image_.channels; }
+    [[nodiscard]] bool polarized() const noexcept override { return polarized_; }
+    [[nodiscard]] bool circular() const noexcept override { return circular_; }
+    [[nodiscard]] const std::vector<double>& wavelengths() const noexcept override {
+        return image_.wavelengths;
+    }
+    [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const override;
+    [[nodiscard]] PshVector project(int order) const override;
+    [[nodiscard]] EquirectImage image() const override { return image_; }
+
+private:
+    /// Of one component where the light is not polarized.
+    [[nodiscard]] EquirectView view() const;
+
+    EquirectImage image_;
+    bool polarized_ = false;
+    bool circular_ = false;
+};
+
+}  // namespace nicol

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Polarimetric reflectance (pBRDF) in the angular domain.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "harmonics/operator.hpp"
+#include "polarization/mueller.hpp"
+
+namespace nicol {
+
+/// An isotropic pBRDF without the cosine, as a sum of colourless terms with one weight a colour channel:
+/// M(channel) = sum over t of weight(t, channel) * evaluate(t, ...). Mirror symmetric about every plane
+/// through the normal. Immutable.
+class Material {
+public:
+    virtual ~Material() = default;
+    Material(const Material&) = delete;
+    Material& operator=(const Material&) = delete;
+
+    /// 1 (the same in every channel) or more.
+    [[nodiscard]] virtual int channels() const noexcept = 0;
+    [[nodiscard]] virtual int terms() const noexcept = 0;
+    [[nodiscard]] virtual double weight(int term, int channel) const = 0;
+
+    /// Mueller matrix for light from `towards_light` to `towards_viewer`, unit vectors in the surface's frame
+    /// with the normal along z. Frames: the theta-phi frames of the propagation directions, -towards_light
+    /// and towards_viewer. Zero where either lies below the horizon. Units 1/sr.
+    [[nodiscard]] virtual Mueller evaluate(int term, const glm::dvec3& towards_light,
+                                           const glm::dvec3& towards_viewer) const = 0;
+
+    /// All terms at once: out[t] = evaluate(t, ...), cheaper where terms share work. out has terms()
+    /// elements.
+    virtual void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
+                                std::span<Mueller> out) const;
+
+    /// Angular radius of the narrowest feature of a term around the mirror direction, radians: what an
+    /// integration over incident directions has to resolve.
+    [[nodiscard]] virtual double lobe_width(int term) const noexcept = 0;
+
+    /// Whether the back of a surface reflects as its front. Then evaluate() answers where both directions lie
+    /// below the horizon too; tables hold the front alone.
+    [[nodiscard]] virtual bool twosided() const noexcept { return false; }
+
+    /// Everything the values depend on, as text: two materials of the same key evaluate alike. Empty where
+    /// that cannot be known, as of a callback.
+    [[nodiscard]] virtual std::string content_key() const { return {}; }
+
+    /// The coefficient matrix of a channel, cosine included, where the material is defined by one; else null.
+    /// evaluate() is then its reconstruction, and tables are made from it without integrating.
+    [[nodiscard]] virtual const IsotropicMatrix* matrix(int channel) const;
+
+protected:
+    Material() = default;
+};
+
+using MaterialPtr = std::shared_ptr<const Material>;
+
+/// M(channel), the sum over terms; frames and range of Material::evaluate().
+[[nodiscard]] Mueller evaluate(const Material& material, int channel, const glm::dvec3& towards_light,
+                               const glm::dvec3& towards_viewer);
+
+enum class Distribution { beckmann, ggx };
+
+/// Mitsuba 3's `pplastic`: a rough dielectric boundary over a diffuse base.
+struct PplasticParameters {
+    std::vector<double> diffuse_reflectance{0.5};   ///< 0..1, one value or one a channel
+    std::vector<double> specular_reflectance{1.0};  ///< 0..1, one value or one a channel
+    double int_ior = 1.49;                          ///< above 0
+    double ext_ior = 1.000277;                      ///< above 0
+    double alpha = 0.1;                             ///< roughness, 0.001..1
+    Distribution distribution = Distribution::beckmann;
+};
+/// Throws Error(invalid_argument) naming the parameter that is out of range.
+[[nodiscard]] MaterialPtr pplastic(const PplasticParameters& parameters);
+
+/// Lambertian and depolarizing, reflectance / pi. Throws as pplastic().
+[[nodiscard]] MaterialPtr diffuse(const std::vector<double>& reflectance);
+
+/// The material on both sides: twosided() is true.
+/// Throws Error(invalid_argument) for null.
+[[nodiscard]] MaterialPtr twosided(MaterialPtr material);
+
+/// A material given by a function.
+struct CallbackParameters {
+    /// Mueller matrix, without the cosine, 1/sr, for unit directions in the surface's frame with z > 0 each.
+    /// Both frames have x along the s-axis towards_light x towards_viewer and z along the propagation, as
+    /// Fresnel's matrices do. (Where the directions agree, x is any direction across them, the same for
+    /// both.) Called from several threads at once; what it throws is passed on.
+    std::function<Mueller(int channel, const glm::dvec3& towards_light, const glm::dvec3& towards_viewer)>
+        reflect;
+    int channels = 1;       ///< 1..16
+    double lobe_width = 1;  ///< see Material::lobe_width(), 0.001..1
+};
+/// Probes the function at some directions. Throws Error(invalid_argument) for a parameter out of range, a
+/// matrix that is not finite (also later, from evaluate()), and a function that is not isotropic or not
+/// mirror symmetric: what a Material cannot represent is refused rather than averaged away.
+[[nodiscard]] MaterialPtr callback_material(CallbackParameters parameters);
+
+}  // namespace nicol

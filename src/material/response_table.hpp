@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// A material as rows of coefficients that incident light is dotted with, one set for each outgoing zenith
+// angle.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "harmonics/light_layout.hpp"
+#include "material/material.hpp"
+
+namespace nicol {
+
+/// The outgoing Stokes vector at zenith angle theta, azimuth 0, in the theta-phi frame there, for light with
+/// packed coefficients z (LightLayout) in the surface's frame:
+///     s_p = sum_j row_p[j] Re z_j  for p = 0, 1,      s_p = sum_j row_p[j] Im z_j  for p = 2, 3.
+/// Row entries are the integral of M_pq cos(theta_i) against the harmonics over incident directions (Eq. 40
+/// with the outgoing side left in the angular domain), so nothing is truncated on the outgoing side. Between
+/// angles rows are interpolated linearly.
+class ResponseTable {
+public:
+    /// Zenith angles, evenly from 0 to pi/2. Every fourth is integrated, the others are interpolated by
+    /// cubics, so that the linear interpolation at run time misses less than 1e-4 of a row up to order 16.
+    static constexpr int kAngles = 4 * 255 + 1;
+
+    /// Integrates every term of the material on quadrature nodes that crowd around the mirror direction; of a
+    /// material that is defined by a matrix, sums up its outgoing side.
+    /// channels is 1 or the scene's; a material of one channel serves any. Throws Error(invalid_argument)
+    /// where the channels do not fit.
+    ResponseTable(const Material& material, const LightLayout& layout, int channels);
+    /// From the data() of another table with this layout and number of channels. Throws
+    /// Error(invalid_argument) where the length does not fit.
+    ResponseTable(const LightLayout& layout, int channels, std::vector<float> data);
+
+    /// The channels() that the table of a material has. Throws as the constructor.
+    [[nodiscard]] static int channels_for(const Material& material, int channels);
+
+    /// 1 where every channel has the same rows, else the channels asked for.
+    [[nodiscard]] int channels() const noexcept { return channels_; }
+    [[nodiscard]] std::size_t row_size() const noexcept { return row_size_; }
+    /// False where row_p is zero for every angle: the material cannot make that component from this light.
+    [[nodiscard]] bool makes(std::size_t p) const noexcept { return makes_[p]; }
+
+    /// The four rows of an angle, one after another.
+    [[nodiscard]] std::span<const float> rows(int angle, int channel) const {
+        const auto index = static_cast<std::size_t>(angle) * static_cast<std::size_t>(channels_) +
+                           static_cast<std::size_t>(channel);
+        return {data_.data() + 4 * row_size_ * index, 4 * row_size_};
+    }
+
+    /// All rows: [angle][channel][p][j].
+    [[nodiscard]] std::span<const float> data() const noexcept { return data_; }
+    [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(float); }
+
+private:
+    void find_makes();
+    void integrate(const Material& material, const LightLayout& layout);
+    void rows_of_matrices(const Material& material, const LightLayout& layout);
+
+    std::size_t row_size_;
+    int channels_;
+    std::array<bool, 4> makes_{};
+    std::vector<float> data_;
+};
+
+}  // namespace nicol

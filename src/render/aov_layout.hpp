@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Where planes of surfaces lie in the attachments they are drawn into.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec4.hpp>
+
+#include "image/aovs.hpp"
+
+namespace nicol {
+
+/// Planes packed one after another into as few RGBA32F attachments as hold them. Members are the first float
+/// of a pixel's, -1 where a plane is absent; float i is component i % 4 of attachment i / 4. Ids take two
+/// floats, the lower and the upper 16 bits.
+struct AovLayout {
+    int normals = -1;
+    int depth = -1;
+    int positions = -1;
+    int instances = -1;
+    int floats = 0;
+
+    explicit AovLayout(std::uint32_t planes) {
+        const auto place = [&](int& at, std::uint32_t bit, int count) {
+            if ((planes & bit) == 0) return;
+            at = floats;
+            floats += count;
+        };
+        place(normals, aov_normals, 3);
+        place(depth, aov_depth, 1);
+        place(positions, aov_positions, 3);
+        place(instances, aov_instances, 2);
+    }
+    [[nodiscard]] int attachments() const noexcept { return (floats + 3) / 4; }
+    /// An attachment without surfaces.
+    [[nodiscard]] glm::vec4 background(int attachment) const;
+};
+
+}  // namespace nicol

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// draw: depth, normals, positions and instances of surfaces beside a Stokes image.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gl/draw.hpp"
+#include "render/framebuffer.hpp"
+#include "render/vertex_buffers.hpp"
+#include "scene/projection.hpp"
+
+namespace nicol {
+
+/// Holds nothing on the device until planes are asked for, and gives it back when they no longer are. All
+/// members inside run() of the context.
+class AovPainter {
+public:
+    explicit AovPainter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
+
+    /// Everything that can fail for want of memory; the framebuffer keeps its content. `planes`: bits of
+    /// AovBit.
+    void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t planes,
+                 Framebuffer& target);
+    /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the
+    /// geometry.
+    void draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target);
+
+private:
+    // Consecutive triangles of one side of one instance.
+    struct Batch {
+        std::uint32_t instance;
+        bool two_sided;
+        std::size_t first;  // index
+        std::size_t last;
+    };
+
+    void bind(const WorldGeometry& geometry, VertexBuffers& buffers);
+
+    std::shared_ptr<gl::Context> context_;
+    std::map<std::uint32_t, gl::Program> programs_;  // by planes
+    std::optional<gl::VertexArray> vertices_;
+    std::vector<Batch> batches_;
+    std::uint64_t bound_ = 0;  // revision of the buffers
+    std::uint32_t planes_ = 0;
+    std::shared_ptr<gl::RenderTarget> attachments_;
+};
+
+}  // namespace nicol

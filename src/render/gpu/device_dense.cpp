@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "render/gpu/device_dense.hpp"
+
+#include <algorithm>
+
+#include "gl/draw.hpp"
+
+namespace nicol {
+
+void DeviceDense::relight(const DenseMethod& method, const TransferInput& input, Workers& /*workers*/,
+                          Progress& progress, Statistics& statistics, VertexBuffers& /*buffers*/) {
+    const RelightKey key(input);
+    if (lit_for_ == key && runs_revision_ == method.runs_revision()) return;
+    lit_for_ = {};
+    const Stopwatch watch;
+    if (runs_revision_ != method.runs_revision() || light_channels_ != input.light.channels()) {
+        runs_revision_ = 0;
+        mirror(method, input.light.channels());
+        light_channels_ = input.light.channels();
+        runs_revision_ = method.runs_revision();
+    }
+    if (!program_) program_ = gl::Program::compute(context_, "dense.comp");
+    for (Piece& piece : pieces_) {
+        progress.report("relight", static_cast<double>(piece.light.first()) /
+                                       static_cast<double>(input.geometry.positions.size()));
+        multiply(input, piece);
+    }
+    gl::finish(*context_);
+    lit_for_ = key;
+    statistics.vertices_relit += input.geometry.positions.size();
+    statistics.relight_ms += watch.milliseconds();
+}
+
+void DeviceDense::mirror(const DenseMethod& method, int light_channels) {
+    pieces_.clear();
+    tables_.clear();
+    for (const DenseMethod::Run& run : method.runs()) {
+        const DenseTransfer& transfer = run.matrices;
+        const LightLayout& outgoing = transfer.material().outgoing();
+        const auto table = tables_.try_emplace(run.shade, context_, outgoing, run.shade->harmonics()).first;
+        const std::size_t numbers = 2 * outgoing.size();
+        const gl::Limits& limits = context_->limits();
+        const std::size_t step = std::max<std::size_t>(
+            1, std::min({DeviceLight::most_vertices(*context_, numbers),
+                         limits.storage_bytes / (transfer.vertex_stride() * sizeof(float)),
+                         limits.groups[0] * kGroupOfVertices / transfer.row_stride()}));
+        for (std::size_t first = 0; first < transfer.vertices(); first += step) {
+            const std::size_t last = std::min(first + step, transfer.vertices());
+            pieces_.push_back(
+                {.material = &transfer.material(),
+                 .table = &table->second,
+                 .rows = static_cast<int>(transfer.row_stride()),
+                 .matrices = gl::Buffer(context_, gl::BufferUse::storage,
+                                        std::as_bytes(transfer.between(first, last))),
+                 .light = DeviceLight(context_, run.first + first, last - first, numbers,
+                                      std::max(light_channels, transfer.material().channels()))});
+        }
+    }
+}
+
+void DeviceDense::multiply(const TransferInput& input, Piece& piece) {
+    const std::vector<std::size_t>& columns = piece.material->columns();
+    const int channels = piece.material->channels();
+    program_->set("count", static_cast<int>(piece.light.count()));
+    program_->set("stride", static_cast<int>(piece.light.stride()));
+    program_->set("rows", piece.rows);
+    program_->set("used_rows", static_cast<int>(piece.light.numbers()));
+    program_->set("columns", static_cast<int>(columns.size()));
+    program_->set("channels", channels);
+    std::vector<float> world;
+    for (int c = 0; c < piece.light.channels(); ++c) {
+        world.clear();
+        const std::span<const double> from = input.light.channel(input.light.channels() == 1 ? 0 : c);
+        for (const std::size_t column : columns) world.push_back(static_cast<float>(from[column]));
+        const gl::Buffer values(context_, gl::BufferUse::storage, std::as_bytes(std::span(world)));
+        piece.matrices.bind_storage(0);
+        values.bind_storage(1);
+        piece.light.bind(2, c);
+        program_->set("channel", channels == 1 ? 0 : c);
+        gl::dispatch(*program_, groups_for(piece.light.count() * static_cast<std::size_t>(piece.rows)));
+    }
+}
+
+void DeviceDense::shade(const TransferInput& input, DeviceShade& shade, VertexBuffers& buffers) {
+    for (const Piece& piece : pieces_) {
+        shade.run(*piece.table, piece.light, piece.light.first(), piece.light.last(), input.geometry,
+                  input.channels, buffers);
+    }
+}
+
+}  // namespace nicol

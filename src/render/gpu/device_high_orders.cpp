@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "render/gpu/device_high_orders.hpp"
+
+#include <algorithm>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <string>
+
+#include "gl/draw.hpp"
+#include "render/framebuffer.hpp"
+#include "render/view_uniforms.hpp"
+
+namespace nicol {
+
+void DeviceHighOrders::see(const HighOrderTransfer& transfer, const TransferInput& input,
+                           const Viewpoint& view, VertexBuffers& buffers) {
+    mirror_visibility(transfer, input);
+    if (visibility_.empty()) return;
+    if (!see_) see_ = gl::Program::compute(context_, "high_order_fraction.comp");
+    set_view_uniforms(*see_, view);
+    see_->set("visibility_order", transfer.visibility().order());
+    for (const VertexRange& range : input.geometry.ranges) {
+        const double width = transfer.lobe_width(range.material);
+        auto lobe = lobes_.find(width);
+        if (lobe == lobes_.end()) {
+            const std::vector<float> constants =
+                HighOrderVisibility(transfer.visibility().order(), width, input.horizon).constants();
+            lobe =
+                lobes_
+                    .try_emplace(width, context_, gl::BufferUse::storage, std::as_bytes(std::span(constants)))
+                    .first;
+        }
+        for (const DeviceLight& seen : visibility_) {
+            const std::size_t first = std::max(range.first, seen.first());
+            const std::size_t last = std::min(range.last, seen.last());
+            if (first >= last) continue;
+            const std::size_t begin = bind_vertices(*buffers.positions(), 0, 3, first, last);
+            std::ignore = bind_vertices(*buffers.normals(input.geometry), 1, 3, first, last);
+            seen.bind(2, 0);
+            lobe->second.bind_storage(3);
+            std::ignore = bind_vertices(*buffers.fractions(), 4, 2, first, last);
+            see_->set("first", static_cast<int>(first - begin));
+            see_->set("count", static_cast<int>(last - first));
+            see_->set("visibility_first", static_cast<int>(first - seen.first()));
+            see_->set("stride", static_cast<int>(seen.stride()));
+            gl::dispatch(*see_, groups_for(last - first));
+        }
+    }
+}
+
+void DeviceHighOrders::shade(const HighOrderTransfer& transfer, const TransferInput& input,
+                             const DistantLight& light, const Viewpoint& view, VertexBuffers& buffers) {
+    constexpr std::size_t step = std::size_t{1} << 20;
+    textures_.update(transfer, input.channels);
+    for (const VertexRange& range : input.geometry.ranges) {
+        const HighOrderTextures::Part& part = textures_.part(range.material);
+        for (std::size_t first = range.first; first < range.last; first += step) {
+            run(part, first, std::min(first + step, range.last), input, light, view, buffers);
+        }
+    }
+}
+
+void DeviceHighOrders::run(const HighOrderTextures::Part& part, std::size_t first, std::size_t last,
+                           const TransferInput& input, const DistantLight& light, const Viewpoint& view,
+                           VertexBuffers& buffers) {
+    constexpr int group_of = Framebuffer::kGroup;
+    for (int from = 0; from < input.channels; from += group_of) {
+        const int channels = std::min(group_of, input.channels - from);
+        gl::Program& program = this->program(channels, textures_.polarized(), !visibility_.empty());
+        set_view_uniforms(program, view);
+        const std::size_t begin = bind_vertices(*buffers.positions(), 0, 3, first, last);
+        std::ignore = bind_vertices(*buffers.normals(input.geometry), 1, 3, first, last);
+        if (!visibility_.empty()) std::ignore = bind_vertices(*buffers.fractions(), 2, 2, first, last);
+        for (int c = 0; c < channels; ++c) {
+            std::ignore =
+                bind_vertices(*buffers.stokes(from + c), static_cast<unsigned>(4 + c), 4, first, last);
+        }
+        HighOrderTextures::bind(program, part, static_cast<std::size_t>(from / group_of));
+        program.set("first", static_cast<int>(first - begin));
+        program.set("count", static_cast<int>(last - first));
+        program.set("to_light", glm::mat3(glm::transpose(light.to_world)));
+        gl::dispatch(program, groups_for(last - first));
+    }
+}
+
+void DeviceHighOrders::mirror_visibility(const HighOrderTransfer& transfer, const TransferInput& input) {
+    if (visibility_count_ == transfer.visibility_count()) return;
+    visibility_count_ = 0;
+    visibility_.clear();
+    lobes_.clear();
+    if (input.visibility != nullptr) {
+        const VisibilityBlocks& all = transfer.visibility();
+        const std::size_t numbers = psh_count(all.order());
+        const std::size_t vertices = all.vertices();
+        std::vector<float> one(numbers);
+        const std::size_t step = DeviceLight::most_vertices(*context_, numbers);
+        for (std::size_t first = 0; first < vertices; first += step) {
+            visibility_.emplace_back(context_, first, std::min(step, vertices - first), numbers, 1);
+            visibility_.back().upload([&](std::size_t v, int /*channel*/) {
+                all.expand(v, one);
+                return std::span<const float>(one);
+            });
+        }
+    }
+    visibility_count_ = transfer.visibility_count();
+}
+
+gl::Program& DeviceHighOrders::program(int channels, bool polarized, bool shadowed) {
+    const std::tuple key(channels, polarized, shadowed);
+    auto found = programs_.find(key);
+    if (found == programs_.end()) {
+        std::vector<gl::Define> defines{{.name = "CHANNELS", .value = std::to_string(channels)}};
+        if (polarized) defines.push_back({.name = "HIGH_ORDER_POLARIZED"});
+        if (shadowed) defines.push_back({.name = "SHADOWED"});
+        found = programs_.emplace(key, gl::Program::compute(context_, "high_order.comp", defines)).first;
+    }
+    return found->second;
+}
+
+}  // namespace nicol

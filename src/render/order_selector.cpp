@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "render/order_selector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/light_projection.hpp"
+#include "specular/split_fit.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr std::array<int, 4> kSplitOrders{9, 16, 32, 64};
+
+// Below, too little is known of the visibility to shadow high orders with.
+constexpr int kLowestSplit = 3;
+
+// Of which a fit takes the best, or a better.
+constexpr std::array<SplitProbes, 3> kUsualProbes{{{0, 1, 0.05}, {1, 2, 0.1}, {2, 3, 0.2}}};
+
+// Time of a frame in which the light turns, over an order's part of it: the power of its size, and what
+// looking up filtered light costs (nicol-bench frame).
+double cost(int low, bool split) {
+    return std::pow(low + 1.0, 3) + (split ? 60 : 0);
+}
+
+// Energies by order of the parts of a light: s0, (s1, s2), s3. With s1 and s2 complex, half of their products
+// with a response are real.
+std::array<std::vector<double>, ResponsePower::kParts> energies(const PshVector& light, int channel) {
+    std::array<std::vector<double>, ResponsePower::kParts> out;
+    out.fill(std::vector<double>(static_cast<std::size_t>(light.order()) + 1));
+    for (int l = 0; l <= light.order(); ++l) {
+        const auto k = static_cast<std::size_t>(l);
+        for (int m = -l; m <= l; ++m) {
+            const auto square = [&](int p) {
+                const double value = light.at(channel, l, m, p);
+                return value * value / (2 * l + 1);
+            };
+            out[0][k] += square(0);
+            out[1][k] += (square(1) + square(2)) / 2;
+            out[2][k] += square(3);
+        }
+    }
+    return out;
+}
+
+std::size_t parts_of(LightKind kind) {
+    return kind == LightKind::unpolarized ? 1 : kind == LightKind::linear ? 2 : 3;
+}
+
+}  // namespace
+
+OrderSelector::Orders OrderSelector::choose(const Scene& scene, const WorldGeometry& geometry,
+                                            std::uint64_t revision, const Shadows& shadows, double tolerance,
+                                            bool split) {
+    const Key key(scene.environment().get(), revision, shadows.visibility == nullptr ? 0 : shadows.revision,
+                  shadows.horizon);
+    if (key_ != key) {
+        key_.reset();
+        asked_.reset();
+        missed_.clear();
+        shares_.clear();
+        mean_square_ = 0;
+        environment_ = scene.environment();
+        if (environment_) measure(scene, geometry, shadows);
+        key_ = key;
+    }
+    if (asked_ == std::pair(tolerance, split)) return chosen_;
+
+    std::vector<Orders> candidates;
+    for (int low = 0; low <= kHighestLow; ++low) {
+        candidates.push_back({.low = low, .high = low});
+        for (const int high : kSplitOrders)
+            if (split && low >= kLowestSplit && high > low) candidates.push_back({.low = low, .high = high});
+    }
+    std::ranges::stable_sort(candidates, {},
+                             [](const Orders& orders) { return cost(orders.low, orders.high > orders.low); });
+    chosen_ = {.error = std::numeric_limits<double>::infinity()};
+    for (Orders& orders : candidates) {
+        orders.error = error(orders.low, orders.high);
+        if (orders.error < chosen_.error) chosen_ = orders;
+        if (orders.error <= tolerance) break;
+    }
+    asked_ = {tolerance, split};
+    return chosen_;
+}
+
+void OrderSelector::measure(const Scene& scene, const WorldGeometry& geometry, const Shadows& shadows) {
+    const PshVector light = environment_->project(kOrder);
+    kind_ = light_kind(environment_.get());
+    std::optional<VisibilityPower> visible;
+    if (shadows.visibility != nullptr)
+        visible.emplace(*shadows.visibility, *shadows.directions, geometry.normals, shadows.horizon);
+    const double fraction = visible ? visible->fraction() : 1;
+
+    std::map<MaterialPtr, std::size_t> vertices;
+    for (const VertexRange& range : geometry.ranges) vertices[range.material] += range.last - range.first;
+    for (const auto& [material, count] : vertices) {
+        Share& share =
+            shares_.emplace_back(Share{.material = material,
+                                       .power = ResponsePower(*material, kOrder, kind_, scene.channels()),
+                                       .all = {},
+                                       .seen = {}});
+        share.all.fill(Spectrum(kOrder + 1));
+        share.seen.fill(Spectrum(kOrder + 1));
+        const auto weight = static_cast<double>(count);
+        for (std::size_t part = 0; part < parts_of(kind_); ++part) {
+            for (std::size_t output = 0; output < kOutputs; ++output) {
+                for (int c = 0; c < scene.channels(); ++c) {
+                    const Spectrum& power = share.power.of(c, output, part);
+                    const Spectrum shadowed = visible ? visible->shadowed(power, part == 1 ? 2 : 0) : power;
+                    const std::vector<double> energy = energies(light, light.channels() == 1 ? 0 : c)[part];
+                    for (std::size_t l = 0; l < energy.size(); ++l) {
+                        share.all[output][l] += weight * energy[l] * shadowed[l];
+                        share.seen[output][l] += weight * energy[l] * fraction * power[l];
+                    }
+                }
+            }
+        }
+        for (const double value : share.all[0]) mean_square_ += value;
+    }
+}
+
+double OrderSelector::error(int low, int high) {
+    if (!(mean_square_ > 0)) return 0;
+    std::array<double, kOutputs> sum{};
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+        const Share& share = shares_[i];
+        for (std::size_t output = 0; output < kOutputs; ++output) {
+            for (int l = low + 1; l <= kOrder; ++l) {
+                const auto k = static_cast<std::size_t>(l);
+                const double all = share.all[output][k];
+                const double seen = std::min(all, share.seen[output][k]);
+                sum[output] += l <= high ? all - seen + missed(i, low, high)[output] * seen : all;
+            }
+        }
+    }
+    // s1 and s2 have half of what they have together.
+    return std::sqrt(std::max(sum[0], sum[1] / 2) / mean_square_);
+}
+
+// The part of the energy that high orders do not catch, of natural light.
+const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(std::size_t share, int low,
+                                                                         int high) {
+    const auto [found, fresh] = missed_.try_emplace({share, low, high});
+    if (!fresh) return found->second;
+    constexpr std::size_t angles = 4;
+    const Share& of = shares_[share];
+    const SplitFit fit(*of.material, low, high, of.power.channels());
+    std::array<double, kOutputs> total{};
+    for (int c = 0; c < of.power.channels(); ++c) {
+        for (std::size_t output = 0; output < kOutputs; ++output)
+            for (std::size_t part = 0; part < parts_of(kind_); ++part)
+                for (int l = low + 1; l <= high; ++l)
+                    total[output] +=
+                        SplitFit::prior(l) * of.power.of(c, output, part)[static_cast<std::size_t>(l)];
+    }
+    found->second.fill(1);
+    for (const SplitProbes& probes : kUsualProbes) {
+        std::array<double, kOutputs> caught{};
+        for (std::size_t k = 0; k < angles; ++k) {
+            const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / angles);
+            for (const SplitFactors& factors : fit.at(std::acos(cosine), probes)) {
+                for (std::size_t part = 0; part < parts_of(kind_); ++part) {
+                    caught[0] += factors.energy[0][part] / angles;
+                    caught[1] += (factors.energy[1][part] + factors.energy[2][part]) / angles;
+                }
+            }
+        }
+        for (std::size_t output = 0; output < kOutputs; ++output) {
+            const double rest = total[output] > 0 ? 1 - caught[output] / total[output] : 0;
+            found->second[output] = std::clamp(rest, 0.0, found->second[output]);
+        }
+    }
+    return found->second;
+}
+
+}  // namespace nicol

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// What a render is asked for and what it reports.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "visibility/horizon.hpp"
+
+namespace nicol {
+
+/// Highest order a render accepts.
+inline constexpr int kMaxRenderOrder = 32;
+
+/// How light becomes reflected light.
+enum class Method {
+    factored,  ///< light in each vertex's frame times response tables
+    dense,     ///< a transfer matrix a vertex, as the paper has it: the baseline of comparisons
+};
+
+/// How orders of light above order_low become reflected light: filtered beforehand, looked up at the mirrored
+/// view direction.
+enum class HighOrders {
+    split,        ///< lobes that all materials share, times 4 x 4 factors of the outgoing zenith angle
+    convolution,  ///< a kernel a material, as the paper has it (Eq. 68, supplement E.6)
+    none,         ///< left out
+};
+
+/// Where the orders above order_low are looked up.
+enum class HighOrdersAt {
+    automatic,  ///< pixels, unless the processor rasterises
+    vertices,   ///< and interpolated in between, as all else
+    pixels,     ///< with the normal and the visible fraction of the lobe interpolated
+};
+
+/// Where relight and shade run; the results agree.
+enum class Executor {
+    automatic,  ///< compute, unless the processor rasterises or the driver cannot
+    cpu,        ///< threads
+    compute,    ///< compute shaders
+};
+
+/// What a render leaves out where it is not needed; the image stays the same.
+enum Skip : std::uint32_t {
+    skip_unchanged = 1,         ///< everything, where nothing changed
+    skip_light_components = 2,  ///< Stokes components that the light lacks
+    skip_channels = 4,          ///< colour channels of light that equal another
+    skip_orders = 8,            ///< orders that the light lacks
+    skip_response_rows = 16,    ///< Stokes components that a material cannot make
+    skip_hidden = 32,           ///< shading vertices that face away or lie outside the view
+    skip_unoccluded = 64,       ///< shadows of vertices that see all above their horizon
+    skip_all = 127,
+};
+
+struct RenderOptions {
+    Method method = Method::factored;
+    Executor executor = Executor::automatic;
+    bool shadows = true;         ///< surfaces hide the environment from each other
+    int bake_directions = 2048;  ///< that shadows are traced in from every vertex, 256..65536
+    HorizonExtension horizon = HorizonExtension::mirrored;
+    int order_low = 4;   ///< 0..kMaxRenderOrder: light up to here with its full angular detail
+    int order_high = 9;  ///< order_low..64: light up to here at all
+    HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
+    HighOrdersAt high_orders_at = HighOrdersAt::automatic;
+    bool high_order_shadows = true;  ///< with shadows: high orders are dimmed by what their lobe sees
+    /// Above 0: the largest relative RMSE of s0, s1 and s2 (over the RMS of s0) that the orders left out may
+    /// be predicted to cause; order_low and order_high are then chosen for it. Only with Method::factored and
+    /// HighOrders::split or none. 0: order_low and order_high as given.
+    double tolerance = 0;
+    /// Against ringing: all components of the light's order l times 1 / (1 + dering (l (l + 1))^2), the
+    /// window that trades the least smoothing for the least curvature (Sloan 2017). 0 and up; 0: off. 1e-4 to
+    /// 1e-2 are of use.
+    double dering = 0;
+    /// Moves Stokes vectors into the physical range (Eq. 70): s0 >= 0, no more polarized than s0. Those of
+    /// vertices, or of pixels where high orders are looked up there.
+    bool physical = false;
+    /// Stokes components that the image has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
+    int components = 4;
+    /// Planes of surfaces beside the image, bits of AovBit (image/aovs.hpp).
+    std::uint32_t planes = 0;
+    /// Skips not to make use of, to measure what they save.
+    std::uint32_t disabled_optimisations = 0;
+    /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
+    /// false stops the render with Error(cancelled).
+    std::function<bool(const char* verb, double fraction)> progress;
+};
+
+/// Milliseconds are 0 for verbs that did not have to run.
+struct Statistics {
+    int order_low = 0;                                      ///< of the light that was rendered
+    int order = 0;                                          ///< the highest of it
+    double predicted_error = 0;                             ///< where a tolerance was given
+    bool compute = false;                                   ///< compute shaders made it
+    HighOrdersAt high_orders_at = HighOrdersAt::automatic;  ///< automatic: there were none
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+    double project_ms = 0;
+    double bake_ms = 0;
+    double relight_ms = 0;
+    double shade_ms = 0;
+    double draw_ms = 0;
+    double observe_ms = 0;
+    std::uint64_t vertices_skipped = 0;       ///< of no triangle that faces the camera inside the view
+    std::uint64_t vertices_unoccluded = 0;    ///< nothing hides the environment from them
+    std::uint64_t vertices_unphysical = 0;    ///< moved into the physical range, times channels; not pixels
+    std::uint64_t light_columns_skipped = 0;  ///< Stokes components that the light lacks, times its channels
+    std::uint64_t response_rows_skipped =
+        0;                              ///< Stokes components that a material cannot make, times channels
+    std::uint64_t channels_shared = 0;  ///< colour channels of light that equal another
+    std::uint64_t response_bytes = 0;
+    std::uint64_t bake_rays = 0;
+    double bake_trace_ms = 0;  ///< of bake_ms, the rays alone
+    std::uint64_t visibility_bytes = 0;
+    std::uint64_t transfer_bytes = 0;
+    std::uint64_t buffer_bytes = 0;
+    std::uint64_t texture_bytes = 0;
+    std::uint64_t camera_rays = 0;  ///< of the reference method
+    std::uint64_t shadow_rays = 0;  ///< likewise
+    double trace_ms = 0;            ///< likewise
+    // What was made again; 0 where all could be kept.
+    std::uint64_t lights_projected = 0;  ///< environments to coefficients
+    std::uint64_t materials_projected =
+        0;  ///< tables, matrices and sets of lobes of materials, also from a cache
+    std::uint64_t vertices_traced = 0;  ///< from which the bake traced rays
+    std::uint64_t matrices_baked = 0;   ///< dense: of vertices
+    std::uint64_t vertices_relit = 0;   ///< into whose frames light was brought
+    std::uint64_t vertices_shaded = 0;  ///< whose Stokes vectors were computed
+};
+
+}  // namespace nicol

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// From a camera to the numbers that drawing needs.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+
+#include "polarization/viewpoint.hpp"
+#include "scene/camera.hpp"
+
+namespace nicol {
+
+struct Projection {
+    Viewpoint view;
+    glm::dmat4 world_to_clip;  ///< OpenGL clip space, y up
+    double half_width;  ///< of the image at unit distance (perspective), or in the world (orthographic)
+    double half_height;
+};
+
+/// Throws Error(invalid_argument) naming the member of the camera that is out of range, or `to_world` where
+/// it is not finite, not affine, mirrors, or is not orthogonal.
+[[nodiscard]] Projection project(const Camera& camera, int width, int height);
+
+}  // namespace nicol

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// What is rendered: instances of meshes under one environment.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <vector>
+
+#include "geometry/mesh.hpp"
+#include "light/environment.hpp"
+#include "material/material.hpp"
+
+namespace nicol {
+
+struct Instance {
+    std::shared_ptr<const Mesh> mesh;  ///< validated
+    MaterialPtr material;
+    glm::dmat4 to_world{1.0};
+};
+
+/// Counts its changes, so that a renderer knows what it must compute again. Not for use by two threads at
+/// once.
+class Scene {
+public:
+    /// Returns the new instance's id. They count up from 0 and are never given twice. Throws
+    /// Error(invalid_argument) for null pointers, a transform that is not affine and invertible, or channels
+    /// that do not fit the scene's.
+    std::uint32_t add(Instance instance);
+    /// These throw Error(invalid_argument) for ids of no instance, and as add().
+    void remove(std::uint32_t id);
+    void set_transform(std::uint32_t id, const glm::dmat4& to_world);
+    void set_material(std::uint32_t id, MaterialPtr material);
+    [[nodiscard]] const Instance& at(std::uint32_t id) const { return instances_[index_of(id)]; }
+
+    /// Null is darkness. `rotation` turns the light's axes into the world's; it must be a proper rotation.
+    /// `scale` multiplies the radiance and must be finite and not negative.
+    void set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale);
+
+    [[nodiscard]] const std::vector<Instance>& instances() const noexcept { return instances_; }
+    /// Of instances(), ascending.
+    [[nodiscard]] const std::vector<std::uint32_t>& ids() const noexcept { return ids_; }
+    [[nodiscard]] const EnvironmentPtr& environment() const noexcept { return environment_; }
+    [[nodiscard]] const glm::dmat3& light_rotation() const noexcept { return rotation_; }
+    [[nodiscard]] double light_scale() const noexcept { return scale_; }
+    /// Colour channels: the largest number of any part; parts of one channel serve all.
+    [[nodiscard]] int channels() const;
+
+    /// Counts the changes of where triangles are and which of their sides reflect.
+    [[nodiscard]] std::uint64_t geometry_revision() const noexcept { return geometry_revision_; }
+    /// Counts the changes of which materials there are, and where.
+    [[nodiscard]] std::uint64_t material_revision() const noexcept { return material_revision_; }
+    [[nodiscard]] std::uint64_t light_revision() const noexcept { return light_revision_; }
+
+private:
+    [[nodiscard]] std::size_t index_of(std::uint32_t id) const;
+    /// Of everything but one instance.
+    [[nodiscard]] int channels_without(std::size_t index) const;
+
+    std::vector<Instance> instances_;
+    std::vector<std::uint32_t> ids_;
+    std::uint32_t next_id_ = 0;
+    EnvironmentPtr environment_;
+    glm::dmat3 rotation_{1.0};
+    double scale_ = 1;
+    std::uint64_t geometry_revision_ = 1;
+    std::uint64_t material_revision_ = 1;
+    std::uint64_t light_revision_ = 1;
+};
+
+}  // namespace nicol

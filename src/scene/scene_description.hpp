@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// What a Mitsuba 3 scene file says, as plain data.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nicol {
+
+/// A value for each colour: three of linear RGB, or a table over the wavelength.
+struct ColorDescription {
+    struct Sample {
+        double wavelength;  ///< nm, above 0
+        double value;
+    };
+
+    ColorDescription(double grey) : rgb(grey) {}
+    ColorDescription(const glm::dvec3& linear) : rgb(linear) {}
+
+    glm::dvec3 rgb{0.0};           ///< without meaning beside a table
+    std::vector<Sample> spectrum;  ///< empty, or two and more by increasing wavelength
+};
+
+/// A camera and the size of its image. Camera space: +z forward, +x image LEFT, +y image up.
+struct SensorDescription {
+    enum class Kind { perspective, orthographic };
+    enum class FovAxis { x, y, diagonal, smaller, larger };
+    Kind kind = Kind::perspective;
+    double fov = 0.0;  ///< perspective: degrees along fov_axis, in (0, 180)
+    FovAxis fov_axis = FovAxis::x;
+    /// Camera to world, affine. Orthographic: the image spans [-1, 1] of camera x, and of y by the aspect.
+    glm::dmat4 to_world{1.0};
+    double near_clip = 1e-2;
+    double far_clip = 1e4;
+    int width = 768;
+    int height = 576;
+    bool luminance = false;  ///< the film asks for one channel, the luminance
+};
+
+/// The horizontal field of view in degrees of a perspective sensor, whatever its fov_axis.
+[[nodiscard]] double horizontal_fov(const SensorDescription& sensor);
+
+struct MaterialDescription {
+    enum class Kind { pplastic, diffuse, psh, conductor, roughconductor, measured_polarized };
+    enum class Distribution { beckmann, ggx };
+    Kind kind = Kind::diffuse;
+    std::string id;                              ///< of the outermost bsdf; empty when the file gives none
+    bool twosided = false;                       ///< the back reflects as the front does
+    ColorDescription reflectance{0.5};           ///< diffuse
+    ColorDescription diffuse_reflectance{0.5};   ///< pplastic
+    ColorDescription specular_reflectance{1.0};  ///< pplastic, conductor, roughconductor
+    double int_ior = 1.49;                       ///< pplastic, inside
+    double ext_ior = 1.000277;                   ///< pplastic, outside
+    std::string metal;          ///< conductor, roughconductor: Au, Ag, Cu or Al; empty: eta and k hold
+    ColorDescription eta{0.0};  ///< conductor, roughconductor: real part of the index, 0 to 100
+    ColorDescription k{1.0};    ///< conductor, roughconductor: imaginary part, 0 to 100
+    double alpha = 0.1;         ///< pplastic, roughconductor: roughness, 0.001 to 1
+    Distribution distribution = Distribution::beckmann;  ///< pplastic, roughconductor
+    std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
+    ColorDescription scale{1.0};     ///< psh
+    std::optional<double>
+        wavelength;  ///< measured_polarized: the only one to use, nm; none: all of the table
+};
+
+struct ShapeDescription {
+    enum class Kind { obj, ply, off, stl, sphere, rectangle, cube };
+    Kind kind = Kind::obj;
+    std::string id;                  ///< of an instance, its own; empty when the file gives none
+    std::filesystem::path filename;  ///< obj, ply, off, stl
+    glm::dvec3 center{0.0};          ///< sphere
+    double radius = 1.0;             ///< sphere
+    bool flip_normals = false;
+    bool face_normals = false;  ///< obj, ply, off, stl: hard edges everywhere
+    glm::dmat4 to_world{1.0};   ///< affine and invertible
+    std::size_t material = 0;   ///< index into SceneDescription::materials
+};
+
+struct EmitterDescription {
+    enum class Kind { envmap, psh, constant, sky };
+    Kind kind = Kind::constant;
+    std::filesystem::path filename;  ///< envmap: EXR; psh: a PSH vector (.npz)
+    double scale = 1.0;              ///< envmap, psh
+    ColorDescription radiance{1.0};  ///< constant, sky
+    glm::dvec3 sun_direction{0.0};   ///< sky: unit, towards the sun, in the emitter's frame (y up)
+    double dop_max = 0.8;            ///< sky: degree of polarization at 90 degrees from the sun, in [0, 1]
+    double turbidity = 0.0;          ///< sky: 0, light scattered once; or 1.7 to 10, very clear to hazy
+    ColorDescription ground_albedo{0.2};  ///< sky with turbidity: 0 to 1
+    glm::dmat4 to_world{1.0};             ///< affine and invertible; only its rotation matters
+};
+
+struct SceneDescription {
+    SensorDescription sensor;
+    std::vector<MaterialDescription> materials;
+    std::vector<ShapeDescription> shapes;
+    std::optional<EmitterDescription> emitter;
+    std::vector<std::string> notices;  ///< what was read and not followed, one sentence each
+};
+
+/// Values for the file's $parameters, by name without the $; they win over <default>.
+using SceneParameters = std::map<std::string, std::string>;
+
+/// Reads a scene of Mitsuba 3's XML format. Defaults are Mitsuba's, and so is the meaning of each parameter;
+/// beside its plug-ins (sensors perspective, orthographic; shapes obj, ply, sphere, rectangle, cube,
+/// shapegroup, instance; bsdfs pplastic, diffuse, conductor, roughconductor, measured_polarized, twosided;
+/// emitters envmap, constant) these are ours: shapes off and stl, bsdf psh, emitters psh and sky. An instance
+/// becomes a shape for each member of its group. Integrator, sampler and reconstruction filter are not
+/// followed, which one notice says. <rgb> takes one value, three, or #rrggbb, which is linear n / 255.
+/// Filenames are not opened, but looked for: in the folders of <path>, the newest first, in the folder of the
+/// file that holds them, then in those of the files that include it; where none has the file, the name is
+/// relative to the folder of the file.
+/// Throws Error: file_not_found (also of an <include>); unsupported (a plug-in, element or value outside the
+/// above; files of more than 16 MiB together, or more than 1000); invalid_file (XML that is not well-formed,
+/// unknown or missing parameters, values out of range, undefined $parameters, ids that are missing or
+/// doubled, includes in a circle or more than 15 deep) as file:line, plug-in and parameter with what is
+/// accepted and, within an included file, who includes it; invalid_argument (an entry of `parameters` that
+/// the files never use).
+[[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
+                                                  const SceneParameters& parameters = {});
+
+}  // namespace nicol

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// How sixteen vertices are seen: what looking up a table at the view direction needs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "polarization/viewpoint.hpp"
+#include "simd/lanes.hpp"
+
+namespace nicol {
+
+/// Holds results; one object a thread.
+class LaneView {
+public:
+    /// order: the highest azimuthal frequency.
+    explicit LaneView(int order);
+    /// The calling thread's own, which it keeps.
+    [[nodiscard]] static LaneView& of_thread(int order);
+
+    /// At most kLanes positions and their unit normals; the other lanes repeat the first. A normal that faces
+    /// away is treated as seen at 90 degrees: the triangle may face the camera all the same.
+    void look(const Viewpoint& view, std::span<const glm::vec3> positions,
+              std::span<const glm::vec3> normals);
+
+    /// Zenith angles of the viewer as positions in a table of `angles` from 0 to pi/2: the elements below,
+    /// and the weights of those above.
+    struct TablePositions {
+        std::array<int, kLanes> angle;
+        Lanes fraction;
+    };
+    [[nodiscard]] TablePositions positions_in(int angles) const;
+
+    /// cos and sin of m phi for m = 0..order, phi the azimuth of the viewer.
+    [[nodiscard]] const Lanes* cosines() const noexcept { return cosines_.data(); }
+    [[nodiscard]] const Lanes* sines() const noexcept { return sines_.data(); }
+
+    /// cos and sin that take (s1, s2) from the theta-phi frame about the normal to the camera's frame field:
+    /// cos s1 + sin s2 and cos s2 - sin s1.
+    [[nodiscard]] const Lanes& frame_cosine() const noexcept { return frame_cosine_; }
+    [[nodiscard]] const Lanes& frame_sine() const noexcept { return frame_sine_; }
+
+private:
+    std::vector<Lanes> cosines_;
+    std::vector<Lanes> sines_;
+    Lanes zenith_;  // over pi/2, at most 1
+    Lanes frame_cosine_;
+    Lanes frame_sine_;
+};
+
+}  // namespace nicol

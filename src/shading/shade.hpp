@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// shade: light in the vertices' frames times the material's response, at the view direction.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+#include "harmonics/light_layout.hpp"
+#include "material/response_table.hpp"
+#include "polarization/viewpoint.hpp"
+#include "shading/shade_kernel.hpp"
+#include "transfer/vertex_light.hpp"
+
+namespace nicol {
+
+/// Stokes vectors towards a viewpoint, in the camera's frame field.
+class Shade {
+public:
+    /// Of the four components, those are computed that the material makes: but at least the first `least`
+    /// and at most the first `most` of them (1, 3 or 4); the others are 0.
+    explicit Shade(const LightLayout& layout, std::size_t least = 1, std::size_t most = 4);
+
+    /// For every vertex `first` <= v < `last` with visible[v] != 0, writes channel c's Stokes vector to
+    /// out[c][v]; others are left alone. A light of one channel serves all. Sixteen vertices that share a
+    /// block of `light` cost hardly more than one. Calls for different vertices may run side by side.
+    void run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
+             std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+             std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
+             std::span<const std::span<glm::vec4>> out) const;
+
+private:
+    int order_;
+    std::size_t row_size_;
+    std::size_t least_;
+    std::size_t most_;
+    ShadeTerms terms_;
+};
+
+}  // namespace nicol

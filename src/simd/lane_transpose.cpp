@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "simd/lane_transpose.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "simd/lane_vector.hpp"
+#include "simd/simd.hpp"
+
+namespace nicol {
+namespace {
+
+// Exchanges the off-diagonal squares of side Step in every square of twice that side.
+template <int Step, int... K>
+[[gnu::always_inline]] inline void exchange(LaneVector* rows, std::integer_sequence<int, K...>) {
+    for (int i = 0; i < static_cast<int>(kLanes); ++i) {
+        if ((i & Step) != 0) continue;
+        const LaneVector a = rows[i];
+        const LaneVector b = rows[i + Step];
+        rows[i] =
+            __builtin_shufflevector(a, b, ((K & Step) != 0 ? static_cast<int>(kLanes) + K - Step : K)...);
+        rows[i + Step] =
+            __builtin_shufflevector(a, b, ((K & Step) != 0 ? static_cast<int>(kLanes) + K : K + Step)...);
+    }
+}
+
+[[gnu::always_inline]] inline void transpose(LaneVector* rows) {
+    constexpr std::make_integer_sequence<int, kLanes> all;
+    exchange<8>(rows, all);
+    exchange<4>(rows, all);
+    exchange<2>(rows, all);
+    exchange<1>(rows, all);
+}
+
+// The last square overlaps the one before where the count is no multiple of its side.
+NICOL_MULTIVERSION
+void gather(const float* const* rows, std::size_t count, Lanes* lanes) {
+    for (std::size_t at = 0; at < count; at += kLanes) {
+        const std::size_t j = std::min(at, count - kLanes);
+        LaneVector square[kLanes];
+        for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&square[i], rows[i] + j, sizeof(LaneVector));
+        transpose(square);
+        for (std::size_t i = 0; i < kLanes; ++i) store(lanes + j + i, square[i]);
+    }
+}
+
+NICOL_MULTIVERSION
+void gather_between(const float* const* rows, std::size_t step, const float* fraction, std::size_t count,
+                    Lanes* lanes) {
+    for (std::size_t at = 0; at < count; at += kLanes) {
+        const std::size_t j = std::min(at, count - kLanes);
+        LaneVector square[kLanes];
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            LaneVector low;
+            LaneVector high;
+            std::memcpy(&low, rows[i] + j, sizeof low);
+            std::memcpy(&high, rows[i] + step + j, sizeof high);
+            square[i] = low + fraction[i] * (high - low);
+        }
+        transpose(square);
+        for (std::size_t i = 0; i < kLanes; ++i) store(lanes + j + i, square[i]);
+    }
+}
+
+using FourFloats [[gnu::vector_size(16), gnu::may_alias, gnu::aligned(4)]] = float;
+
+template <bool Add>
+[[gnu::always_inline]] inline void give_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count,
+                                              float* out) {
+    LaneVector p[4];
+    for (int k = 0; k < 4; ++k) p[k] = *reinterpret_cast<const LaneVector*>(lanes + k);
+    LaneVector pairs[2][2];
+    for (int k = 0; k < 2; ++k) {
+        const LaneVector& a = p[2 * k];
+        const LaneVector& b = p[2 * k + 1];
+        pairs[k][0] = __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+        pairs[k][1] =
+            __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+    }
+    LaneVector fours[4];
+    for (int k = 0; k < 2; ++k) {
+        fours[2 * k] = __builtin_shufflevector(pairs[0][k], pairs[1][k], 0, 1, 16, 17, 2, 3, 18, 19, 4, 5, 20,
+                                               21, 6, 7, 22, 23);
+        fours[2 * k + 1] = __builtin_shufflevector(pairs[0][k], pairs[1][k], 8, 9, 24, 25, 10, 11, 26, 27, 12,
+                                                   13, 28, 29, 14, 15, 30, 31);
+    }
+    const auto* from = reinterpret_cast<const FourFloats*>(fours);
+    auto* to = reinterpret_cast<FourFloats*>(out);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (show[i] == 0) continue;
+        if constexpr (Add) {
+            to[i] += from[i];
+        } else {
+            to[i] = from[i];
+        }
+    }
+}
+
+NICOL_MULTIVERSION
+void put(const Lanes* lanes, const std::uint8_t* show, std::size_t count, float* out) {
+    give_fours<false>(lanes, show, count, out);
+}
+
+NICOL_MULTIVERSION
+void add(const Lanes* lanes, const std::uint8_t* show, std::size_t count, float* out) {
+    give_fours<true>(lanes, show, count, out);
+}
+
+}  // namespace
+
+void put_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out) {
+    put(lanes, show, count, &out->x);
+}
+
+void add_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out) {
+    add(lanes, show, count, &out->x);
+}
+
+void to_lanes(const std::array<const float*, kLanes>& rows, std::size_t count, Lanes* lanes) {
+    if (count >= kLanes) {
+        gather(rows.data(), count, lanes);
+        return;
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        for (std::size_t j = 0; j < count; ++j) lanes[j][i] = rows[i][j];
+    }
+}
+
+void to_lanes_between(const std::array<const float*, kLanes>& rows, std::size_t step, const Lanes& fraction,
+                      std::size_t count, Lanes* lanes) {
+    if (count >= kLanes) {
+        gather_between(rows.data(), step, fraction.value.data(), count, lanes);
+        return;
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        for (std::size_t j = 0; j < count; ++j)
+            lanes[j][i] = rows[i][j] + fraction[i] * (rows[i][step + j] - rows[i][j]);
+    }
+}
+
+}  // namespace nicol

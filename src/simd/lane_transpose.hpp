@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Between vertices one after the other and vertices side by side.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec4.hpp>
+
+#include "simd/lanes.hpp"
+
+namespace nicol {
+
+/// lanes[j][i] = rows[i][j] for j < count.
+void to_lanes(const std::array<const float*, kLanes>& rows, std::size_t count, Lanes* lanes);
+
+/// Between each row and the one `step` floats further:
+/// lanes[j][i] = rows[i][j] + fraction[i] (rows[i][step + j] - rows[i][j]) for j < count.
+void to_lanes_between(const std::array<const float*, kLanes>& rows, std::size_t step, const Lanes& fraction,
+                      std::size_t count, Lanes* lanes);
+
+/// out[i][p] = or += lanes[p][i] for p < 4 and where show[i] != 0, i < count.
+void put_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out);
+void add_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out);
+
+}  // namespace nicol

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// High orders of light, looked up in filtered maps at the mirrored view direction.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "polarization/viewpoint.hpp"
+#include "specular/high_order_factors.hpp"
+#include "specular/high_order_visibility.hpp"
+#include "specular/lobe_map.hpp"
+#include "visibility/visibility_blocks.hpp"
+
+namespace nicol {
+
+/// The maps a material's factors are multiplied with; null where the factors do not ask for one. All have the
+/// same channels and kind.
+struct HighOrderMaps {
+    const LobeMap* centre = nullptr;
+    const LobeMap* around = nullptr;  ///< where factors.spread() > 0
+    const LobeMap* normal = nullptr;  ///< where factors.normal()
+};
+
+/// What dims high orders.
+struct HighOrderShadows {
+    /// Of the lobe about the mirror direction and of the hemisphere, 0..1, by vertex; empty: 1 or as found by
+    /// the others.
+    std::span<const glm::vec2> fractions;
+    const HighOrderVisibility* visibility = nullptr;  ///< null: nothing but `fractions` dims
+    const VisibilityBlocks* seen = nullptr;           ///< by `visibility`
+};
+
+/// The part of reflected light that comes from orders above l_low.
+class HighOrder {
+public:
+    /// Keeps references. light_to_world turns the maps' axes into the world's. Throws Error(invalid_argument)
+    /// where a map is missing, or maps or channels do not fit each other.
+    HighOrder(const HighOrderFactors& factors, const HighOrderMaps& maps, const glm::dmat3& light_to_world);
+
+    /// Adds to out[c][v], in the camera's frame field, for every vertex first <= v < last with visible[v] !=
+    /// 0. Calls for different vertices may run side by side.
+    void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+             std::span<const std::uint8_t> visible, const HighOrderShadows& shadows, std::size_t first,
+             std::size_t last, std::span<const std::span<glm::vec4>> out) const;
+
+private:
+    const HighOrderFactors& factors_;
+    HighOrderMaps maps_;
+    glm::dmat3 world_to_light_;
+};
+
+}  // namespace nicol

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "specular/high_order_cache.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "files/cache_file.hpp"
+#include "material/key.hpp"
+#include "material/response_table.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr std::string_view magic("NICOLHO\0", 8);
+// Raise it whenever the numbers of any fit change.
+constexpr std::uint32_t version = 1;
+
+std::string key_of(const std::string& content, int l_low, int l_high, int channels) {
+    return Key(content)
+        .add("low", l_low)
+        .add("high", l_high)
+        .add("channels", channels)
+        .add("angles", HighOrderFactors::kAngles)
+        .add("elements", HighOrderFactors::kElements)
+        .text();
+}
+
+}  // namespace
+
+HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, int channels,
+                             const std::filesystem::path& folder, const CacheNotice& notice) {
+    const std::string content = folder.empty() ? std::string() : material.content_key();
+    if (content.empty()) return HighOrderFactors(material, l_low, l_high, channels);
+    const int factor_channels = ResponseTable::channels_for(material, channels);
+    const CacheFile file(folder, magic, version, key_of(content, l_low, l_high, factor_channels), ".lobes");
+    std::array<std::int32_t, 3> probes{};  // centre, around, normal
+    std::vector<float> data(std::size_t{HighOrderFactors::kElements} * HighOrderFactors::kAngles *
+                            static_cast<std::size_t>(factor_channels));
+    CacheFile::Outcome outcome = file.read(
+        std::array{writable_bytes_of(std::span<std::int32_t>(probes)), writable_bytes_of(std::span(data))});
+    if (outcome.state == CacheFile::State::complete) {
+        std::optional<HighOrderFactors> kept =
+            HighOrderFactors::stored(factor_channels, probes[0], probes[1], probes[2] != 0, std::move(data));
+        if (kept) return *std::move(kept);
+        outcome = {CacheFile::State::unfit, "is damaged"};
+    }
+    if (outcome.state == CacheFile::State::unfit && notice) {
+        notice(file.path().string() + ": " + outcome.reason + "; the factors are fitted anew");
+    }
+    HighOrderFactors factors(material, l_low, l_high, channels);
+    probes = {factors.centre(), factors.around(), factors.normal() ? 1 : 0};
+    const std::string failure =
+        file.write(std::array{bytes_of(std::span<const std::int32_t>(probes)), bytes_of(factors.data())});
+    if (!failure.empty() && notice) notice(failure);
+    return factors;
+}
+
+}  // namespace nicol

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "specular/high_order_factors.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "error.hpp"
+#include "harmonics/psh.hpp"
+#include "material/response_table.hpp"
+#include "specular/split_fit.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+// Of the energy that is caught in s0: two percent of it in amplitude.
+constexpr double kNegligible = 4e-4;
+constexpr auto angles = static_cast<std::size_t>(HighOrderFactors::kAngles);
+
+double zenith(std::size_t angle) {
+    // At 90 degrees the factors have a limit but the formulas of most materials are 0/0.
+    return std::min(std::acos(static_cast<double>(angle) / (angles - 1)), pi / 2 - 1e-3);
+}
+
+// The elements in their stored order, from the factors of each probe.
+std::array<double, HighOrderFactors::kElements> elements_of(const SplitFactors& factors) {
+    const auto f = [&](std::size_t probe, std::size_t row, std::size_t column) {
+        return factors.of[row][4 * probe + column];
+    };
+    const auto even = [&](std::size_t probe, std::size_t row, std::size_t column) {
+        return probe < 3 ? f(probe, row, column) : (f(3, row, column) + f(4, row, column)) / 2;
+    };
+    const auto odd = [&](std::size_t row, std::size_t column) {
+        return (f(3, row, column) - f(4, row, column)) / 2;
+    };
+    std::array<double, HighOrderFactors::kElements> out{};
+    std::size_t i = 0;
+    for (std::size_t probe = 0; probe < 4; ++probe) {
+        out[i++] = even(probe, 0, 0);
+        out[i++] = even(probe, 1, 0);
+    }
+    out[i++] = odd(2, 0);
+    out[i++] = odd(3, 0);
+    out[i++] = f(5, 0, 0);
+    out[i++] = f(5, 1, 0);
+    constexpr std::size_t rest[6][2] = {{0, 1}, {1, 1}, {2, 2}, {3, 2}, {2, 3}, {3, 3}};
+    for (std::size_t probe = 0; probe < 4; ++probe)
+        for (const auto& [row, column] : rest) out[i++] = even(probe, row, column);
+    constexpr std::size_t odd_rest[6][2] = {{0, 2}, {1, 2}, {2, 1}, {3, 1}, {0, 3}, {1, 3}};
+    for (const auto& [row, column] : odd_rest) out[i++] = odd(row, column);
+    return out;
+}
+
+// Energy of the response to unpolarized light that the probes catch, by channel, of s0, s1 and s2.
+using Energy = std::vector<std::array<double, 3>>;
+
+Energy caught(const SplitFit& fit, const SplitProbes& probes) {
+    // Angles by the projected area they have on a sphere.
+    constexpr std::size_t samples = 6;
+    Energy sum;
+    for (std::size_t k = 0; k < samples; ++k) {
+        const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / samples);
+        const std::vector<SplitFactors> factors = fit.at(std::acos(cosine), probes);
+        sum.resize(factors.size());
+        for (std::size_t c = 0; c < factors.size(); ++c)
+            for (std::size_t p = 0; p < 3; ++p)
+                for (const double energy : factors[c].energy[p]) sum[c][p] += energy;
+    }
+    return sum;
+}
+
+// The lobes and their spread that catch most, each Stokes component counted by the part of it that the best
+// of them catches.
+SplitProbes best_probes(const SplitFit& fit) {
+    std::vector<SplitProbes> candidates;
+    for (int around = 1; around < static_cast<int>(kLobeWidths.size()); ++around)
+        for (int centre = 0; centre <= around; ++centre)
+            candidates.push_back({centre, around, kLobeWidths[static_cast<std::size_t>(around)]});
+    std::vector<Energy> energy(candidates.size());
+    tbb::parallel_for(std::size_t{0}, candidates.size(),
+                      [&](std::size_t i) { energy[i] = caught(fit, candidates[i]); });
+    std::array<double, 3> most{};
+    const auto total = [](const Energy& e, std::size_t p) {
+        double sum = 0;
+        for (const auto& channel : e) sum += channel[p];
+        return sum;
+    };
+    for (const Energy& e : energy)
+        for (std::size_t p = 0; p < 3; ++p) most[p] = std::max(most[p], total(e, p));
+    const auto score = [&](const Energy& e) {
+        double sum = 0;
+        for (std::size_t p = 0; p < 3; ++p) sum += most[p] > 0 ? total(e, p) / most[p] : 0;
+        return sum;
+    };
+    const auto best = static_cast<std::size_t>(std::ranges::max_element(energy, {}, score) - energy.begin());
+
+    // A metal has nothing to gain from the normal's probe, which is for diffuse bases.
+    SplitProbes probes = candidates[best];
+    probes.normal = false;
+    const Energy without = caught(fit, probes);
+    for (std::size_t c = 0; c < without.size(); ++c)
+        probes.normal = probes.normal || without[c][0] < (1 - kNegligible) * energy[best][c][0];
+    return probes;
+}
+
+}  // namespace
+
+HighOrderFactors HighOrderFactors::mirror() {
+    HighOrderFactors out;
+    out.data_.resize(kElements * angles);
+    for (std::size_t angle = 0; angle < angles; ++angle) {
+        float* f = &out.data_[angle * kElements];
+        f[0] = f[kUnpolarized + 1] = 1;
+        f[kUnpolarized + 2] = f[kUnpolarized + 5] = -1;
+    }
+    return out;
+}
+
+std::optional<HighOrderFactors> HighOrderFactors::stored(int channels, int centre, int around, bool normal,
+                                                         std::vector<float> data) {
+    constexpr int lobes = static_cast<int>(kLobeWidths.size());
+    const bool fits = channels >= 1 && centre >= 0 && centre <= around && around < lobes &&
+                      data.size() == kElements * angles * static_cast<std::size_t>(channels) &&
+                      std::ranges::all_of(data, [](float value) { return std::isfinite(value); });
+    if (!fits) return std::nullopt;
+    HighOrderFactors out;
+    out.channels_ = channels;
+    out.centre_ = centre;
+    out.around_ = around;
+    out.spread_ = kLobeWidths[static_cast<std::size_t>(around)];
+    out.normal_ = normal;
+    out.data_ = std::move(data);
+    return out;
+}
+
+HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_high, int channels)
+    : channels_(ResponseTable::channels_for(material, channels)) {
+    if (l_low < 0 || l_high <= l_low || l_high > kMaxOrder) {
+        throw Error(ErrorCode::invalid_argument,
+                    "high orders from " + std::to_string(l_low) + " to " + std::to_string(l_high) +
+                        "; they must ascend within 0 to " + std::to_string(kMaxOrder));
+    }
+    const SplitFit fit(material, l_low, l_high, channels_);
+    const SplitProbes probes = best_probes(fit);
+    centre_ = probes.centre;
+    around_ = probes.around;
+    spread_ = probes.spread;
+    normal_ = probes.normal;
+    const auto count = static_cast<std::size_t>(channels_);
+    data_.resize(kElements * angles * count);
+    tbb::parallel_for(std::size_t{0}, angles, [&](std::size_t angle) {
+        const std::vector<SplitFactors> factors = fit.at(zenith(angle), probes);
+        for (std::size_t c = 0; c < count; ++c) {
+            const auto elements = elements_of(factors[c]);
+            float* to = &data_[(angle * count + c) * elements.size()];
+            for (std::size_t i = 0; i < elements.size(); ++i) to[i] = static_cast<float>(elements[i]);
+        }
+    });
+}
+
+std::vector<float> HighOrderFactors::texels(int first_channel, int count, bool polarized) const {
+    const auto elements = static_cast<std::size_t>(polarized ? kElements : kUnpolarized);
+    std::vector<float> out(4 * elements * angles);
+    for (std::size_t angle = 0; angle < angles; ++angle) {
+        for (int i = 0; i < count; ++i) {
+            const float* from = row(angle, channels_ == 1 ? 0 : static_cast<std::size_t>(first_channel + i));
+            for (std::size_t e = 0; e < elements; ++e)
+                out[4 * (e * angles + angle) + static_cast<std::size_t>(i)] = from[e];
+        }
+    }
+    return out;
+}
+
+}  // namespace nicol

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "specular/high_order_kernel.hpp"
+
+#include "simd/lane_vector.hpp"
+#include "simd/simd.hpp"
+#include "specular/high_order_factors.hpp"
+
+namespace nicol {
+namespace {
+
+[[gnu::always_inline]] inline const LaneVector& at(const Lanes* from) {
+    return *reinterpret_cast<const LaneVector*>(from);
+}
+
+constexpr std::size_t rest = HighOrderFactors::kUnpolarized;
+
+// The blocks (0,0) (1,0) (0,1) (1,1) and (2,2) (3,2) (2,3) (3,3) of a mirror-symmetric factor.
+template <bool Polarized>
+[[gnu::always_inline]] inline void add_even(const Lanes* first, const Lanes* others, const LaneVector* s,
+                                            LaneVector* sum) {
+    sum[0] += at(first) * s[0];
+    sum[1] += at(first + 1) * s[0];
+    if constexpr (Polarized) {
+        sum[0] += at(others) * s[1];
+        sum[1] += at(others + 1) * s[1];
+        sum[2] += at(others + 2) * s[2] + at(others + 4) * s[3];
+        sum[3] += at(others + 3) * s[2] + at(others + 5) * s[3];
+    }
+}
+
+// The blocks that change sign with the side.
+template <bool Polarized>
+[[gnu::always_inline]] inline void add_odd(const Lanes* first, const Lanes* others, const LaneVector* s,
+                                           LaneVector* sum) {
+    sum[2] += at(first) * s[0];
+    sum[3] += at(first + 1) * s[0];
+    if constexpr (Polarized) {
+        sum[0] += at(others) * s[2] + at(others + 4) * s[3];
+        sum[1] += at(others + 1) * s[2] + at(others + 5) * s[3];
+        sum[2] += at(others + 2) * s[1];
+        sum[3] += at(others + 3) * s[1];
+    }
+}
+
+template <bool Polarized>
+[[gnu::always_inline]] inline void reflect(const ProbedChannel& probed, const Lanes* f,
+                                           const LaneMirror& mirror, const Lanes& lobe,
+                                           const Lanes& hemisphere, Lanes* stokes) {
+    constexpr int components = Polarized ? 4 : 1;
+    LaneVector s[4];
+    LaneVector difference[4];
+    LaneVector sum[4] = {};
+    const auto take = [&](const Lanes* from) {
+        for (int p = 0; p < components; ++p) s[p] = at(from + p);
+    };
+    take(probed.centre);
+    add_even<Polarized>(f, f + rest, s, sum);
+    if (probed.up != nullptr) {
+        take(probed.up);
+        add_even<Polarized>(f + 2, f + rest + 6, s, sum);
+        take(probed.down);
+        add_even<Polarized>(f + 4, f + rest + 12, s, sum);
+        for (int p = 0; p < components; ++p) {
+            s[p] = at(probed.right + p) + at(probed.left + p);
+            difference[p] = at(probed.right + p) - at(probed.left + p);
+        }
+        add_even<Polarized>(f + 6, f + rest + 18, s, sum);
+        add_odd<Polarized>(f + 8, f + rest + 24, difference, sum);
+    }
+    for (LaneVector& component : sum) component *= at(&lobe);
+    if (probed.normal != nullptr) {
+        const LaneVector base = at(&hemisphere) * at(probed.normal);
+        sum[0] += base * at(f + 10);
+        sum[1] += base * at(f + 11);
+    }
+    const LaneVector c = at(&mirror.frame_cosine);
+    const LaneVector sine = at(&mirror.frame_sine);
+    store(stokes, sum[0]);
+    store(stokes + 1, c * sum[1] + sine * sum[2]);
+    store(stokes + 2, c * sum[2] - sine * sum[1]);
+    store(stokes + 3, sum[3]);
+}
+
+NICOL_MULTIVERSION
+void reflect_plain(const ProbedChannel& probed, const Lanes* factors, const LaneMirror& mirror,
+                   const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
+    reflect<false>(probed, factors, mirror, lobe, hemisphere, stokes);
+}
+
+NICOL_MULTIVERSION
+void reflect_polarized(const ProbedChannel& probed, const Lanes* factors, const LaneMirror& mirror,
+                       const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
+    reflect<true>(probed, factors, mirror, lobe, hemisphere, stokes);
+}
+
+}  // namespace
+
+void reflect_probes(const ProbedChannel& probed, bool polarized, const Lanes* factors,
+                    const LaneMirror& mirror, const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
+    (polarized ? reflect_polarized : reflect_plain)(probed, factors, mirror, lobe, hemisphere, stokes);
+}
+
+}  // namespace nicol

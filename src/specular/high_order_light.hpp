@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A light's filtered maps, shared by all materials.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "harmonics/convolution.hpp"
+#include "specular/high_order.hpp"
+#include "specular/high_order_factors.hpp"
+#include "specular/lobe_map.hpp"
+
+namespace nicol {
+
+/// Orders l_low + 1 .. l_high of a light, filtered by each lobe that a material asks for, once.
+class HighOrderLight {
+public:
+    /// `light`: coefficients in the light's own axes; orders it does not have count as zero. Throws
+    /// Error(invalid_argument) for orders out of 0 <= l_low < l_high <= kMaxOrder.
+    HighOrderLight(PshVector light, int l_low, int l_high, bool polarized);
+
+    /// What HighOrder and a shader need for a material. The maps live as long as this object.
+    [[nodiscard]] HighOrderMaps maps(const HighOrderFactors& factors);
+
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+private:
+    const LobeMap* lobe(std::size_t index);
+
+    PshVector light_;
+    int l_low_;
+    int l_high_;
+    bool polarized_;
+    std::array<std::unique_ptr<LobeMap>, kLobeWidths.size() + 1> lobes_;  // the last: cosine_gains()
+};
+
+/// The published form: orders l_low + 1 .. l_high of a light convolved with a material's kernels
+/// (mirrored_kernels(), one for all channels or one each), to be the centre for HighOrderFactors::mirror().
+/// It has the kernels' channels where the light has one. Always polarized. Throws Error(invalid_argument)
+/// where channels do not fit or a kernel is shorter than l_high.
+[[nodiscard]] LobeMap convolved_map(const PshVector& light, std::span<const ConvolutionKernel> kernels,
+                                    int l_low, int l_high, double tolerance = LobeMap::kTolerance);
+
+}  // namespace nicol

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// How much of what a vertex reflects to a viewer it sees.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "polarization/viewpoint.hpp"
+#include "specular/lane_mirror.hpp"
+#include "visibility/horizon.hpp"
+#include "visibility/visibility_blocks.hpp"
+
+namespace nicol {
+
+/// Visible fractions for HighOrder.
+class HighOrderVisibility {
+public:
+    /// order: of the visibility. width: of the lobe about the mirror direction, radians, as for
+    /// gaussian_gains(); where the order cannot resolve it, it is widened. Throws Error(invalid_argument) for
+    /// an order out of 0..64 or a width that is not in 0..4.
+    HighOrderVisibility(int order, double width, HorizonExtension extension);
+
+    /// The parts of a lobe about the mirrored view direction and of the cosine about the normal, 0..1, of
+    /// what nothing hides, for first <= v < last with visible[v] != 0, into out[v]. `seen` has the order and
+    /// extension of this object; all of what sixteen vertices see that see all above their horizon is seen.
+    /// Calls for different vertices may run side by side.
+    void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+             std::span<const std::uint8_t> visible, const VisibilityBlocks& seen, std::size_t first,
+             std::size_t last, std::span<glm::vec2> out) const;
+
+    /// The same of a block of VisibilityBlocks, lobe and cosine, whose vertices are looked at like this.
+    void look(const LaneMirror& mirror, const std::int16_t* block, std::array<Lanes, 2>& fractions) const;
+
+    /// For glsl/high_order_visibility.glsl: four tables, one after another.
+    [[nodiscard]] std::vector<float> constants() const;
+
+private:
+    int order_;
+    HorizonExtension extension_;
+    std::vector<float> lobe_;        // by l, gain
+    std::vector<float> cosine_;      // by l, gain times Y_l0 at -z
+    std::vector<float> everything_;  // by l, what nothing hides (only m = 0)
+    std::vector<float> climb_;       // [m][l - m] factors of the recursion, two each
+};
+
+}  // namespace nicol

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "specular/split_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <span>
+
+#include "harmonics/evaluate.hpp"
+#include "harmonics/light_layout.hpp"
+#include "material/lobe_quadrature.hpp"
+#include "material/matrix_rows.hpp"
+#include "specular/high_order_factors.hpp"
+#include "specular/high_order_gains.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr std::size_t kLobes = kLobeWidths.size() + 1;
+// Keeps factors of nearly equal probes small, relative to the diagonal.
+constexpr double kRidge = 1e-4;
+
+// a x = b for symmetric positive definite a (row-major, destroyed) and four right-hand sides.
+void solve(std::vector<double>& a, std::array<SplitVector, 4>& b) {
+    constexpr std::size_t n = kSplitUnknowns;
+    for (std::size_t j = 0; j < n; ++j) {
+        for (std::size_t k = 0; k < j; ++k) a[j * n + j] -= a[j * n + k] * a[j * n + k];
+        a[j * n + j] = std::sqrt(a[j * n + j]);
+        for (std::size_t i = j + 1; i < n; ++i) {
+            for (std::size_t k = 0; k < j; ++k) a[i * n + j] -= a[i * n + k] * a[j * n + k];
+            a[i * n + j] /= a[j * n + j];
+        }
+    }
+    for (SplitVector& x : b) {
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t k = 0; k < i; ++k) x[i] -= a[i * n + k] * x[k];
+            x[i] /= a[i * n + i];
+        }
+        for (std::size_t i = n; i-- > 0;) {
+            for (std::size_t k = i + 1; k < n; ++k) x[i] -= a[k * n + i] * x[k];
+            x[i] /= a[i * n + i];
+        }
+    }
+}
+
+// Moments over half the circle of azimuths to those over all of it: mirrored in the plane of incidence, right
+// and left change places, and elements between (s0, s1) and (s2, s3) their sign.
+void add_other_side(std::array<SplitVector, 4>& moments) {
+    for (std::size_t p = 0; p < 4; ++p) {
+        const SplitVector half = moments[p];
+        for (std::size_t u = 0; u < kSplitUnknowns; ++u) {
+            const std::size_t probe = u / 4;
+            const std::size_t other = probe == 3 ? u + 4 : probe == 4 ? u - 4 : u;
+            moments[p][u] += (p < 2) == (u % 4 < 2) ? half[other] : -half[other];
+        }
+    }
+}
+
+// The s-frame x of outgoing light is phi-hat: a quarter turn from theta-hat.
+constexpr std::array<double, 4> quarter_rotation{1, -1, -1, 1};
+
+// Of incident components: s0, (s1, s2), s3. Probes of one part know nothing of the others.
+constexpr std::array<std::size_t, 4> parts{0, 1, 1, 2};
+
+}  // namespace
+
+std::array<Probe, SplitProbes::kCount> SplitProbes::at(double theta_out) const {
+    const glm::dvec3 d(std::sin(theta_out), 0, -std::cos(theta_out));
+    const glm::dvec3 x(0, 1, 0);
+    const glm::dvec3 y = glm::cross(d, x);
+    const double c = std::cos(spread);
+    const double s = std::sin(spread);
+    const auto probe = [](const glm::dvec3& direction, const glm::dvec3& x_axis, int lobe) {
+        return Probe{Frame(x_axis, glm::cross(direction, x_axis), direction), lobe};
+    };
+    return {probe(d, x, centre),
+            probe(c * d + s * y, x, around),
+            probe(c * d - s * y, x, around),
+            probe(c * d + s * x, c * x - s * d, around),
+            probe(c * d - s * x, c * x + s * d, around),
+            probe({0, 0, -1}, x, static_cast<int>(kLobeWidths.size()))};
+}
+
+SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels)
+    : material_(material), l_low_(l_low), l_high_(l_high), channels_(channels) {
+    std::vector<std::vector<double>> lobes;
+    for (const double width : kLobeWidths) lobes.push_back(gaussian_gains(width, l_low + 1, l_high));
+    lobes.push_back(cosine_gains(l_low + 1, l_high));
+    for (const auto& lobe : lobes) {
+        std::vector<double>& gain = gains_.emplace_back(lobe);
+        for (std::size_t l = 0; l < gain.size(); ++l) gain[l] *= prior(static_cast<int>(l));
+        kernels_.emplace_back(gain);
+    }
+    for (const auto& lobe : gains_) {
+        for (const auto& other : lobes) {
+            std::vector<double> gain = lobe;
+            for (std::size_t l = 0; l < gain.size(); ++l) gain[l] *= other[l];
+            products_.push_back(gain);
+        }
+    }
+}
+
+std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& probes) const {
+    const auto at = probes.at(theta_out);
+    constexpr std::size_t n = kSplitUnknowns;
+    std::vector<double> normal(n * n);
+    for (std::size_t i = 0; i < n; i += 4) {
+        for (std::size_t j = 0; j < n; j += 4) {
+            const Probe& a = at[i / 4];
+            const Probe& b = at[j / 4];
+            const auto lobes = static_cast<std::size_t>(a.lobe) * kLobes + static_cast<std::size_t>(b.lobe);
+            const double cosine = glm::dot(a.frame[2], b.frame[2]);
+            const Sight k = sight(a, zonal_sum(products_[lobes], cosine), b.frame);
+            normal[i * n + j] = k.scalar;
+            if (i + 4 > n || j + 4 > n) continue;
+            normal[(i + 1) * n + j + 1] = normal[(i + 2) * n + j + 2] = k.spin2.real();
+            normal[(i + 2) * n + j + 1] = k.spin2.imag();
+            normal[(i + 1) * n + j + 2] = -k.spin2.imag();
+            normal[(i + 3) * n + j + 3] = k.scalar;
+        }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        // A probe may be blind in these orders: a cosine to odd ones, spin 2 below the second.
+        double& diagonal = normal[i * n + i];
+        diagonal = diagonal > 0 ? diagonal * (1 + kRidge) : 1;
+    }
+    if (!probes.normal) {
+        for (std::size_t i = 0; i + 1 < n; ++i) normal[i * n + n - 1] = normal[(n - 1) * n + i] = 0;
+    }
+    std::vector<Moments> of_terms = moments(theta_out, at);
+    std::vector<SplitFactors> out;
+    const bool by_matrix = material_.matrix(0) != nullptr;
+    std::vector<Moments> of_channels(static_cast<std::size_t>(channels_));
+    for (std::size_t c = 0; c < of_channels.size(); ++c) {
+        for (std::size_t t = 0; t < of_terms.size(); ++t) {
+            const double weight =
+                by_matrix ? (t == c ? 1.0 : 0.0) : material_.weight(static_cast<int>(t), static_cast<int>(c));
+            for (std::size_t p = 0; p < 4; ++p)
+                for (std::size_t u = 0; u < n; ++u)
+                    of_channels[c][p][u] += weight * quarter_rotation[p] * of_terms[t][p][u];
+        }
+        if (!probes.normal)
+            for (SplitVector& row : of_channels[c]) row[n - 1] = 0;
+        SplitFactors factors{of_channels[c], {}};
+        std::vector<double> matrix = normal;
+        solve(matrix, factors.of);
+        for (std::size_t p = 0; p < 4; ++p)
+            for (std::size_t u = 0; u < n; ++u)
+                factors.energy[p][parts[u % 4]] += factors.of[p][u] * of_channels[c][p][u];
+        out.push_back(factors);
+    }
+    return out;
+}
+
+std::vector<SplitFit::Moments> SplitFit::moments(double theta_out,
+                                                 const std::array<Probe, SplitProbes::kCount>& probes) const {
+    return material_.matrix(0) != nullptr ? of_matrices(theta_out, probes) : integrated(theta_out, probes);
+}
+
+std::vector<SplitFit::Moments> SplitFit::integrated(
+    double theta_out, const std::array<Probe, SplitProbes::kCount>& probes) const {
+    const auto terms = static_cast<std::size_t>(material_.terms());
+    double lobe = 0.25;
+    for (std::size_t t = 0; t < terms; ++t) lobe = std::min(lobe, material_.lobe_width(static_cast<int>(t)));
+    const glm::dvec3 viewer(std::sin(theta_out), 0, std::cos(theta_out));
+    const double narrow = std::min(1.0, lobe / std::max(lobe, viewer.x));
+    const std::vector<QuadratureNode> azimuths = nodes_around(pi, 0, pi, narrow, pi / 8);
+
+    std::vector<Moments> out(terms);
+    std::vector<Mueller> muellers(terms);
+    for (const QuadratureNode& zenith : nodes_around(theta_out, 0, pi / 2, lobe, pi / 8)) {
+        const double sin_theta = std::sin(zenith.x);
+        const double cos_theta = std::cos(zenith.x);
+        for (const QuadratureNode& azimuth : azimuths) {
+            const double weight = zenith.weight * azimuth.weight * sin_theta * cos_theta;
+            const glm::dvec3 light(sin_theta * std::cos(azimuth.x), sin_theta * std::sin(azimuth.x),
+                                   cos_theta);
+            material_.evaluate_terms(light, viewer, muellers);
+            const Frame frame = theta_phi_frame(-light);
+            for (std::size_t i = 0; i < probes.size(); ++i) {
+                const auto lobe_index = static_cast<std::size_t>(probes[i].lobe);
+                const glm::dvec3 distance = probes[i].frame[2] - frame[2];
+                const ZonalKernel::Value kernel = kernels_[lobe_index].at(glm::dot(distance, distance));
+                const Sight k = sight(probes[i], kernel, frame);
+                const double scalar = weight * k.scalar;
+                const std::complex<double> spin2 = weight * k.spin2;
+                for (std::size_t t = 0; t < terms; ++t) {
+                    const Mueller& m = muellers[t];
+                    for (std::size_t p = 0; p < 4; ++p) {
+                        double* to = &out[t][p][4 * i];
+                        to[0] += scalar * m(p, 0);
+                        if (i + 1 == probes.size()) continue;
+                        to[1] += m(p, 1) * spin2.real() - m(p, 2) * spin2.imag();
+                        to[2] += m(p, 1) * spin2.imag() + m(p, 2) * spin2.real();
+                        to[3] += scalar * m(p, 3);
+                    }
+                }
+            }
+        }
+    }
+    for (Moments& moments : out) add_other_side(moments);
+    return out;
+}
+
+std::vector<SplitFit::Moments> SplitFit::of_matrices(
+    double theta_out, const std::array<Probe, SplitProbes::kCount>& probes) const {
+    std::vector<Moments> out(static_cast<std::size_t>(channels_));
+    for (std::size_t c = 0; c < out.size(); ++c) {
+        const IsotropicMatrix& matrix = *material_.matrix(static_cast<int>(c));
+        const int order = std::min(l_high_, matrix.order_in());
+        if (order <= l_low_) continue;
+        const LightLayout layout(order, LightKind::full);
+        std::vector<double> rows(4 * layout.size());
+        rows_from_matrix(matrix, theta_out, layout, rows);
+        for (std::size_t p = 0; p < 4; ++p) {
+            for (std::size_t i = 0; i < probes.size(); ++i) {
+                const std::vector<double>& gain = gains_[static_cast<std::size_t>(probes[i].lobe)];
+                PshVector field(order, 1);
+                for (std::size_t j = 0; j < layout.size(); ++j) {
+                    const LightLayout::Entry& e = layout.entries()[j];
+                    const double value = gain[static_cast<std::size_t>(e.l)] * rows[p * layout.size() + j];
+                    if (e.part == LightKind::linear) {
+                        field.at(0, e.l, e.m, p < 2 ? 1 : 2) = value;
+                    } else if (e.part == LightKind::unpolarized) {
+                        if (p < 2) field.at(0, e.l, e.m, 0) = value;
+                        if (p >= 2 && e.m > 0) field.at(0, e.l, -e.m, 0) = value;
+                    } else {
+                        if (p < 2 && e.m > 0) field.at(0, e.l, -e.m, 3) = value;
+                        if (p >= 2) field.at(0, e.l, e.m, 3) = value;
+                    }
+                }
+                const glm::dvec3 direction = probes[i].frame[2];
+                const Stokes s = rotated(evaluate(field, 0, direction),
+                                         angle_between(theta_phi_frame(direction), probes[i].frame));
+                const std::size_t count = i + 1 == probes.size() ? 1 : 4;
+                for (std::size_t q = 0; q < count; ++q) out[c][p][4 * i + q] = s[static_cast<int>(q)];
+            }
+        }
+    }
+    return out;
+}
+
+}  // namespace nicol

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/bake.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "error.hpp"
+#include "geometry/ray_scene.hpp"
+#include "simd/simd.hpp"
+#include "visibility/bake_origins.hpp"
+#include "visibility/bundle_cones.hpp"
+
+namespace nicol {
+namespace {
+
+// Rays between two looks at the progress callback.
+constexpr std::size_t rays_at_a_time = std::size_t{1} << 21;
+
+// Below this sine of elevation a ray could meet the plane that it starts from: far away the plane is known to
+// a few units in the last place of its distance. Hardly any direction lies there, and it counts as free.
+constexpr float grazing = 0x1p-17F;
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+[[noreturn]] void refuse(const std::string& message) {
+    throw Error(ErrorCode::invalid_argument, message);
+}
+
+std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
+    std::vector<glm::vec3> out;
+    out.reserve(normals.size());
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+        // In double, where squares of floats neither vanish nor overflow.
+        const glm::dvec3 normal(normals[v]);
+        const double length = glm::length(normal);
+        if (!(length > 0) || !std::isfinite(length)) {
+            refuse("the normal of vertex " + std::to_string(v) +
+                   (length == 0 ? " is zero" : " is not finite") +
+                   "; a vertex needs one to know which side it sees");
+        }
+        out.emplace_back(normal / length);
+    }
+    return out;
+}
+
+// Bit i is set where direction i of the bundle stands higher than `least` over the plane of the normal.
+NICOL_MULTIVERSION
+std::uint16_t above(const RayBundle& bundle, const glm::vec3& normal, float least) {
+    std::array<std::uint16_t, RayBundle::kRays> bit{};
+    for (std::size_t i = 0; i < RayBundle::kRays; ++i) {
+        const float sine = normal.x * bundle.x[i] + normal.y * bundle.y[i] + normal.z * bundle.z[i];
+        bit[i] = sine > least ? static_cast<std::uint16_t>(1U << i) : std::uint16_t{0};
+    }
+    std::uint16_t all = 0;
+    for (std::size_t i = 0; i < RayBundle::kRays; ++i) all = static_cast<std::uint16_t>(all | bit[i]);
+    return all;
+}
+
+// What a former bake says of one vertex: its bits, and which bundles of directions to trace again.
+struct Former {
+    std::span<const std::uint64_t> bits;
+    std::span<const std::uint8_t> disturbed;
+};
+
+// Fills the bits of one vertex; returns the number of rays.
+std::uint64_t look_around(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
+                          const glm::vec3& normal, std::size_t vertex, const std::optional<Former>& former,
+                          Visibility& visibility) {
+    const std::span<std::uint64_t> words = visibility.at(vertex);
+    const std::size_t last = directions.bundles().size() - 1;
+    const std::size_t rest = directions.size() - last * RayBundle::kRays;
+    std::uint64_t rays = 0;
+    bool open = true;
+    for (std::size_t b = 0; b <= last; ++b) {
+        const RayBundle& bundle = directions.bundles()[b];
+        const unsigned real = b < last || rest == RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
+        const auto up = static_cast<std::uint16_t>(above(bundle, normal, 0) & real);
+        if (up == 0) continue;
+        std::uint16_t blocked = 0;
+        if (former && former->disturbed[b] == 0) {
+            blocked = static_cast<std::uint16_t>(up & ~(former->bits[b / 4] >> (16 * (b % 4))));
+        } else {
+            const auto asked = static_cast<std::uint16_t>(above(bundle, normal, grazing) & real);
+            if (asked != 0) blocked = scene.occluded(origin, bundle, asked);
+            rays += static_cast<std::uint64_t>(std::popcount(asked));
+        }
+        open = open && blocked == 0;
+        words[b / 4] |= static_cast<std::uint64_t>(up & ~blocked) << (16 * (b % 4));
+    }
+    visibility.set_unoccluded(vertex, open);
+    return rays;
+}
+
+// Where each vertex was in the list of a former bake, or none.
+constexpr std::size_t none = ~std::size_t{0};
+
+std::vector<std::size_t> places_before(const FormerBake& former, std::size_t vertices) {
+    std::vector<std::size_t> places(vertices, none);
+    for (const VertexRun& run : former.kept) {
+        const std::size_t there = run.last - std::min(run.first, run.last) + run.before;
+        if (run.first > run.last || run.last > vertices || there > former.visibility.vertices()) {
+            refuse("vertices " + std::to_string(run.first) + " to " + std::to_string(run.last) +
+                   " are not all in both bakes");
+        }
+        for (std::size_t v = run.first; v < run.last; ++v) places[v] = run.before + (v - run.first);
+    }
+    return places;
+}
+
+}  // namespace
+
+Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, const BakeProgress& progress,
+                BakeStatistics* statistics, const FormerBake* former) {
+    const std::size_t vertices = geometry.positions.size();
+    if (geometry.normals.size() != vertices) {
+        refuse(std::to_string(geometry.normals.size()) + " normals for " + std::to_string(vertices) +
+               " vertices; there must be one for each");
+    }
+    if (former != nullptr && former->visibility.directions() != directions.size()) {
+        refuse("the former bake has " + std::to_string(former->visibility.directions()) +
+               " directions and this one " + std::to_string(directions.size()) + "; they must be the same");
+    }
+    const std::vector<glm::vec3> normals = unit_normals(geometry.normals);
+    const auto tell = [&](std::size_t done) {
+        if (progress)
+            progress(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(vertices, 1)));
+    };
+
+    tell(0);
+    const auto building = std::chrono::steady_clock::now();
+    const RaySurface surface{.positions = geometry.positions, .triangles = geometry.triangles};
+    const RayScene scene({&surface, 1});
+    const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
+    std::vector<std::size_t> before;
+    std::optional<BundleCones> cones;
+    if (former != nullptr) {
+        before = places_before(*former, vertices);
+        cones.emplace(directions);
+    }
+    const double build_milliseconds = milliseconds_since(building);
+
+    const auto tracing = std::chrono::steady_clock::now();
+    Visibility visibility(directions.size(), vertices);
+    std::atomic<std::uint64_t> rays = 0;
+    std::atomic<std::uint64_t> from = 0;
+    const std::size_t chunk = 2 * rays_at_a_time / directions.size();
+    for (std::size_t first = 0; first < vertices; first += chunk) {
+        const std::size_t last = std::min(first + chunk, vertices);
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 4), [&](const auto& range) {
+            std::uint64_t traced = 0;
+            std::uint64_t tracing_vertices = 0;
+            std::vector<std::uint8_t> disturbed(directions.bundles().size());
+            for (std::size_t v = range.begin(); v < range.end(); ++v) {
+                std::optional<Former> known;
+                if (former != nullptr && before[v] != none) {
+                    std::ranges::fill(disturbed, std::uint8_t{0});
+                    for (const Ball& ball : former->disturbances) {
+                        cones->mark(origins[v], normals[v], ball, disturbed);
+                    }
+                    known = {.bits = former->visibility.at(before[v]), .disturbed = disturbed};
+                }
+                const std::uint64_t count =
+                    look_around(scene, directions, origins[v], normals[v], v, known, visibility);
+                traced += count;
+                tracing_vertices += count > 0 ? 1 : 0;
+            }
+            rays += traced;
+            from += tracing_vertices;
+        });
+        tell(last);
+    }
+    if (statistics != nullptr) {
+        *statistics = {.rays = rays,
+                       .vertices = from,
+                       .milliseconds = milliseconds_since(tracing),
+                       .build_milliseconds = build_milliseconds,
+                       .unoccluded = visibility.unoccluded_count(),
+                       .from_cache = false};
+    }
+    return visibility;
+}
+
+}  // namespace nicol

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/bake_origins.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace nicol {
+namespace {
+
+float largest_coordinate(const glm::vec3& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+// The largest coordinate of any triangle at each vertex, or at a vertex in the same place.
+std::vector<float> reaches(const BakeGeometry& geometry) {
+    const std::span<const glm::vec3> positions = geometry.positions;
+    std::vector<float> reach(positions.size());
+    for (std::size_t v = 0; v < reach.size(); ++v) reach[v] = largest_coordinate(positions[v]);
+    for (const glm::uvec3& t : geometry.triangles) {
+        const float largest =
+            std::max({largest_coordinate(positions[t.x]), largest_coordinate(positions[t.y]),
+                      largest_coordinate(positions[t.z])});
+        for (const std::uint32_t v : {t.x, t.y, t.z}) reach[v] = std::max(reach[v], largest);
+    }
+    std::vector<std::uint32_t> sorted(positions.size());
+    std::iota(sorted.begin(), sorted.end(), 0U);
+    const auto place = [&](std::uint32_t v) {
+        return std::array{positions[v].x, positions[v].y, positions[v].z};
+    };
+    std::ranges::sort(sorted, {}, place);
+    for (std::size_t first = 0; first < sorted.size();) {
+        std::size_t last = first;
+        float largest = 0;
+        for (; last < sorted.size() && place(sorted[last]) == place(sorted[first]); ++last) {
+            largest = std::max(largest, reach[sorted[last]]);
+        }
+        for (; first < last; ++first) reach[sorted[first]] = largest;
+    }
+    return reach;
+}
+
+glm::vec3 unit_or_zero(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return length > 0 ? glm::vec3(v / length) : glm::vec3(0);
+}
+
+// The sum of the unit vectors along the edges of each vertex's triangles: inside a surface they cancel.
+std::vector<glm::vec3> inward(const BakeGeometry& geometry) {
+    std::vector<glm::vec3> out(geometry.positions.size(), glm::vec3(0));
+    for (const glm::uvec3& t : geometry.triangles) {
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const std::uint32_t from = t[k];
+            const std::uint32_t to = t[(k + 1) % 3];
+            const glm::vec3 edge =
+                unit_or_zero(glm::dvec3(geometry.positions[to]) - glm::dvec3(geometry.positions[from]));
+            out[from] += edge;
+            out[to] -= edge;
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<glm::vec3> bake_origins(const BakeGeometry& geometry, std::span<const glm::vec3> unit_normals) {
+    const std::vector<float> reach = reaches(geometry);
+    std::vector<glm::vec3> origins = inward(geometry);
+    for (std::size_t v = 0; v < origins.size(); ++v) {
+        const glm::vec3& normal = unit_normals[v];
+        glm::vec3 tangent = origins[v] - glm::dot(origins[v], normal) * normal;
+        const float length = glm::length(tangent);
+        // What is left of edges that cancel points nowhere.
+        tangent = length > 1e-2F ? tangent / length : glm::vec3(0);
+        const float step = std::ldexp(reach[v], -19);
+        origins[v] = geometry.positions[v] + step * (normal + tangent);
+    }
+    return origins;
+}
+
+}  // namespace nicol

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/shadow_grid.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "harmonics/psh.hpp"
+#include "visibility/shadow_grid_kernel.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+using Harmonic = MirrorBasis::Harmonic;
+
+// The integrand has degree 2 (in + out): rows integrate polynomials below twice their count, columns degrees
+// below theirs.
+int rows_for(int order_in, int order_out) {
+    return order_in + order_out + 1;
+}
+std::size_t quarter_for(int order_in, int order_out) {
+    return static_cast<std::size_t>((order_in + order_out) / 2 + 1);
+}
+
+std::vector<Harmonic> even_or_odd(int order, int odd) {
+    std::vector<Harmonic> out;
+    for (int m = -order; m <= order; ++m) {
+        for (int l = std::abs(m); l <= order; ++l) {
+            if ((l + std::abs(m)) % 2 == odd) out.push_back({l, m});
+        }
+    }
+    return out;
+}
+
+ShadowGrid::Component component(const std::vector<SeparatedHarmonic>& harmonics, bool second, double factor,
+                                const UpperRows& rows, bool weighted, std::size_t quarter,
+                                const ShadowGrid::Slots& slots, std::size_t begin) {
+    ShadowGrid::Component out;
+    out.begin = begin;
+    out.harmonics = harmonics.size();
+    for (std::uint32_t h = 0; h < harmonics.size(); ++h) {
+        const int m = harmonics[h].m;
+        const std::uint32_t slot = slots.of(second ? other_trigonometric(m) : m);
+        if (out.runs.empty() || out.runs.back().slot != slot) out.runs.push_back({h, h, slot});
+        ++out.runs.back().last;
+    }
+    for (std::size_t row = 0; row < rows.count(); ++row) {
+        const double solid_angle =
+            weighted ? rows.weight(row) * 2 * pi / (4 * static_cast<double>(quarter)) : 1.0;
+        for (const SeparatedHarmonic& h : harmonics) {
+            out.on_rows.push_back(
+                static_cast<float>(factor * solid_angle * (second ? h.second : h.first)[row]));
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+ShadowGrid::Slots::Slots(int order, std::size_t quarter) {
+    const auto count = static_cast<std::uint32_t>(order);
+    begin = {0, count / 2 + 1, count + 1, count + 1 + count / 2, 2 * count + 1};
+    table.resize(quarter * begin[4]);
+    for (std::size_t column = 0; column < quarter; ++column) {
+        const double phi = 2 * pi * (static_cast<double>(column) + 0.5) / (4 * static_cast<double>(quarter));
+        for (int m = -order; m <= order; ++m) {
+            table[column * begin[4] + of(m)] =
+                static_cast<float>(m < 0 ? std::sin(-m * phi) : std::cos(m * phi));
+        }
+    }
+}
+
+std::uint32_t ShadowGrid::Slots::of(int m) const {
+    const auto degree = static_cast<std::uint32_t>(std::abs(m));
+    if (m >= 0) return begin[degree % 2] + degree / 2;
+    return degree % 2 == 0 ? begin[2] + degree / 2 - 1 : begin[3] + degree / 2;
+}
+
+ShadowGrid::ShadowGrid(int order_in, const MirrorBasis& in, int order_out, const MirrorBasis& out)
+    : rows_(rows_for(order_in, order_out)),
+      quarter_(quarter_for(order_in, order_out)),
+      slots_in_(order_in, quarter_),
+      slots_out_(order_out, quarter_),
+      slots_visibility_(order_in + order_out, quarter_) {
+    add_pairs(in, slots_in_, false, pairs_in_);
+    add_pairs(out, slots_out_, true, pairs_out_);
+    for (const int odd : {0, 1}) {
+        const std::vector<Harmonic> harmonics = even_or_odd(order_in + order_out, odd);
+        const auto part = static_cast<std::size_t>(odd);
+        visibility_[part] = component(separate_scalars(harmonics, rows_), false, 1, rows_, false, quarter_,
+                                      slots_visibility_, 0);
+        for (const Harmonic& h : harmonics) visibility_index_[part].push_back(psh_index(h.l, h.m));
+    }
+}
+
+// The light's s0, s1, s2 and s3. With e and i o for even and odd parts of s1 + i s2, the even part of s1 is
+// that of e and its odd part minus the s2 of o, and so on.
+void ShadowGrid::add_pairs(const MirrorBasis& basis, const Slots& slots, bool weighted,
+                           std::vector<Pair>& pairs) const {
+    const std::vector<SeparatedHarmonic> even = separate_scalars(basis.even(), rows_);
+    const std::vector<SeparatedHarmonic> odd = separate_scalars(basis.odd(), rows_);
+    const auto make = [&](const std::vector<SeparatedHarmonic>& harmonics, bool second, double factor,
+                          std::size_t begin) {
+        return component(harmonics, second, factor, rows_, weighted, quarter_, slots, begin);
+    };
+    const auto add_scalar = [&](std::size_t begin) {
+        pairs.push_back({make(even, false, 1, begin), make(odd, false, 1, begin + even.size())});
+    };
+    add_scalar(0);
+    if (basis.kind() == LightKind::unpolarized) return;
+    const std::vector<SeparatedHarmonic> spin = separate_spins(basis.spin(), rows_);
+    const std::size_t e = basis.spin_begin();
+    const std::size_t o = e + spin.size();
+    pairs.push_back({make(spin, false, 1, e), make(spin, true, -1, o)});
+    pairs.push_back({make(spin, true, 1, e), make(spin, false, 1, o)});
+    if (basis.kind() == LightKind::full) add_scalar(basis.s3_begin());
+}
+
+void ShadowGrid::sample(const Lanes* visibility, Lanes* even, Lanes* odd) const {
+    std::vector<Lanes> coefficients;
+    for (std::size_t part = 0; part < 2; ++part) {
+        Lanes* out = part == 0 ? even : odd;
+        if (out == nullptr) continue;
+        coefficients.clear();
+        for (const std::size_t index : visibility_index_[part]) coefficients.push_back(visibility[index]);
+        for (std::size_t row = 0; row < rows_.count(); ++row) {
+            synthesize_row(visibility_[part], slots_visibility_, row, quarter_, coefficients.data(),
+                           out + 4 * quarter_ * row);
+        }
+    }
+}
+
+void ShadowGrid::multiply(const float* even, const float* odd, const Lanes* in, Lanes* out) const {
+    for (std::size_t p = 0; p < pairs_in_.size(); ++p) {
+        multiply_pair(pairs_in_[p], slots_in_, pairs_out_[p], slots_out_, rows_.count(), quarter_, even, odd,
+                      in, out);
+    }
+}
+
+void ShadowGrid::multiply(const std::int16_t* even, const std::int16_t* odd, const Lanes* in,
+                          Lanes* out) const {
+    for (std::size_t p = 0; p < pairs_in_.size(); ++p) {
+        multiply_pair(pairs_in_[p], slots_in_, pairs_out_[p], slots_out_, rows_.count(), quarter_, even, odd,
+                      in, out);
+    }
+}
+
+}  // namespace nicol

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Products with visibility on a grid of the upper half sphere: Gauss-Legendre rows, uniform columns.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "harmonics/mirror_basis.hpp"
+#include "harmonics/mirror_harmonics.hpp"
+#include "simd/lanes.hpp"
+
+namespace nicol {
+
+/// A real function is its even part plus, on the lower half minus, its odd part. On each row either part is a
+/// sum of cosines and sines of m phi; the columns at phi, -phi, pi - phi and pi + phi share the sums over
+/// even and odd m of either, so that only a quarter turn of columns is summed. Sixteen vertices at once.
+class ShadowGrid {
+public:
+    /// Exact for visibility of order_in + order_out. The bases, of these orders and of one kind, must outlive
+    /// the object.
+    ShadowGrid(int order_in, const MirrorBasis& in, int order_out, const MirrorBasis& out);
+
+    /// Samples of the even part of visibility; the odd part has as many.
+    [[nodiscard]] std::size_t samples() const noexcept { return 4 * quarter_ * rows_.count(); }
+    /// From coefficients over real harmonics, by psh_index, of order_in + order_out. `odd` is null where
+    /// visibility is mirrored. [row][column of the quarter][phi, -phi, pi - phi, pi + phi].
+    void sample(const Lanes* visibility, Lanes* even, Lanes* odd) const;
+
+    /// out = visibility times in, both split lights. `odd` is null where visibility is mirrored.
+    void multiply(const float* even, const float* odd, const Lanes* in, Lanes* out) const;
+    /// The same from numbers that stand for themselves over kFixedOne.
+    void multiply(const std::int16_t* even, const std::int16_t* odd, const Lanes* in, Lanes* out) const;
+
+    /// Sums over m that the four columns share: of cosines of even m, odd m, sines of even m, odd m.
+    struct Slots {
+        explicit Slots(int order, std::size_t quarter);
+        [[nodiscard]] std::uint32_t of(int m) const;
+
+        std::array<std::uint32_t, 5> begin{};  // of each sum, and the end
+        std::vector<float> table;              // [column][slot]
+    };
+    /// Consecutive harmonics that share a slot.
+    struct Run {
+        std::uint32_t first;
+        std::uint32_t last;
+        std::uint32_t slot;
+    };
+    /// One Stokes component of a group of harmonics.
+    struct Component {
+        std::vector<Run> runs;
+        std::vector<float> on_rows;  // [row][harmonic]
+        std::size_t harmonics = 0;
+        std::size_t begin = 0;  // in the split light
+    };
+    /// A function: its even part, its odd part.
+    using Pair = std::array<Component, 2>;
+
+    /// What other processors need to compute the same, where the light goes in and comes out in one order.
+    [[nodiscard]] std::size_t rows() const noexcept { return rows_.count(); }
+    [[nodiscard]] std::size_t columns() const noexcept { return quarter_; }  ///< of the quarter
+    [[nodiscard]] const Slots& slots() const noexcept { return slots_in_; }
+    /// A pair for each Stokes component; of the light that comes out, with the rows' weights.
+    [[nodiscard]] const std::vector<Pair>& pairs_in() const noexcept { return pairs_in_; }
+    [[nodiscard]] const std::vector<Pair>& pairs_out() const noexcept { return pairs_out_; }
+
+private:
+    void add_pairs(const MirrorBasis& basis, const Slots& slots, bool weighted,
+                   std::vector<Pair>& pairs) const;
+
+    UpperRows rows_;
+    std::size_t quarter_;
+    Slots slots_in_;
+    Slots slots_out_;
+    Slots slots_visibility_;
+    std::vector<Pair> pairs_in_;
+    std::vector<Pair> pairs_out_;
+    Pair visibility_;
+    std::vector<std::size_t> visibility_index_[2];  // psh_index of the harmonics of either part
+};
+
+}  // namespace nicol

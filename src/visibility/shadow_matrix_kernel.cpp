@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/shadow_matrix_kernel.hpp"
+
+#include <algorithm>
+
+#include "simd/lane_vector.hpp"
+#include "simd/simd.hpp"
+
+namespace nicol {
+namespace {
+
+// Rows of one tile times Count vectors, and the columns that they are as well. Each number is loaded once for
+// all. Results of the tile's own rows are done with it; those of columns beyond are added to in memory.
+// Returns the end of the tile's numbers.
+template <std::size_t Rows, std::size_t Count, class Number>
+[[gnu::always_inline]] inline const Number* multiply_tile(const Number* matrix, std::size_t size,
+                                                          const Lanes* const* in, Lanes* const* out,
+                                                          std::size_t row, float scale) {
+    LaneVector sum[Rows][Count];
+    LaneVector own[Rows][Count];
+    // Copies, which no store through a pointer can change.
+    const Lanes* from[Count];
+    Lanes* to[Count];
+    for (std::size_t n = 0; n < Count; ++n) {
+        from[n] = in[n];
+        to[n] = out[n];
+    }
+    for (std::size_t n = 0; n < Count; ++n) {
+        for (std::size_t r = 0; r < Rows; ++r) {
+            load(to[n] + row + r, sum[r][n]);
+            load(from[n] + row + r, own[r][n]);
+        }
+    }
+    // An odd number of elements is followed by one that does not count.
+    LaneVector k[kShadowTile];
+    std::size_t element = 0;
+#pragma GCC unroll 4
+    for (std::size_t c = 0; c < Rows; ++c) {
+#pragma GCC unroll 4
+        for (std::size_t r = 0; r <= c; ++r, ++element) {
+            if (element % 2 == 0) {
+                load_pair(matrix, k[0], k[1]);
+                matrix += 2 * kLanes;
+            }
+            for (std::size_t n = 0; n < Count; ++n) {
+                sum[r][n] += k[element % 2] * own[c][n];
+                if (r != c) sum[c][n] += k[element % 2] * own[r][n];
+            }
+        }
+    }
+    // Only the last tile has fewer rows, and no columns beyond.
+    for (std::size_t c = row + Rows; Rows == kShadowTile && c < size; ++c, matrix += Rows * kLanes) {
+        load_pair(matrix, k[0], k[1]);
+        load_pair(matrix + 2 * kLanes, k[2], k[3]);
+        for (std::size_t n = 0; n < Count; ++n) {
+            LaneVector x;
+            LaneVector beyond;
+            load(from[n] + c, x);
+            load(to[n] + c, beyond);
+            for (std::size_t r = 0; r < Rows; ++r) {
+                sum[r][n] += k[r] * x;
+                beyond += k[r] * own[r][n];
+            }
+            store(to[n] + c, beyond);
+        }
+    }
+    for (std::size_t n = 0; n < Count; ++n) {
+        for (std::size_t r = 0; r < Rows; ++r) store(to[n] + row + r, sum[r][n] * scale);
+    }
+    return matrix;
+}
+
+template <std::size_t Count, class Number>
+[[gnu::always_inline]] inline void multiply_all(const Number* matrix, std::size_t size,
+                                                const Lanes* const* in, Lanes* const* out, float scale) {
+    for (std::size_t n = 0; n < Count; ++n) std::fill_n(out[n], size, Lanes{});
+    std::size_t row = 0;
+    for (; row + kShadowTile <= size; row += kShadowTile) {
+        matrix = multiply_tile<kShadowTile, Count>(matrix, size, in, out, row, scale);
+    }
+    static_assert(kShadowTile == 4);
+    if (size - row == 3) multiply_tile<3, Count>(matrix, size, in, out, row, scale);
+    if (size - row == 2) multiply_tile<2, Count>(matrix, size, in, out, row, scale);
+    if (size - row == 1) multiply_tile<1, Count>(matrix, size, in, out, row, scale);
+}
+
+// As many vectors at once as there are registers for: three at most.
+template <class Number>
+[[gnu::always_inline]] inline void multiply_groups(const Number* matrix, std::size_t size,
+                                                   const Lanes* const* in, Lanes* const* out,
+                                                   std::size_t count, float scale) {
+    for (std::size_t n = 0; n < count;) {
+        const std::size_t left = count - n;
+        if (left >= 3) {
+            multiply_all<3>(matrix, size, in + n, out + n, scale);
+            n += 3;
+        } else if (left == 2) {
+            multiply_all<2>(matrix, size, in + n, out + n, scale);
+            n += 2;
+        } else {
+            multiply_all<1>(matrix, size, in + n, out + n, scale);
+            n += 1;
+        }
+    }
+}
+
+NICOL_MULTIVERSION
+void multiply_floats(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                     std::size_t count) {
+    multiply_groups(matrix, size, in, out, count, 1.0F);
+}
+
+NICOL_MULTIVERSION
+void multiply_fixed(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                    std::size_t count) {
+    multiply_groups(matrix, size, in, out, count, 1.0F / kPairedOne);
+}
+
+}  // namespace
+
+std::vector<ShadowElement> shadow_elements(std::size_t size) {
+    std::vector<ShadowElement> elements;
+    for (std::size_t row = 0; row < size; row += kShadowTile) {
+        for (std::size_t column = row; column < size; ++column) {
+            const std::size_t end = std::min(row + kShadowTile, column + 1);
+            for (std::size_t r = row; r < end; ++r) elements.push_back({r, column});
+        }
+    }
+    if (elements.size() % 2 != 0) elements.push_back(elements.back());
+    return elements;
+}
+
+void multiply_shadows(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                      std::size_t count) {
+    multiply_floats(matrix, size, in, out, count);
+}
+
+void multiply_shadows(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
+                      std::size_t count) {
+    multiply_fixed(matrix, size, in, out, count);
+}
+
+}  // namespace nicol

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/visibility_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harmonics/psh.hpp"
+
+namespace nicol {
+
+VisibilityBlocks::VisibilityBlocks(const Visibility& visibility, const VisibilityHarmonics& harmonics)
+    : order_(harmonics.order()),
+      extension_(harmonics.extension()),
+      vertices_(visibility.vertices()),
+      everything_(harmonics.everything().begin(), harmonics.everything().end()) {
+    for (int m = 0; m <= order_; ++m) {
+        for (int l = m; l <= order_; l += steps()) {
+            kept_.push_back(psh_index(l, m));
+            if (m > 0) kept_.push_back(psh_index(l, -m));
+        }
+    }
+    std::uint32_t count = 0;
+    for (std::size_t begin = 0; begin < vertices_; begin += kLanes) {
+        const auto block = visibility.open().subspan(begin, std::min(kLanes, vertices_ - begin));
+        const bool shadowed = std::ranges::any_of(block, [](std::uint8_t v) { return v == 0; });
+        place_.push_back(shadowed ? count++ : open);
+    }
+    numbers_.resize(count * kept_.size());
+}
+
+void VisibilityBlocks::set(std::size_t block, const Lanes* coefficients) {
+    if (place_[block] == open) return;
+    FixedLanes* to = &numbers_[place_[block] * kept_.size()];
+    for (const std::size_t index : kept_) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float number = std::clamp(coefficients[index][i] * kOne, -32767.0F, 32767.0F);
+            to->value[i] = static_cast<std::int16_t>(std::lround(number));
+        }
+        ++to;
+    }
+}
+
+void VisibilityBlocks::take_over(std::size_t block, const VisibilityBlocks& before) {
+    const std::size_t size = kept_.size();
+    std::copy_n(before.numbers_.begin() + static_cast<std::ptrdiff_t>(before.place_[block] * size), size,
+                numbers_.begin() + static_cast<std::ptrdiff_t>(place_[block] * size));
+}
+
+void VisibilityBlocks::expand(std::size_t vertex, std::span<float> out) const {
+    const std::int16_t* from = block(vertex / kLanes);
+    if (from == nullptr) {
+        std::ranges::copy(everything_, out.begin());
+        return;
+    }
+    std::ranges::fill(out, 0.0F);
+    from += vertex % kLanes;
+    for (const std::size_t index : kept_) {
+        out[index] = static_cast<float>(*from) / kOne;
+        from += kLanes;
+    }
+}
+
+void project_block(const VisibilityHarmonics& harmonics, const Visibility& visibility,
+                   std::span<const glm::vec3> normals, std::size_t first, std::size_t count, Lanes* out) {
+    std::vector<float> one(psh_count(harmonics.order()));
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const std::size_t vertex = first + std::min(i, count - 1);
+        if (i < count) harmonics.project(visibility, vertex, normals[vertex], one);
+        for (std::size_t k = 0; k < one.size(); ++k) out[k][i] = one[k];
+    }
+}
+
+}  // namespace nicol

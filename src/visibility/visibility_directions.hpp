@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The directions that visibility is sampled in, the same at every vertex.
+#pragma once
+
+#include <cstddef>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "geometry/ray_scene.hpp"
+
+namespace nicol {
+
+/// Unit directions towards the light, in the world's axes unless rotated, spread evenly over the sphere (a
+/// spherical Fibonacci lattice, one direction a stratum) and sorted so that neighbours in the list are
+/// neighbours on the sphere. Immutable.
+class DirectionSet {
+public:
+    static constexpr int kDefault = 2048;
+    static constexpr int kFewest = 256;
+    static constexpr int kMost = 65536;
+    /// Highest order of harmonics that the weights integrate to rounding: 16, or half the root of the count
+    /// where that is less.
+    static constexpr int kExactOrder = 16;
+
+    /// Throws Error(invalid_argument) for a count outside kFewest..kMost.
+    explicit DirectionSet(int count = kDefault);
+
+    /// The same spread and weights about other axes: the columns of a rotation.
+    [[nodiscard]] DirectionSet rotated(const glm::dmat3& axes) const;
+
+    [[nodiscard]] std::size_t size() const noexcept { return directions_.size(); }
+    [[nodiscard]] std::span<const glm::vec3> directions() const noexcept { return directions_; }
+    /// Solid angles, positive, of sum 4 pi.
+    [[nodiscard]] std::span<const float> weights() const noexcept { return weights_; }
+    /// The same directions in bundles of RayBundle::kRays; the last is filled up with the last direction.
+    [[nodiscard]] std::span<const RayBundle> bundles() const noexcept { return bundles_; }
+
+private:
+    void fill_bundles();
+
+    std::vector<glm::vec3> directions_;
+    std::vector<float> weights_;
+    std::vector<RayBundle> bundles_;
+};
+
+}  // namespace nicol

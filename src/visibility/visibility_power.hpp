@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What shadows do to the spectra of responses.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "visibility/visibility.hpp"
+#include "visibility/visibility_harmonics.hpp"
+
+namespace nicol {
+
+/// The mean power spectrum of the visibility of a scene's vertices, from a sample of them.
+class VisibilityPower {
+public:
+    /// Up to here the spectrum is projected; above, it falls as that of edges does, with the square of l.
+    static constexpr int kOrder = 24;
+
+    VisibilityPower(const Visibility& visibility, const DirectionSet& directions,
+                    std::span<const glm::vec3> normals, HorizonExtension extension);
+
+    /// Of the directions above the horizon, the part that is seen: the mean over the vertices.
+    [[nodiscard]] double fraction() const noexcept { return fraction_; }
+
+    /// Energy by order of a response of this spin (0 or 2) and these energies times the visibility, where
+    /// neither knows of the other's orientation: the mean over all rotations between them. As many orders as
+    /// `response` has; what goes beyond is left out.
+    [[nodiscard]] std::vector<double> shadowed(std::span<const double> response, int spin) const;
+
+private:
+    double fraction_ = 1;
+    std::vector<double> energy_;  // by order, to kOrder
+};
+
+}  // namespace nicol

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+"""Readers of the images that the tests compare."""
+
+import struct
+import zlib
+
+
+def read_png(data):
+    """Width, height and the bytes of an 8-bit image of colours, with alpha where it has that."""
+    if data[:8] != b"\x89PNG\r\n\x1a\n":
+        raise ValueError("no PNG")
+    at, packed, width, height, step = 8, b"", 0, 0, 3
+    while at < len(data):
+        length, kind = struct.unpack_from(">I4s", data, at)
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack_from(">IIBB", data, at + 8)
+            if depth != 8 or colour not in (2, 6):
+                raise ValueError("not 8 bits of R G B")
+            step = 3 if colour == 2 else 4
+        if kind == b"IDAT":
+            packed += data[at + 8 : at + 8 + length]
+        at += length + 12
+    raw, stride, rows, before = zlib.decompress(packed), step * width, [], bytes(step * width)
+    for y in range(height):
+        kind, row = raw[y * (stride + 1)], bytearray(raw[y * (stride + 1) + 1 : (y + 1) * (stride + 1)])
+        for x in range(stride):
+            left = row[x - step] if x >= step else 0
+            above, corner = before[x], before[x - step] if x >= step else 0
+            estimate = left + above - corner
+            paeth = min((left, above, corner), key=lambda v: abs(estimate - v))
+            row[x] = (row[x] + (0, left, above, (left + above) // 2, paeth)[kind]) % 256
+        rows.append(bytes(row))
+        before = rows[-1]
+    return width, height, b"".join(rows)
+
+
+def read_exr(data):
+    """Channel -> floats, row by row, of an uncompressed file of 32-bit floats."""
+    at, names, size = 8, [], (0, 0)
+    while data[at]:
+        end = data.index(b"\0", at)
+        name, at = data[at:end], data.index(b"\0", end + 1) + 1
+        length = struct.unpack_from("<i", data, at)[0]
+        value, at = data[at + 4 : at + 4 + length], at + 4 + length
+        if name == b"channels":
+            while len(value) > 1:
+                channel, value = value.split(b"\0", 1)
+                names.append(channel.decode())
+                value = value[16:]
+        if name == b"dataWindow":
+            window = struct.unpack("<4i", value)
+            size = (window[2] + 1, window[3] + 1)
+    at += 1
+    channels = {name: [] for name in names}
+    for y in range(size[1]):
+        row = struct.unpack_from("<Q", data, at + 8 * y)[0] + 8
+        for index, name in enumerate(names):
+            channels[name] += struct.unpack_from(f"<{size[0]}f", data, row + 4 * size[0] * index)
+    return channels

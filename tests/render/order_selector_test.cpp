@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Orders that are chosen for an error, and the error they then have.
+#include "render/order_selector.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+
+#include "coarse_sphere.hpp"
+#include "error.hpp"
+#include "render/transfer_cache.hpp"
+#include "scene/projection.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr int truth = 16;
+
+/// Power falls with the order, as natural light's does.
+EnvironmentPtr natural_light(bool polarized, int order = truth) {
+    PshVector light(order, 3);
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    for (int c = 0; c < 3; ++c) {
+        light.at(c, 0, 0, 0) = 6;
+        for (int l = 1; l <= order; ++l) {
+            for (int m = -l; m <= l; ++m) {
+                for (int p = 0; p < (polarized && l >= 2 ? 3 : 1); ++p)
+                    light.at(c, l, m, p) = (p == 0 ? 1.0 : 0.4) * std::pow(l, -1.3) * normal(random);
+            }
+        }
+    }
+    return psh_environment(light);
+}
+
+Scene spheres(const MaterialPtr& first, const MaterialPtr& second, const EnvironmentPtr& light) {
+    Scene scene;
+    const auto mesh = test::coarse_sphere(8);
+    scene.add({.mesh = mesh, .material = first, .to_world = glm::translate(glm::dmat4(1), {-1.02, 0, 0})});
+    scene.add({.mesh = mesh, .material = second, .to_world = glm::translate(glm::dmat4(1), {1.02, 0, 0})});
+    scene.set_environment(light, glm::dmat3(1), 1);
+    return scene;
+}
+
+Projection from(const glm::dvec3& eye) {
+    Camera camera;
+    camera.to_world = look_at(eye, {0, 0, 0}, {0, 1, 0});
+    return project(camera, 64, 64);
+}
+
+/// Images of a scene's vertices from some views, by all orders of its light and by those that a tolerance
+/// asks for.
+class Comparison {
+public:
+    Comparison(const Scene& scene, bool shadows) : scene_(scene), shadows_(shadows) {}
+
+    struct Result {
+        double measured = 0;  ///< the largest relative RMSE of s0, s1 and s2
+        Statistics statistics;
+    };
+    /// Vertices count as much as they cover of a image.
+    Result run(double tolerance, HighOrders form) {
+        const RenderOptions all{.shadows = shadows_, .order_low = truth, .order_high = truth, .progress = {}};
+        const RenderOptions chosen{
+            .shadows = shadows_, .high_orders = form, .tolerance = tolerance, .progress = {}};
+        Result result;
+        std::array<double, 3> error{};
+        double scale = 0;
+        for (const glm::dvec3& eye :
+             {glm::dvec3(0, 1, 7), glm::dvec3(6, 2, -2), glm::dvec3(-4, 5, -4), glm::dvec3(1, -6, 2)}) {
+            Statistics unused;
+            exact_.update(scene_, from(eye), all, nullptr, progress_, unused);
+            result.statistics = {};
+            chosen_.update(scene_, from(eye), chosen, nullptr, progress_, result.statistics);
+            const WorldGeometry& geometry = exact_.surfaces().geometry();
+            for (std::size_t v = 0; v < geometry.positions.size(); ++v) {
+                const double seen = glm::dot(glm::dvec3(geometry.normals[v]),
+                                             glm::normalize(eye - glm::dvec3(geometry.positions[v])));
+                if (!(seen > 0)) continue;
+                for (std::size_t c = 0; c < exact_.stokes().size(); ++c) {
+                    const glm::dvec4 a(exact_.stokes()[c][v]);
+                    const glm::dvec4 d = glm::dvec4(chosen_.stokes()[c][v]) - a;
+                    scale += seen * a.x * a.x;
+                    for (int p = 0; p < 3; ++p) error[static_cast<std::size_t>(p)] += seen * d[p] * d[p];
+                }
+            }
+        }
+        result.measured = std::sqrt(std::ranges::max(error) / scale);
+        return result;
+    }
+
+private:
+    const Scene& scene_;
+    bool shadows_;
+    TransferCache exact_{0};
+    TransferCache chosen_{0};
+    Progress::Callback callback_;
+    Progress progress_{callback_};
+};
+
+}  // namespace
+
+TEST_CASE("what a tolerance asks for holds, and not much more is computed") {
+    const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.5, 0.3, 0.1}, .alpha = 0.3});
+    const MaterialPtr glossy = pplastic({.diffuse_reflectance = {0.1}, .alpha = 0.15});
+    for (const bool all : {false, true}) {
+        const Scene scene = spheres(plastic, glossy, natural_light(all));
+        Comparison comparison(scene, all);
+        int cheaper = -1;
+        for (const double tolerance : {0.1, 0.03, 0.01}) {
+            for (const HighOrders form : {HighOrders::none, HighOrders::split}) {
+                CAPTURE(all);
+                CAPTURE(tolerance);
+                const auto [measured, statistics] = comparison.run(tolerance, form);
+                CAPTURE(measured);
+                CAPTURE(statistics.predicted_error);
+                CHECK(statistics.predicted_error <= tolerance);
+                CHECK(measured <= 2 * tolerance);
+                CHECK(measured >= 0.4 * statistics.predicted_error);
+                if (form == HighOrders::split) continue;
+                CHECK(statistics.order == statistics.order_low);
+                CHECK(statistics.order > cheaper);
+                cheaper = statistics.order;
+            }
+        }
+    }
+}
+
+TEST_CASE("diffuse surfaces need few orders, darkness none") {
+    Scene scene = spheres(diffuse({0.5}), diffuse({0.2}), natural_light(false));
+    const auto lit = Comparison(scene, false).run(0.03, HighOrders::split);
+    CHECK(lit.statistics.order <= 2);
+    CHECK(lit.measured <= 0.06);
+    scene.set_environment(nullptr, glm::dmat3(1), 1);
+    const auto dark = Comparison(scene, true).run(0.03, HighOrders::split);
+    CHECK(dark.statistics.order == 0);
+    CHECK(dark.statistics.predicted_error == 0);
+}
+
+TEST_CASE("what cannot be reached is said, and the least error taken") {
+    const Scene scene = spheres(pplastic({.alpha = 0.1}), pplastic({.alpha = 0.1}), natural_light(false, 24));
+    OrderSelector budget;
+    SceneGeometry surfaces;
+    surfaces.update(scene);
+    const WorldGeometry& geometry = surfaces.geometry();
+    const OrderSelector::Shadows none{nullptr, nullptr, 0, HorizonExtension::mirrored};
+    const auto orders = budget.choose(scene, geometry, 1, none, 1e-9, false);
+    CHECK(orders.error > 1e-9);
+    CHECK(orders.low == OrderSelector::kHighestLow);
+    CHECK(budget.choose(scene, geometry, 1, none, 1e-9, true).error < orders.error);
+}
