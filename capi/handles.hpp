@@ -33,7 +33,7 @@ struct Session {
     void* log_user = nullptr;
     std::filesystem::path cache;                    ///< folder of tables; empty: none
     std::uint64_t memory_limit = 0;                 ///< of a scene, bytes; 0: none
-    std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws a image
+    std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws an image
     std::mutex mutex;
     std::atomic<std::thread::id> busy{};  ///< the thread inside a call
 
@@ -113,7 +113,7 @@ struct SceneState {
     bool luminance = false;         // its film asks for one channel
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    std::unique_ptr<Framebuffer> colours;  // drawn into where a image of the luminance is wanted
+    std::unique_ptr<Framebuffer> colours;  // drawn into where an image of the luminance is wanted
 };
 
 /// Every handle: a session, what it stands for, and a count.

@@ -125,7 +125,7 @@ void write_light(const LightSource& light, const FileOptions& options, const pat
         if (options.width != 0)
             refuse("width and height are those of an equirectangular image; a cube map has an edge");
         const int edge = options.edge != 0 ? options.edge : 256;
-        // Its pixels are looked up bilinearly, in a image that is finer.
+        // Its pixels are looked up bilinearly, in an image that is finer.
         write_cube_cross(*stem, ImageLight(light.draw(options, std::clamp(8 * edge, 512, 4096))), edge);
     } else if (file.extension() == ".exr") {
         if (options.edge != 0) refuse("edge is that of a cube map, whose name ends in _s0.exr");

@@ -10,7 +10,7 @@
 
 namespace nicol::capi {
 
-/// Light with the options' scale, not yet rotated: a image or its coefficients.
+/// Light with the options' scale, not yet rotated: an image or its coefficients.
 struct LightSource {
     EnvironmentPtr image;  ///< none for coefficients
     PshVector coefficients;

@@ -80,7 +80,7 @@ FileOptions read_file_options(const nicol_file_options* options) {
 }
 
 void require_no_image_options(const FileOptions& options, const std::string& output) {
-    if (options.width != 0) refuse("width and height are those of a image to write, not of " + output);
+    if (options.width != 0) refuse("width and height are those of an image to write, not of " + output);
     if (options.edge != 0) refuse("edge is that of a cube map to write, not of " + output);
     if (options.physical) refuse("NICOL_FILE_PHYSICAL is for images to write, not for " + output);
 }

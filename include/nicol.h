@@ -17,7 +17,7 @@
  *   World      right-handed, y up, units are the scene's own. Angles of the interface are degrees.
  *   Light      is radiance, linear, per colour channel. A Stokes vector (s0, s1, s2, s3) is seen by the receiver
  *              looking at the source: s1 > 0 along the frame's x, s2 > 0 at +45 degrees from x to y, s3 > 0 right
- *              circular. In a image x points to the image's right and y up, as Mitsuba 3's stokes integrator.
+ *              circular. In an image x points to the image's right and y up, as Mitsuba 3's stokes integrator.
  */
 /* clang-format on */
 #ifndef NICOL_H
@@ -570,7 +570,7 @@ typedef uint32_t nicol_executor;
 #define NICOL_AOV_INSTANCES 8u
 #define NICOL_AOV_ALL 15u
 
-/* Stokes components that a image has; the others are 0. */
+/* Stokes components that an image has; the others are 0. */
 typedef uint32_t nicol_components;
 #define NICOL_COMPONENTS_ALL 0
 #define NICOL_COMPONENTS_S0 1     /* s0 */
@@ -949,7 +949,7 @@ NICOL_API nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer fram
 #define NICOL_PSH_MAX_MATRIX_ORDER 64
 
 /* Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
- * is channels * 4 (order+1)^2. A image counts as the bilinear function between its pixels. As an
+ * is channels * 4 (order+1)^2. An image counts as the bilinear function between its pixels. As an
  * environment, it must be physical: polarization up to s0. */
 NICOL_API nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients,
                                                uint64_t count);
@@ -1116,7 +1116,7 @@ typedef uint32_t nicol_file_kind;
  * of the light. Written into a cache folder: an output that is a folder or ends in '/'. */
 #define NICOL_FILE_MATERIAL_TABLE 6
 
-/* A image's pixels are taken as samples of light that has no orders above `order`, instead of the bilinear
+/* An image's pixels are taken as samples of light that has no orders above `order`, instead of the bilinear
  * function between them: what was written from coefficients comes back as it was. Needs 2 order + 1 columns
  * and rows. */
 #define NICOL_FILE_BAND_LIMITED 1
@@ -1126,11 +1126,11 @@ typedef uint32_t nicol_file_kind;
 
 typedef struct nicol_file_options {
     uint32_t struct_size;
-    int32_t order; /* highest order of coefficients and tables, also of a image where it is given. 0: the
+    int32_t order; /* highest order of coefficients and tables, also of an image where it is given. 0: the
                       file's own where it has one, else 32 for light and 16 for materials; -1: order 0. At
                       most NICOL_PSH_MAX_ORDER for light, NICOL_PSH_MAX_MATRIX_ORDER for materials */
     uint32_t width,
-        height;         /* of a image to write, both or none; height at least 2. 0: a image keeps its
+        height;         /* of an image to write, both or none; height at least 2. 0: an image keeps its
                            size, a cross of edge e gets 8 e columns (4 e above 256); coefficients 512 x
                            257, doubled until there are 4 (order + 1) columns, at most 4096 x 2049.
                            Coefficients lose the orders that fewer than 2 order + 1 columns or rows cannot hold */
@@ -1139,7 +1139,7 @@ typedef struct nicol_file_options {
     double scale;       /* multiplies radiance or reflectance; 0: 1 */
     double rotation[9]; /* turns light with everything in it, row-major; all zeros: identity. Coefficients
                            exactly, images by bilinear interpolation. Of materials: must be zeros */
-    nicol_spectrum wavelengths; /* nm, of spectral files: each channel is that of a image which is nearest,
+    nicol_spectrum wavelengths; /* nm, of spectral files: each channel is that of an image which is nearest,
                                    or linear between those of a material. count 0: every wavelength of a
                                    image; red, green and blue of a measured material */
     uint32_t reserved;          /* 0 */
@@ -1215,7 +1215,7 @@ NICOL_API nicol_result nicol_file_identify(const char* path, nicol_file_kind* ki
 /* options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
  * [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
  * change the report as they would an output; what concerns images to write must be 0; the order limits the
- * energies of a image, and all of coefficients. A image that violates Eq. 70 is described, though it is
+ * energies of an image, and all of coefficients. An image that violates Eq. 70 is described, though it is
  * refused as a light. */
 NICOL_API nicol_result nicol_file_describe_light(const char* path, const nicol_file_options* options,
                                                  nicol_light_report* report, double* energy, uint64_t count);

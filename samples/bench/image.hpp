@@ -36,7 +36,7 @@ struct Truth {
     Image second;
     Mask mask;
 
-    /// Of a image, without the noise of the truth: E[(x - a)(x - b)] is the squared error where a and b are
+    /// Of an image, without the noise of the truth: E[(x - a)(x - b)] is the squared error where a and b are
     /// unbiased and independent. 0 where noise makes it negative.
     [[nodiscard]] StokesErrors errors(const Image& image) const;
     /// Standard deviation of the noise of one of the two.

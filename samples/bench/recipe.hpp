@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a image is made with.
+// What an image is made with.
 #pragma once
 
 #include <nicol.h>

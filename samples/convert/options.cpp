@@ -20,7 +20,7 @@ const char* const usage =
     "\n"
     "      --info                  reports on FILE instead of converting\n"
     "      --json                  that report as JSON\n"
-    "      --order N               highest order of coefficients and tables, and of a image made from "
+    "      --order N               highest order of coefficients and tables, and of an image made from "
     "them;\n"
     "                              default: that of the file, else 32 for light, 16 for materials\n"
     "      --size WxH              pixels of the image to write\n"

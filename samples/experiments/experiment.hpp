@@ -16,7 +16,7 @@ struct Experiment {
 
     /// Prints the claim and whether it holds.
     void claim(bool holds, const std::string& text);
-    /// A image's path under `out`; prints it.
+    /// An image's path under `out`; prints it.
     [[nodiscard]] std::string image(const std::string& name) const;
 };
 

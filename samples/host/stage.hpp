@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the application draws itself: a few triangles, and a quad with a image on it.
+// What the application draws itself: a few triangles, and a quad with an image on it.
 #pragma once
 
 #include "gl.hpp"

@@ -156,7 +156,7 @@ void Connection::render(const Render& render) {
     watch();
 }
 
-/// Nothing is read while a image is made, but the end of the stream tells that nobody waits for it.
+/// Nothing is read while an image is made, but the end of the stream tells that nobody waits for it.
 void Connection::watch() {
     stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
                                 [self = shared_from_this(), job = ticket_->job](const error_code& error) {
@@ -204,7 +204,7 @@ void Connection::answer(const Response& response, bool keep_alive) {
         out->message.set("X-Content-Type-Options", "nosniff");
     }
     for (const auto& [name, value] : response.headers) out->message.set(name, value);
-    // The length of a image that was not made is not known, and a 304 has no content at all.
+    // The length of an image that was not made is not known, and a 304 has no content at all.
     const bool unknown = response.status == 304 || (head && response.content.empty());
     if (!unknown) out->message.content_length(response.content.size());
     if (!head) out->message.body() = {response.content.data(), response.content.size()};

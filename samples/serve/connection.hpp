@@ -58,7 +58,7 @@ private:
     std::optional<Parser> parser_;
     boost::asio::steady_timer deadline_;        ///< of limit()
     std::uint64_t limits_ = 0;                  ///< how many there were
-    std::optional<Dispatcher::Ticket> ticket_;  ///< where a image is under way
+    std::optional<Dispatcher::Ticket> ticket_;  ///< where an image is under way
     std::chrono::steady_clock::time_point asked_;
     bool late_ = false;  ///< the request took too long to arrive
     bool in_request_ = false, draining_ = false;

@@ -96,7 +96,7 @@ std::string Metrics::text(const Gauges& now) const {
     text += worker_lines(now.workers);
     text += head("answer_seconds", "histogram", "From request to answer, of images.");
     text += waited.text("answer_seconds", "");
-    text += head("render_seconds", "histogram", "Work of a image in its worker.");
+    text += head("render_seconds", "histogram", "Work of an image in its worker.");
     text += render_seconds.text("render_seconds", "");
     text += head("verb_seconds", "histogram", "Time of each verb of the renderer where it ran.");
     for (std::size_t i = 0; i < verbs.size(); ++i)

@@ -9,7 +9,7 @@
 
 #include "image_request.hpp"
 
-/// A image of some floats a pixel, [row][column][value].
+/// An image of some floats a pixel, [row][column][value].
 struct FloatImage {
     std::uint32_t width = 0, height = 0, values = 0;
     std::vector<float> data;

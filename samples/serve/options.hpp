@@ -36,7 +36,7 @@ struct Options {
     std::uint32_t result_bytes = 64u << 20u;  ///< of answers kept
     std::uint32_t answer_bytes = 512u
                                  << 20u;  ///< of answers not sent yet, above which new images are refused
-    Seconds max_age{0};        ///< that a client may keep a image without asking; 0: asks each time
+    Seconds max_age{0};        ///< that a client may keep an image without asking; 0: asks each time
     Seconds deadline{15};      ///< for an answer
     Seconds render_limit{10};  ///< for one render, after which its worker counts as hung
     Seconds start_limit{600};  ///< for a worker to be warm

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of a image's URL: one table for validation, for error messages and for the OpenAPI
+// The parameters of an image's URL: one table for validation, for error messages and for the OpenAPI
 // description.
 #pragma once
 

@@ -27,7 +27,7 @@ struct Response {
     std::string_view content = {};
 };
 
-/// A image that has to be made.
+/// An image that has to be made.
 struct Render {
     ImageRequest request;
     std::string tag = {};  ///< its entity tag, quotes included; the same for equal requests
@@ -39,7 +39,7 @@ public:
 
     /// Never throws: what goes wrong is an answer too.
     std::variant<Response, Render> handle(const Request& request);
-    /// The answer to a image's request, once there is one.
+    /// The answer to an image's request, once there is one.
     Response respond(const Render& render, const AnswerPtr& answer);
     Response respond(const Problem& problem) const;
     /// When to come again, in seconds: about when the queue of now is done.

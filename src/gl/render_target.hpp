@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A image to draw into: RGBA32F colour textures and an optional depth buffer.
+// An image to draw into: RGBA32F colour textures and an optional depth buffer.
 #pragma once
 
 #include <glm/vec4.hpp>

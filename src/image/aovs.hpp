@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the surfaces of a image are, pixel by pixel.
+// What the surfaces of an image are, pixel by pixel.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ struct Aovs {
     std::vector<std::uint32_t> instances;
 
     Aovs() = default;
-    /// These planes (bits of AovBit) of a image without surfaces.
+    /// These planes (bits of AovBit) of an image without surfaces.
     Aovs(int width, int height, std::uint32_t planes);
 
     [[nodiscard]] std::uint32_t planes() const noexcept;

@@ -35,7 +35,7 @@ std::size_t offset(const StokesImage& image, int channel, int y, int x) {
     if (channel < 0 || channel >= image.channels || y < 0 || y >= image.height || x < 0 || x >= image.width)
         throw Error(ErrorCode::invalid_argument, "channel " + std::to_string(channel) + ", y " +
                                                      std::to_string(y) + ", x " + std::to_string(x) +
-                                                     " lies outside a image of " +
+                                                     " lies outside an image of " +
                                                      size_text(image.width, image.height, image.channels));
     const auto width = static_cast<std::size_t>(image.width);
     const auto height = static_cast<std::size_t>(image.height);

@@ -13,7 +13,7 @@
 
 namespace nicol {
 
-/// Most pixels (width times height) a image may have, and its longest side. A file that claims more is
+/// Most pixels (width times height) an image may have, and its longest side. A file that claims more is
 /// refused before anything of that size is allocated.
 inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 26;
 inline constexpr int kMaxImageSide = 32768;
@@ -46,7 +46,7 @@ struct StokesImage {
     /// Throws Error(invalid_argument) naming `what` unless the sizes are in range, `data` has channels *
     /// height
     /// * width * 4 elements, and `wavelengths` is empty or has one finite value > 0 a channel. Every function
-    /// of the library that takes a image calls it.
+    /// of the library that takes an image calls it.
     void check(const char* what) const;
 };
 

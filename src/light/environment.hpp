@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Environment light: what comes from infinity, as radiance, as a image and as PSH coefficients.
+// Environment light: what comes from infinity, as radiance, as an image and as PSH coefficients.
 #pragma once
 
 #include <cstddef>
@@ -106,7 +106,7 @@ void write_environment(const std::filesystem::path& path, const Environment& env
 /// than 1 and 4, and values == nullptr.
 [[nodiscard]] EnvironmentPtr image_environment(const EquirectView& view, double scale = 1);
 
-/// Coefficients of image_environment(view), which is not made: a image without negative pixels is read
+/// Coefficients of image_environment(view), which is not made: an image without negative pixels is read
 /// where it lies. Throws as image_environment(view) and Environment::project().
 [[nodiscard]] PshVector project_image(const EquirectView& view, int order);
 
@@ -133,7 +133,7 @@ void write_environment(const std::filesystem::path& path, const Environment& env
 /// Preetham et al. (1999), scaled so that the mean luminance over the upper half is 1, times `radiance`.
 /// Three channels get linear sRGB (clipped below 0), any other number the luminance in each. Up is +y. Below
 /// the horizon lies a ground that reflects ground_albedo of the irradiance of each channel, unpolarized and
-/// the same everywhere. It is a image of 1024 x 513 pixels with all that image_environment() says.
+/// the same everywhere. It is an image of 1024 x 513 pixels with all that image_environment() says.
 struct RayleighSky {
     glm::dvec3 sun_direction{0, 1, 0};      ///< towards the sun, any length but 0; y >= 0 with turbidity
     double dop_max = 0.8;                   ///< 0..1, reached 90 degrees from the sun

@@ -24,7 +24,7 @@ void check_radiance(const char* what, const std::vector<double>& radiance);
 /// each of the channels.
 void check_wavelengths(const char* what, const std::vector<double>& wavelengths, int channels);
 
-/// What a image that can be light holds.
+/// What an image that can be light holds.
 struct ImageContents {
     bool linear = false;    ///< some s1 or s2 is not 0
     bool circular = false;  ///< some s3 is not 0
@@ -45,7 +45,7 @@ struct ImageContents {
 /// Throws Error(invalid_argument) naming `what` unless scale is finite and >= 0.
 void check_scale(const std::string& what, double scale);
 
-/// A view of all of a image.
+/// A view of all of an image.
 [[nodiscard]] EquirectView view_of(const StokesImage& image);
 
 /// image_environment() whose errors about the image have this code and begin with `name`.

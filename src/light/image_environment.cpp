@@ -107,7 +107,7 @@ void check_view(const EquirectView& view) {
     if (!in_range ||
         static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) > kMaxImagePixels)
         invalid(std::to_string(view.width) + " x " + std::to_string(view.height) + " pixels in " +
-                std::to_string(view.channels) + " channels; a image has at most " +
+                std::to_string(view.channels) + " channels; an image has at most " +
                 std::to_string(kMaxImageSide) + " a side, " + std::to_string(kMaxImagePixels) +
                 " in all, and at least one channel");
 }

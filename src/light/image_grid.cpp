@@ -81,7 +81,7 @@ PshVector project_samples_of(const EquirectImage& image, int order) {
     const int needed = 2 * order + 1;
     if (image.width < needed || image.height < needed)
         throw Error(ErrorCode::invalid_argument,
-                    "a image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                    "an image of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                         " pixels cannot hold order " + std::to_string(order) + " as samples; that needs " +
                         std::to_string(needed) + " columns and rows");
     return rotated(ImageGrid(order, image.width, image.height).analyze(image), equirect_axes());

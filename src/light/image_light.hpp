@@ -11,7 +11,7 @@ namespace nicol {
 /// interpolated before they are turned into the frame of the direction.
 [[nodiscard]] Stokes look_up(const EquirectView& view, int channel, const glm::dvec3& towards_light);
 
-/// A image as light, taken as it is: values need not be physical.
+/// An image as light, taken as it is: values need not be physical.
 class ImageLight final : public Environment {
 public:
     explicit ImageLight(EquirectImage image);

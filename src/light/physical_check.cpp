@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a image can be light at all (Eq. 70): a quick look, and a thorough one where that leaves doubts.
+// Whether an image can be light at all (Eq. 70): a quick look, and a thorough one where that leaves doubts.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 

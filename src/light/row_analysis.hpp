@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The step along the rows of a image.
+// The step along the rows of an image.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sky with haze, as a image: Perez's radiance, Rayleigh's polarization, and a ground below.
+// A sky with haze, as an image: Perez's radiance, Rayleigh's polarization, and a ground below.
 #include "light/turbid_sky.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the light of a image is received, and the frames it is measured in.
+// Where the light of an image is received, and the frames it is measured in.
 #pragma once
 
 #include <glm/geometric.hpp>

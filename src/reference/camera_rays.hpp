@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rays of a image.
+// The rays of an image.
 #pragma once
 
 #include "geometry/ray_scene.hpp"
@@ -7,7 +7,7 @@
 
 namespace nicol {
 
-/// Rays through a image of width x height pixels, between the clip planes of the projection.
+/// Rays through an image of width x height pixels, between the clip planes of the projection.
 class CameraRays {
 public:
     CameraRays(const Projection& projection, int width, int height);

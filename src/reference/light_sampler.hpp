@@ -35,7 +35,7 @@ private:
         double ul, ur, ll, lr;
     };
     [[nodiscard]] Corners corners(int row, int column) const;
-    /// sin^2 of half the zenith angle of a image row: linear in solid angle, exact near the zenith.
+    /// sin^2 of half the zenith angle of an image row: linear in solid angle, exact near the zenith.
     [[nodiscard]] double depth(int row) const;
 
     int width_, height_;

@@ -186,7 +186,7 @@ StokesImage render_reference(const Scene& scene, const Projection& projection, i
         return image;
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::out_of_memory,
-                    "not enough memory for the scene's triangles, its light and a image of " +
+                    "not enough memory for the scene's triangles, its light and an image of " +
                         std::to_string(width) + " x " + std::to_string(height));
     }
 }

@@ -39,7 +39,7 @@ public:
     /// They, in memory, read back on first use after a render.
     [[nodiscard]] const Aovs& surfaces();
 
-    /// Takes a image that was made without drawing, and the planes of its surfaces. Throws
+    /// Takes an image that was made without drawing, and the planes of its surfaces. Throws
     /// Error(invalid_argument) unless they have this size and these channels.
     void show(StokesImage image, const Statistics& statistics, Aovs surfaces = {});
 

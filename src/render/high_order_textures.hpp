@@ -29,7 +29,7 @@ public:
 
     explicit HighOrderTextures(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Copies a image's channels of the maps and factors, as far as changes make it necessary.
+    /// Copies an image's channels of the maps and factors, as far as changes make it necessary.
     void update(const HighOrderTransfer& transfer, int channels);
 
     /// Of a material that the last update() saw.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The orders that a image needs for an error that is asked for.
+// The orders that an image needs for an error that is asked for.
 #pragma once
 
 #include <array>

@@ -34,7 +34,7 @@ private:
     // Null for threads.
     [[nodiscard]] ComputeExecutor* device_for(Executor executor);
 
-    // What a image was made of; where all of it is the same, so is the image.
+    // What an image was made of; where all of it is the same, so is the image.
     struct Made {
         std::uint64_t content;   // of the framebuffer
         std::uint64_t geometry;  // revisions of the scene

@@ -66,7 +66,7 @@ struct Comparison {
 };
 
 bool inside(const Observation& image, std::uint32_t x, std::uint32_t y) {
-    const double half = image.width / 2.0;  // the sphere of radius 1 in a image of half width 1.25
+    const double half = image.width / 2.0;  // the sphere of radius 1 in an image of half width 1.25
     return 1.25 * std::hypot(x + 0.5 - half, y + 0.5 - half) / half < 0.97;
 }
 
@@ -150,7 +150,7 @@ TEST_CASE("a sphere under constant light is Mitsuba 3's, in every Stokes compone
     }
 }
 
-TEST_CASE("a sphere under a image of light differs from Mitsuba 3's by the truncation alone") {
+TEST_CASE("a sphere under an image of light differs from Mitsuba 3's by the truncation alone") {
     if (!std::filesystem::exists(data_folder() + "sphere_env.xml")) {
         MESSAGE("skipped: NICOL_TEST_DATA has no mitsuba/sphere_env.xml");
         return;

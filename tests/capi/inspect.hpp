@@ -68,7 +68,7 @@ inline nicol_light_report light_report_of(const std::string& path,
     return report;
 }
 
-/// The sky of psh_sky.hpp as a image file.
+/// The sky of psh_sky.hpp as an image file.
 inline void write_sky(const std::string& path, std::uint32_t width, std::uint32_t height) {
     const std::vector<float> pixels = sky_image(width, height, 1);
     nicol::StokesImage image(static_cast<int>(width), static_cast<int>(height), 1);

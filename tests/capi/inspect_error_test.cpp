@@ -85,7 +85,7 @@ TEST_CASE("inspect: files that are no light") {
         }
     }
     CHECK(r.channels == 0);
-    // One pixel is a image, but no light.
+    // One pixel is an image, but no light.
     nicol::write_exr(folder.file("one.exr"), nicol::StokesImage(1, 1, 1));
     FAILS(nicol_file_describe_light(folder.file("one.exr").c_str(), nullptr, &r, nullptr, 0),
           NICOL_ERROR_INVALID_FILE, "2 x 2");

@@ -79,7 +79,7 @@ TEST_CASE("inspect: light without high orders survives images in both directions
     }
 }
 
-TEST_CASE("inspect: a image of coefficients shows the field where nicol_image says it is") {
+TEST_CASE("inspect: an image of coefficients shows the field where nicol_image says it is") {
     const Folder folder;
     write_sky(folder.file("sky.exr"), 128, 65);
     convert(folder.file("sky.exr"), folder.file("sky.npz"), of_order(2, NICOL_FILE_BAND_LIMITED));
@@ -95,7 +95,7 @@ TEST_CASE("inspect: a image of coefficients shows the field where nicol_image sa
     for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(std::abs(image.data[i] - wanted[i]) < 1e-6F);
 }
 
-TEST_CASE("inspect: a image of unpolarized coefficients has no polarized channels") {
+TEST_CASE("inspect: an image of unpolarized coefficients has no polarized channels") {
     const Folder folder;
     std::mt19937 random(9);
     Doubles field = random_light(random, 6, 1);
@@ -107,7 +107,7 @@ TEST_CASE("inspect: a image of unpolarized coefficients has no polarized channel
     CHECK(bytes_of(folder.file("f.exr")).find("S1.Y") == std::string::npos);
 }
 
-TEST_CASE("inspect: a image gets another size") {
+TEST_CASE("inspect: an image gets another size") {
     const Folder folder;
     write_sky(folder.file("sky.exr"), 256, 129);
     for (const auto& [width, height] : {std::pair(64U, 33U), std::pair(100U, 200U), std::pair(512U, 257U)}) {

@@ -151,7 +151,7 @@ TEST_CASE("through a hole the inside of a surface is black, and is seen where it
     CHECK(middle(studio.image(open_cube())) > 0.01F);
 }
 
-TEST_CASE("normals against their faces make a image all the same") {
+TEST_CASE("normals against their faces make an image all the same") {
     const Studio studio;
     Arrays inverted = corner();
     for (float& n : inverted.normals) n = -n;

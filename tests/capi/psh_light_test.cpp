@@ -5,7 +5,7 @@
 
 using namespace capi_test;
 
-TEST_CASE("psh: a image of one radiance has one coefficient") {
+TEST_CASE("psh: an image of one radiance has one coefficient") {
     const std::vector<float> pixels(16 * 9 * 2, 3.0F);
     const nicol_image image = image_of(pixels, 16, 9, 2, 1);
     Doubles f(2 * vector_size(4), -1);
@@ -24,7 +24,7 @@ TEST_CASE("psh: light from above propagates downwards") {
     CHECK(std::abs(value(12, f.data(), {0, 1, 0})[0]) < 0.2);
 }
 
-TEST_CASE("psh: a image of a polarized sky is that sky, in every channel") {
+TEST_CASE("psh: an image of a polarized sky is that sky, in every channel") {
     const std::vector<float> pixels = sky_image(512, 257, 3);
     const nicol_image image = image_of(pixels, 512, 257, 3);
     for (const std::uint32_t order : {2U, 6U}) {
@@ -38,7 +38,7 @@ TEST_CASE("psh: a image of a polarized sky is that sky, in every channel") {
     }
 }
 
-TEST_CASE("psh: a image is released once, on success and on failure") {
+TEST_CASE("psh: an image is released once, on success and on failure") {
     const std::vector<float> pixels(16, 1.0F);
     nicol_image image = image_of(pixels, 4, 4, 1, 1);
     int released = 0;

@@ -31,7 +31,7 @@ inline double difference_from_sky(std::uint32_t order, const double* field) {
     return largest;
 }
 
-/// The sky as a image [row][column][channel][4], each channel a multiple: 1, 2, ...
+/// The sky as an image [row][column][channel][4], each channel a multiple: 1, 2, ...
 inline std::vector<float> sky_image(std::uint32_t width, std::uint32_t height, std::uint32_t channels) {
     std::vector<float> pixels;
     for (std::uint32_t row = 0; row < height; ++row)

@@ -55,7 +55,7 @@ constexpr std::uint32_t one_triangle[] = {0, 1, 2};
 // Counter-clockwise with y up; covers the upper left half of the image.
 const std::array<Vertex, 3> upper_left{vertex(-1, 1), vertex(-1, -1), vertex(1, 1)};
 
-/// Both attachments of a image whose upper left half is covered.
+/// Both attachments of an image whose upper left half is covered.
 std::array<std::vector<float>, 2> upper_left_image(const std::shared_ptr<Context>& context, int width,
                                                    int height) {
     return context->run([&] {

@@ -141,7 +141,7 @@ TEST_CASE("filters and wraps do what they are named") {
     on_every_backend([](const std::shared_ptr<Context>& context) {
         context->run([&] {
             const std::array<float, 8> texels{0, 0, 0, 0, 1, 1, 1, 1};  // two texels, x to the right
-            // A image of 8 pixels over coordinates 0 .. 2: the second half is beyond the edge.
+            // An image of 8 pixels over coordinates 0 .. 2: the second half is beyond the edge.
             const Define scale{"SCALE", "vec2(2.0, 1.0)"};
             const Program program = Program::graphics(context, embedded_shader("fullscreen.vert"),
                                                       test_shader("gather.frag"), {&scale, 1});

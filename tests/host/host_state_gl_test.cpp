@@ -25,7 +25,7 @@ GLuint program_of(const GladGLContext& gl) {
     return program;
 }
 
-/// Nothing as a fresh context has it; most of it would spoil a image drawn with it.
+/// Nothing as a fresh context has it; most of it would spoil an image drawn with it.
 void disarrange(const GladGLContext& gl, bool compatibility) {
     if (compatibility) {
         gl.Enable(0x0BC0);               // GL_ALPHA_TEST

@@ -173,7 +173,7 @@ TEST_CASE("deep data is refused") {
         ErrorCode::unsupported, [&] { (void)read_exr(folder / "a.exr"); }, "a.exr", "deep");
 }
 
-TEST_CASE("random damage is an error or a image, never a crash") {
+TEST_CASE("random damage is an error or an image, never a crash") {
     const TemporaryFolder folder;
     write_exr(folder / "whole.exr", some_image());
     const std::string bytes = file_bytes(folder / "whole.exr");

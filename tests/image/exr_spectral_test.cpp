@@ -148,7 +148,7 @@ TEST_CASE("spectral files that lack or repeat something are refused") {
         ErrorCode::invalid_argument, [&] { (void)read_exr(file, three); }, "no wavelengths");
 }
 
-TEST_CASE("wavelengths of a image that make no sense are refused") {
+TEST_CASE("wavelengths of an image that make no sense are refused") {
     const TemporaryFolder folder;
     StokesImage image(2, 2, 3);
     for (const std::vector<double>& wrong : {std::vector<double>{500},

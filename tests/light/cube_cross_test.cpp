@@ -214,7 +214,7 @@ TEST_CASE("sets of files that do not fit together are refused by name") {
     check_error(
         ErrorCode::invalid_argument, [&] { (void)load_environment(folder / "a_s0.exr", 1, wavelengths); },
         "spectral");
-    // A image whose name only looks alike.
+    // An image whose name only looks alike.
     write_exr(folder / "s0.exr", StokesImage(4, 3, 1));
     CHECK(load_environment(folder / "s0.exr")->channels() == 1);
 }

@@ -26,7 +26,7 @@ inline glm::dmat3 some_rotation(unsigned seed) {
     return nicol::frame_with_x(d[0], d[1]);
 }
 
-/// The direction towards the light of a image position, written out from the definition of EquirectImage.
+/// The direction towards the light of an image position, written out from the definition of EquirectImage.
 inline glm::dvec3 towards(double u, double v) {
     const double pi = std::numbers::pi;
     return {std::sin(2 * pi * u) * std::sin(pi * v), std::cos(pi * v),

@@ -160,7 +160,7 @@ TEST_CASE("negative unpolarized pixels become 0 unless they are much of the ligh
         ErrorCode::invalid_argument, [&] { (void)image_environment(dark); }, "pixel (3, 2)", "s0 < 0");
 }
 
-TEST_CASE("the quick look at a image overlooks nothing in any column") {
+TEST_CASE("the quick look at an image overlooks nothing in any column") {
     for (const int width : {2, 3, 4, 5, 8, 11}) {
         const EquirectImage good = random_image(width, 3, 2, 8);
         CHECK_NOTHROW((void)image_environment(good));

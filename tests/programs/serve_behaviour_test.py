@@ -24,7 +24,7 @@ class Caching(ServeTest):
         for value in (tag, f'"x", {tag}', "*", "W/" + tag):
             again = self.server.get(IMAGE + "&azimuth=361"[:-3] + "1", If_None_Match=value)
             self.assertEqual((again.status, again.body, again.headers["etag"]), (304, b"", tag))
-        # Nor does a image that was never asked for have to be made.
+        # Nor does an image that was never asked for have to be made.
         head = self.server.get(IMAGE + "&azimuth=99", method="HEAD")
         self.assertEqual((head.status, head.body), (200, b""))
         self.assertEqual(self.server.get(IMAGE + "&azimuth=99", If_None_Match=head.headers["etag"]).status, 304)

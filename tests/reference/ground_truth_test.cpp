@@ -155,7 +155,7 @@ void check(const MitsubaScene& s, const fs::path& truth_file, int samples) {
 
 }  // namespace
 
-TEST_CASE("a sphere under a image of light is Mitsuba 3's, but for noise") {
+TEST_CASE("a sphere under an image of light is Mitsuba 3's, but for noise") {
     const fs::path data = data_folder();
     const fs::path truth = data / "mitsuba/sphere_env_a03.exr";
     if (!fs::exists(truth)) {

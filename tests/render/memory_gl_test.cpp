@@ -93,7 +93,7 @@ TEST_CASE("changes of scene, light, camera and options give back what they no lo
     });
 }
 
-TEST_CASE("a image of another size costs its own size alone") {
+TEST_CASE("an image of another size costs its own size alone") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Scene scene;
         scene.add({.mesh = test::coarse_sphere(4), .material = diffuse({0.5})});

@@ -61,7 +61,7 @@ public:
         double measured = 0;  ///< the largest relative RMSE of s0, s1 and s2
         Statistics statistics;
     };
-    /// Vertices count as much as they cover of a image.
+    /// Vertices count as much as they cover of an image.
     Result run(double tolerance, HighOrders form) {
         const RenderOptions all{.shadows = shadows_, .order_low = truth, .order_high = truth, .progress = {}};
         const RenderOptions chosen{

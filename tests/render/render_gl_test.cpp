@@ -273,7 +273,7 @@ TEST_CASE("only what a change makes necessary runs again") {
     CHECK(largest_difference(image, target.image()) > 0.1F);
 }
 
-TEST_CASE("a image shown in a framebuffer is in memory and on the device") {
+TEST_CASE("an image shown in a framebuffer is in memory and on the device") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         constexpr int channels = Framebuffer::kGroup + 2;
         Framebuffer target(context, 5, 3, channels);

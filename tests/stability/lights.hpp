@@ -12,7 +12,7 @@ namespace nicol::test {
 
 using Lights = std::map<std::string, PshVector>;
 
-/// A image of `background` with one pixel of `pixel` in it.
+/// An image of `background` with one pixel of `pixel` in it.
 inline EnvironmentPtr hot_pixel(const Stokes& background, const Stokes& pixel) {
     EquirectImage image(64, 33, 3);
     for (std::size_t i = 0; i < image.data.size(); ++i)

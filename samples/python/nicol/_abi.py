@@ -811,9 +811,9 @@ class Scene(Handle):
         check(_scene_set_environment(self, environment, array(to_world, c_double, 16), scale))
 
     def get_environment(self):
-        """What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is rotated
-        and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment
-        is NULL, to_world the identity and scale 1."""
+        """What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is
+        rotated and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0,
+        *environment is NULL, to_world the identity and scale 1."""
         environment = Environment()
         to_world = (c_double * 16)()
         scale = c_double()
@@ -1026,7 +1026,7 @@ def render_async(scene, camera, options, framebuffer):
 
 def psh_project_image(image, order, coefficients):
     """Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
-    is channels * 4 (order+1)^2. A image counts as the bilinear function between its pixels. As an
+    is channels * 4 (order+1)^2. An image counts as the bilinear function between its pixels. As an
     environment, it must be physical: polarization up to s0."""
     image = lend(image)
     coefficients = Buffer(coefficients, c_double, writable=True)
@@ -1171,7 +1171,7 @@ def file_describe_light(path, options, energy=None):
     """options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
     [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
     change the report as they would an output; what concerns images to write must be 0; the order limits the
-    energies of a image, and all of coefficients. A image that violates Eq. 70 is described, though it is
+    energies of an image, and all of coefficients. An image that violates Eq. 70 is described, though it is
     refused as a light."""
     report = LightReport()
     energy = Buffer(energy, c_double, writable=True)

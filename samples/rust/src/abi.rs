@@ -1299,9 +1299,9 @@ extern "C" {
     /// environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
     /// one), scale multiplies (0: 1; finite, not negative).
     pub fn nicol_scene_set_environment(scene: nicol_scene, environment: nicol_environment, to_world: *const [f64; 16], scale: f64) -> nicol_result;
-    /// What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is rotated
-    /// and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment
-    /// is NULL, to_world the identity and scale 1.
+    /// What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is
+    /// rotated and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0,
+    /// *environment is NULL, to_world the identity and scale 1.
     pub fn nicol_scene_get_environment(scene: nicol_scene, environment: *mut nicol_environment, to_world: *mut [f64; 16], scale: *mut f64) -> nicol_result;
     /// What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
@@ -1376,7 +1376,7 @@ extern "C" {
     /// 1 here, since nothing is read back.
     pub fn nicol_framebuffer_draw_observation(framebuffer: nicol_framebuffer, image: *const nicol_observation, target: *const nicol_texture_target) -> nicol_result;
     /// Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
-    /// is channels * 4 (order+1)^2. A image counts as the bilinear function between its pixels. As an
+    /// is channels * 4 (order+1)^2. An image counts as the bilinear function between its pixels. As an
     /// environment, it must be physical: polarization up to s0.
     pub fn nicol_psh_project_image(image: *const nicol_image, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
     pub fn nicol_psh_project_environment(environment: nicol_environment, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
@@ -1430,7 +1430,7 @@ extern "C" {
     /// options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets
     /// [channel][l][p], 4 (order + 1) a channel: squares of the coefficients summed over m. Scale and rotation
     /// change the report as they would an output; what concerns images to write must be 0; the order limits the
-    /// energies of a image, and all of coefficients. A image that violates Eq. 70 is described, though it is
+    /// energies of an image, and all of coefficients. An image that violates Eq. 70 is described, though it is
     /// refused as a light.
     pub fn nicol_file_describe_light(path: *const c_char, options: *const nicol_file_options, report: *mut nicol_light_report, energy: *mut f64, count: u64) -> nicol_result;
     /// energy: [channel][l], order + 1 a channel: squares of the matrix' entries between orders of which the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A image of Stokes vectors as the service sends it: half precision, [channel][row][column][4].
+// An image of Stokes vectors as the service sends it: half precision, [channel][row][column][4].
 
 const numbers = new Float32Array(65536);
 for (let bits = 0; bits < 65536; ++bits) {
