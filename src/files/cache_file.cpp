@@ -79,7 +79,8 @@ std::string CacheFile::write(std::span<const std::span<const unsigned char>> par
         std::fwrite(header_.data(), 1, header_.size(), out.handle());
         for (const auto& part : parts) {
             hash.add(part);
-            std::fwrite(part.data(), 1, part.size(), out.handle());
+            // fwrite() takes no null pointer, which an empty part may have.
+            if (!part.empty()) std::fwrite(part.data(), 1, part.size(), out.handle());
         }
         const std::string stored = hash.text();
         std::fwrite(stored.data(), 1, stored.size(), out.handle());

@@ -62,7 +62,7 @@ int use_header(void) {
     nicol_instance instance = NICOL_INSTANCE_INIT;
     nicol_render_options render_options = NICOL_RENDER_OPTIONS_INIT;
     nicol_statistics statistics = NICOL_STATISTICS_INIT;
-    nicol_observation image = NICOL_OBSERVATION_INIT;
+    nicol_observation observation = NICOL_OBSERVATION_INIT;
     nicol_psh_sampling sampling = NICOL_PSH_SAMPLING_INIT;
     nicol_psh_mueller_field field = NICOL_PSH_MUELLER_FIELD_INIT;
     nicol_file_options file_options = NICOL_FILE_OPTIONS_INIT;
@@ -91,7 +91,7 @@ int use_header(void) {
     if (context_options.struct_size != sizeof context_options || image.struct_size != sizeof image) return 2;
     if (sky.struct_size != sizeof sky || pplastic.struct_size != sizeof pplastic) return 3;
     if (mesh_data.struct_size != sizeof mesh_data || instance.struct_size != sizeof instance) return 4;
-    if (statistics.struct_size != sizeof statistics || image.struct_size != sizeof image) return 5;
+    if (statistics.struct_size != sizeof statistics || observation.struct_size != sizeof observation) return 5;
     if (sampling.struct_size != sizeof sampling || field.struct_size != sizeof field) return 9;
     if (conductor.struct_size != sizeof conductor || measured.struct_size != sizeof measured) return 10;
     if (function.struct_size != sizeof function || load_options.struct_size != sizeof load_options) return 11;

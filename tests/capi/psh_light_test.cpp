@@ -74,8 +74,8 @@ TEST_CASE("psh: a file is the image in it") {
     OK(nicol_psh_project_file(path.c_str(), 5, &channels, of_file.data(), of_file.size()));
     CHECK(channels == 3);
     OK(nicol_psh_project_file(path.c_str(), 5, nullptr, of_file.data(), of_file.size()));
-    const nicol_image image = image_of(pixels, 32, 17, 3);
-    OK(nicol_psh_project_image(&image, 5, of_image.data(), of_image.size()));
+    const nicol_image in_memory = image_of(pixels, 32, 17, 3);
+    OK(nicol_psh_project_image(&in_memory, 5, of_image.data(), of_image.size()));
     CHECK(of_file == of_image);
 
     const Doubles before = of_file;
