@@ -127,9 +127,9 @@ TEST_CASE("the sky's image has the image's frames and positions") {
     }
     // The image, taken as an environment, is the same light up to its resolution.
     const auto sky = rayleigh_sky({.sun_direction = {1, 0.4, 0.7}, .radiance = {1, 2}});
-    const auto image = image_environment(sky->image());
+    const auto sampled = image_environment(sky->image());
     for (const glm::dvec3& w : random_directions(50, 5))
-        CHECK(glm::length(sky->radiance(1, w) - image->radiance(1, w)) < 1e-3);
+        CHECK(glm::length(sky->radiance(1, w) - sampled->radiance(1, w)) < 1e-3);
 }
 
 TEST_CASE("analytic light is smooth and finite at its special directions") {

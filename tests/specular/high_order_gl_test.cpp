@@ -16,10 +16,10 @@
 #include "material/conductor.hpp"
 #include "specular/convolution_kernel.hpp"
 #include "specular/high_order_light.hpp"
-#include "transfer/high_order_scene.hpp"
+#include "specular/high_order_scene.hpp"
 
 namespace nicol::gl {
-[[nodiscard]] std::span<const ShaderSource> transfer_test_shaders();
+[[nodiscard]] std::span<const ShaderSource> specular_test_shaders();
 }
 
 using namespace nicol;
@@ -96,7 +96,7 @@ void compare(const std::shared_ptr<Context>& context, const HighOrderFactors& fa
     std::vector<Define> defines{{"CHANNELS", std::to_string(channels)}};
     if (polarized) defines.push_back({"HIGH_ORDER_POLARIZED"});
     Program program =
-        Program::graphics(context, embedded_shader("fullscreen.vert"), transfer_test_shaders()[0], defines);
+        Program::graphics(context, embedded_shader("fullscreen.vert"), specular_test_shaders()[0], defines);
     program.set("to_light", glm::mat3(glm::transpose(some_rotation())));
     program.set("up", up);
     program.set("spread", static_cast<float>(factors.spread()));

@@ -15,7 +15,7 @@
 #include "material/psh_matrix_file.hpp"
 #include "specular/convolution_kernel.hpp"
 #include "specular/high_order_light.hpp"
-#include "transfer/high_order_scene.hpp"
+#include "specular/high_order_scene.hpp"
 
 using namespace nicol;
 using test::gold;

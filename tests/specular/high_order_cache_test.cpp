@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string>
 
-#include "counting_material.hpp"
+#include "material/counting_material.hpp"
 #include "error.hpp"
-#include "scratch.hpp"
+#include "material/scratch.hpp"
 
 using namespace nicol;
 using test::content;

@@ -12,7 +12,7 @@
 #include "material/brute_force.hpp"
 #include "specular/high_order_gains.hpp"
 #include "specular/high_order_light.hpp"
-#include "transfer/high_order_scene.hpp"
+#include "specular/high_order_scene.hpp"
 
 using namespace nicol;
 using test::gold;
