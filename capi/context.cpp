@@ -49,8 +49,8 @@ void tell_what_opened(const Session& session) {
     session.tell(NICOL_LOG_INFO,
                  info.device + ": OpenGL " + info.version + ", " + info.renderer + ", " + info.vendor);
     if (!info.software) return;
-    for (const gl::Probe& probe : session.gl->failed_probes())
-        session.tell(NICOL_LOG_WARNING, probe.what + " failed, OpenGL runs on the CPU: " + probe.reason);
+    for (const gl::FailedAttempt& attempt : session.gl->failed_attempts())
+        session.tell(NICOL_LOG_WARNING, attempt.what + " failed, OpenGL runs on the CPU: " + attempt.reason);
 }
 
 const char* cache_folder(const char* chosen) {

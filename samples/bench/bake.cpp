@@ -6,13 +6,13 @@
 
 namespace {
 
-constexpr std::uint32_t image_size = 8;
+constexpr std::uint32_t kImageSize = 8;
 
 nicol_statistics bake(Options options, const std::string& cache, std::uint32_t directions) {
     options.cache = cache;
     const Workshop workshop(options);
     const Stage stage(workshop);
-    const Framebuffer framebuffer = stage.framebuffer(image_size, image_size);
+    const Framebuffer framebuffer = stage.framebuffer(kImageSize, kImageSize);
     const Recipe recipe{.directions = directions};
     return stage.render(recipe.options(), framebuffer.get());
 }

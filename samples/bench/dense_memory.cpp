@@ -5,16 +5,16 @@
 
 namespace {
 
-constexpr int measured_order = 2;
+constexpr int kMeasuredOrder = 2;
 
 }
 
 DenseMemory::DenseMemory(const Workshop& workshop) {
     const Stage stage(workshop);
     const Framebuffer framebuffer = stage.framebuffer(8, 8);
-    const Recipe recipe{.method = NICOL_METHOD_DENSE, .low = measured_order, .shadows = false};
+    const Recipe recipe{.method = NICOL_METHOD_DENSE, .low = kMeasuredOrder, .shadows = false};
     const nicol_statistics statistics = stage.render(recipe.options(), framebuffer.get());
-    per_entry_ = 1e-9 * static_cast<double>(statistics.transfer_bytes) / std::pow(measured_order + 1, 4);
+    per_entry_ = 1e-9 * static_cast<double>(statistics.transfer_bytes) / std::pow(kMeasuredOrder + 1, 4);
 }
 
 double DenseMemory::at(int order) const {

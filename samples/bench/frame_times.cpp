@@ -11,8 +11,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Whole turns take many frames, and no two frames of a run are the same.
-constexpr double camera_step = 0.37;
-constexpr double light_step = 1.3;
+constexpr double kCameraStep = 0.37;
+constexpr double kLightStep = 1.3;
 
 }  // namespace
 
@@ -28,10 +28,10 @@ Contestant::Frame Contestant::frame() {
 }
 
 void Contestant::run_round() {
-    stage_.orbit(camera_step);
+    stage_.orbit(kCameraStep);
     camera_.push_back(frame());
     if (stage_.has_light()) {
-        stage_.rotate_light(light_step);
+        stage_.rotate_light(kLightStep);
         light_.push_back(frame());
     }
     still_.push_back(frame());

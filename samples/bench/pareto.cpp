@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr std::uint32_t error_size = 256;
+constexpr std::uint32_t kErrorSize = 256;
 
 // Points of one curve: a method and what it does above order_low.
 struct Family {
@@ -24,7 +24,7 @@ struct Family {
     const char* colour;
     bool dashed;
 };
-constexpr Family families[] = {
+constexpr Family kFamilies[] = {
     {NICOL_METHOD_FACTORED, High::none, 0, "factored", "#0060c0", false},
     {NICOL_METHOD_FACTORED, High::split, 32, "factored + split to 32", "#0060c0", true},
     {NICOL_METHOD_DENSE, High::none, 0, "dense", "#c04000", false},
@@ -45,8 +45,8 @@ std::vector<Entry> entries(const Options& options, const DenseMemory& memory) {
     std::vector<Entry> list;
     // Low orders first: those of the dense method that fit together.
     for (int order = first; order <= last; ++order) {
-        for (std::size_t f = 0; f < std::size(families); ++f) {
-            const Family& family = families[f];
+        for (std::size_t f = 0; f < std::size(kFamilies); ++f) {
+            const Family& family = kFamilies[f];
             if (family.high != High::none && order >= family.top) continue;
             if (family.method == NICOL_METHOD_DENSE) {
                 if (used + memory.at(order) > options.memory) continue;
@@ -95,8 +95,8 @@ void compare_at_equal_error(Report& report, const std::vector<Entry>& list) {
 template <class X, class Y>
 Panel panel(const std::vector<Entry>& list, const char* title, const char* y_axis, X x, Y y) {
     Panel out{title, "frame, ms (median)", y_axis, {}};
-    for (std::size_t f = 0; f < std::size(families); ++f) {
-        Series series{families[f].name, families[f].colour, families[f].dashed, {}};
+    for (std::size_t f = 0; f < std::size(kFamilies); ++f) {
+        Series series{kFamilies[f].name, kFamilies[f].colour, kFamilies[f].dashed, {}};
         for (const Entry& e : list) {
             if (e.family == f)
                 series.points.push_back({x(e.times), y(e.errors), std::to_string(e.recipe.low)});
@@ -127,7 +127,7 @@ void write_plot(const std::string& path, const std::vector<Entry>& list) {
 
 Report bench_pareto(const Options& options) {
     const std::uint32_t size = options.size == 0 ? 1024 : options.size;
-    const std::uint32_t small = std::min(size, error_size);
+    const std::uint32_t small = std::min(size, kErrorSize);
     const Workshop workshop(options);
     std::vector<Entry> list = entries(options, DenseMemory(workshop));
     const Truth truth = make_truth(workshop, small, options.samples == 0 ? 256 : options.samples, true);

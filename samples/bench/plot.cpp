@@ -9,13 +9,13 @@
 
 namespace {
 
-constexpr double panel_width = 460;
-constexpr double panel_height = 380;
-constexpr double left = 70;
-constexpr double right = 20;
-constexpr double top = 36;
-constexpr double bottom = 54;
-constexpr double legend_line = 20;
+constexpr double kPanelWidth = 460;
+constexpr double kPanelHeight = 380;
+constexpr double kLeft = 70;
+constexpr double kRight = 20;
+constexpr double kTop = 36;
+constexpr double kBottom = 54;
+constexpr double kLegendLine = 20;
 
 std::string number(double value) {
     char text[32];
@@ -98,8 +98,8 @@ void write_series(std::ostream& out, const Series& series, const Axis& x, const 
 }
 
 void write_panel(std::ostream& out, const Panel& panel) {
-    Axis x{.from = left, .to = panel_width - right};
-    Axis y{.from = panel_height - bottom, .to = top};
+    Axis x{.from = kLeft, .to = kPanelWidth - kRight};
+    Axis y{.from = kPanelHeight - kBottom, .to = kTop};
     for (const Series& series : panel.series) {
         for (const Point& p : series.points) {
             if (drawable(p)) x.include(p.x), y.include(p.y);
@@ -116,8 +116,8 @@ void write_panel(std::ostream& out, const Panel& panel) {
     }
     write_line(out, x.from, y.from, x.to, y.from, "black");
     write_line(out, x.from, y.from, x.from, y.to, "black");
-    write_text(out, panel_width / 2, top - 14, "middle", panel.title, " font-weight='bold'");
-    write_text(out, (x.from + x.to) / 2, panel_height - 16, "middle", panel.x_axis);
+    write_text(out, kPanelWidth / 2, kTop - 14, "middle", panel.title, " font-weight='bold'");
+    write_text(out, (x.from + x.to) / 2, kPanelHeight - 16, "middle", panel.x_axis);
     const std::string rotated = " transform='rotate(-90 16 " + number((y.from + y.to) / 2) + ")'";
     write_text(out, 16, (y.from + y.to) / 2, "middle", panel.y_axis, rotated.c_str());
     for (const Series& series : panel.series) write_series(out, series, x, y);
@@ -125,11 +125,11 @@ void write_panel(std::ostream& out, const Panel& panel) {
 
 void write_legend(std::ostream& out, const std::vector<Series>& list, double y) {
     for (const Series& series : list) {
-        out << "<line x1='" << left << "' x2='" << left + 34 << "' y1='" << y - 4 << "' y2='" << y - 4
+        out << "<line x1='" << kLeft << "' x2='" << kLeft + 34 << "' y1='" << y - 4 << "' y2='" << y - 4
             << "' stroke-width='1.6' stroke='" << series.colour << "'"
             << (series.dashed ? " stroke-dasharray='5 4'" : "") << "/>\n";
-        write_text(out, left + 42, y, "start", series.name);
-        y += legend_line;
+        write_text(out, kLeft + 42, y, "start", series.name);
+        y += kLegendLine;
     }
 }
 
@@ -138,16 +138,16 @@ void write_legend(std::ostream& out, const std::vector<Series>& list, double y) 
 void write_svg(std::ostream& out, const std::vector<Panel>& panels, int columns) {
     const int count = static_cast<int>(panels.size());
     const int rows = (count + columns - 1) / columns;
-    const double legend = legend_line * static_cast<double>(panels.front().series.size() + 1);
-    out << "<svg xmlns='http://www.w3.org/2000/svg' width='" << panel_width * columns << "' height='"
-        << panel_height * rows + legend
+    const double legend = kLegendLine * static_cast<double>(panels.front().series.size() + 1);
+    out << "<svg xmlns='http://www.w3.org/2000/svg' width='" << kPanelWidth * columns << "' height='"
+        << kPanelHeight * rows + legend
         << "' font-family='sans-serif' font-size='12'>\n<rect width='100%' height='100%' fill='white'/>\n";
     for (int i = 0; i < count; ++i) {
-        out << "<g transform='translate(" << panel_width * (i % columns) << ' '
-            << panel_height * (i / columns) << ")'>\n";
+        out << "<g transform='translate(" << kPanelWidth * (i % columns) << ' '
+            << kPanelHeight * (i / columns) << ")'>\n";
         write_panel(out, panels[static_cast<std::size_t>(i)]);
         out << "</g>\n";
     }
-    write_legend(out, panels.front().series, panel_height * rows + legend_line);
+    write_legend(out, panels.front().series, kPanelHeight * rows + kLegendLine);
     out << "</svg>\n";
 }

@@ -10,8 +10,8 @@
 
 namespace {
 
-constexpr std::uint32_t order = 4;
-const std::size_t n = vector_size(order);
+constexpr std::uint32_t kOrder = 4;
+const std::size_t n = vector_size(kOrder);
 
 /// A rough glass: Fresnel reflection at the half vector times a lobe about the normal +z, and a depolarizing
 /// base; both cosines included, so that it vanishes at the horizon.
@@ -49,11 +49,11 @@ std::int32_t rough_glass(void*, const double in[3], const double out[3], double 
 Doubles rotated(const Doubles& matrix, const Rotation& rotation) {
     Doubles units(n * n);
     for (std::size_t j = 0; j < n; ++j) units[j * n + j] = 1;
-    const Doubles from = rotate(order, units, transposed(rotation));
+    const Doubles from = rotate(kOrder, units, transposed(rotation));
     Doubles to(n * n);
-    check(nicol_psh_apply_matrix(order, order, matrix.data(), matrix.size(), n, from.data(), from.size(),
+    check(nicol_psh_apply_matrix(kOrder, kOrder, matrix.data(), matrix.size(), n, from.data(), from.size(),
                                  to.data(), to.size()));
-    to = rotate(order, to, rotation);
+    to = rotate(kOrder, to, rotation);
     Doubles out(n * n);
     for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i) out[i * n + j] = to[j * n + i];
@@ -81,9 +81,9 @@ struct Errors {
 };
 
 Errors errors_of(const Doubles& matrix, double scale) {
-    Doubles bands(NICOL_PSH_BAND_SIZE * (order + 1)), nearest(n * n);
-    check(nicol_psh_nearest_kernel(order, matrix.data(), matrix.size(), bands.data(), bands.size()));
-    check(nicol_psh_kernel_matrix(order, bands.data(), bands.size(), nearest.data(), nearest.size()));
+    Doubles bands(NICOL_PSH_BAND_SIZE * (kOrder + 1)), nearest(n * n);
+    check(nicol_psh_nearest_kernel(kOrder, matrix.data(), matrix.size(), bands.data(), bands.size()));
+    check(nicol_psh_kernel_matrix(kOrder, bands.data(), bands.size(), nearest.data(), nearest.size()));
     double sum[5] = {}, count[5] = {};
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
@@ -108,7 +108,7 @@ Errors errors_of(const Doubles& matrix, double scale) {
 void figure_17(Experiment& experiment) {
     nicol_psh_mueller_field field = NICOL_PSH_MUELLER_FIELD_INIT;
     field.isotropic = 1;
-    field.order_out = field.order_in = order;
+    field.order_out = field.order_in = kOrder;
     field.rows_out = field.rows_in = 48;
     field.columns_in = 64;
     field.callback = rough_glass;
@@ -135,7 +135,7 @@ void figure_17(Experiment& experiment) {
                         e.from_2_to_0, e.from_2_to_2, e.other_degrees);
             const double worst =
                 std::max({e.from_0_to_0, e.from_0_to_2, e.from_2_to_0, e.from_2_to_2, e.other_degrees});
-            if (size >= (gauss ? order + 1 : 2 * order + 1)) worst_exact = std::max(worst_exact, worst);
+            if (size >= (gauss ? kOrder + 1 : 2 * kOrder + 1)) worst_exact = std::max(worst_exact, worst);
             if (size == 0) unaveraged = worst;
             if (gauss && (size == 0 || size == 2 || size == 4 || size == 6)) {
                 Panel panel{n, n, averaged};

@@ -11,8 +11,8 @@
 
 namespace {
 
-constexpr std::uint32_t order = 9;
-constexpr std::size_t count = (order + 1) * (order + 1);
+constexpr std::uint32_t kOrder = 9;
+constexpr std::size_t kCount = (kOrder + 1) * (kOrder + 1);
 
 std::size_t level(std::size_t i) {
     return static_cast<std::size_t>(std::sqrt(static_cast<double>(i) + 0.5));
@@ -25,9 +25,9 @@ struct Summary {
 
 Summary summary(const Panel& matrix) {
     double total = 0, off = 0, largest = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t j = 0; j < count; ++j) {
-            const double x = matrix.values[i * count + j];
+    for (std::size_t i = 0; i < kCount; ++i)
+        for (std::size_t j = 0; j < kCount; ++j) {
+            const double x = matrix.values[i * kCount + j];
             total += x * x;
             if (level(i) == level(j)) continue;
             off += x * x;
@@ -40,13 +40,13 @@ Summary summary(const Panel& matrix) {
 /// `turn` maps to coefficients.
 template <class Rotation>
 Panel matrix_of(std::size_t first, std::size_t input, std::size_t a, std::size_t b, Rotation turn) {
-    Panel panel{count, count, std::vector<double>(count * count)};
-    for (std::size_t j = first; j < count; ++j) {
-        Doubles unit_vector(4 * count);
+    Panel panel{kCount, kCount, std::vector<double>(kCount * kCount)};
+    for (std::size_t j = first; j < kCount; ++j) {
+        Doubles unit_vector(4 * kCount);
         unit_vector[4 * j + input] = 1;
         const Doubles column = turn(unit_vector);
-        for (std::size_t i = 0; i < count; ++i)
-            panel.values[i * count + j] = std::hypot(column[4 * i + a], a == b ? 0.0 : column[4 * i + b]);
+        for (std::size_t i = 0; i < kCount; ++i)
+            panel.values[i * kCount + j] = std::hypot(column[4 * i + a], a == b ? 0.0 : column[4 * i + b]);
     }
     return panel;
 }
@@ -55,7 +55,7 @@ Panel matrix_of(std::size_t first, std::size_t input, std::size_t a, std::size_t
 
 void figure_10(Experiment& experiment) {
     const Rotation rotation = rotation_about({10, 0.1, 0.2});
-    const Grid grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, order, 64, 128);
+    const Grid grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, kOrder, 64, 128);
     const Rotation back = transposed(rotation);
     std::vector<Vec3> sources;
     for (const double theta : grid.theta)
@@ -63,16 +63,16 @@ void figure_10(Experiment& experiment) {
             sources.push_back(back * direction(theta, grid.phi(c)));
 
     const Panel scalar =
-        matrix_of(0, 0, 0, 0, [&](const Doubles& f) { return grid.analyze(evaluate(order, f, sources)); });
+        matrix_of(0, 0, 0, 0, [&](const Doubles& f) { return grid.analyze(evaluate(kOrder, f, sources)); });
     const Panel naive = matrix_of(0, 0, 0, 3, [&](const Doubles& f) {
-        const auto at = [&](const auto& w) { return from_scalars(evaluate(order, f, w)); };
+        const auto at = [&](const auto& w) { return from_scalars(evaluate(kOrder, f, w)); };
         return grid.analyze(to_scalars(rotated_samples(grid, rotation, at)));
     });
     double deviation = 0;
     const Panel spin2 = matrix_of(4, 1, 1, 2, [&](const Doubles& f) {
         const Doubles column = grid.analyze(
-            rotated_samples(grid, rotation, [&](const auto& w) { return evaluate(order, f, w); }));
-        deviation = std::max(deviation, largest_difference(column, rotate(order, f, rotation)));
+            rotated_samples(grid, rotation, [&](const auto& w) { return evaluate(kOrder, f, w); }));
+        deviation = std::max(deviation, largest_difference(column, rotate(kOrder, f, rotation)));
         return column;
     });
 

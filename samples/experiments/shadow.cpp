@@ -11,8 +11,8 @@
 
 namespace {
 
-constexpr std::uint32_t order = 4;
-constexpr std::uint32_t scalar_order = 2 * order;  // all that counts between two fields of that order
+constexpr std::uint32_t kOrder = 4;
+constexpr std::uint32_t kScalarOrder = 2 * kOrder;  // all that counts between two fields of that order
 
 /// What a vertex beside a wall, on the ground, with a ball overhead might see.
 double visible(const Vec3& w) {
@@ -23,9 +23,9 @@ double visible(const Vec3& w) {
 }
 
 Doubles shadow_matrix(const Doubles& visibility) {
-    const std::size_t n = vector_size(order);
+    const std::size_t n = vector_size(kOrder);
     Doubles matrix(n * n);
-    check(nicol_psh_shadow_matrix(scalar_order, visibility.data(), visibility.size(), order, order,
+    check(nicol_psh_shadow_matrix(kScalarOrder, visibility.data(), visibility.size(), kOrder, kOrder,
                                   matrix.data(), matrix.size()));
     return matrix;
 }
@@ -33,9 +33,9 @@ Doubles shadow_matrix(const Doubles& visibility) {
 /// Largest difference to the authors' matrix of their visibility: [index out][index in][p out][p in] of s0,
 /// s1, s2, s3 left out.
 double difference_to_published(const std::string& folder) {
-    constexpr std::size_t count = (order + 1) * (order + 1), n = 4 * count;
+    constexpr std::size_t count = (kOrder + 1) * (kOrder + 1), n = 4 * count;
     const Doubles matrix = shadow_matrix(
-        published(folder + "/vis_SHVec_buddha_v17650_256_L9.npz", (scalar_order + 1) * (scalar_order + 1)));
+        published(folder + "/vis_SHVec_buddha_v17650_256_L9.npz", (kScalarOrder + 1) * (kScalarOrder + 1)));
     const Doubles theirs = published(folder + "/vis_TPmat_buddha_v17650_256_L5.npz", 9 * count * count);
     double most = 0;
     for (std::size_t k = 0; k < theirs.size(); ++k) {
@@ -49,7 +49,7 @@ double difference_to_published(const std::string& folder) {
 
 void figure_13(Experiment& experiment) {
     // The step is projected on many points; everything after is exact.
-    const Grid fine(NICOL_PSH_GRID_GAUSS_LEGENDRE, scalar_order, 512, 1024);
+    const Grid fine(NICOL_PSH_GRID_GAUSS_LEGENDRE, kScalarOrder, 512, 1024);
     Doubles samples(4 * fine.points());
     for (std::size_t i = 0; i < fine.points(); ++i)
         samples[4 * i] = visible(direction(fine.theta[i / fine.columns], fine.phi(i % fine.columns)));
@@ -57,13 +57,13 @@ void figure_13(Experiment& experiment) {
     Doubles visibility;
     for (std::size_t i = 0; i < as_field.size(); i += 4) visibility.push_back(as_field[i]);
 
-    const std::size_t n = vector_size(order);
+    const std::size_t n = vector_size(kOrder);
     Doubles matrix;
     const double expand_s = seconds([&] { matrix = shadow_matrix(visibility); });
 
     // The same matrix without triple products: each basis function times the visibility, point by point.
-    const Grid grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, order, 16, 32);
-    const Grid scalar_grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, scalar_order, 16, 32);
+    const Grid grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, kOrder, 16, 32);
+    const Grid scalar_grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, kScalarOrder, 16, 32);
     const Doubles factor = scalar_grid.synthesize(as_field);
     Doubles by_quadrature(n * n);
     for (std::size_t j = 0; j < n; ++j) {

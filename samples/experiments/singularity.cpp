@@ -11,8 +11,8 @@
 
 namespace {
 
-constexpr std::uint32_t fine = 64;
-constexpr std::uint32_t order = 9;
+constexpr std::uint32_t kFine = 64;
+constexpr std::uint32_t kOrder = 9;
 
 using Field = std::function<Doubles(const std::vector<Vec3>&)>;
 
@@ -69,9 +69,9 @@ void add_views(Image& image, const std::vector<Field>& fields) {
 }  // namespace
 
 void figure_7(Experiment& experiment) {
-    const Doubles original = light(experiment, fine);
-    const Grid grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, fine, 256, 512);
-    const Grid coarse(NICOL_PSH_GRID_GAUSS_LEGENDRE, order, 256, 512);  // the same points
+    const Doubles original = light(experiment, kFine);
+    const Grid grid(NICOL_PSH_GRID_GAUSS_LEGENDRE, kFine, 256, 512);
+    const Grid coarse(NICOL_PSH_GRID_GAUSS_LEGENDRE, kOrder, 256, 512);  // the same points
     const Doubles samples = grid.synthesize(original);
     const Doubles spin2 = coarse.analyze(samples);
     const Doubles naive = coarse.analyze(to_scalars(samples));
@@ -82,9 +82,9 @@ void figure_7(Experiment& experiment) {
         return coarse.rms(difference, true) / coarse.rms(samples, true);
     };
     const std::vector<Field> fields = {
-        [&](const auto& w) { return evaluate(fine, original, w); },
-        [&](const auto& w) { return evaluate(order, spin2, w); },
-        [&](const auto& w) { return from_scalars(evaluate(order, naive, w)); },
+        [&](const auto& w) { return evaluate(kFine, original, w); },
+        [&](const auto& w) { return evaluate(kOrder, spin2, w); },
+        [&](const auto& w) { return from_scalars(evaluate(kOrder, naive, w)); },
     };
     const double errors[] = {0, error(coarse.synthesize(spin2)),
                              error(from_scalars(coarse.synthesize(naive)))};

@@ -7,7 +7,7 @@
 
 namespace {
 
-constexpr const char* triangle_vertex = R"(#version 450 core
+constexpr const char* kTriangleVertex = R"(#version 450 core
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec4 colour;
 uniform float turn;
@@ -17,12 +17,12 @@ void main() {
     vec2 rotated = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * place;
     gl_Position = vec4(rotated * vec2(0.5625, 1.0) * 0.8 - vec2(0.45, 0.0), 0.0, 1.0);
 })";
-constexpr const char* triangle_fragment = R"(#version 450 core
+constexpr const char* kTriangleFragment = R"(#version 450 core
 in vec4 tint;
 out vec4 pixel;
 void main() { pixel = tint; })";
 
-constexpr const char* quad_vertex = R"(#version 450 core
+constexpr const char* kQuadVertex = R"(#version 450 core
 layout(location = 0) in vec2 corner;  // in pixels from the quad's middle
 uniform float turn;
 out vec2 uv;
@@ -32,17 +32,17 @@ void main() {
     vec2 middle = vec2(480.0, 180.0) / vec2(320.0, 180.0) - 1.0;
     gl_Position = vec4(corner.x * cos(turn) / 320.0 + middle.x * depth, corner.y / 180.0 + middle.y * depth, 0.0, depth);
 })";
-constexpr const char* quad_fragment = R"(#version 450 core
+constexpr const char* kQuadFragment = R"(#version 450 core
 in vec2 uv;
 layout(binding = 3) uniform sampler2D image;
 out vec4 pixel;
 void main() { pixel = texture(image, uv); })";
 
-constexpr float triangle_corners[] = {
+constexpr float kTriangleCorners[] = {
     -0.9F, -0.8F, 1, 0, 0, 1,    0.9F, -0.8F, 0, 1, 0, 1,    0,     0.9F, 0, 0, 1, 1,
     -0.5F, -0.9F, 1, 1, 0, 0.5F, 0.7F, -0.2F, 0, 1, 1, 0.5F, -0.2F, 0.8F, 1, 0, 1, 0.5F,
     -0.7F, 0.5F,  1, 1, 1, 0.3F, 0.2F, -0.7F, 1, 1, 1, 0.3F, 0.8F,  0.6F, 1, 1, 1, 0.3F};
-constexpr float quad_corners[] = {-128, -128, 128, -128, -128, 128, 128, 128};
+constexpr float kQuadCorners[] = {-128, -128, 128, -128, -128, 128, 128, 128};
 
 GLuint vertices(const Gl& gl, const float* data, std::size_t bytes) {
     GLuint array = 0, buffer = 0;
@@ -68,12 +68,12 @@ float radians(double degrees) {
 
 Stage::Stage(const Gl& gl)
     : gl_(gl),
-      triangles_(gl.program(triangle_vertex, triangle_fragment)),
-      quad_(gl.program(quad_vertex, quad_fragment)) {
-    triangle_vertices_ = vertices(gl, triangle_corners, sizeof triangle_corners);
+      triangles_(gl.program(kTriangleVertex, kTriangleFragment)),
+      quad_(gl.program(kQuadVertex, kQuadFragment)) {
+    triangle_vertices_ = vertices(gl, kTriangleCorners, sizeof kTriangleCorners);
     attribute(gl, 0, 2, 6, 0);
     attribute(gl, 1, 4, 6, 2);
-    quad_vertices_ = vertices(gl, quad_corners, sizeof quad_corners);
+    quad_vertices_ = vertices(gl, kQuadCorners, sizeof kQuadCorners);
     attribute(gl, 0, 2, 2, 0);
 
     gl.GenTextures(1, &image_);

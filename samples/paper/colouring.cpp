@@ -8,7 +8,7 @@ namespace {
 
 using Colour = std::array<double, 3>;  // linear, 0 to 1
 
-constexpr Colour no_object = {0.04, 0.04, 0.04};
+constexpr Colour kNoObject = {0.04, 0.04, 0.04};
 
 std::uint8_t srgb(double linear) {
     const double x = std::clamp(linear, 0.0, 1.0);
@@ -28,7 +28,7 @@ Panel shrunk(const Image& image, std::size_t size, ColourAt colour_at) {
             for (std::size_t v = y * side; v < (y + 1) * side; ++v) {
                 for (std::size_t u = x * side; u < (x + 1) * side; ++u) {
                     const std::size_t i = v * image.size + u;
-                    const Colour colour = mask[i] != 0 ? colour_at(i) : no_object;
+                    const Colour colour = mask[i] != 0 ? colour_at(i) : kNoObject;
                     for (std::size_t c = 0; c < 3; ++c) sum[c] += std::clamp(colour[c], 0.0, 1.0);
                 }
             }

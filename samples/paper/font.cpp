@@ -4,8 +4,8 @@
 namespace {
 
 // As many letters side by side as a line holds; a column between them stays empty.
-constexpr std::string_view letters[] = {"abcdefghijklmnop", "qrstuvwxyz012345", "6789.,:+-=()/%<>"};
-constexpr std::string_view art[][kGlyphHeight] = {
+constexpr std::string_view kLetters[] = {"abcdefghijklmnop", "qrstuvwxyz012345", "6789.,:+-=()/%<>"};
+constexpr std::string_view kArt[][kGlyphHeight] = {
     {
         "......#...............#.........##........#.......#......#..#......##..........................",
         "......#...............#........#..........#.................#.......#..........................",
@@ -44,9 +44,9 @@ constexpr std::string_view art[][kGlyphHeight] = {
 }  // namespace
 
 bool glyph_pixel(char letter, std::size_t x, std::size_t y) {
-    for (std::size_t block = 0; block < std::size(letters); ++block) {
-        const std::size_t place = letters[block].find(letter);
-        if (place != std::string_view::npos) return art[block][y][place * kGlyphAdvance + x] == '#';
+    for (std::size_t block = 0; block < std::size(kLetters); ++block) {
+        const std::size_t place = kLetters[block].find(letter);
+        if (place != std::string_view::npos) return kArt[block][y][place * kGlyphAdvance + x] == '#';
     }
     return false;
 }

@@ -9,7 +9,7 @@
 namespace {
 
 // Drawing interpolates with errors relative to a triangle's brightest corner.
-constexpr float rounding = 1e-4F;
+constexpr float kRounding = 1e-4F;
 
 }  // namespace
 
@@ -30,8 +30,8 @@ Fault fault_at(const Image& image, std::size_t pixel) {
     Fault fault = Fault::none;
     for (const auto& plane : image.stokes) {
         const float* s = &plane[4 * pixel];
-        if (s[0] < -rounding) return Fault::negative;
-        if (s[0] * (1 + rounding) + rounding < std::hypot(s[1], s[2], s[3])) fault = Fault::overpolarized;
+        if (s[0] < -kRounding) return Fault::negative;
+        if (s[0] * (1 + kRounding) + kRounding < std::hypot(s[1], s[2], s[3])) fault = Fault::overpolarized;
     }
     return fault;
 }

@@ -11,12 +11,12 @@
 
 namespace {
 
-constexpr std::uint8_t background = 24;
+constexpr std::uint8_t kBackground = 24;
 
 class Canvas {
 public:
     Canvas(std::size_t width, std::size_t height)
-        : width_(width), height_(height), rgb_(3 * width * height, background) {}
+        : width_(width), height_(height), rgb_(3 * width * height, kBackground) {}
 
     void draw(const Panel& panel, std::size_t left, std::size_t top) {
         for (std::size_t y = 0; y < panel.size; ++y) {

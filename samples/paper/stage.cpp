@@ -7,10 +7,10 @@
 
 namespace {
 
-constexpr const char* buddha_file = "buddha.obj";
-constexpr const char* plane_file = "plane.obj";
-constexpr const char* light_file = "SHVec_sponza_1024_L100.npz";
-constexpr const char* gold_file = "SHMat_6_gold_ds1_L20_ISOBI2.npz";
+constexpr const char* kBuddhaFile = "buddha.obj";
+constexpr const char* kPlaneFile = "plane.obj";
+constexpr const char* kLightFile = "SHVec_sponza_1024_L100.npz";
+constexpr const char* kGoldFile = "SHMat_6_gold_ds1_L20_ISOBI2.npz";
 
 // The light's vertical is z, the objects' is y.
 void rotated(double degrees, double to_world[16]) {
@@ -36,7 +36,7 @@ nicol_camera camera_at(View view, double degrees_beside) {
 }  // namespace
 
 void require_data(const std::filesystem::path& folder) {
-    for (const char* name : {buddha_file, plane_file, light_file, gold_file}) {
+    for (const char* name : {kBuddhaFile, kPlaneFile, kLightFile, kGoldFile}) {
         std::error_code error;
         if (!std::filesystem::is_regular_file(folder / name, error)) {
             throw Failure((folder / name).string() +
@@ -53,14 +53,14 @@ Stage::Stage(const Options& options)
     context_.reset(context);
 
     nicol_environment light = nullptr;
-    check(nicol_environment_load(context, file(light_file).c_str(), nullptr, &light));
+    check(nicol_environment_load(context, file(kLightFile).c_str(), nullptr, &light));
     light_.reset(light);
     nicol_environment_info info = NICOL_ENVIRONMENT_INFO_INIT;
     check(nicol_environment_get_info(light, &info));
     components_ = info.circular != 0 ? 4 : 3;
 
     nicol_material material = nullptr;
-    check(nicol_material_load_psh(context, file(gold_file).c_str(), nullptr, &material));
+    check(nicol_material_load_psh(context, file(kGoldFile).c_str(), nullptr, &material));
     gold_.reset(material);
     nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
     plastic.distribution = NICOL_DISTRIBUTION_GGX;
@@ -70,9 +70,9 @@ Stage::Stage(const Options& options)
     plastic_.reset(material);
 
     nicol_mesh mesh = nullptr;
-    check(nicol_mesh_load(context, file(buddha_file).c_str(), &mesh));
+    check(nicol_mesh_load(context, file(kBuddhaFile).c_str(), &mesh));
     buddha_.reset(mesh);
-    check(nicol_mesh_load(context, file(plane_file).c_str(), &mesh));
+    check(nicol_mesh_load(context, file(kPlaneFile).c_str(), &mesh));
     plane_.reset(mesh);
 }
 
@@ -102,7 +102,7 @@ Scene Stage::make_reference_scene(const std::string& image) const {
     options.flags = NICOL_FILE_PHYSICAL;
     options.width = 1024;
     options.height = 513;
-    check(nicol_file_convert((data_ / light_file).c_str(), &options, image.c_str()));
+    check(nicol_file_convert((data_ / kLightFile).c_str(), &options, image.c_str()));
     nicol_environment made = nullptr;
     check(nicol_environment_load(context_.get(), image.c_str(), nullptr, &made));
     const Environment light(made);

@@ -14,7 +14,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double kDegree = std::numbers::pi / 180;
 
 /// A column of a row-major 4 x 4 matrix.
 Vector column(const double m[16], std::size_t c) {
@@ -75,8 +75,8 @@ Orbit orbit_of(const nicol_camera& camera, std::uint32_t up, double depth) {
     for (std::size_t i = 0; i < 3; ++i)
         orbit.target[i] = rounded(place[i] + depth * forward[i] / length(forward));
     const double sine = std::clamp(-forward[up] / length(forward), -1.0, 1.0);
-    orbit.elevation = std::clamp(rounded(std::asin(sine) / degree), -89.0, 89.0);
-    orbit.azimuth = rounded(std::atan2(-forward[side], -forward[front]) / degree);
+    orbit.elevation = std::clamp(rounded(std::asin(sine) / kDegree), -89.0, 89.0);
+    orbit.azimuth = rounded(std::atan2(-forward[side], -forward[front]) / kDegree);
     return orbit;
 }
 
@@ -87,11 +87,11 @@ nicol_camera camera_of(const View& view, const nicol_camera& own, std::uint32_t 
     if (view.camera != CameraKind::orbit) return camera;
 
     const auto [front, side] = horizontal(up);
-    const double flat = std::cos(view.orbit.elevation * degree) * view.orbit.distance;
+    const double flat = std::cos(view.orbit.elevation * kDegree) * view.orbit.distance;
     Vector origin = view.orbit.target;
-    origin[front] += flat * std::cos(view.orbit.azimuth * degree);
-    origin[side] += flat * std::sin(view.orbit.azimuth * degree);
-    origin[up] += std::sin(view.orbit.elevation * degree) * view.orbit.distance;
+    origin[front] += flat * std::cos(view.orbit.azimuth * kDegree);
+    origin[side] += flat * std::sin(view.orbit.azimuth * kDegree);
+    origin[up] += std::sin(view.orbit.elevation * kDegree) * view.orbit.distance;
     Vector vertical{};
     vertical[up] = 1;
     must(nicol_camera_look_at(&camera, origin.data(), view.orbit.target.data(), vertical.data()));
@@ -105,6 +105,6 @@ nicol_camera camera_of(const View& view, const nicol_camera& own, std::uint32_t 
 
 void rotate_light(const View& view, std::uint32_t up, const double own[16], double rotated[16]) {
     std::copy_n(own, 16, rotated);
-    turn(rotation(up, view.light * degree), rotated);
-    turn(rotation(horizontal(up)[1], view.light_tilt * degree), rotated);
+    turn(rotation(up, view.light * kDegree), rotated);
+    turn(rotation(horizontal(up)[1], view.light_tilt * kDegree), rotated);
 }

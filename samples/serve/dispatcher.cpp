@@ -6,7 +6,7 @@
 
 namespace {
 
-constexpr const char* outdated = "The scenes have changed since the request came.";
+constexpr const char* kOutdated = "The scenes have changed since the request came.";
 
 AnswerPtr unavailable(const char* why) {
     auto answer = std::make_shared<Answer>();
@@ -78,7 +78,7 @@ void Dispatcher::worker_lost(int worker) {
     running_.erase(found);
     job->worker = -1;
     if (job->waiters.empty()) return;
-    if (job->generation != generation_) return finish(job, unavailable(outdated));
+    if (job->generation != generation_) return finish(job, unavailable(kOutdated));
     if (job->attempts >= 2) return finish(job, unavailable("The renderer failed on this request twice."));
     queue_.push_front(job);
     dispatch();
@@ -87,7 +87,7 @@ void Dispatcher::worker_lost(int worker) {
 void Dispatcher::begin_generation() {
     ++generation_;
     by_key_.clear();
-    for (const JobPtr& job : std::exchange(queue_, {})) finish(job, unavailable(outdated));
+    for (const JobPtr& job : std::exchange(queue_, {})) finish(job, unavailable(kOutdated));
 }
 
 void Dispatcher::dispatch() {

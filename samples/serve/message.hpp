@@ -27,10 +27,10 @@ struct Head {
 };
 
 /// No message is longer; the largest Stokes image stays far below.
-constexpr std::uint32_t most_message_bytes = 0x7fffffff;
+constexpr std::uint32_t kMaxMessageBytes = 0x7fffffff;
 
 /// The verbs whose time is told, in this order.
-constexpr std::array<const char*, 6> verbs = {"project", "bake", "relight", "shade", "draw", "encode"};
+constexpr std::array<const char*, 6> kVerbs = {"project", "bake", "relight", "shade", "draw", "encode"};
 
 struct ResultHead {
     std::int32_t status = 500;    ///< 200, or of the problem; 499: cancelled

@@ -6,14 +6,14 @@
 namespace {
 
 /// Prefixes every name.
-constexpr const char* prefix = "nicol_serve_";
+constexpr const char* kPrefix = "nicol_serve_";
 
 std::string head(const std::string& name, const char* type, const char* help) {
-    return "# HELP " + (prefix + name) + " " + help + "\n# TYPE " + prefix + name + " " + type + "\n";
+    return "# HELP " + (kPrefix + name) + " " + help + "\n# TYPE " + kPrefix + name + " " + type + "\n";
 }
 
 std::string line(const std::string& name, const std::string& labels, const std::string& value) {
-    return prefix + name + (labels.empty() ? "" : "{" + labels + "}") + " " + value + "\n";
+    return kPrefix + name + (labels.empty() ? "" : "{" + labels + "}") + " " + value + "\n";
 }
 
 std::string single(const std::string& name, const char* type, const char* help, std::uint64_t value) {
@@ -99,7 +99,7 @@ std::string Metrics::text(const Gauges& now) const {
     text += head("render_seconds", "histogram", "Work of an image in its worker.");
     text += render_seconds.text("render_seconds", "");
     text += head("verb_seconds", "histogram", "Time of each verb of the renderer where it ran.");
-    for (std::size_t i = 0; i < verbs.size(); ++i)
+    for (std::size_t i = 0; i < kVerbs.size(); ++i)
         text += by_verb[i].text("verb_seconds", label("verb", verbs[i]));
     return text;
 }

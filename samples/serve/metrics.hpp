@@ -51,7 +51,7 @@ struct Metrics {
     std::uint64_t cancelled = 0;          ///< renders that were stopped for it
     std::uint64_t crashed = 0, hung = 0;  ///< workers
     Histogram waited;                     ///< from request to answer, of images
-    std::array<Histogram, verbs.size()> by_verb;
+    std::array<Histogram, kVerbs.size()> by_verb;
 
     Histogram render_seconds;  ///< all verbs together
 

@@ -11,7 +11,7 @@
 namespace {
 
 /// So fine that no two of the 8-bit codes begin within one step.
-constexpr std::size_t table_size = 4096;
+constexpr std::size_t kTableSize = 4096;
 
 double srgb_curve(double v) {
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
@@ -22,9 +22,9 @@ double srgb_curve(double v) {
 class SrgbCodes {
 public:
     SrgbCodes() {
-        for (std::size_t i = 0; i <= table_size; ++i)
+        for (std::size_t i = 0; i <= kTableSize; ++i)
             first_[i] =
-                static_cast<std::uint8_t>(std::lround(255 * srgb_curve(static_cast<double>(i) / table_size)));
+                static_cast<std::uint8_t>(std::lround(255 * srgb_curve(static_cast<double>(i) / kTableSize)));
         for (std::size_t code = 0; code < 255; ++code) {
             const double s = (static_cast<double>(code) + 0.5) / 255;
             next_[code] = static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
@@ -34,12 +34,12 @@ public:
     [[nodiscard]] std::uint8_t operator()(float linear) const {
         // What is no number becomes 0 here.
         const float v = std::min(std::max(0.0f, linear), 1.0f);
-        const std::uint8_t code = first_[static_cast<std::size_t>(v * static_cast<float>(table_size))];
+        const std::uint8_t code = first_[static_cast<std::size_t>(v * static_cast<float>(kTableSize))];
         return static_cast<std::uint8_t>(code + (v >= next_[code] ? 1 : 0));
     }
 
 private:
-    std::array<std::uint8_t, table_size + 1> first_{};
+    std::array<std::uint8_t, kTableSize + 1> first_{};
     std::array<float, 256> next_{};  ///< from which on the next code is nearer
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Parameter::Kind;
 
-constexpr double farthest = 1e6;
+constexpr double kFarthest = 1e6;
 
 }  // namespace
 
@@ -52,18 +52,18 @@ std::vector<Parameter> parameters(const Limits& limits) {
          .description = "Of an orbiting camera, degrees above the horizon."},
         {.name = "distance",
          .least = 1e-3,
-         .most = farthest,
+         .most = kFarthest,
          .description = "Of an orbiting camera from its target, in units of the scene."},
         {.name = "target",
          .kind = Kind::numbers,
-         .least = -farthest,
-         .most = farthest,
+         .least = -kFarthest,
+         .most = kFarthest,
          .count = 3,
          .description = "The point x,y,z that an orbiting camera looks at."},
         {.name = "matrix",
          .kind = Kind::numbers,
-         .least = -farthest,
-         .most = farthest,
+         .least = -kFarthest,
+         .most = kFarthest,
          .count = 16,
          .description = "Camera to world, row by row, instead of an orbit: x to the image's left, y up, z "
                         "forward."},
@@ -108,7 +108,7 @@ std::vector<Parameter> parameters(const Limits& limits) {
          .stokes = false},
         {.name = "scale",
          .least = 1e-6,
-         .most = farthest,
+         .most = kFarthest,
          .description = "Of s1, s2 and s3 as PNG: the value at full colour. Without it the largest of the "
                         "image.",
          .stokes = false},

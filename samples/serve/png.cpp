@@ -12,12 +12,12 @@
 
 namespace {
 
-constexpr std::size_t pixel_bytes = 3;
-constexpr std::uint8_t paeth_filter = 4;
+constexpr std::size_t kPixelBytes = 3;
+constexpr std::uint8_t kPaethFilter = 4;
 
 /// Level 1 makes files of rendered images a tenth larger than zlib's default does, in a twelfth of its
 /// time.
-constexpr int compression_level = 1;
+constexpr int kCompressionLevel = 1;
 
 std::string big_endian(std::size_t value) {
     std::string bytes;
@@ -50,11 +50,11 @@ std::vector<std::uint8_t> filtered(std::size_t stride, std::uint32_t height,
     for (std::uint32_t y = 0; y < height; ++y) {
         const std::uint8_t* row = rgb.data() + y * stride;
         std::uint8_t* to = result.data() + y * (stride + 1);
-        *to++ = paeth_filter;
-        for (std::size_t x = 0; x < pixel_bytes; ++x) to[x] = static_cast<std::uint8_t>(row[x] - above[x]);
-        for (std::size_t x = pixel_bytes; x < stride; ++x)
+        *to++ = kPaethFilter;
+        for (std::size_t x = 0; x < kPixelBytes; ++x) to[x] = static_cast<std::uint8_t>(row[x] - above[x]);
+        for (std::size_t x = kPixelBytes; x < stride; ++x)
             to[x] = static_cast<std::uint8_t>(row[x] -
-                                              paeth(row[x - pixel_bytes], above[x], above[x - pixel_bytes]));
+                                              paeth(row[x - kPixelBytes], above[x], above[x - kPixelBytes]));
         above = row;
     }
     return result;
@@ -65,7 +65,7 @@ std::string compressed(const std::vector<std::uint8_t>& data) {
         void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
     };
     const std::unique_ptr<libdeflate_compressor, Free> compressor(
-        libdeflate_alloc_compressor(compression_level));
+        libdeflate_alloc_compressor(kCompressionLevel));
     if (!compressor) throw Failure("out of memory");
     std::string result(libdeflate_zlib_compress_bound(compressor.get(), data.size()), '\0');
     result.resize(
@@ -81,7 +81,7 @@ std::string encode_png(std::uint32_t width, std::uint32_t height, const std::vec
     std::string file = "\x89PNG\r\n\x1a\n";
     chunk(file, "IHDR", big_endian(width) + big_endian(height) + std::string(colours.begin(), colours.end()));
     if (srgb) chunk(file, "sRGB", std::string_view("\1", 1));  // relative colorimetric
-    chunk(file, "IDAT", compressed(filtered(pixel_bytes * width, height, rgb)));
+    chunk(file, "IDAT", compressed(filtered(kPixelBytes * width, height, rgb)));
     chunk(file, "IEND", {});
     return file;
 }

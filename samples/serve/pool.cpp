@@ -13,9 +13,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr Seconds first_pause(0.25), longest_pause(30);
+constexpr Seconds kFirstPause(0.25), kLongestPause(30);
 /// A worker that lives so long has not failed because of how it starts.
-constexpr Seconds settled(10);
+constexpr Seconds kSettled(10);
 
 std::size_t worker_count(const Options& options) {
     return options.workers > 0 ? options.workers : std::max(1u, std::thread::hardware_concurrency());
@@ -153,7 +153,7 @@ void Pool::receive_result(std::size_t index, const Head& head, std::string conte
 void Pool::lose(std::size_t index, bool hung) {
     Slot& slot = *slots_[index];
     if (stopped_ || !slot.process) return;
-    const bool early = !slot.warm || Clock::now() - slot.warm_since < settled;
+    const bool early = !slot.warm || Clock::now() - slot.warm_since < kSettled;
     if (!slot.stale) {
         ++(hung ? metrics_.hung : metrics_.crashed);
         say(std::string("a worker ") + (hung ? "hung" : "crashed") + " and is replaced");
@@ -176,7 +176,7 @@ void Pool::pause(std::size_t index) {
     Slot& slot = *slots_[index];
     slot.process.reset();
     const Seconds time =
-        std::min(longest_pause, first_pause * static_cast<double>(1u << std::min(slot.failures, 10u)));
+        std::min(kLongestPause, kFirstPause * static_cast<double>(1u << std::min(slot.failures, 10u)));
     slot.timer.expires_after(std::chrono::duration_cast<Clock::duration>(time));
     slot.timer.async_wait([this, index](const boost::system::error_code& error) {
         if (!error && !stopped_) launch(index);

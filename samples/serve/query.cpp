@@ -5,7 +5,7 @@
 
 namespace {
 
-constexpr std::size_t most_parameters = 32;
+constexpr std::size_t kMaxParameters = 32;
 
 int hex_digit(char c) {
     if (c >= '0' && c <= '9') return c - '0';
@@ -63,8 +63,8 @@ Target parse_target(std::string_view target) {
                            .detail = "The parameter comes more than once.",
                            .parameter = name,
                            .range = "once"});
-        if (result.query.size() == most_parameters)
-            refuse("The query has more than " + std::to_string(most_parameters) + " parameters.");
+        if (result.query.size() == kMaxParameters)
+            refuse("The query has more than " + std::to_string(kMaxParameters) + " parameters.");
         result.query.emplace_back(name, decode(part.substr(equals + 1)));
     }
     return result;

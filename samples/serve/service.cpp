@@ -15,7 +15,7 @@
 
 namespace {
 
-constexpr int not_ready_seconds = 2;
+constexpr int kNotReadySeconds = 2;
 
 [[noreturn]] void refuse(int status, const std::string& detail, int retry_after = 0) {
     throw Refusal({.status = status, .detail = detail, .retry_after = retry_after});
@@ -122,7 +122,7 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
         ++metrics_.hits_result;
         return respond(render, kept);
     }
-    if (draining) refuse(503, "The service is about to end.", not_ready_seconds);
+    if (draining) refuse(503, "The service is about to end.", kNotReadySeconds);
     if (*answer_bytes_ > options_.answer_bytes)
         refuse(503, "Too many answers wait to be taken.", retry_after());
     return render;
@@ -196,7 +196,7 @@ Response Service::state(bool must_be_ready) const {
                                      ",\"draining\":" + (draining ? "true" : "false") + "}\n");
     if (must_be_ready && !ready) {
         response.status = 503;
-        response.headers.emplace_back("Retry-After", std::to_string(not_ready_seconds));
+        response.headers.emplace_back("Retry-After", std::to_string(kNotReadySeconds));
     }
     return response;
 }
@@ -229,5 +229,5 @@ std::string Service::metrics_text() const {
 
 const Hello& Service::hello() const {
     if (const Hello* known = pool_.hello()) return *known;
-    refuse(503, "The scenes are still being prepared.", not_ready_seconds);
+    refuse(503, "The scenes are still being prepared.", kNotReadySeconds);
 }

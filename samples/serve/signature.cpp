@@ -13,7 +13,7 @@
 
 namespace {
 
-constexpr std::size_t least_key_bytes = 16;
+constexpr std::size_t kMinKeyBytes = 16;
 
 [[noreturn]] void refuse(const std::string& parameter, const std::string& detail, const std::string& range) {
     throw Refusal({.status = 403, .detail = detail, .parameter = parameter, .range = range});
@@ -41,9 +41,9 @@ std::vector<std::string> read_keys(const std::filesystem::path& path) {
         if (!line.empty() && line.back() == '\r') line.pop_back();
         if (line.empty() || line.front() == '#') continue;
         const std::string key = line.size() % 2 == 0 ? unhex(line) : std::string();
-        if (key.size() < least_key_bytes)
+        if (key.size() < kMinKeyBytes)
             throw Failure("--keys: " + path.string() + ": line " + std::to_string(number) + " is no key of " +
-                          std::to_string(least_key_bytes) + " or more bytes in hexadecimal");
+                          std::to_string(kMinKeyBytes) + " or more bytes in hexadecimal");
         keys.push_back(key);
     }
     if (keys.empty()) throw Failure("--keys: " + path.string() + ": holds no key");

@@ -17,7 +17,7 @@
 
 namespace {
 
-constexpr std::uint32_t probe_side = 33;  // odd: a pixel lies in the middle
+constexpr std::uint32_t kProbeSide = 33;  // odd: a pixel lies in the middle
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -70,12 +70,12 @@ Stage::Stage(nicol_context context, const std::filesystem::path& path) : context
 /// How far the middle of the scene's own image is, or where nothing is there, half of what is to be seen.
 double Stage::centre_depth() const {
     nicol_framebuffer framebuffer = nullptr;
-    must(nicol_framebuffer_create(context_, probe_side, probe_side, info_.channels, &framebuffer));
+    must(nicol_framebuffer_create(context_, kProbeSide, kProbeSide, info_.channels, &framebuffer));
     const Framebuffer owner(framebuffer);
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.planes = NICOL_AOV_DEPTH;
     must(nicol_render(scene_.get(), &camera_, &options, framebuffer));
-    std::vector<float> depth(std::size_t{probe_side} * probe_side);
+    std::vector<float> depth(std::size_t{kProbeSide} * kProbeSide);
     must(nicol_framebuffer_read(framebuffer, NICOL_PLANE_DEPTH, 0, depth.data(), 0,
                                 depth.size() * sizeof(float)));
     const auto middle = static_cast<double>(depth[depth.size() / 2]);

@@ -21,7 +21,7 @@
 
 namespace {
 
-constexpr int cancelled = 499;
+constexpr int kCancelled = 499;
 
 /// The front process is gone: there is nobody left to work for.
 struct Gone {};
@@ -89,7 +89,7 @@ int status_of(nicol_result result) {
         case NICOL_ERROR_UNSUPPORTED:
             return 400;
         case NICOL_ERROR_CANCELLED:
-            return cancelled;
+            return kCancelled;
         case NICOL_ERROR_OUT_OF_MEMORY:
             return 503;
         default:

@@ -23,7 +23,7 @@ using boost::system::error_code;
 
 namespace {
 
-constexpr int child_socket = 3;
+constexpr int kChildSocket = 3;
 
 [[noreturn]] void fail(int reason) {
     throw Failure(std::string("a worker process cannot be started: ") + std::strerror(reason));
@@ -31,16 +31,16 @@ constexpr int child_socket = 3;
 
 pid_t spawn(const std::vector<std::string>& arguments, int socket) {
     std::vector<std::string> words = arguments;
-    words.insert(words.end(), {"--worker", std::to_string(child_socket)});
+    words.insert(words.end(), {"--worker", std::to_string(kChildSocket)});
     std::vector<char*> argv;
     argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, socket, child_socket);
+    posix_spawn_file_actions_adddup2(&actions, socket, kChildSocket);
     // Neither the listening socket nor those of clients may live on in a worker.
-    posix_spawn_file_actions_addclosefrom_np(&actions, child_socket + 1);
+    posix_spawn_file_actions_addclosefrom_np(&actions, kChildSocket + 1);
     pid_t pid = -1;
     const int error = posix_spawn(&pid, "/proc/self/exe", &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -91,7 +91,7 @@ pid_t WorkerProcess::kill() {
 void WorkerProcess::read_head() {
     asio::async_read(socket_, asio::buffer(&head_, sizeof head_),
                      [self = shared_from_this()](const error_code& error, std::size_t) {
-                         if (error || self->head_.length > most_message_bytes) return self->lose();
+                         if (error || self->head_.length > kMaxMessageBytes) return self->lose();
                          self->read_content();
                      });
 }

@@ -14,7 +14,7 @@ namespace nicol {
 
 AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
     if (!target_.has_filename()) fail(EISDIR);
-    // Renaming would put a file in the place of a device, a pipe or a folder.
+    // Renaming would replace a device, a pipe or a folder by a file.
     std::error_code unknown;
     const std::filesystem::file_status status = std::filesystem::status(target_, unknown);
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
@@ -24,7 +24,7 @@ AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)
     for (int attempt = 0; attempt < 16; ++attempt) {
         temporary_ = target_;
         temporary_ += std::to_string(random()).insert(0, 1, '.').append(".tmp");
-        // Exclusive creation: never follow or overwrite what somebody else put there.
+        // Exclusive creation: never follow a link or overwrite another file.
         file_ = std::fopen(temporary_.c_str(), "wbx");
         if (file_ != nullptr) return;
         if (errno != EEXIST) fail(errno);

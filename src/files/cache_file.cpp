@@ -11,7 +11,7 @@
 namespace nicol {
 namespace {
 
-constexpr std::size_t hash_size = 32;
+constexpr std::size_t kHashSize = 32;
 
 }  // namespace
 
@@ -31,27 +31,27 @@ CacheFile::Outcome CacheFile::find(std::uint64_t& length) const {
     if (!std::filesystem::exists(path_, error)) return {State::missing, {}};
     if (!std::filesystem::is_regular_file(path_, error)) return {State::unfit, "cannot be read"};
     const std::uintmax_t all = std::filesystem::file_size(path_, error);
-    if (error || all < header_.size() + hash_size) return {State::unfit, "has another length than it must"};
-    length = all - header_.size() - hash_size;
+    if (error || all < header_.size() + kHashSize) return {State::unfit, "has the wrong length"};
+    length = all - header_.size() - kHashSize;
     return {State::complete, {}};
 }
 
 CacheFile::Outcome CacheFile::read(std::vector<unsigned char>& part, std::uint64_t most) const {
     std::uint64_t length = 0;
     if (Outcome outcome = find(length); outcome.state != State::complete) return outcome;
-    if (length > most) return {State::unfit, "has another length than it must"};
+    if (length > most) return {State::unfit, "has the wrong length"};
     part.resize(length);
     const std::span<unsigned char> whole(part);
     return read({&whole, 1});
 }
 
 CacheFile::Outcome CacheFile::read(std::span<const std::span<unsigned char>> parts) const {
-    // The length says whether anything need be read.
+    // Checks the length before reading anything.
     std::uint64_t length = 0;
     if (Outcome outcome = find(length); outcome.state != State::complete) return outcome;
-    std::uint64_t wanted = 0;
-    for (const auto& part : parts) wanted += part.size();
-    if (length != wanted) return {State::unfit, "has another length than it must"};
+    std::uint64_t expected = 0;
+    for (const auto& part : parts) expected += part.size();
+    if (length != expected) return {State::unfit, "has the wrong length"};
     std::ifstream in(path_, std::ios::binary);
     if (!in) return {State::unfit, "cannot be read"};
     std::string found(header_.size(), '\0');
@@ -63,8 +63,8 @@ CacheFile::Outcome CacheFile::read(std::span<const std::span<unsigned char>> par
         in.read(reinterpret_cast<char*>(part.data()), static_cast<std::streamsize>(part.size()));
         hash.add(part);
     }
-    std::string stored(hash_size, '\0');
-    in.read(stored.data(), hash_size);
+    std::string stored(kHashSize, '\0');
+    in.read(stored.data(), kHashSize);
     if (!in || stored != hash.text()) return {State::unfit, "is damaged"};
     return {State::complete, {}};
 }

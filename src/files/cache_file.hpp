@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that save computing something again: trusted only where everything fits.
+// Cache files that are used only if key, version, length and hash are right.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace nicol {
 
-/// What a file must say about itself: magic, format version and a key that names what the content was made
-/// from, in that order. The content follows and, at the end, a hash of all before it.
+/// The header of a cache file: magic, format version and a key that identifies what the content was made
+/// from. The content follows, then a hash of everything before.
 class CacheFile {
 public:
     enum class State {
         complete,  ///< read
         missing,   ///< there is no such file
-        unfit,     ///< there is one, but not this
+        unfit,     ///< the file is damaged or of other content
     };
     struct Outcome {
         State state = State::missing;
@@ -31,16 +31,16 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
-    /// Fills the parts, one after the other. Unless the result is complete their content means nothing.
+    /// Fills the parts one after the other. Their content is valid only if the result is `complete`.
     [[nodiscard]] Outcome read(std::span<const std::span<unsigned char>> parts) const;
-    /// The same of one part of unknown length, at most `most` bytes.
+    /// The same for one part of unknown length, at most `most` bytes.
     [[nodiscard]] Outcome read(std::vector<unsigned char>& part, std::uint64_t most) const;
-    /// Makes the folder where it is missing; the file appears complete or not at all. Returns why it could
-    /// not be written, or an empty string.
+    /// Creates the folder if it is missing and writes the file atomically. Returns the reason of a failure,
+    /// or an empty string.
     [[nodiscard]] std::string write(std::span<const std::span<const unsigned char>> parts) const;
 
 private:
-    // The length of the content, or why there is none that fits.
+    // The length of the content, or why the file is unfit.
     [[nodiscard]] Outcome find(std::uint64_t& length) const;
 
     std::string header_;

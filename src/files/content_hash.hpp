@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A fingerprint of content, to tell whether something is what it was. Not a defence against forgery.
+// A fast, non-cryptographic hash of content.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace nicol {
 
-/// 128 bits over a sequence of bytes, the same however it is cut into pieces.
+/// 128 bits over a sequence of bytes, however it is split into pieces.
 class ContentHash {
 public:
     ContentHash& add(std::span<const unsigned char> bytes) {
@@ -48,8 +48,8 @@ private:
         word_ = 0;
         pending_ = 0;
     }
-    // Two lanes with different odd multipliers (of the golden ratio and of sqrt 2); shifts bring high bits
-    // down, which multiplication never does.
+    // Two lanes with different odd multipliers (of the golden ratio and of sqrt 2); shifts move high bits
+    // down, which multiplication does not.
     void mix(std::uint64_t word) {
         a_ = (a_ ^ word) * 0x9e3779b97f4a7c15;
         a_ ^= a_ >> 32;

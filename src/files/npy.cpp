@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A NumPy header is a Python dictionary in text; only the three keys that NumPy writes are understood.
+// A NumPy header is a Python dictionary in text; only the three keys that NumPy writes are accepted.
 #include "files/npy.hpp"
 
 #include <array>
@@ -11,8 +11,8 @@
 namespace nicol {
 namespace {
 
-constexpr std::size_t most_header_bytes = 1 << 16;
-constexpr std::size_t most_dimensions = 32;
+constexpr std::size_t kMaxHeaderBytes = 1 << 16;
+constexpr std::size_t kMaxDimensions = 32;
 
 class HeaderParser {
 public:
@@ -20,7 +20,7 @@ public:
 
     NpyHeader parse() {
         NpyHeader header;
-        unsigned seen = 0;
+        unsigned keys = 0;
         expect('{');
         while (!accept('}')) {
             const std::string key = quoted();
@@ -30,19 +30,19 @@ public:
                     throw Error(ErrorCode::unsupported,
                                 member_ + " holds records; it must hold plain numbers");
                 header.type = quoted();
-                seen |= 1;
+                keys |= 1;
             } else if (key == "fortran_order") {
                 header.fortran_order = boolean();
-                seen |= 2;
+                keys |= 2;
             } else if (key == "shape") {
                 header.shape = tuple();
-                seen |= 4;
+                keys |= 4;
             } else {
                 invalid();
             }
             if (!accept(',') && peek() != '}') invalid();
         }
-        if (seen != 7 || peek() != '\0') invalid();
+        if (keys != 7 || peek() != '\0') invalid();
         return header;
     }
 
@@ -92,7 +92,7 @@ private:
         expect('(');
         while (!accept(')')) {
             shape.push_back(number());
-            if (shape.size() > most_dimensions) invalid();
+            if (shape.size() > kMaxDimensions) invalid();
             if (!accept(',') && peek() != ')') invalid();
         }
         return shape;
@@ -144,9 +144,9 @@ NpyHeader read_npy_header(ZipStream& stream, const std::string& member) {
         stream.read(std::span(head).subspan(10, 2));
         length += 65536u * (head[10] + 256u * head[11]);
     }
-    if (length > most_header_bytes)
+    if (length > kMaxHeaderBytes)
         throw Error(ErrorCode::invalid_file,
-                    member + " has a header of more than " + std::to_string(most_header_bytes) + " bytes");
+                    member + " has a header of more than " + std::to_string(kMaxHeaderBytes) + " bytes");
     std::string text(length, '\0');
     stream.read({reinterpret_cast<unsigned char*>(text.data()), text.size()});
     return HeaderParser(text, member).parse();

@@ -10,7 +10,7 @@
 
 namespace nicol {
 
-/// What stands before the values of an array.
+/// What precedes the values of an array.
 struct NpyHeader {
     std::string type;  ///< NumPy's descr, as "<f8"
     bool fortran_order = false;
@@ -21,7 +21,7 @@ struct NpyHeader {
 };
 
 /// Reads the header, versions 1 to 3, and leaves the stream at the first value. Throws Error(unsupported) for
-/// structured types and later versions, Error(invalid_file) naming `member` for what is malformed.
+/// structured types and later versions, Error(invalid_file) naming `member` if malformed.
 [[nodiscard]] NpyHeader read_npy_header(ZipStream& stream, const std::string& member);
 
 }  // namespace nicol

@@ -17,14 +17,14 @@ namespace {
 using std::filesystem::path;
 static_assert(std::endian::native == std::endian::little, "files are little-endian");
 
-constexpr std::string_view suffix = ".npy";
-constexpr std::size_t most_characters = 1024;
+constexpr std::string_view kSuffix = ".npy";
+constexpr std::size_t kMaxCharacters = 1024;
 
 ZipEntry find_member(const path& file, std::string_view name) {
     std::string there;
     for (const ZipEntry& entry : read_zip_directory(file)) {
-        if (entry.name == std::string(name).append(suffix)) return entry;
-        // Enough names to see what kind of file this is.
+        if (entry.name == std::string(name).append(kSuffix)) return entry;
+        // A few names identify the kind of file.
         if (there.size() < 200) there += (there.empty() ? "" : ", ") + entry.name;
     }
     throw Error(ErrorCode::invalid_file, file.string() + ": has no member " + std::string(name) +
@@ -57,7 +57,7 @@ struct Member {
 template <class T>
 void read_values(Member& member, std::size_t count, std::vector<double>& values) {
     std::array<T, 4096> chunk;
-    // What is stored is there; what is deflated is only claimed.
+    // Stored bytes exist; the size of deflated ones is only a claim.
     values.reserve(member.entry.deflated ? std::min(count, chunk.size()) : count);
     while (values.size() < count) {
         const std::size_t n = std::min(chunk.size(), count - values.size());
@@ -79,8 +79,8 @@ void read_values(Member& member, std::size_t count, std::vector<double>& values)
 std::vector<std::string> npz_members(const path& file) {
     std::vector<std::string> names;
     for (const ZipEntry& entry : read_zip_directory(file))
-        if (entry.name.ends_with(suffix))
-            names.push_back(entry.name.substr(0, entry.name.size() - suffix.size()));
+        if (entry.name.ends_with(kSuffix))
+            names.push_back(entry.name.substr(0, entry.name.size() - kSuffix.size()));
     return names;
 }
 
@@ -113,10 +113,10 @@ std::string read_npz_text(const path& file, std::string_view name) {
         throw Error(ErrorCode::unsupported,
                     member.name + " has type \"" + type + "\"; it must be a text (U or S)");
     const std::size_t width = wide ? 4 : 1;
-    if (member.header.count(member.name, 1) != 1 || member.stream.left() > width * most_characters ||
+    if (member.header.count(member.name, 1) != 1 || member.stream.left() > width * kMaxCharacters ||
         member.stream.left() % width != 0)
         throw Error(ErrorCode::invalid_file, member.name + " must be one text of at most " +
-                                                 std::to_string(most_characters) + " characters");
+                                                 std::to_string(kMaxCharacters) + " characters");
     std::vector<unsigned char> bytes(member.stream.left());
     member.stream.read(bytes);
     std::string text;

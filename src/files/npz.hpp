@@ -18,14 +18,14 @@ struct NpyArray {
     std::vector<double> values;
 };
 
-/// Most numbers an array may have unless the caller says otherwise: 1 GiB of them.
+/// Default limit of an array's size: 1 GiB of numbers.
 inline constexpr std::size_t kMaxNpyValues = std::size_t{1} << 27;
 
 /// The names in the archive without their ".npy", in its order. Throws as read_npz_member().
 [[nodiscard]] std::vector<std::string> npz_members(const std::filesystem::path& path);
 
 /// The array called `name` (without ".npy"): little-endian float32, float64, int32 or int64 in C order,
-/// stored or deflated. Memory grows with the data that is really there, not with what a header claims. Throws
+/// stored or deflated. Memory use is proportional to the actual data, whatever a header claims. Throws
 /// Error(file_not_found); Error(unsupported) for other types, Fortran order, object arrays, encrypted members
 /// or archives above 4 GiB; Error(invalid_file) naming file and member for one that is missing, truncated,
 /// corrupt (CRC-32), of more than 32 dimensions or more than `most_values` numbers, or whose sizes contradict

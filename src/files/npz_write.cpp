@@ -14,9 +14,9 @@
 namespace nicol {
 namespace {
 
-constexpr std::uint64_t most_bytes = 0xfffffffe;
-/// 1 January 1980: no date at all, so that the same content is always the same file.
-constexpr std::uint32_t no_date = 1 << 5 | 1;
+constexpr std::uint64_t kMaxBytes = 0xfffffffe;
+/// 1 January 1980 instead of the date, so that equal content makes equal files.
+constexpr std::uint32_t kNoDate = 1 << 5 | 1;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
     throw Error(ErrorCode::invalid_argument, "write_npz: member \"" + name + "\" " + what);
@@ -87,13 +87,13 @@ std::uint32_t checksum(const Content& content) {
     return static_cast<std::uint32_t>(crc);
 }
 
-/// What local header and directory have in common: version, flags, method, date, CRC, sizes, name length.
+/// Fields that local header and directory share: version, flags, method, date, CRC, sizes, name length.
 std::string common_fields(const std::string& file_name, const Content& content, std::uint32_t crc) {
     std::string bytes;
     append(bytes, 20, 2);
     append(bytes, 0, 4);
     append(bytes, 0, 2);
-    append(bytes, no_date, 2);
+    append(bytes, kNoDate, 2);
     append(bytes, crc, 4);
     append(bytes, static_cast<std::uint32_t>(content.size()), 4);
     append(bytes, static_cast<std::uint32_t>(content.size()), 4);
@@ -114,7 +114,7 @@ void write_npz(const std::filesystem::path& path, std::span<const NpzMember> mem
         contents.push_back(content_of(member));
         total += contents.back().size() + 1024;
     }
-    if (total > most_bytes || members.size() > 1000)
+    if (total > kMaxBytes || members.size() > 1000)
         throw Error(ErrorCode::invalid_argument,
                     "write_npz: the archive must be smaller than 4 GiB and have at most 1000 members");
 

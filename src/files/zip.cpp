@@ -13,16 +13,16 @@ namespace {
 
 using std::filesystem::path;
 
-constexpr std::uint32_t end_magic = 0x06054b50;
-constexpr std::uint32_t directory_magic = 0x02014b50;
-constexpr std::uint32_t local_magic = 0x04034b50;
-constexpr std::size_t end_size = 22;
-constexpr std::size_t directory_size = 46;
-constexpr std::size_t local_size = 30;
-constexpr std::uint64_t most_directory_bytes = 1 << 20;
-/// Deflate cannot make more than this many bytes of one.
-constexpr std::uint64_t most_ratio = 1032;
-constexpr std::size_t buffer_bytes = 1 << 16;
+constexpr std::uint32_t kEndMagic = 0x06054b50;
+constexpr std::uint32_t kDirectoryMagic = 0x02014b50;
+constexpr std::uint32_t kLocalMagic = 0x04034b50;
+constexpr std::size_t kEndSize = 22;
+constexpr std::size_t kDirectorySize = 46;
+constexpr std::size_t kLocalSize = 30;
+constexpr std::uint64_t kMaxDirectoryBytes = 1 << 20;
+/// Deflate's largest compression ratio.
+constexpr std::uint64_t kMaxRatio = 1032;
+constexpr std::size_t kBufferBytes = 1 << 16;
 
 [[noreturn]] void invalid_archive(const path& file, const std::string& what) {
     throw Error(ErrorCode::invalid_file, file.string() + ": " + what);
@@ -51,10 +51,10 @@ std::vector<unsigned char> read_at(std::ifstream& in, const path& file, std::uin
 
 /// The record that closes the archive; a comment of up to 64 KiB may follow it.
 std::vector<unsigned char> find_end(std::ifstream& in, const path& file, std::uint64_t file_size) {
-    const std::uint64_t tail = std::min<std::uint64_t>(file_size, end_size + 0xffff);
+    const std::uint64_t tail = std::min<std::uint64_t>(file_size, kEndSize + 0xffff);
     std::vector<unsigned char> bytes = read_at(in, file, file_size - tail, tail);
-    for (std::size_t i = bytes.size() < end_size ? 0 : bytes.size() - end_size + 1; i-- > 0;) {
-        if (u32(&bytes[i]) == end_magic && i + end_size + u16(&bytes[i + 20]) == bytes.size())
+    for (std::size_t i = bytes.size() < kEndSize ? 0 : bytes.size() - kEndSize + 1; i-- > 0;) {
+        if (u32(&bytes[i]) == kEndMagic && i + kEndSize + u16(&bytes[i + 20]) == bytes.size())
             return {bytes.begin() + static_cast<std::ptrdiff_t>(i), bytes.end()};
     }
     invalid_archive(file, "is not a complete ZIP archive (no end record); .npz files are ZIP archives");
@@ -71,7 +71,7 @@ ZipEntry parse_entry(const path& file, const unsigned char* p, const std::string
         unsupported(file, "member " + name + " has ZIP64 sizes; it must be smaller than 4 GiB");
     if (entry.offset > directory_offset || entry.stored_size > directory_offset - entry.offset)
         invalid_archive(file, "member " + name + " lies outside the file");
-    if (entry.deflated ? entry.size > most_ratio * (entry.stored_size + 1) : entry.size != entry.stored_size)
+    if (entry.deflated ? entry.size > kMaxRatio * (entry.stored_size + 1) : entry.size != entry.stored_size)
         invalid_archive(file, "member " + name + " claims " + std::to_string(entry.size) + " bytes, but " +
                                   std::to_string(entry.stored_size) + " stored bytes cannot hold them");
     return entry;
@@ -94,7 +94,7 @@ std::vector<ZipEntry> read_zip_directory(const path& file) {
     if (u16(&end[4]) != 0 || u16(&end[6]) != 0) unsupported(file, "is part of an archive of several volumes");
     if (count == 0xffff || size == 0xffffffff || offset == 0xffffffff)
         unsupported(file, "has ZIP64 sizes; the archive must be smaller than 4 GiB");
-    if (size > most_directory_bytes || offset > file_size || size > file_size - offset)
+    if (size > kMaxDirectoryBytes || offset > file_size || size > file_size - offset)
         invalid_archive(file, "has a directory that lies outside the file or is larger than 1 MiB");
 
     const std::vector<unsigned char> directory = read_at(in, file, offset, size);
@@ -102,14 +102,14 @@ std::vector<ZipEntry> read_zip_directory(const path& file) {
     std::set<std::string> names;
     std::size_t at = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
-        if (directory.size() - at < directory_size || u32(&directory[at]) != directory_magic)
+        if (directory.size() - at < kDirectorySize || u32(&directory[at]) != kDirectoryMagic)
             invalid_archive(file, "has a damaged directory at entry " + std::to_string(i));
         const unsigned char* p = &directory[at];
         const std::size_t name_size = u16(p + 28);
-        const std::size_t entry_size = directory_size + name_size + u16(p + 30) + u16(p + 32);
+        const std::size_t entry_size = kDirectorySize + name_size + u16(p + 30) + u16(p + 32);
         if (directory.size() - at < entry_size)
             invalid_archive(file, "has a damaged directory at entry " + std::to_string(i));
-        const std::string name(p + directory_size, p + directory_size + name_size);
+        const std::string name(p + kDirectorySize, p + kDirectorySize + name_size);
         entries.push_back(parse_entry(file, p, name, offset));
         if (!names.insert(name).second) invalid_archive(file, "has member " + name + " twice");
         at += entry_size;
@@ -123,13 +123,13 @@ ZipStream::ZipStream(const path& file, const ZipEntry& entry)
       entry_(entry),
       left_(entry.size),
       stored_left_(entry.stored_size),
-      buffer_(buffer_bytes) {
-    std::array<unsigned char, local_size> head{};
+      buffer_(kBufferBytes) {
+    std::array<unsigned char, kLocalSize> head{};
     file_.seekg(static_cast<std::streamoff>(entry.offset));
-    file_.read(reinterpret_cast<char*>(head.data()), local_size);
-    if (!file_ || u32(head.data()) != local_magic) invalid("has no local header where the directory says");
+    file_.read(reinterpret_cast<char*>(head.data()), kLocalSize);
+    if (!file_ || u32(head.data()) != kLocalMagic) invalid("has no local header where the directory says");
     // Sizes may be missing here (they may follow the data), so only those of the directory count.
-    file_.seekg(static_cast<std::streamoff>(entry.offset + local_size + u16(&head[26]) + u16(&head[28])));
+    file_.seekg(static_cast<std::streamoff>(entry.offset + kLocalSize + u16(&head[26]) + u16(&head[28])));
     if (entry.deflated && inflateInit2(&inflate_, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
 }
 
@@ -141,7 +141,7 @@ void ZipStream::invalid(const std::string& what) const {
     throw Error(ErrorCode::invalid_file, name_ + " " + what);
 }
 
-/// The next stored bytes into the buffer of the inflater.
+/// Reads the next stored bytes into the inflater's buffer.
 void ZipStream::fill() {
     const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(stored_left_, buffer_.size()));
     if (size == 0) invalid("is truncated");

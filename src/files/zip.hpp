@@ -24,9 +24,9 @@ struct ZipEntry {
 };
 
 /// The central directory. Throws Error(file_not_found), Error(unsupported) for archives of several volumes,
-/// of ZIP64 sizes, with encrypted members or compression other than deflate, and Error(invalid_file) for
-/// anything damaged: afterwards every entry lies inside the file, no name is there twice, and no size exceeds
-/// what deflate can make of the bytes that are there.
+/// of ZIP64 sizes, with encrypted members or compression other than deflate, and Error(invalid_file) if
+/// damaged. Every returned entry lies inside the file, names are unique, and no size exceeds what deflate can
+/// make of the stored bytes.
 [[nodiscard]] std::vector<ZipEntry> read_zip_directory(const std::filesystem::path& path);
 
 /// The content of one member from its beginning. Memory: a few tens of KiB.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Checks, normals and transforms of meshes.
 #include "geometry/mesh.hpp"
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "geometry/checks.hpp"
+#include "geometry/polygon_mesh.hpp"
 
 namespace nicol {
 namespace {
@@ -20,8 +19,8 @@ bool finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Normal of a triangle, its length twice the area. In double, where differences of floats are exact enough
-/// that the area of a flat triangle does not drown in rounding.
+/// Normal of a triangle, its length twice the area. In double, so that rounding does not hide the area of a
+/// thin triangle.
 glm::dvec3 area_normal(const Mesh& mesh, const glm::uvec3& t) {
     const glm::dvec3 a(mesh.positions[t.x]);
     return glm::cross(glm::dvec3(mesh.positions[t.y]) - a, glm::dvec3(mesh.positions[t.z]) - a);
@@ -55,7 +54,7 @@ std::vector<glm::vec3> averaged_normals(const Mesh& mesh) {
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const double length = glm::length(sums[v]);
         const bool used = firsts[v] != glm::dvec3(0.0);
-        // Faces that cancel leave rounding only.
+        // Of faces that cancel only rounding errors remain.
         normals[v] = glm::vec3(length > 1e-9 ? sums[v] / length
                                : used        ? firsts[v]
                                              : glm::dvec3(0.0, 0.0, 1.0));

@@ -10,31 +10,31 @@
 
 namespace nicol {
 
-/// Indexed triangles with one unit normal a vertex. A front face is counter-clockwise seen from outside.
-/// An edge is hard where its faces have vertices of their own: same position, other normal.
+/// Indexed triangles with one unit normal per vertex. Front faces are counter-clockwise seen from outside.
+/// At a hard edge each face has vertices of its own: equal positions, different normals.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  ///< as many as positions; unit length after validate()
     std::vector<glm::uvec3> triangles;
 };
 
-/// Reads Wavefront OBJ, PLY (text, binary), OFF (text) or STL (text, binary), told apart by the suffix.
-/// Polygons become fans of triangles, from the corner that suits a notch; every face is kept, whether the
-/// surface is a manifold or not.
-/// - Normals in the file are kept. An OBJ vertex whose corners name different normals is split, so that a
-/// hard
-///   edge stays hard; the order of the vertices is otherwise the file's.
-/// - Without normals they are made by smooth_normals(). STL has neither vertices nor normals worth the name:
-/// equal
-///   positions are welded and normals averaged over faces that meet at less than stl_crease_degrees.
+/// Reads Wavefront OBJ, PLY (text, binary), OFF (text) or STL (text, binary), chosen by the suffix.
+/// Polygons become triangle fans; a concave quadrilateral is split at its reflex corner. Every face is kept,
+/// manifold or not.
+/// - Normals in the file are kept. An OBJ vertex whose corners name different normals is split; the order of
+/// the
+///   vertices is otherwise the file's.
+/// - Missing normals are made by smooth_normals(). For STL, equal positions are merged and normals averaged
+/// over
+///   faces that meet at less than kStlCreaseDegrees.
 /// The result has passed validate().
 /// Throws Error: file_not_found; unsupported (unknown suffix); invalid_file (truncated, malformed, no
-/// triangles, or anything validate() refuses), with the line, vertex or face at fault. Memory stays in
-/// proportion to the size of the file, whatever its header claims.
+/// triangles, or anything validate() refuses), naming the line, vertex or face. Memory use is proportional to
+/// the size of the file, whatever its header claims.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
 
-/// Faces of an STL file that meet at a larger angle keep a hard edge between them.
-inline constexpr double stl_crease_degrees = 40.0;
+/// Faces of an STL file that meet at a larger angle have a hard edge between them.
+inline constexpr double kStlCreaseDegrees = 40.0;
 
 /// Checks a mesh and completes its normals; `name` begins every message. All indices are 0-based.
 /// - No normals at all: smooth_normals() makes them. A normal of zero length is replaced by the smooth one
@@ -44,20 +44,20 @@ inline constexpr double stl_crease_degrees = 40.0;
 /// corners that share a vertex or a position, or three on one line).
 void validate(Mesh& mesh, std::string_view name);
 
-/// Normals averaged over the faces at each vertex, weighted by the angle of the face's corner there, so that
-/// they do not depend on how a polygon was cut. Faces at one vertex that cancel out leave the normal of the
-/// first.
+/// Normals averaged over the faces at each vertex, weighted by the face's angle there, so that they do not
+/// depend on the triangulation. Where faces cancel, the normal of the first.
 void smooth_normals(Mesh& mesh);
 
-/// The same triangles with three vertices each and the normal of the plane: every edge is hard. The mesh must
-/// have passed validate().
+/// The same triangles with vertices of their own and face normals: every edge is hard. The mesh must have
+/// passed validate().
 [[nodiscard]] Mesh with_face_normals(const Mesh& mesh);
 
-/// The other side becomes the front: normals negated, winding reversed.
+/// Swaps front and back: normals negated, winding reversed.
 void flip_normals(Mesh& mesh);
 
 /// Positions by `to_world`, normals by its inverse transpose; the winding is reversed where `to_world`
-/// mirrors, so that the front stays the front. Throws Error(invalid_argument) unless `to_world` is finite and
+/// mirrors, so that the front stays
+/// the front. Throws Error(invalid_argument) unless `to_world` is finite and
 /// invertible with last row (0, 0, 0, 1).
 [[nodiscard]] Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world);
 
@@ -68,8 +68,8 @@ void flip_normals(Mesh& mesh);
 /// the centre is finite and the radius positive and finite.
 [[nodiscard]] Mesh make_sphere(const glm::dvec3& center = glm::dvec3(0.0), double radius = 1.0);
 
-/// The square [-1, 1]^2 at z = 0 with normal +z, `cells` x `cells` squares of two triangles, so that shading
-/// per vertex has something to stand on. Throws Error(invalid_argument) unless 1 <= cells <= 1024.
+/// The square [-1, 1]^2 at z = 0 with normal +z as `cells` x `cells` squares of two triangles. Throws
+/// Error(invalid_argument) unless 1 <= cells <= 1024.
 [[nodiscard]] Mesh make_rectangle(int cells = 64);
 
 /// The cube [-1, 1]^3 with hard edges and outward normals, each side as make_rectangle(cells).

@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Mesh files of every kind.
+// Loading of mesh files.
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <limits>
 
 #include "error.hpp"
-#include "geometry/checks.hpp"
-#include "geometry/soup.hpp"
-#include "geometry/source_text.hpp"
-#include "geometry/vet.hpp"
+#include "geometry/polygon_mesh.hpp"
+#include "geometry/tokenizer.hpp"
 
 namespace nicol {
 namespace {
 
-struct FileKind {
+struct Format {
     std::string_view suffix;
-    geometry::Vetted (*vet)(std::string_view name, std::string_view bytes);
+    geometry::ParsedFile (*parse)(std::string_view name, std::string_view bytes);
 };
 
-constexpr std::array<FileKind, 4> kinds = {{{".obj", geometry::vet_obj},
-                                            {".ply", geometry::vet_ply},
-                                            {".off", geometry::vet_off},
-                                            {".stl", geometry::vet_stl}}};
+constexpr std::array<Format, 4> kFormats = {{{".obj", geometry::parse_obj},
+                                             {".ply", geometry::parse_ply},
+                                             {".off", geometry::parse_off},
+                                             {".stl", geometry::parse_stl}}};
 
 }  // namespace
 
@@ -31,26 +29,27 @@ Mesh load_mesh(const std::filesystem::path& file) {
     std::string suffix = file.extension().string();
     std::ranges::transform(suffix, suffix.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto kind = std::ranges::find(kinds, std::string_view(suffix), &FileKind::suffix);
-    if (kind == kinds.end())
+    const auto format = std::ranges::find(kFormats, std::string_view(suffix), &Format::suffix);
+    if (format == kFormats.end())
         throw Error(ErrorCode::unsupported,
                     name + ": unknown kind of mesh \"" + suffix + "\"; expected .obj, .ply, .off or .stl");
-    const geometry::Vetted vetted = kind->vet(name, geometry::read_bytes(file));
+    const geometry::ParsedFile parsed = format->parse(name, geometry::read_bytes(file));
     // OpenMesh counts in int.
     constexpr auto most = static_cast<std::size_t>(std::numeric_limits<int>::max());
-    if (vetted.vertices > most || vetted.faces > most)
+    if (parsed.vertices > most || parsed.faces > most)
         throw Error(ErrorCode::unsupported, name + ": more than 2^31 - 1 vertices or faces");
-    if (vetted.faces == 0)
+    if (parsed.faces == 0)
         throw Error(ErrorCode::invalid_file, name + ": no faces; a mesh needs at least one");
-    geometry::Soup soup = geometry::read_soup(name, vetted.bytes, vetted.suffix);
-    const bool welded = vetted.suffix == ".stl";
-    if (soup.face_ends.size() != vetted.faces || (!welded && soup.positions.size() != vetted.vertices))
+    geometry::PolygonMesh polygons = geometry::read_polygons(name, parsed);
+    const bool welded = parsed.suffix == ".stl";
+    if (polygons.face_ends.size() != parsed.faces ||
+        (!welded && polygons.positions.size() != parsed.vertices))
         throw Error(ErrorCode::invalid_file, name + ": OpenMesh read " +
-                                                 std::to_string(soup.face_ends.size()) + " of " +
-                                                 std::to_string(vetted.faces) + " faces");
-    if (welded) geometry::smooth_within_crease(soup, stl_crease_degrees);
+                                                 std::to_string(polygons.face_ends.size()) + " of " +
+                                                 std::to_string(parsed.faces) + " faces");
+    if (welded) geometry::smooth_within_crease(polygons, kStlCreaseDegrees);
     std::vector<std::uint32_t> faces;
-    Mesh mesh = geometry::triangulated(soup, faces);
+    Mesh mesh = geometry::triangulated(polygons, faces);
     geometry::validate(mesh, name, faces);
     return mesh;
 }

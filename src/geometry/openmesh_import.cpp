@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenMesh's readers, delivering into a Soup.
+// OpenMesh's readers.
 #include <OpenMesh/Core/IO/IOManager.hh>
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/System/omstream.hh>
@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "error.hpp"
-#include "geometry/soup.hpp"
+#include "geometry/polygon_mesh.hpp"
 
 namespace nicol::geometry {
 namespace {
@@ -17,21 +17,21 @@ using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 
-/// Keeps positions, faces and normals as they come; everything else a file may hold is let go.
-class SoupImporter final : public OpenMesh::IO::BaseImporter {
+/// Keeps positions, faces and normals; ignores everything else.
+class PolygonImporter final : public OpenMesh::IO::BaseImporter {
 public:
-    /// OBJ gives a normal for every corner just before the face; the others one for every vertex.
-    SoupImporter(Soup& soup, bool normals_at_corners)
-        : soup_(soup), normals_at_corners_(normals_at_corners) {}
+    /// OBJ sets a normal for every corner just before the face; the other formats one for every vertex.
+    PolygonImporter(PolygonMesh& polygons, bool normals_at_corners)
+        : polygons_(polygons), normals_at_corners_(normals_at_corners) {}
 
     VertexHandle add_vertex(const OpenMesh::Vec3f& point) override {
-        soup_.positions.emplace_back(point[0], point[1], point[2]);
+        polygons_.positions.emplace_back(point[0], point[1], point[2]);
         normals_.emplace_back(0.0f);
-        return VertexHandle(static_cast<int>(soup_.positions.size()) - 1);
+        return VertexHandle(static_cast<int>(polygons_.positions.size()) - 1);
     }
     VertexHandle add_vertex() override { return add_vertex(OpenMesh::Vec3f(0.0f)); }
     void set_point(VertexHandle v, const OpenMesh::Vec3f& point) override {
-        soup_.positions[index(v)] = {point[0], point[1], point[2]};
+        polygons_.positions[index(v)] = {point[0], point[1], point[2]};
     }
     void set_normal(VertexHandle v, const OpenMesh::Vec3f& n) override {
         normals_[index(v)] = {n[0], n[1], n[2]};
@@ -40,15 +40,15 @@ public:
 
     FaceHandle add_face(const VHandles& vertices) override {
         for (const VertexHandle v : vertices) {
-            soup_.corners.push_back({static_cast<std::uint32_t>(v.idx()), normals_[index(v)]});
+            polygons_.corners.push_back({static_cast<std::uint32_t>(v.idx()), normals_[index(v)]});
             if (normals_at_corners_) normals_[index(v)] = glm::vec3(0.0f);
         }
-        soup_.face_ends.push_back(soup_.corners.size());
-        return FaceHandle(static_cast<int>(soup_.face_ends.size()) - 1);
+        polygons_.face_ends.push_back(polygons_.corners.size());
+        return FaceHandle(static_cast<int>(polygons_.face_ends.size()) - 1);
     }
 
-    std::size_t n_vertices() const override { return soup_.positions.size(); }
-    std::size_t n_faces() const override { return soup_.face_ends.size(); }
+    std::size_t n_vertices() const override { return polygons_.positions.size(); }
+    std::size_t n_faces() const override { return polygons_.face_ends.size(); }
     std::size_t n_edges() const override { return 0; }
 
     HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
@@ -87,19 +87,19 @@ public:
 private:
     static std::size_t index(VertexHandle v) { return static_cast<std::size_t>(v.idx()); }
 
-    Soup& soup_;
+    PolygonMesh& polygons_;
     bool normals_at_corners_;
     std::vector<glm::vec3> normals_;
 };
 
-/// OpenMesh speaks to std::cerr through omerr(); while this lives it speaks into text() instead. Its own
-/// connect() and disconnect() would leak.
-class CapturedErrors {
+/// Redirects OpenMesh's omerr() from std::cerr to text() during its lifetime. omerr()'s own connect() and
+/// disconnect() leak.
+class ErrorCapture {
 public:
-    CapturedErrors() : before_(stream().rdbuf(text_.rdbuf())) {}
-    ~CapturedErrors() { stream().rdbuf(before_); }
-    CapturedErrors(const CapturedErrors&) = delete;
-    CapturedErrors& operator=(const CapturedErrors&) = delete;
+    ErrorCapture() : before_(stream().rdbuf(text_.rdbuf())) {}
+    ~ErrorCapture() { stream().rdbuf(before_); }
+    ErrorCapture(const ErrorCapture&) = delete;
+    ErrorCapture& operator=(const ErrorCapture&) = delete;
     [[nodiscard]] std::string text() const { return text_.str(); }
 
 private:
@@ -111,20 +111,20 @@ private:
 
 }  // namespace
 
-Soup read_soup(std::string_view name, const std::string& bytes, const std::string& suffix) {
-    // The readers are singletons with state.
+PolygonMesh read_polygons(std::string_view name, const ParsedFile& file) {
+    // OpenMesh's readers are singletons with state.
     static std::mutex readers;
     const std::scoped_lock lock(readers);
-    CapturedErrors errors;
+    ErrorCapture errors;
     OpenMesh::IO::Options options(OpenMesh::IO::Options::VertexNormal);
-    if (suffix == ".stl") options += OpenMesh::IO::Options::Binary;
-    Soup soup;
-    SoupImporter importer(soup, suffix == ".obj");
-    std::istringstream stream(bytes, std::ios::in | std::ios::binary);
+    if (file.suffix == ".stl") options += OpenMesh::IO::Options::Binary;
+    PolygonMesh polygons;
+    PolygonImporter importer(polygons, file.suffix == ".obj");
+    std::istringstream stream(file.bytes, std::ios::in | std::ios::binary);
     stream.imbue(std::locale::classic());
-    if (!OpenMesh::IO::IOManager().read(stream, suffix, importer, options))
+    if (!OpenMesh::IO::IOManager().read(stream, file.suffix, importer, options))
         throw Error(ErrorCode::internal, std::string(name) + ": OpenMesh cannot read it: " + errors.text());
-    return soup;
+    return polygons;
 }
 
 }  // namespace nicol::geometry

@@ -19,17 +19,17 @@ constexpr double kDistinct = 1e-3;
 // Jacobi's rotations: each makes one element off the diagonal vanish.
 glm::dmat3 eigenvectors(glm::dmat3 a) {
     glm::dmat3 vectors(1.0);
-    constexpr int sweeps = 20;  // each squares what is left off the diagonal
+    constexpr int sweeps = 20;  // convergence is quadratic
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for (const auto& [p, q] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
             if (a[p][q] == 0) continue;
             const double angle = std::atan2(2 * a[p][q], a[p][p] - a[q][q]) / 2;
-            glm::dmat3 turn(1.0);
-            turn[p][p] = turn[q][q] = std::cos(angle);
-            turn[p][q] = std::sin(angle);
-            turn[q][p] = -turn[p][q];
-            a = glm::transpose(turn) * a * turn;
-            vectors = vectors * turn;
+            glm::dmat3 rotation(1.0);
+            rotation[p][p] = rotation[q][q] = std::cos(angle);
+            rotation[p][q] = std::sin(angle);
+            rotation[q][p] = -rotation[p][q];
+            a = glm::transpose(rotation) * a * rotation;
+            vectors = vectors * rotation;
         }
     }
     std::array<int, 3> order{0, 1, 2};
@@ -51,14 +51,14 @@ glm::dmat3 principal_axes(std::span<const glm::vec3> points) {
     const double size = points.empty() ? 0 : glm::length(high - low);
     if (!(size > 0)) return glm::dmat3(1);
 
-    // In units of the whole, so that nothing overflows or vanishes.
+    // Relative to the size, so that nothing overflows or underflows.
     glm::dmat3 covariance(0.0);
     for (const glm::vec3& point : points) {
         const glm::dvec3 d = (glm::dvec3(point) - centre) / size;
         covariance += glm::outerProduct(d, d) / static_cast<double>(points.size());
     }
     glm::dmat3 axes = eigenvectors(covariance);
-    // Axes that do not stand out would be a matter of rounding.
+    // Axes of nearly equal variances would depend on rounding.
     glm::dvec3 variance;
     for (int i = 0; i < 3; ++i) variance[i] = glm::dot(axes[i], covariance * axes[i]);
     if (variance[0] - variance[1] < kDistinct * variance[0] ||

@@ -14,7 +14,7 @@ namespace nicol {
 namespace {
 
 // Embree squares coordinates in single precision.
-constexpr float largest_coordinate = 1e15F;
+constexpr float kLargestCoordinate = 1e15F;
 
 [[noreturn]] void refuse(std::size_t surface, const std::string& message) {
     throw Error(ErrorCode::invalid_argument, "surface " + std::to_string(surface) + ": " + message);
@@ -26,7 +26,7 @@ float check(std::size_t index, const RaySurface& surface) {
     for (std::size_t v = 0; v < surface.positions.size(); ++v) {
         const glm::vec3& p = surface.positions[v];
         for (int axis = 0; axis < 3; ++axis) {
-            if (!(std::abs(p[axis]) <= largest_coordinate)) {
+            if (!(std::abs(p[axis]) <= kLargestCoordinate)) {
                 refuse(index, "vertex " + std::to_string(v) + " is not finite or beyond 1e15");
             }
             largest = std::max(largest, std::abs(p[axis]));
@@ -152,10 +152,10 @@ bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal,
 }
 
 std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundle,
-                                 std::uint16_t asked) const {
+                                 std::uint16_t active) const {
     constexpr std::size_t count = RayBundle::kRays;
     alignas(64) std::array<int, count> valid{};
-    for (std::size_t i = 0; i < count; ++i) valid[i] = (asked >> i & 1) != 0 ? -1 : 0;
+    for (std::size_t i = 0; i < count; ++i) valid[i] = (active >> i & 1) != 0 ? -1 : 0;
     RTCRay16 rays{};
     for (std::size_t i = 0; i < count; ++i) {
         rays.org_x[i] = origin.x;
@@ -173,7 +173,7 @@ std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundl
     rtcOccluded16(valid.data(), embree_->scene.get(), &context, &rays);
     unsigned blocked = 0;
     for (std::size_t i = 0; i < count; ++i) blocked |= (rays.tfar[i] < 0 ? 1U : 0U) << i;
-    return static_cast<std::uint16_t>(blocked & asked);
+    return static_cast<std::uint16_t>(blocked & active);
 }
 
 }  // namespace nicol

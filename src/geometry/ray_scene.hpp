@@ -59,10 +59,10 @@ public:
     [[nodiscard]] bool occluded(const glm::dvec3& point, const glm::dvec3& normal,
                                 const glm::dvec3& direction) const;
 
-    /// Whether anything lies in the directions of a bundle from `origin`: bit i answers for ray i. Only rays
-    /// whose bit in `asked` is set are traced; the other bits of the answer are 0.
+    /// Whether anything lies in the directions of a bundle from `origin`: bit i is that of ray i. Only rays
+    /// whose bit in `active` is set are traced; the other bits of the result are 0.
     [[nodiscard]] std::uint16_t occluded(const glm::vec3& origin, const RayBundle& bundle,
-                                         std::uint16_t asked) const;
+                                         std::uint16_t active) const;
 
     /// 2^-19 of the largest coordinate in the scene: some 30 units in the last place of the 32-bit floats
     /// that hold it, against which a triangle's own plane is known to about 1.

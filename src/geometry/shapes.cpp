@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Analytic shapes as meshes.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -16,31 +15,31 @@ namespace {
 
 /// Even, so that the middle of an icosahedron's edge is a vertex: six of those middles are the points on the
 /// axes.
-constexpr std::uint32_t sphere_cuts = 38;
+constexpr std::uint32_t kSphereCuts = 38;
 
-constexpr double golden = std::numbers::phi;
+constexpr double kGolden = std::numbers::phi;
 
-const std::array<glm::dvec3, 12> icosahedron_corners = {{{0, 1, golden},
-                                                         {0, -1, golden},
-                                                         {0, 1, -golden},
-                                                         {0, -1, -golden},
-                                                         {1, golden, 0},
-                                                         {-1, golden, 0},
-                                                         {1, -golden, 0},
-                                                         {-1, -golden, 0},
-                                                         {golden, 0, 1},
-                                                         {golden, 0, -1},
-                                                         {-golden, 0, 1},
-                                                         {-golden, 0, -1}}};
+const std::array<glm::dvec3, 12> kIcosahedronCorners = {{{0, 1, kGolden},
+                                                         {0, -1, kGolden},
+                                                         {0, 1, -kGolden},
+                                                         {0, -1, -kGolden},
+                                                         {1, kGolden, 0},
+                                                         {-1, kGolden, 0},
+                                                         {1, -kGolden, 0},
+                                                         {-1, -kGolden, 0},
+                                                         {kGolden, 0, 1},
+                                                         {kGolden, 0, -1},
+                                                         {-kGolden, 0, 1},
+                                                         {-kGolden, 0, -1}}};
 
 /// Points on the unit sphere and triangles over them, each point once.
 class Icosphere {
 public:
     Icosphere() {
-        for (const glm::dvec3& corner : icosahedron_corners) points.push_back(glm::normalize(corner));
+        for (const glm::dvec3& corner : kIcosahedronCorners) points.push_back(glm::normalize(corner));
         // Corners of a face are 2 apart, all others further.
         const auto adjacent = [](std::uint32_t a, std::uint32_t b) {
-            return glm::distance(icosahedron_corners[a], icosahedron_corners[b]) < 2.1;
+            return glm::distance(kIcosahedronCorners[a], kIcosahedronCorners[b]) < 2.1;
         };
         for (std::uint32_t a = 0; a < 12; ++a)
             for (std::uint32_t b = a + 1; b < 12; ++b)
@@ -55,41 +54,41 @@ public:
     std::vector<glm::uvec3> triangles;
 
 private:
-    /// The point `i` steps from `a` on the edge to `b`, the same index whichever face asks.
+    /// The point `i` steps from `a` on the edge to `b`, the same index for both faces at the edge.
     std::uint32_t on_edge(std::uint32_t a, std::uint32_t b, std::uint32_t i) {
-        if (a > b) return on_edge(b, a, sphere_cuts - i);
+        if (a > b) return on_edge(b, a, kSphereCuts - i);
         if (i == 0) return a;
-        if (i == sphere_cuts) return b;
+        if (i == kSphereCuts) return b;
         const auto [first, is_new] = edges_.try_emplace({a, b}, static_cast<std::uint32_t>(points.size()));
         if (is_new) {
-            for (std::uint32_t k = 1; k < sphere_cuts; ++k)
-                points.push_back(glm::normalize(icosahedron_corners[a] * double(sphere_cuts - k) +
-                                                icosahedron_corners[b] * double(k)));
+            for (std::uint32_t k = 1; k < kSphereCuts; ++k)
+                points.push_back(glm::normalize(kIcosahedronCorners[a] * double(kSphereCuts - k) +
+                                                kIcosahedronCorners[b] * double(k)));
         }
         return first->second + i - 1;
     }
 
     void cut_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         // Rows parallel to bc: row i has i + 1 points.
-        std::vector<std::vector<std::uint32_t>> rows(sphere_cuts + 1);
-        for (std::uint32_t i = 0; i <= sphere_cuts; ++i)
+        std::vector<std::vector<std::uint32_t>> rows(kSphereCuts + 1);
+        for (std::uint32_t i = 0; i <= kSphereCuts; ++i)
             for (std::uint32_t j = 0; j <= i; ++j) {
                 std::uint32_t index = 0;
                 if (j == 0)
                     index = on_edge(a, b, i);
                 else if (j == i)
                     index = on_edge(a, c, i);
-                else if (i == sphere_cuts)
+                else if (i == kSphereCuts)
                     index = on_edge(b, c, j);
                 else {
                     index = static_cast<std::uint32_t>(points.size());
-                    points.push_back(glm::normalize(icosahedron_corners[a] * double(sphere_cuts - i) +
-                                                    icosahedron_corners[b] * double(i - j) +
-                                                    icosahedron_corners[c] * double(j)));
+                    points.push_back(glm::normalize(kIcosahedronCorners[a] * double(kSphereCuts - i) +
+                                                    kIcosahedronCorners[b] * double(i - j) +
+                                                    kIcosahedronCorners[c] * double(j)));
                 }
                 rows[i].push_back(index);
             }
-        for (std::uint32_t i = 0; i < sphere_cuts; ++i)
+        for (std::uint32_t i = 0; i < kSphereCuts; ++i)
             for (std::uint32_t j = 0; j <= i; ++j) {
                 triangles.emplace_back(rows[i][j], rows[i + 1][j], rows[i + 1][j + 1]);
                 if (j < i) triangles.emplace_back(rows[i][j], rows[i + 1][j + 1], rows[i][j + 1]);

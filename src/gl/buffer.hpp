@@ -11,7 +11,7 @@
 
 namespace nicol::gl {
 
-/// What a buffer is counted as; any buffer can feed attributes and storage bindings.
+/// How a buffer's memory is accounted; any buffer may be used for attributes and storage bindings.
 enum class BufferUse { vertex, index, storage };
 enum class BufferUpdate { fixed, dynamic };  ///< dynamic buffers accept update()
 
@@ -49,7 +49,7 @@ private:
     BufferUpdate update_;
 };
 
-/// The corners of triangles. Remembers the largest index, so that no draw can reach behind its vertices.
+/// Indices of triangles. Keeps the largest index, so that no draw reads beyond its vertices.
 class IndexBuffer {
 public:
     /// Three indices a triangle; Error(invalid_argument) if none or not a multiple of three.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finding a way to a context, and the context's life.
+// Making and destroying contexts.
 #include "gl/context.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Candidate {
     std::function<std::unique_ptr<Platform>()> make;
 };
 
-/// The request with NICOL_BACKEND and the device taken into account.
+/// The request, with NICOL_BACKEND and the device applied.
 ContextRequest resolved(ContextRequest request) {
     const char* variable = std::getenv("NICOL_BACKEND");
     if (request.backend == Backend::automatic && variable != nullptr && *variable != '\0') {
@@ -39,7 +39,7 @@ ContextRequest resolved(ContextRequest request) {
     return request;
 }
 
-/// On a thread of its own, because asking EGL leaves marks in the calling thread.
+/// On a thread of its own, because EGL queries leave state in the calling thread.
 EglChoices find_egl_choices_aside() {
     EglChoices choices;
     std::exception_ptr error;
@@ -54,7 +54,7 @@ EglChoices find_egl_choices_aside() {
     return choices;
 }
 
-std::vector<Candidate> candidates(const ContextRequest& request, std::vector<Probe>& failed) {
+std::vector<Candidate> candidates(const ContextRequest& request, std::vector<FailedAttempt>& failed) {
     std::vector<Candidate> list;
     if (request.backend != Backend::osmesa) {
         EglChoices found;
@@ -85,10 +85,9 @@ std::size_t MemoryUse::total() const {
 
 std::shared_ptr<Context> Context::create(const ContextRequest& asked) {
     const ContextRequest request = resolved(asked);
-    std::vector<Probe> failed;
+    std::vector<FailedAttempt> failed;
     for (const Candidate& candidate : candidates(request, failed)) {
-        // A fresh thread for each try: a thread that has seen one of Mesa's libraries is spoilt for the
-        // other.
+        // A new thread for each attempt: a thread that used one of Mesa's libraries cannot use the other.
         auto state = std::make_shared<State>();
         state->thread = start_quiet_thread([state] {
             state->worker.work();
@@ -98,14 +97,14 @@ std::shared_ptr<Context> Context::create(const ContextRequest& asked) {
         std::shared_ptr<Context> context(new Context(state));
         try {
             context->run([&] { state->open(candidate.make(), candidate.backend, candidate.name); });
-            state->failed_probes = std::move(failed);
+            state->failed_attempts = std::move(failed);
             return context;
         } catch (const std::exception& error) {
             failed.push_back({candidate.name, error.what()});
         }
     }
     std::string text = "no OpenGL 4.5 core context could be made.";
-    for (const Probe& probe : failed) text += "\n  " + probe.what + ": " + probe.reason;
+    for (const FailedAttempt& attempt : failed) text += "\n  " + attempt.what + ": " + attempt.reason;
     throw Error(ErrorCode::no_backend, text);
 }
 
@@ -137,8 +136,8 @@ const Limits& Context::limits() const noexcept {
     return state_->limits;
 }
 
-const std::vector<Probe>& Context::failed_probes() const noexcept {
-    return state_->failed_probes;
+const std::vector<FailedAttempt>& Context::failed_attempts() const noexcept {
+    return state_->failed_attempts;
 }
 
 MemoryUse Context::memory() const noexcept {

@@ -25,10 +25,10 @@ struct ContextRequest {
     std::optional<int> device = std::nullopt;
 };
 
-/// A way into the context of a host. None of the functions may throw.
+/// Access to the context of a host. None of the functions may throw.
 struct HostAccess {
-    std::function<void (*(const char* name))()> function;  ///< as the host looks up OpenGL's functions
-    std::function<bool()> is_current;                      ///< on the calling thread; empty: OpenGL is asked
+    std::function<void (*(const char* name))()> function;  ///< the host's look-up of OpenGL functions
+    std::function<bool()> is_current;  ///< on the calling thread; empty: OpenGL is queried
     std::function<void(const std::string& message)> notice;  ///< may be empty
 };
 
@@ -39,13 +39,13 @@ struct ContextInfo {
     bool software = false;                  ///< the processor rasterises: prefer threads to compute shaders
 };
 
-/// A way to a context that was tried, and why it failed.
-struct Probe {
+/// An attempt to make a context, and why it failed.
+struct FailedAttempt {
     std::string what;
     std::string reason;
 };
 
-/// What the driver promises; everything larger is refused with Error(invalid_argument).
+/// The driver's limits; anything larger is refused with Error(invalid_argument).
 struct Limits {
     int texture_size = 0;        ///< texels a side
     int target_size = 0;         ///< pixels a side of a RenderTarget
@@ -62,26 +62,27 @@ struct Limits {
 
 enum class MemoryKind { vertex, index, storage, texture, render_target };
 
-/// Bytes of the objects alive in a context, as asked for (a driver may pad).
+/// Bytes of the objects in a context, as requested (a driver may pad).
 struct MemoryUse {
     std::array<std::size_t, 5> bytes{};  ///< by MemoryKind
     [[nodiscard]] std::size_t of(MemoryKind kind) const { return bytes[static_cast<std::size_t>(kind)]; }
     [[nodiscard]] std::size_t total() const;
 };
 
-/// Objects of this folder are made and used inside run() and hold their context alive; their destructors, and
+/// Objects of this folder are made and used inside run() and keep their context alive; their destructors, and
 /// the context's, may run on any thread and in any order. Two contexts share nothing, and one of each backend
-/// may live in the same process. A function running in one context must not wait for a second context whose
+/// may exist in the same process. A function running in one context must not wait for a second context whose
 /// own function waits for the first.
 class Context : public std::enable_shared_from_this<Context> {
 public:
-    /// Throws Error(no_backend) with the reason of every failed try, or Error(invalid_argument) for an
+    /// Throws Error(no_backend) with the reason of every failed attempt, or Error(invalid_argument) for an
     /// unknown NICOL_BACKEND, a device that does not exist, or a device together with OSMesa.
     [[nodiscard]] static std::shared_ptr<Context> create(const ContextRequest& request = {});
     /// Uses the context of the caller, which is current on this thread and of OpenGL 4.5 or newer, core or
     /// compatibility. run() calls on the calling thread, finds the host's state (host_state.hpp) as it left
-    /// it, and throws Error(not_current) where the context is not current. Objects that are dropped where it
-    /// is not go at the next run(), or with the host's context. Throws Error(not_current), Error(no_backend).
+    /// it, and throws Error(not_current) where the context is not current. Objects that are dropped while it
+    /// is not current are deleted at the next run(), or with the host's context. Throws Error(not_current),
+    /// Error(no_backend).
     [[nodiscard]] static std::shared_ptr<Context> create_in_host(HostAccess access);
     ~Context();
     Context(const Context&) = delete;
@@ -89,8 +90,8 @@ public:
 
     [[nodiscard]] const ContextInfo& info() const noexcept;
     [[nodiscard]] const Limits& limits() const noexcept;
-    /// The tries that failed before this context was made, in order.
-    [[nodiscard]] const std::vector<Probe>& failed_probes() const noexcept;
+    /// The attempts that failed before this context was made, in order.
+    [[nodiscard]] const std::vector<FailedAttempt>& failed_attempts() const noexcept;
     [[nodiscard]] MemoryUse memory() const noexcept;
 
     /// Calls f() on the context's thread, waits, and returns its value or rethrows its exception. From the
@@ -129,7 +130,7 @@ auto Context::run(F&& f) -> std::invoke_result_t<F&> {
     }
 }
 
-/// Waits until everything asked of the context so far is done. Inside run().
+/// Waits until all earlier commands of the context are done. Inside run().
 void finish(Context& context);
 
 }  // namespace nicol::gl

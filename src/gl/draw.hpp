@@ -32,7 +32,7 @@ void draw(RenderTarget& target, const Program& program, const VertexArray& verti
 void draw(RenderTarget& target, const Program& program, const VertexArray& vertices, std::size_t first,
           std::size_t count, const DrawState& state = {});
 /// Runs the fragment shader once a pixel. The vertex shader is glsl/fullscreen.vert or one like it: three
-/// vertices told apart by gl_VertexID, no attributes.
+/// vertices by gl_VertexID, no attributes.
 void draw_fullscreen(RenderTarget& target, const Program& program,
                      const DrawState& state = {DepthTest::off, false, Cull::none});
 /// Runs x * y * z work groups; what they wrote is visible to everything after.

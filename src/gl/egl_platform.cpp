@@ -44,7 +44,7 @@ Egl& egl() {
     return instance;
 }
 
-/// Gives EGL's memory of this thread back, also when a try fails. Where there is no EGL none can be made.
+/// Releases EGL's per-thread memory, also when an attempt fails.
 struct ThreadGuard {
     Egl& loaded = egl();
     ~ThreadGuard() { loaded.release_thread(); }
@@ -63,7 +63,7 @@ std::string error_text(const char* call) {
     return text.str();
 }
 
-/// Where libglvnd looks for drivers, for a message about not finding one.
+/// The folders in which libglvnd searches for drivers, for error messages.
 std::string vendor_hint() {
     std::string text = "EGL knows no driver: its vendor list is empty or names libraries that do not load. ";
     const char* files = std::getenv("__EGL_VENDOR_LIBRARY_FILENAMES");

@@ -12,13 +12,13 @@
 namespace nicol::gl {
 namespace {
 
-/// The host's errors from before: not ours, and they must not be taken for ours.
+/// Clears the host's earlier errors, which must not be attributed to this library.
 void forget_errors(const GladGLContext& gl, const HostAccess& access) {
-    for (int i = 0; i < 8; ++i) {  // a lost context would answer forever
+    for (int i = 0; i < 8; ++i) {  // a lost context reports errors without end
         const GLenum error = gl.GetError();
         if (error == GL_NO_ERROR) return;
         if (access.notice) {
-            access.notice("an error of the host's own was waiting in its OpenGL context and is forgotten: " +
+            access.notice("an error of the host's own was pending in its OpenGL context and is discarded: " +
                           error_name(error));
         }
     }
@@ -52,8 +52,8 @@ void Host::mark(const Context::State& state) {
 bool Host::is_current(const Context::State& state) const noexcept {
     if (on_thread()) return true;
     if (access_.is_current && !access_.is_current()) return false;
-    // Without a context OpenGL answers nothing; another context has other vertex arrays, for they are never
-    // shared. Calls that an older context lacks come only after its version is known.
+    // Without a context the query fails; another context has other vertex arrays, since these are never
+    // shared. Functions that an older context lacks are called only once its version is known.
     const GLubyte* version = state.gl.GetString(GL_VERSION);
     if (version == nullptr || state.info.version != reinterpret_cast<const char*>(version)) return false;
     if (state.gl.IsVertexArray(state.empty_vertex_array) != GL_TRUE) return false;
@@ -100,7 +100,7 @@ void Host::remove(const Context::State& state, ObjectKind kind, unsigned id) noe
         const std::lock_guard lock(mutex_);
         waiting_.push_back({kind, id});
     } catch (...) {
-        // No memory for the name: the object stays until the host's context goes.
+        // No memory for the name: the object stays until the host's context is destroyed.
     }
 }
 

@@ -12,7 +12,7 @@
 
 namespace nicol::gl {
 
-/// Looks functions up as the host does. Its context is neither made, made current nor destroyed here.
+/// Uses the host's function look-up. Never makes, makes current or destroys its context.
 class HostPlatform final : public Platform {
 public:
     explicit HostPlatform(HostAccess access) : access_(std::move(access)) {}
@@ -23,25 +23,27 @@ private:
     HostAccess access_;
 };
 
-/// What Worker is to a context of our own: where calls run, and how objects go that are dropped elsewhere.
+/// The counterpart of Worker for a host's context: runs calls, and deletes objects that were dropped
+/// elsewhere.
 class Host {
 public:
     explicit Host(const HostAccess& access) : access_(access) {}
 
-    /// Names the context by an object that contexts do not share. With the context current.
+    /// Marks the context by an object that contexts do not share. With the context current.
     void mark(const Context::State& state);
-    /// Whether the marked context is current on the calling thread. Asks the host first, where it can.
+    /// Whether the marked context is current on the calling thread, by the host's is_current() if there is
+    /// one.
     [[nodiscard]] bool is_current(const Context::State& state) const noexcept;
     /// Throws Error(not_current) unless it is.
     void require_current(const Context::State& state) const;
     /// Calls call(argument) between saving and restoring the host's state. Throws Error(not_current), or
-    /// Error(unsupported) where the host is in the middle of something that cannot be put back.
+    /// Error(unsupported) if the host is in a state that cannot be restored.
     void execute(Context::State& state, void (*call)(void*), void* argument);
     [[nodiscard]] bool on_thread() const noexcept { return inside_.load() == std::this_thread::get_id(); }
 
-    /// Deletes an object at once where the context is current, else at the next call that finds it so.
+    /// Deletes an object now if the context is current, else at the next call while it is.
     void remove(const Context::State& state, ObjectKind kind, unsigned id) noexcept;
-    /// Deletes what waits. With the context current.
+    /// Deletes the pending objects. With the context current.
     void remove_waiting(const Context::State& state) noexcept;
 
 private:

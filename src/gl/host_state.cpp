@@ -7,13 +7,13 @@
 namespace nicol::gl {
 namespace {
 
-// Of compatibility contexts, which the core loader has no names for.
-constexpr GLenum alpha_test = 0x0BC0, polygon_stipple = 0x0B42, clamp_fragment_color = 0x891B,
-                 fixed_only = 0x891D;
+// Of compatibility contexts; the core loader has no names for them.
+constexpr GLenum kAlphaTest = 0x0BC0, kPolygonStipple = 0x0B42, kClampFragmentColor = 0x891B,
+                 kFixedOnly = 0x891D;
 using PixelTransfer = void(GLAD_API_PTR*)(GLenum, GLfloat);
 
 /// Off in a fresh context, but for dithering, which contexts of our own switch off too.
-constexpr std::array capabilities_off{
+constexpr std::array kCapabilitiesOff{
     GL_STENCIL_TEST,        GL_COLOR_LOGIC_OP,    GL_DITHER,
     GL_POLYGON_OFFSET_FILL, GL_POLYGON_SMOOTH,    GL_SAMPLE_ALPHA_TO_COVERAGE,
     GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE,   GL_SAMPLE_MASK,
@@ -22,8 +22,8 @@ constexpr std::array capabilities_off{
     GL_DEPTH_TEST,          GL_CULL_FACE};
 
 std::vector<GLenum> capabilities(const Context::State& state) {
-    std::vector<GLenum> all(capabilities_off.begin(), capabilities_off.end());
-    if (state.compatibility) all.insert(all.end(), {alpha_test, polygon_stipple});
+    std::vector<GLenum> all(kCapabilitiesOff.begin(), kCapabilitiesOff.end());
+    if (state.compatibility) all.insert(all.end(), {kAlphaTest, kPolygonStipple});
     for (GLint i = 0; i < state.integer(GL_MAX_CLIP_DISTANCES); ++i)
         all.push_back(GL_CLIP_DISTANCE0 + static_cast<GLenum>(i));
     return all;
@@ -34,7 +34,7 @@ struct Setting {
     GLint fresh;
 };
 
-constexpr std::array pixel_stores{
+constexpr std::array kPixelStores{
     Setting{GL_UNPACK_SWAP_BYTES, 0},  Setting{GL_UNPACK_LSB_FIRST, 0},    Setting{GL_UNPACK_ROW_LENGTH, 0},
     Setting{GL_UNPACK_SKIP_ROWS, 0},   Setting{GL_UNPACK_SKIP_PIXELS, 0},  Setting{GL_UNPACK_ALIGNMENT, 4},
     Setting{GL_UNPACK_SKIP_IMAGES, 0}, Setting{GL_UNPACK_IMAGE_HEIGHT, 0}, Setting{GL_PACK_SWAP_BYTES, 0},
@@ -43,7 +43,7 @@ constexpr std::array pixel_stores{
     Setting{GL_PACK_IMAGE_HEIGHT, 0}};
 
 /// GL_MAP_COLOR, then scale and bias of red, green, blue and alpha.
-constexpr std::array pixel_transfers{Setting{0x0D10, 0}, Setting{0x0D14, 1}, Setting{0x0D15, 0},
+constexpr std::array kPixelTransfers{Setting{0x0D10, 0}, Setting{0x0D14, 1}, Setting{0x0D15, 0},
                                      Setting{0x0D18, 1}, Setting{0x0D19, 0}, Setting{0x0D1A, 1},
                                      Setting{0x0D1B, 0}, Setting{0x0D1C, 1}, Setting{0x0D1D, 0}};
 
@@ -90,11 +90,11 @@ void HostState::save() {
     clip_origin_ = state_.integer(GL_CLIP_ORIGIN);
     clip_depth_ = state_.integer(GL_CLIP_DEPTH_MODE);
     gl_.GetIntegerv(GL_POLYGON_MODE, polygon_mode_.data());
-    for (const Setting& store : pixel_stores) pixel_stores_.push_back(state_.integer(store.name));
+    for (const Setting& store : kPixelStores) pixel_stores_.push_back(state_.integer(store.name));
     if (state_.compatibility) {
-        clamp_fragments_ = state_.integer(clamp_fragment_color);
-        fill(pixel_transfers_, pixel_transfers.size(),
-             [this](GLuint i, GLfloat& value) { gl_.GetFloatv(pixel_transfers[i].name, &value); });
+        clamp_fragments_ = state_.integer(kClampFragmentColor);
+        fill(pixel_transfers_, kPixelTransfers.size(),
+             [this](GLuint i, GLfloat& value) { gl_.GetFloatv(kPixelTransfers[i].name, &value); });
     }
     program_ = name(GL_CURRENT_PROGRAM);
     vertex_array_ = name(GL_VERTEX_ARRAY_BINDING);
@@ -137,18 +137,18 @@ void HostState::set() {
     gl_.ProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     gl_.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     set_pixels();
-    // A host's sampler would filter our textures its way.
+    // A host's sampler would override our textures' filters.
     for (GLuint i = 0; i < texture_units_.size(); ++i) gl_.BindSampler(i, 0);
 }
 
 void HostState::set_pixels() const {
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    for (const Setting& store : pixel_stores) gl_.PixelStorei(store.name, store.fresh);
+    for (const Setting& store : kPixelStores) gl_.PixelStorei(store.name, store.fresh);
     if (!state_.compatibility) return;
-    gl_.ClampColor(clamp_fragment_color, fixed_only);
+    gl_.ClampColor(kClampFragmentColor, kFixedOnly);
     const PixelTransfer transfer = pixel_transfer(state_);
-    for (const Setting& setting : pixel_transfers)
+    for (const Setting& setting : kPixelTransfers)
         transfer(setting.name, static_cast<GLfloat>(setting.fresh));
 }
 
@@ -180,7 +180,7 @@ HostState::~HostState() {
     gl_.UseProgram(program_);
     gl_.BindVertexArray(vertex_array_);
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
-    // What a failed call left must not be taken for the host's.
+    // Errors of a failed call must not be attributed to the host.
     for (int i = 0; i < 8 && gl_.GetError() != GL_NO_ERROR; ++i) {
     }
 }
@@ -188,12 +188,12 @@ HostState::~HostState() {
 void HostState::put_back_pixels() const {
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, pack_);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, unpack_);
-    for (std::size_t i = 0; i < pixel_stores.size(); ++i)
-        gl_.PixelStorei(pixel_stores[i].name, pixel_stores_[i]);
+    for (std::size_t i = 0; i < kPixelStores.size(); ++i)
+        gl_.PixelStorei(kPixelStores[i].name, pixel_stores_[i]);
     if (!state_.compatibility) return;
-    gl_.ClampColor(clamp_fragment_color, static_cast<GLenum>(clamp_fragments_));
+    gl_.ClampColor(kClampFragmentColor, static_cast<GLenum>(clamp_fragments_));
     const PixelTransfer transfer = pixel_transfer(state_);
-    each(pixel_transfers_, [&](GLuint i, GLfloat value) { transfer(pixel_transfers[i].name, value); });
+    each(pixel_transfers_, [&](GLuint i, GLfloat value) { transfer(kPixelTransfers[i].name, value); });
 }
 
 void HostState::put_back_units() const {

@@ -9,8 +9,8 @@
 
 namespace nicol::gl {
 
-/// Saves on construction, then sets what a context of our own has from the start; puts back on destruction.
-/// Kept are, because draw calls, dispatches, uploads and reads change or obey them:
+/// Saves on construction and sets the state of a fresh context of our own; restores on destruction. Saved
+/// are, because draw calls, dispatches, uploads and reads change them or depend on them:
 ///   capabilities   depth, stencil and scissor test, culling, blending, logical operation, dithering, polygon
 ///                  offset and smoothing, sample masks, primitive restart, rasterizer discard, clip distances
 ///                  and depth clamp, sRGB writes; of compatibility contexts alpha test and stipple
@@ -19,7 +19,7 @@ namespace nicol::gl {
 ///                  contexts pixel transfer and clamping of colours
 ///   bindings       program, vertex array, draw framebuffer, pixel buffers, active texture; 2D textures and
 ///                  samplers of the first units, image units, storage buffers (kTextureUnits and so on)
-/// Everything else is reached without binding it. Not kept, for OpenGL does not tell it: conditional
+/// Everything else is used without binding it. Not saved, since OpenGL has no query for it: conditional
 /// rendering.
 class HostState {
 public:

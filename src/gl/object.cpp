@@ -114,12 +114,12 @@ void Object::drop() noexcept {
     } else if (state.host) {
         state.host->remove(state, kind_, id_);
     } else {
-        // Not waited for: the thread does it before whatever it is given next, and before it ends. The state
-        // outlives the job because the thread holds it.
+        // Asynchronous: the thread runs it before the next job and before it ends. The thread keeps the state
+        // alive.
         try {
             state.worker.post([&state, kind = kind_, id = id_] { delete_object(state.gl, kind, id); });
         } catch (...) {
-            // No memory for the message: the object stays until its context goes.
+            // No memory for the job: the object stays until its context is destroyed.
         }
     }
     id_ = 0;

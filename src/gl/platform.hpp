@@ -11,20 +11,20 @@
 
 namespace nicol::gl {
 
-/// Made, used and destroyed on one thread, which never sees a platform of another kind: Mesa's libraries
-/// share their thread-local dispatch table. Destruction releases the context before destroying it.
+/// Made, used and destroyed on one thread that uses no other kind of platform: Mesa's libraries share their
+/// thread-local dispatch table. Destruction releases the context before destroying it.
 class Platform {
 public:
     virtual ~Platform() = default;
     using Function = void (*)();
-    /// Non-null for names that do not exist, too: ask for version and extensions instead.
+    /// Non-null even for names that do not exist: check version and extensions instead.
     [[nodiscard]] virtual Function function(const char* name) const = 0;
 };
 
-/// One way to an EGL display.
+/// An EGL display to try.
 struct EglChoice {
     std::optional<int> device;  ///< position in the device list; none is Mesa's surfaceless platform
-    std::string name;           ///< for people
+    std::string name;           ///< for messages
 };
 
 struct EglChoices {

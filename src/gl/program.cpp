@@ -36,7 +36,7 @@ Object compiled(const std::shared_ptr<Context>& context, GLenum type, const Shad
     GLint done = GL_FALSE;
     gl.GetShaderiv(shader.id(), GL_COMPILE_STATUS, &done);
     if (done != GL_TRUE) {
-        context->state().messages.clear();  // they repeat the log without the file names
+        context->state().messages.clear();  // they repeat the log without file names
         throw Error(ErrorCode::opengl,
                     "the shader " + std::string(source.file) + " does not compile:\n" +
                         with_file_names(source, log_of(shader.id(), gl.GetShaderiv, gl.GetShaderInfoLog)));

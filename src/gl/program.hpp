@@ -28,7 +28,7 @@ public:
                                           std::span<const Define> defines = {});
     [[nodiscard]] static Program compute(std::shared_ptr<Context> context, std::string_view file,
                                          std::span<const Define> defines = {});
-    /// From sources at hand.
+    /// From source texts.
     [[nodiscard]] static Program graphics(std::shared_ptr<Context> context, const ShaderSource& vertex,
                                           const ShaderSource& fragment, std::span<const Define> defines = {});
     [[nodiscard]] static Program compute(std::shared_ptr<Context> context, const ShaderSource& source,

@@ -16,13 +16,13 @@
 namespace nicol::gl {
 namespace {
 
-constexpr std::string_view magic("NICOLPRG", 8);
-constexpr std::uint32_t version = 1;
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 26;
+constexpr std::string_view kMagic("NICOLPRG", 8);
+constexpr std::uint32_t kVersion = 1;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 26;
 
 CacheFile file_of(const Context& context, const std::filesystem::path& folder, const ProgramKey& key) {
     const ContextInfo& info = context.info();
-    return {folder, magic, version,
+    return {folder, kMagic, kVersion,
             info.vendor + '\n' + info.renderer + '\n' + info.version + '\n' + key.text(), ".program"};
 }
 
@@ -50,7 +50,7 @@ bool ProgramCache::load(const ProgramKey& key, unsigned program) const {
     if (!enabled()) return false;
     std::vector<unsigned char> content;
     std::uint32_t format = 0;
-    if (file_of(context_, folder_, key).read(content, most_bytes).state != CacheFile::State::complete ||
+    if (file_of(context_, folder_, key).read(content, kMaxBytes).state != CacheFile::State::complete ||
         content.size() < sizeof format) {
         return false;
     }

@@ -9,11 +9,11 @@
 
 namespace nicol::gl {
 
-/// From now on keeps a context's programs in a folder; an empty one: nowhere. Where the driver offers no
-/// form to keep them in nothing is kept. Inside run().
+/// Sets the folder of a context's program cache; empty: no cache. Does nothing if the driver has no binary
+/// format. Inside run().
 void keep_programs(Context& context, std::filesystem::path folder);
 
-/// What a program is made of.
+/// What identifies a program.
 class ProgramKey {
 public:
     void add(unsigned stage, const std::string& text);
@@ -23,17 +23,17 @@ private:
     std::string text_;
 };
 
-/// All members inside run(). A file serves one driver, by its names and version; what is stale, damaged or
-/// refused by the driver is as good as missing, and what cannot be written is not kept.
+/// All members inside run(). A file is for one driver, by its names and version; files that are outdated,
+/// damaged or refused by the driver are ignored, and so are failures to write.
 class ProgramCache {
 public:
     explicit ProgramCache(Context& context);
 
     [[nodiscard]] bool enabled() const noexcept { return !folder_.empty(); }
-    /// Makes the program of this name the one that was kept. False where there is none; then the program is
-    /// as good as new.
+    /// Loads the cached binary into the program of this name. False if there is none; the program is then
+    /// unchanged.
     [[nodiscard]] bool load(const ProgramKey& key, unsigned program) const;
-    /// Keeps a linked program.
+    /// Saves a linked program.
     void store(const ProgramKey& key, unsigned program) const;
 
 private:

@@ -42,7 +42,7 @@ public:
     /// The reverse.
     void write(int attachment, std::span<const float> pixels);
 
-    /// To sample in a later pass; never in a pass that draws into it. Not of a borrowed texture.
+    /// For sampling in a later pass, never in a pass that draws into it. Not of a borrowed texture.
     [[nodiscard]] const Texture2D& colour(int attachment) const;
     [[nodiscard]] int width() const noexcept { return description_.width; }
     [[nodiscard]] int height() const noexcept { return description_.height; }
@@ -55,7 +55,7 @@ private:
     RenderTargetDescription description_;
     std::vector<Texture2D> colours_;
     std::vector<Object> depth_;  ///< one renderbuffer, or none
-    Object framebuffer_;         ///< behind what it refers to, so that it goes first
+    Object framebuffer_;         ///< declared after its attachments, so that it is destroyed first
 };
 
 }  // namespace nicol::gl

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Embedded shader text: look-up, definitions, and the way back from a message to its file.
+// Embedded shader text: look-up, definitions, and file names in compiler messages.
 #include "gl/shader_source.hpp"
 
 #include <algorithm>
@@ -72,7 +72,7 @@ std::string with_defines(const ShaderSource& source, std::span<const Define> def
                         name + ": the value of " + define.name + " has a line break, a backslash or a NUL");
         text += "#define " + define.name + ' ' + define.value + '\n';
     }
-    // Embedded text says here which line follows; other text continues its own count.
+    // Embedded text has a #line here; other text continues its own count.
     if (!defines.empty() && !source.text.substr(end).starts_with("\n#line ")) {
         const auto lines =
             std::count(source.text.begin(), source.text.begin() + static_cast<std::ptrdiff_t>(end), '\n');

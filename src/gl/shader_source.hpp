@@ -10,7 +10,7 @@
 namespace nicol::gl {
 
 /// One stage with its #includes resolved. The text begins with one comment line `//@ n name` for each file it
-/// was made of, and every piece carries `#line line n`, so that a driver's message leads back to its file.
+/// was made of, and every piece carries `#line line n`, so that a driver's message names its file.
 struct ShaderSource {
     std::string_view file;  ///< name in glsl/, such as "fullscreen.vert"
     std::string_view text;

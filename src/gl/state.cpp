@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Opening OpenGL in a fresh platform context, and finding out what went wrong in it.
+// Initialising OpenGL in a new context, and error reports.
 #include "gl/state.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace nicol::gl {
 namespace {
 
-constexpr std::size_t kept_messages = 8;
+constexpr std::size_t kKeptMessages = 8;
 
 GLADapiproc look_up(void* platform, const char* name) {
     return static_cast<Platform*>(platform)->function(name);
@@ -20,7 +20,7 @@ GLADapiproc look_up(void* platform, const char* name) {
 void GLAD_API_PTR collect(GLenum, GLenum, GLuint, GLenum, GLsizei length, const GLchar* text,
                           const void* user) {
     auto& messages = static_cast<Context::State*>(const_cast<void*>(user))->messages;
-    if (messages.size() >= kept_messages) messages.erase(messages.begin());
+    if (messages.size() >= kKeptMessages) messages.erase(messages.begin());
     messages.push_back(length >= 0 ? std::string(text, static_cast<std::size_t>(length)) : std::string(text));
 }
 
@@ -78,7 +78,7 @@ void Context::State::open_in_host(HostAccess access) {
     platform = std::move(made);
     load(Backend::host, "the host's context");
     compatibility = (integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0;
-    // As much as HostState keeps.
+    // As many as HostState saves.
     limits.texture_units = std::min(limits.texture_units, HostState::kTextureUnits);
     limits.image_units = std::min(limits.image_units, HostState::kImageUnits);
     limits.storage_bindings = std::min(limits.storage_bindings, HostState::kStorageBindings);
@@ -116,7 +116,7 @@ void Context::State::check(std::string_view what) {
     }
     bool memory = error == GL_OUT_OF_MEMORY;
     std::string text = std::string(what) + ": " + error_name(error);
-    // OpenGL keeps one flag of each kind; a lost context would answer forever.
+    // OpenGL keeps one flag of each kind; a lost context reports errors without end.
     for (int i = 0; i < 8; ++i) {
         const GLenum next = gl.GetError();
         if (next == GL_NO_ERROR) break;

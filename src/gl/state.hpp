@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a context is made of; the only header that shows OpenGL itself.
+// The parts of a context; the only header that includes OpenGL.
 #pragma once
 
 #include <glad/gl.h>
@@ -20,8 +20,8 @@
 
 namespace nicol::gl {
 
-/// Shared by the Context and its thread, so that either may go first. Everything but the worker, the account
-/// and what is constant after open() belongs to the thread.
+/// Shared by the Context and its thread, so that either may end first. Only the thread uses it, apart from
+/// the worker, the memory account and what is constant after open().
 struct Context::State {
     Worker worker;  ///< of a context of our own
     std::thread thread;
@@ -30,14 +30,14 @@ struct Context::State {
     GladGLContext gl{};
     ContextInfo info;
     Limits limits;
-    std::vector<Probe> failed_probes;
+    std::vector<FailedAttempt> failed_attempts;
     std::array<std::atomic<std::size_t>, 5> bytes{};
     bool compatibility = false;         ///< profile of a host's context
     GLuint empty_vertex_array = 0;      ///< core profiles draw nothing without one
     std::vector<std::string> messages;  ///< of KHR_debug since the last check()
     std::filesystem::path programs;     ///< where linked programs are kept; empty: nowhere
 
-    /// Makes the platform current and readies OpenGL. Throws Error(no_backend).
+    /// Makes the platform current and initialises OpenGL. Throws Error(no_backend).
     void open(std::unique_ptr<Platform> made, Backend backend, const std::string& device);
     /// The same with the host's context, which is current and stays as it is.
     void open_in_host(HostAccess access);

@@ -23,8 +23,8 @@ struct Attribute {
 /// Keeps its buffers alive. All members inside run().
 class VertexArray {
 public:
-    /// Error(invalid_argument) if an attribute is out of range or used twice, if an index lies behind the
-    /// last vertex of any attribute, or if a buffer is of another context.
+    /// Error(invalid_argument) if an attribute is out of range or used twice, if an index is beyond the last
+    /// vertex of any attribute, or if a buffer is of another context.
     VertexArray(std::shared_ptr<Context> context, std::span<const Attribute> attributes,
                 std::shared_ptr<const IndexBuffer> indices);
 

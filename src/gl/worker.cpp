@@ -12,8 +12,8 @@ namespace {
 thread_local bool is_quiet_thread = false;
 
 /// Threads whose context was dropped on a context's thread: it may be their own, or each may be waiting for
-/// the other, so they are not joined there. Joined at the latest before the exit handlers of Mesa, which
-/// would pull the ground from under a context that is still being destroyed.
+/// the other, so they are not joined there. They are joined before Mesa's exit handlers run, which would
+/// break a context that is still being destroyed.
 class LeftThreads {
 public:
     ~LeftThreads() { join(); }
@@ -75,7 +75,7 @@ void Worker::execute(void (*call)(void*), void* argument) {
         } catch (...) {
             error = std::current_exception();
         }
-        // Told under the lock: the waiting thread may leave, and take `done` along, as soon as it is free.
+        // Notified under the lock: once it is released, the waiting thread may return and destroy `done`.
         const std::lock_guard lock(done.mutex);
         done.error = std::move(error);
         done.done = true;

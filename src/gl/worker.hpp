@@ -11,15 +11,15 @@
 
 namespace nicol::gl {
 
-/// What is shared between a thread and those who give it jobs; both keep it alive (see State).
+/// Shared between a thread and the givers of its jobs, who keep it alive (see State).
 class Worker {
 public:
-    /// The thread's whole life; returns once stop() was called and every job given before is done.
+    /// The thread's main function; returns once stop() was called and every earlier job is done.
     void work();
     /// Calls call(argument) on the thread, waits, and rethrows what it threw. On the thread itself a plain
     /// call.
     void execute(void (*call)(void*), void* argument);
-    /// Runs `job` after what was given before, without waiting. `job` must not throw.
+    /// Queues `job` after earlier ones, without waiting. `job` must not throw.
     void post(std::function<void()> job);
     void stop();
     [[nodiscard]] bool on_thread() const noexcept;
@@ -32,11 +32,11 @@ private:
     std::atomic<std::thread::id> id_{};
 };
 
-/// Starts a thread that takes no signals meant for the host.
+/// Starts a thread that blocks the host's signals.
 [[nodiscard]] std::thread start_quiet_thread(std::function<void()> body);
 
-/// Joins `thread`, which was told to stop. If the caller is such a quiet thread itself (perhaps this one),
-/// leaves it to be joined by a later call from elsewhere, or at the process's end.
+/// Joins `thread` after stop(). If the caller is such a worker thread itself (perhaps this one), it is joined
+/// by a later call from another thread, or at the process's end.
 void join_or_leave(std::thread thread);
 
 }  // namespace nicol::gl

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Sizes and contents of planes of surfaces.
 #include "image/aovs.hpp"
 
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the surfaces of an image are, pixel by pixel.
+// Arbitrary output variables: depth, normals, positions and instances by pixel.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace nicol {
 
-/// Planes beside a Stokes image, as bits.
+/// AOVs, as bits.
 enum AovBit : std::uint32_t {
     aov_depth = 1,
     aov_normals = 2,
@@ -17,18 +17,18 @@ enum AovBit : std::uint32_t {
     aov_all = 15,
 };
 
-/// What `instances` has where there is no surface.
+/// The value of `instances` where there is no surface.
 inline constexpr std::uint32_t kNoInstance = 0xffffffff;
 
-/// Of the surface that the ray through each pixel's centre meets first, [y][x], row 0 at the top. A plane
-/// that was not asked for is empty.
+/// Of the first surface on the ray through each pixel's centre, [y][x], row 0 at the top. AOVs that were not
+/// requested are empty.
 struct Aovs {
     int width = 0;
     int height = 0;
     /// Distance along the camera's z, in the scene's units; +infinity where there is no surface.
     std::vector<float> depth;
-    /// [y][x][3]: unit shading normals in the world, of a two-sided surface on the side that is seen, else on
-    /// its front; 0 where there is no surface.
+    /// [y][x][3]: unit shading normals in the world, of a two-sided surface on the visible side, else on its
+    /// front; 0 where there is no surface.
     std::vector<float> normals;
     /// [y][x][3]: points in the world; 0 where there is no surface.
     std::vector<float> positions;
@@ -36,11 +36,11 @@ struct Aovs {
     std::vector<std::uint32_t> instances;
 
     Aovs() = default;
-    /// These planes (bits of AovBit) of an image without surfaces.
+    /// These AOVs (bits of AovBit) of an image without surfaces.
     Aovs(int width, int height, std::uint32_t planes);
 
     [[nodiscard]] std::uint32_t planes() const noexcept;
-    /// Throws Error(invalid_argument) naming `what` unless every plane is empty or fits the size.
+    /// Throws Error(invalid_argument) naming `what` unless every AOV is empty or fits the size.
     void check(const char* what) const;
 };
 

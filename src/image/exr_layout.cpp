@@ -69,11 +69,11 @@ std::optional<SpectralName> parse_spectral(std::string_view name) {
     return SpectralName{static_cast<std::size_t>(name[1] - '0'), *nanometres, std::string(name.substr(3))};
 }
 
-/// The colours of the wavelengths to read.
+/// The channel names of the requested wavelengths.
 std::vector<std::pair<double, std::string>> choose(const path& file,
                                                    const std::map<double, std::string>& there,
-                                                   std::span<const double> wanted) {
-    if (wanted.empty()) {
+                                                   std::span<const double> requested) {
+    if (requested.empty()) {
         if (there.size() > kMaxFileChannels)
             unsupported(file, "has " + std::to_string(there.size()) + " wavelengths from " +
                                   std::to_string(there.begin()->first) + " to " +
@@ -82,7 +82,7 @@ std::vector<std::pair<double, std::string>> choose(const path& file,
         return {there.begin(), there.end()};
     }
     std::vector<std::pair<double, std::string>> chosen;
-    for (const double nm : wanted) {
+    for (const double nm : requested) {
         // Names are written with rounded decimals.
         constexpr double rounding = 1e-3;
         if (!(nm >= there.begin()->first - rounding && nm <= there.rbegin()->first + rounding))
@@ -111,7 +111,7 @@ void name_channels(const path& file, const Imf::ChannelList& list, const std::ve
     std::array<bool, 4> present{};
     for (std::size_t p = 0; p < 4; ++p)
         for (const std::string& colour : colours) present[p] = present[p] || has(exr_channel(p, colour));
-    // s1 and s2 turn into each other with the frame: one without the other describes no light.
+    // s1 and s2 mix when the frame rotates: one is meaningless without the other.
     if (present[1] || present[2] || present[3]) present[1] = present[2] = true;
     if (!layout.wavelengths.empty()) present[0] = true;
 

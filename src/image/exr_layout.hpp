@@ -16,7 +16,7 @@ namespace nicol {
 /// `S<component>.<colour>`, as Mitsuba 3 writes it.
 [[nodiscard]] std::string exr_channel(std::size_t component, const std::string& colour);
 
-/// The colour of a wavelength as Fichet et al. (2021) write it: "550,000000nm".
+/// The colour name of a wavelength by Fichet et al. (2021): "550,000000nm".
 [[nodiscard]] std::string exr_wavelength(double nanometres);
 
 /// What to read from a file.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The structure of OpenEXR files, by OpenEXR's C library: it allocates nothing by the sizes it finds, whereas
-// the C++ library makes tables of whatever size a header claims as soon as it opens the file.
+// The structure of OpenEXR files, by OpenEXR's C library, which allocates nothing by the sizes in a header;
+// the C++ library allocates tables of any claimed size when it opens the file.
 #include "image/exr_structure.hpp"
 
 #include <openexr.h>
@@ -25,7 +25,7 @@ struct CloseContext {
     void operator()(exr_context_t context) const { exr_finish(&context); }
 };
 
-/// Every chunk of part 0 must be where the table says and lie inside the file.
+/// Every chunk of part 0 must lie inside the file, where the table says.
 void check_chunks(const path& file, exr_const_context_t context, const exr_attr_box2i_t& window, bool tiled) {
     const auto require = [&](exr_result_t result) {
         if (result != EXR_ERR_SUCCESS)

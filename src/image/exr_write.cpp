@@ -45,13 +45,13 @@ private:
     std::FILE* file_;
 };
 
-/// A frame buffer serves reading too and therefore wants a mutable pointer; writing only reads it.
+/// OpenEXR's frame buffers are also for reading, hence the mutable pointer.
 template <class Number>
 char* writable(const Number* values) {
     return reinterpret_cast<char*>(const_cast<Number*>(values));
 }
 
-/// What stands behind "S<p>." for each channel.
+/// The part after "S<p>." of each channel's name.
 std::vector<std::string> exr_colours(const StokesImage& image) {
     std::vector<std::string> colours;
     for (const double nm : image.wavelengths) colours.push_back(exr_wavelength(nm));

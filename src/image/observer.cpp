@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Stokes images to images people look at.
 #include "image/observer.hpp"
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 namespace nicol {
 namespace {
 
-constexpr const char* frame_text =
+constexpr const char* kFrameText =
     "Stokes frame: x image right, y image up, z from the scene to the camera; angles counter-clockwise from "
     "x";
 
@@ -30,7 +29,7 @@ void check_channel(const StokesImage& image, int channel, const char* what) {
                                                      ", and -1 is their mean");
 }
 
-/// The Stokes vectors of a observation, one by one in the order of rows, for one channel or the mean of all.
+/// The Stokes vectors of an image row by row, of one channel or the mean of all.
 class PixelReader {
 public:
     PixelReader(const StokesImage& image, int channel)
@@ -59,7 +58,7 @@ double dolp_of(const Stokes& s) {
 
 double aolp_of(const Stokes& s) {
     if (s[0] <= 0 || (s[1] == 0 && s[2] == 0)) return 0.0;
-    // s2 = -0 must not turn vertical into -pi/2.
+    // For s2 = -0, atan2 would make vertical -pi/2.
     const double angle = 0.5 * std::atan2(s[2] + 0.0, s[1]);
     return angle <= -std::numbers::pi / 2 ? std::numbers::pi / 2 : angle;
 }
@@ -91,7 +90,7 @@ Observation blank(const StokesImage& image, const std::string& title, const std:
     observation.rgb.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
                            3);
     observation.text = {
-        {"Title", title}, {"Nicol:Observer", observer}, {"Nicol:Scale", scale}, {"Nicol:Frame", frame_text}};
+        {"Title", title}, {"Nicol:Observer", observer}, {"Nicol:Scale", scale}, {"Nicol:Frame", kFrameText}};
     return observation;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Observers: what a camera, a polarizer or a polarimeter sees in a Stokes observation.
+// Observers: images of a camera, a polarizer or a polarimeter from a Stokes image.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,18 @@ namespace nicol {
 /// Angles are radians, counter-clockwise as displayed from image right (the x of the Stokes frame).
 /// Functions of a single value a pixel take `channel`: a colour channel, or kMeanChannel for the plain mean
 /// of the Stokes vectors of all channels (Stokes vectors of incoherent light add). All throw
-/// Error(invalid_argument) for a observation that is empty or inconsistent and for arguments out of range.
+/// Error(invalid_argument) for an image that is empty or inconsistent and for arguments out of range.
 /// Values that are not finite count as 0.
 inline constexpr int kMeanChannel = -1;
 
-/// 8-bit RGB, rgb[y][x][3], row 0 at the top, with the facts that belong to it.
+/// 8-bit RGB, rgb[y][x][3], row 0 at the top, with its description.
 struct Observation {
     int width = 0;
     int height = 0;
     std::vector<std::uint8_t> rgb;
     /// Keyword and text of PNG tEXt chunks: Title, Nicol:Observer, Nicol:Scale, Nicol:Frame ...
     std::vector<std::pair<std::string, std::string>> text;
-    /// The values went through the sRGB curve (tone-mapped radiance); otherwise they are linear codes of
-    /// data.
+    /// The values are sRGB-encoded (tone-mapped radiance); otherwise they encode data linearly.
     bool srgb = false;
 };
 
@@ -43,7 +42,7 @@ struct Plane {
 [[nodiscard]] Observation tone_mapped(const StokesImage& image, double exposure = 0);
 
 /// s_p (component p = 0..3) as red for negative and green for positive values, linear, without any gamma:
-/// code = round(255 min(|s_p| / scale, 1)). scale = 0 takes the largest |s_p| of the observation (1 if all is
+/// code = round(255 min(|s_p| / scale, 1)). scale = 0 takes the largest |s_p| of the image (1 if all is
 /// zero); the scale used is in the text.
 [[nodiscard]] Observation signed_component(const StokesImage& image, int component, double scale = 0,
                                            int channel = kMeanChannel);
@@ -56,7 +55,7 @@ struct Plane {
 /// Angle of linear polarization atan2(s2, s1) / 2 in (-pi/2, pi/2]; 0 where s1 = s2 = 0 or s0 <= 0.
 [[nodiscard]] Plane aolp(const StokesImage& image, int channel = kMeanChannel);
 
-/// What carries the DoLP in an AoLP observation. Hue is AoLP / pi: horizontal red, +45 degrees yellow-green,
+/// What encodes the DoLP in an AoLP image. Hue is AoLP / pi: horizontal red, +45 degrees yellow-green,
 /// vertical cyan, -45 degrees violet.
 enum class AolpStyle : std::int32_t {
     light = 0,  ///< saturation: unpolarized is white

@@ -32,8 +32,8 @@ void check(const Observation& image) {
     }
 }
 
-/// libpng leaves by longjmp, which must not jump over C++ objects: here live only plain values. Returns false
-/// on failure.
+/// libpng leaves by longjmp, which must not skip destructors: this function has only plain values. Returns
+/// false on failure.
 bool write_rows(png_structp png, png_infop info, std::FILE* file, const Observation& image, png_text* text,
                 int text_count) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;
@@ -67,7 +67,7 @@ void write_png(const std::filesystem::path& path, const Observation& image) {
 
     AtomicFile file(path);
     const auto quiet = [](png_structp, png_const_charp) {};
-    // A null error function makes libpng print; ours must not return, and longjmp is what it may do.
+    // With a null error function libpng prints. An error function must not return, but may longjmp.
     const auto leave = [](png_structp png, png_const_charp) { png_longjmp(png, 1); };
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, quiet);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;

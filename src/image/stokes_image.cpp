@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Sizes and element access of Stokes images.
 #include "image/stokes_image.hpp"
 
 #include <algorithm>

@@ -13,23 +13,23 @@
 
 namespace nicol {
 
-/// Most pixels (width times height) an image may have, and its longest side. A file that claims more is
-/// refused before anything of that size is allocated.
+/// Limits of an image's pixels (width times height) and of its sides. A file that claims more is refused
+/// before memory is allocated.
 inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 26;
 inline constexpr int kMaxImageSide = 32768;
 
-/// Most colour channels that are read from or written to a file.
+/// Limit of the colour channels of a file.
 inline constexpr int kMaxFileChannels = 16;
 
-/// Stokes vectors as 32-bit floats, data[channel][y][x][p] with p = 0..3 for s0..s3. Row 0 is the top.
-/// The frame is that of whoever made it; for a rendered image x points to image right, y to image up and z
-/// from the scene to the camera, so s2 > 0 at +45 degrees counter-clockwise as displayed.
+/// Stokes vectors as 32-bit floats, data[channel][y][x][p] with p = 0..3 for s0..s3. Row 0 is the top. The
+/// frame depends on the image's origin; for a rendered image x points right, y up and z from the scene to the
+/// camera, so s2 > 0 at +45 degrees counter-clockwise as displayed.
 struct StokesImage {
     int width = 0;
     int height = 0;
     int channels = 0;
     std::vector<float> data;
-    /// Of spectral images: nanometres, one a channel. Empty for colours.
+    /// Of spectral images: nanometres, one per channel. Empty for colours.
     std::vector<double> wavelengths;
 
     StokesImage() = default;
@@ -64,8 +64,8 @@ struct ExrOptions {
         "counter-clockwise from x; s3 > 0 right circular";
     /// String attribute `comments`; none if empty.
     std::string comment{};
-    /// Planes of the image's size that get channels too, null: none. Depth as Z, normals as N.X N.Y N.Z,
-    /// positions as P.X P.Y P.Z, instances as the uint channel id.
+    /// AOVs of the image's size to write too; null: none. Depth as Z, normals as N.X N.Y N.Z, positions as
+    /// P.X P.Y P.Z, instances as the uint channel id.
     const Aovs* surfaces = nullptr;
 };
 
@@ -86,9 +86,9 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
 /// any of S1..S3 must have S1 and S2 in every colour. Other channels, such as A, are ignored.
 ///
 /// A file with spectral channels is read as such, by increasing wavelength (names in m or Hz with any
-/// prefix); its R G B are a preview. polarisationHandedness "left" means that s3 > 0 is left circular there,
-/// and turns its sign. `wavelengths` (nm) chooses, in this order, the nearest channels of a spectral file and
-/// must lie within its range; without it a file may have at most kMaxFileChannels.
+/// prefix); its R G B are a preview. polarisationHandedness "left" means that s3 > 0 is left circular there;
+/// its sign is reversed. `wavelengths` (nm) chooses, in this order, the nearest channels of a spectral file
+/// and must lie within its range; without it a file may have at most kMaxFileChannels.
 ///
 /// Throws Error(file_not_found); Error(unsupported) for deep or subsampled data, reflectances (T channels)
 /// and too many wavelengths; Error(invalid_argument) for `wavelengths` out of range or of a file that has

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cube maps: directions, frames, and the same light as an equirectangular image.
+// Cube maps: directions, frames, resampling to an equirectangular image.
 #include "light/cube_cross.hpp"
 
 #include <tbb/parallel_for.h>
@@ -76,14 +76,14 @@ private:
         if (weight == 0) return;
         const Face* home = &face;
         if (x < 0 || y < 0 || x >= edge_ || y >= edge_) {
-            // Beyond the edge lies the neighbour's nearest pixel.
+            // Beyond the edge: the nearest pixel of the neighbouring face.
             const glm::dvec3 beyond = point_on(face, edge_, x + 0.5, y + 0.5).towards_light;
             home = &face_of(beyond);
             const glm::dvec2 at = on_face(*home, beyond, edge_);
             x = std::clamp(static_cast<int>(at.x), 0, edge_ - 1);
             y = std::clamp(static_cast<int>(at.y), 0, edge_ - 1);
         }
-        // Parallel transport to a direction so near: the frame's x as seen in the pixel's frame.
+        // The directions are so close that parallel transport is the rotation between the frames' x axes.
         const Frame own = point_on(*home, edge_, x + 0.5, y + 0.5).frame;
         const double c = glm::dot(frame[0], own[0]);
         const double s = glm::dot(frame[0], own[1]);
@@ -127,8 +127,7 @@ CubePoint cube_point(int edge, double x, double y) {
 EquirectImage equirect_from_cross(const CubeCross& cross) {
     cross.check("equirect_from_cross: cross");
     const CrossSampler sampler(cross);
-    // Resampling smooths as a bilinear filter does; twice the pixels take half of that away where they are
-    // few.
+    // Bilinear resampling blurs; small images get twice the columns, which halves the loss.
     const int width = cross.width <= 1024 ? 2 * cross.width : cross.width;
     EquirectImage image(width, width / 2 + 1, cross.channels);
     image.wavelengths = cross.wavelengths;

@@ -14,9 +14,8 @@ namespace nicol {
 ///     Left -x  Front +y  Right +x  Back -y
 ///              Down -z
 ///
-/// Each face is what a camera at the centre sees, image right and up as displayed; Up and Down join Front.
-/// The other six cells are not read. Pixel centres of a face lie at (i + 1/2) / edge of its square on the
-/// cube.
+/// Each face is the image of a camera at the centre, right and up as displayed; Up and Down join Front. The
+/// other six cells are ignored. Pixel centres of a face are at (i + 1/2) / edge of its square on the cube.
 ///
 /// Stokes frame of a pixel: z = propagation (towards the centre), y = the face's image up as far as it is
 /// perpendicular to z, x = y cross z: image right. This is the frame of the files `NAME_s0.exr` ..
@@ -30,7 +29,7 @@ struct CubeCross : StokesImage {
 };
 
 /// The world direction (unit length) towards the light and the Stokes frame at column x, row y of a cross, in
-/// pixels; x = 0.5 is the centre of the first. Throws Error(invalid_argument) for a cell without face.
+/// pixels; x = 0.5 is the centre of the first. Throws Error(invalid_argument) for a cell without a face.
 struct CubePoint {
     glm::dvec3 towards_light;
     Frame frame;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Environment light: what comes from infinity, as radiance, as an image and as PSH coefficients.
+// Distant light: radiance by direction, an image, and PSH coefficients.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ struct EquirectImage : StokesImage {
     using StokesImage::StokesImage;
 };
 
-/// The same in memory of the caller's, in any order of pixels and channels: component p of channel c at (x,
-/// y) is values[c * channel_stride + y * row_stride + x * pixel_stride + p].
+/// The same in the caller's memory, in any order of pixels and channels: component p of channel c at (x, y)
+/// is values[c * channel_stride + y * row_stride + x * pixel_stride + p].
 struct EquirectView {
     int width = 0;
     int height = 0;
@@ -39,8 +39,8 @@ struct EquirectView {
     std::size_t pixel_stride = 0;
 };
 
-/// Distant light, in world axes (turning it is up to the caller: coefficients by rotated(), look-ups by the
-/// inverse rotation). Immutable; every function may be called from any thread.
+/// Distant light in world axes. Callers rotate it: coefficients by rotated(), look-ups by the inverse
+/// rotation. Immutable and thread-safe.
 class Environment {
 public:
     virtual ~Environment() = default;
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] virtual bool polarized() const noexcept = 0;
     /// Some s3 is not zero.
     [[nodiscard]] virtual bool circular() const noexcept = 0;
-    /// Of spectral light: nanometres, one a channel. Empty for colours.
+    /// Of spectral light: nanometres, one per channel. Empty for colours.
     [[nodiscard]] virtual const std::vector<double>& wavelengths() const noexcept;
 
     /// Radiance from the unit direction `towards_light`, in the theta-phi frame (about the world's z) of the
@@ -65,11 +65,10 @@ public:
     /// Throws Error(invalid_argument) unless 0 <= order <= kMaxOrder.
     [[nodiscard]] virtual PshVector project(int order) const = 0;
 
-    /// For drawing the background; of an image, its own pixels times the scale.
+    /// The background. Of an image: its own pixels times the scale.
     [[nodiscard]] virtual EquirectImage image() const = 0;
 
-    /// The light made ready for millions of look-ups where radiance() takes long, see psh_environment(); null
-    /// where it does not.
+    /// The same light with a fast radiance(), see psh_environment(); null if radiance() is fast already.
     [[nodiscard]] virtual std::unique_ptr<const Environment> tabulated() const { return nullptr; }
 
 protected:
@@ -83,8 +82,9 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 /// - any of `NAME_s0.exr` ... `NAME_s3.exr`, or `NAME` where no file has that name: see read_cube_cross();
 /// - else an OpenEXR file in the layout of EquirectImage (see read_exr() for the channels): R G B or Y is
 ///   unpolarized light, S1.. S3 make it polarized. `wavelengths` chooses channels of spectral files.
-/// Throws Error(invalid_argument) unless scale is finite and >= 0, or for `wavelengths` of a file of another
-/// kind; what the readers throw; and what image_environment() throws as Error(invalid_file) naming the file.
+/// Throws Error(invalid_argument) unless scale is finite and >= 0, or for `wavelengths` of a file that is not
+/// spectral; what the readers throw; and what image_environment() throws as Error(invalid_file) naming the
+/// file.
 [[nodiscard]] EnvironmentPtr load_environment(const std::filesystem::path& path, double scale = 1,
                                               std::span<const double> wavelengths = {});
 
@@ -99,26 +99,26 @@ void write_environment(const std::filesystem::path& path, const Environment& env
 ///
 /// Colours outside a file's gamut and the overshoot of lossy compression make pixels negative, in images of
 /// the sun as far below zero as a seventh of the largest value. Unpolarized pixels with s0 < 0 therefore
-/// become 0, which makes the light brighter by what they missed; a channel whose negative pixels, weighted by
-/// solid angle, sum up to more than a quarter of its positive ones is refused.
+/// become 0, which makes the light slightly brighter; a channel whose negative pixels, weighted by solid
+/// angle, exceed a quarter of its positive ones is refused.
 [[nodiscard]] EnvironmentPtr image_environment(const EquirectImage& image, double scale = 1);
-/// Nothing of the view is kept. Throws as above, and for sizes that StokesImage refuses, components other
-/// than 1 and 4, and values == nullptr.
+/// Copies the view. Throws as above, and for sizes that StokesImage refuses, components other than 1 and 4,
+/// and values == nullptr.
 [[nodiscard]] EnvironmentPtr image_environment(const EquirectView& view, double scale = 1);
 
-/// Coefficients of image_environment(view), which is not made: an image without negative pixels is read
-/// where it lies. Throws as image_environment(view) and Environment::project().
+/// The same as image_environment(view)->project(order), but without a copy if no pixel is negative. Throws as
+/// image_environment(view) and Environment::project().
 [[nodiscard]] PshVector project_image(const EquirectView& view, int order);
 
 /// Light given by its coefficients in the world's axes: radiance() evaluates them, project() truncates or
-/// fills up with zeros, image() synthesizes (orders above 1023 are left out of it). tabulated() is a
-/// image with 16 columns an order, 512 to 4096 in all, bilinear in between: random light up to order 255
-/// has an RMS error of 0.8 % in it, smoother light less. Truncated light rings: s0 may be negative and Eq. 70
-/// violated. Throws Error(invalid_argument) unless all coefficients are finite, there is a channel, p = 1, 2
-/// vanish below l = 2, and `wavelengths` is empty or has one value a channel.
+/// fills up with zeros, image() synthesizes (orders above 1023 are left out of it). tabulated() is an image
+/// of 16 columns per order, 512 to 4096 in all, interpolated bilinearly, with an RMS error of 0.8 % for
+/// random light up to order 255 and less for smoother light. Truncated light rings: s0 may be negative and
+/// Eq. 70 violated. Throws Error(invalid_argument) unless all coefficients are finite, there is a channel, p
+/// = 1, 2 vanish below l = 2, and `wavelengths` is empty or has one value per channel.
 [[nodiscard]] EnvironmentPtr psh_environment(PshVector coefficients, std::vector<double> wavelengths = {});
 
-/// Unpolarized, the same from everywhere: one radiance a channel, finite and >= 0, at least one.
+/// Unpolarized, the same from all directions: one radiance per channel, finite and >= 0, at least one.
 [[nodiscard]] EnvironmentPtr constant_environment(std::vector<double> radiance);
 
 /// A clear sky; the sun's own disc is not part of it. With g the angle between the view and the sun, its
@@ -126,20 +126,20 @@ void write_environment(const std::filesystem::path& path, const Environment& env
 /// without s3.
 ///
 /// turbidity 0: scattered once by small particles, s0 = radiance 3/4 (1 + cos^2 g); `radiance` is thus the
-/// mean over the sphere. The formula is kept below the horizon too: the light stays smooth, has no order
-/// above 2 and projects exactly; a scene that has a ground says so with geometry, which hides it.
+/// mean over the sphere. The formula holds below the horizon too, so that the light has no order above 2 and
+/// projects exactly; a ground is the scene's geometry.
 ///
 /// turbidity 1.7 (very clear) to 10 (hazy): luminance and colour by Perez's formula with the coefficients of
 /// Preetham et al. (1999), scaled so that the mean luminance over the upper half is 1, times `radiance`.
 /// Three channels get linear sRGB (clipped below 0), any other number the luminance in each. Up is +y. Below
-/// the horizon lies a ground that reflects ground_albedo of the irradiance of each channel, unpolarized and
-/// the same everywhere. It is an image of 1024 x 513 pixels with all that image_environment() says.
+/// the horizon is a ground that reflects ground_albedo of each channel's irradiance, unpolarized and uniform.
+/// The sky is an image_environment() of 1024 x 513 pixels.
 struct RayleighSky {
     glm::dvec3 sun_direction{0, 1, 0};      ///< towards the sun, any length but 0; y >= 0 with turbidity
     double dop_max = 0.8;                   ///< 0..1, reached 90 degrees from the sun
-    std::vector<double> radiance{1, 1, 1};  ///< a channel each, finite and >= 0
+    std::vector<double> radiance{1, 1, 1};  ///< one per channel, finite and >= 0
     double turbidity = 0;                   ///< 0, or 1.7 to 10
-    /// With turbidity: 0..1, one for all channels or one a channel.
+    /// With turbidity: 0..1, one for all channels or one per channel.
     std::vector<double> ground_albedo{0.2};
 };
 /// Throws Error(invalid_argument) naming the member that is out of range.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks that every kind of environment makes of its arguments.
+// Argument checks that all environments share.
 #pragma once
 
 #include <span>
@@ -24,16 +24,15 @@ void check_radiance(const char* what, const std::vector<double>& radiance);
 /// each of the channels.
 void check_wavelengths(const char* what, const std::vector<double>& wavelengths, int channels);
 
-/// What an image that can be light holds.
+/// What a physical image contains.
 struct ImageContents {
     bool linear = false;    ///< some s1 or s2 is not 0
     bool circular = false;  ///< some s3 is not 0
-    bool negative = false;  ///< some s0 < 0, to be taken for 0
+    bool negative = false;  ///< some s0 < 0, to be replaced by 0
 };
 
-/// Looks at the pixels times `scale`. Throws Error(code) with `name` in front of the channel and pixel where
-/// they are not what image_environment() tolerates; row_weights are the solid angles of the rows' pixels up
-/// to a factor.
+/// Checks the pixels times `scale`. Throws Error(code), its message `name`, channel and pixel, where
+/// image_environment() would refuse them. row_weights: the solid angles of the rows' pixels up to a factor.
 [[nodiscard]] ImageContents examine_image(const EquirectView& view, double scale,
                                           std::span<const double> row_weights, const std::string& name,
                                           ErrorCode code);

@@ -22,17 +22,18 @@ namespace {
 using std::numbers::pi;
 using Complex = std::complex<double>;
 
-/// Most Fourier coefficients, in doubles, of channels that are read together.
+/// Upper limit of the Fourier coefficients (in doubles) of channels that are read together.
 constexpr double kRowDoubles = 1 << 24;
 
-/// Gauss points of one interval between rows: where (0..1) and how much (sum 1).
+/// Gauss points of one interval between rows: positions in 0..1 and weights of sum 1.
 struct IntervalRule {
     std::vector<double> position;
     std::vector<double> weight;
 };
 
-/// Between two rows the integrand is a straight line times a trigonometric polynomial of degree order + 1, on
-/// which few Gauss points are as good as exact; a rule over the whole meridian would suffer from the kinks.
+/// Between two rows the integrand is a linear function times a trigonometric polynomial of degree order + 1,
+/// for which few Gauss points are practically exact; a rule over the whole meridian would suffer from the
+/// kinks at the rows.
 IntervalRule interval_rule(int order, int intervals) {
     const double log_phase = std::log((order + 1) * pi / intervals);
     // Error of n points for exp(i x t) on 0..1: x^2n (n!)^4 / ((2n + 1) ((2n)!)^3), built up factor by
@@ -137,9 +138,9 @@ private:
 
 PshVector project_equirect(const EquirectView& view, int order) {
     const IntervalRule rule = interval_rule(order, view.height - 1);
-    // Enough latitudes at once to make the Legendre step's set-up cheap, few enough to bound the memory.
+    // Enough latitudes at once to amortize the Legendre step's set-up, few enough to bound the memory.
     const int grain = std::max(1, 256 / static_cast<int>(rule.position.size()));
-    // Channels that lie side by side are read together, as far as the rows of all of them fit.
+    // Neighbouring channels are read together, as many as fit.
     const double doubles = 8.0 * (order + 1) * view.height;
     const int together =
         std::max(1, static_cast<int>(std::min<double>(view.channels, kRowDoubles / doubles)));

@@ -12,7 +12,7 @@
 namespace nicol {
 namespace {
 
-constexpr std::size_t block = 64;
+constexpr std::size_t kBlock = 64;
 
 /// Two halves, because that is what every processor has.
 struct Four {
@@ -39,15 +39,15 @@ inline void store(double* to, const Four& v) {
 FoldedSums::FoldedSums(int order, int columns)
     : order_(order),
       columns_(static_cast<std::size_t>(columns)),
-      folded_(16 * block),
+      folded_(16 * kBlock),
       sums_(8 * (static_cast<std::size_t>(order) + 1)) {
     const std::size_t quarter = columns_ / 4;
-    for (std::size_t first = 0; first < quarter; first += block)
+    for (std::size_t first = 0; first < quarter; first += kBlock)
         for (int m = 0; m <= order; ++m)
-            for (std::size_t c = first; c < std::min(first + block, quarter); ++c) {
+            for (std::size_t c = first; c < std::min(first + kBlock, quarter); ++c) {
                 // In half columns, so that the angle is reduced exactly.
-                const long long turn = m * (2 * static_cast<long long>(c) + 1) % (2LL * columns);
-                const double angle = std::numbers::pi * static_cast<double>(turn) / columns;
+                const long long step = m * (2 * static_cast<long long>(c) + 1) % (2LL * columns);
+                const double angle = std::numbers::pi * static_cast<double>(step) / columns;
                 table_.push_back(std::cos(angle));
                 table_.push_back(std::sin(angle));
             }
@@ -75,8 +75,8 @@ void FoldedSums::fold(const FourRows& rows, std::size_t first, std::size_t count
 std::span<const double> FoldedSums::operator()(const FourRows& rows) {
     std::ranges::fill(sums_, 0.0);
     const double* table = table_.data();
-    for (std::size_t first = 0; first < columns_ / 4; first += block) {
-        const std::size_t count = std::min(block, columns_ / 4 - first);
+    for (std::size_t first = 0; first < columns_ / 4; first += kBlock) {
+        const std::size_t count = std::min(kBlock, columns_ / 4 - first);
         fold(rows, first, count);
         vector_kernel().low_degrees(folded_.data(), static_cast<int>(count), table, order_ + 1, sums_.data());
         table += 2 * count * (static_cast<std::size_t>(order_) + 1);

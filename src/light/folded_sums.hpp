@@ -16,11 +16,11 @@ struct FourRows {
     std::size_t stride;
 };
 
-/// The four pixels of a row that mirror each other in the axes share their cosines and sines, so a degree
-/// costs half a multiplication a value. One object a thread; copies share nothing.
+/// The four pixels of a row that are mirror images of each other in the axes share their cosines and sines,
+/// so a degree costs half a multiplication per value. Not thread-safe; copies are independent.
 class FoldedSums {
 public:
-    /// Whether this serves rows of so many columns, and faster than a whole transform.
+    /// Whether rows of so many columns are supported and faster than an FFT.
     [[nodiscard]] static bool suits(int order, int columns) {
         return columns % 4 == 0 && order <= 128 && columns >= 16;
     }

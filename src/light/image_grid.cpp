@@ -16,9 +16,9 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-// Image frames are the theta-phi frames about the image's axes, rotated by a quarter.
-constexpr std::array<double, 4> quarter_rotation{1, -1, -1, 1};
+using std::numbers::pi;
+// Image frames are the theta-phi frames about the image's axes, rotated by a quarter circle.
+constexpr std::array<double, 4> kQuarterRotation{1, -1, -1, 1};
 
 // About the image's axes its rows, from the last to the first, are circles of latitude, and its columns run
 // against phi: from the last to the first they are at phi = -pi + pi / width and on.
@@ -36,7 +36,7 @@ public:
                     const auto from = image.at(c, y, x);
                     double* to = sample(image, y, x);
                     for (std::size_t p = 0; p < 4; ++p)
-                        to[p] = quarter_rotation[p] * static_cast<double>(from[p]);
+                        to[p] = kQuarterRotation[p] * static_cast<double>(from[p]);
                 }
             }
             transform_.analyze(samples_, field.channel(c));
@@ -52,7 +52,7 @@ public:
                     const double* from = sample(image, y, x);
                     const auto to = image.at(c, y, x);
                     for (std::size_t p = 0; p < 4; ++p)
-                        to[p] = static_cast<float>(quarter_rotation[p] * from[p]);
+                        to[p] = static_cast<float>(kQuarterRotation[p] * from[p]);
                 }
             }
         }
@@ -69,10 +69,11 @@ private:
 };
 
 std::array<bool, 4> components_of(const PshVector& field) {
-    std::array<bool, 4> there{};
-    for (std::size_t i = 0; i < field.data().size(); ++i) there[i % 4] = there[i % 4] || field.data()[i] != 0;
-    there[1] = there[2] = there[1] || there[2];
-    return there;
+    std::array<bool, 4> present{};
+    for (std::size_t i = 0; i < field.data().size(); ++i)
+        present[i % 4] = present[i % 4] || field.data()[i] != 0;
+    present[1] = present[2] = present[1] || present[2];
+    return present;
 }
 
 }  // namespace
@@ -92,10 +93,10 @@ EquirectImage synthesize_image(const PshVector& field, int width, int height) {
     const PshVector part = with_order(field, order);
     EquirectImage image(width, height, field.channels());
     ImageGrid(order, width, height).synthesize(rotated(part, glm::transpose(equirect_axes())), image);
-    // Transforms share their work between components, so that rounding errors stand where nothing is.
+    // Transforms share work between components, which leaves rounding errors in those that are zero.
     const std::array<bool, 4> there = components_of(part);
     for (std::size_t i = 0; i < image.data.size(); ++i)
-        if (!there[i % 4]) image.data[i] = 0;
+        if (!present[i % 4]) image.data[i] = 0;
     return image;
 }
 

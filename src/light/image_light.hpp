@@ -8,10 +8,10 @@ namespace nicol {
 
 /// Radiance from a unit direction as Environment::radiance() has it, bilinear between pixels. Neighbours'
 /// frames differ by no more than the angle between their columns, at the poles too, so that components can be
-/// interpolated before they are turned into the frame of the direction.
+/// interpolated before they are rotated into the frame of the direction.
 [[nodiscard]] Stokes look_up(const EquirectView& view, int channel, const glm::dvec3& towards_light);
 
-/// An image as light, taken as it is: values need not be physical.
+/// An image as light. Its values are not checked and need not be physical.
 class ImageLight final : public Environment {
 public:
     explicit ImageLight(EquirectImage image);
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] EquirectImage image() const override { return image_; }
 
 private:
-    /// Of one component where the light is not polarized.
+    /// With one component if the light is unpolarized.
     [[nodiscard]] EquirectView view() const;
 
     EquirectImage image_;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Energies from the coefficients, ranges from the image.
 #include "light/light_report.hpp"
 
 #include <algorithm>
@@ -30,7 +29,7 @@ void describe_pixels(const EquirectImage& image, int channel, LightChannelReport
     report.smallest = std::numeric_limits<double>::infinity();
     report.largest = -report.smallest;
     for (int y = 0; y < image.height; ++y) {
-        // Rows are vertex-centred: the first and the last are the poles, half a step of which is there.
+        // Rows are vertex-centred: the first and the last are caps of half a step about the poles.
         const double step = std::numbers::pi / (image.height - 1);
         const bool pole = y == 0 || y == image.height - 1;
         const double weight =

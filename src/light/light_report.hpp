@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a light holds, as plain numbers.
+// Statistics of a light.
 #pragma once
 
 #include <vector>

@@ -18,10 +18,10 @@ double perez(const std::array<double, 5>& k, double cos_zenith, double gamma) {
 
 /// Rows T^2, T, 1; columns z^3, z^2, z, 1.
 using ZenithTable = std::array<std::array<double, 4>, 3>;
-constexpr ZenithTable zenith_x = {{{0.00166, -0.00375, 0.00209, 0},
+constexpr ZenithTable kZenithX = {{{0.00166, -0.00375, 0.00209, 0},
                                    {-0.02903, 0.06377, -0.03202, 0.00394},
                                    {0.11693, -0.21196, 0.06052, 0.25886}}};
-constexpr ZenithTable zenith_y = {{{0.00275, -0.00610, 0.00317, 0},
+constexpr ZenithTable kZenithY = {{{0.00275, -0.00610, 0.00317, 0},
                                    {-0.04214, 0.08970, -0.04153, 0.00516},
                                    {0.15346, -0.26756, 0.06670, 0.26688}}};
 
@@ -43,7 +43,7 @@ PerezSky::PerezSky(double t, double sun_zenith)
                -0.0109 * t + 0.0529}}} {
     const double chi = (4.0 / 9 - t / 120) * (std::numbers::pi - 2 * sun_zenith);
     factor_ = {(4.0453 * t - 4.9710) * std::tan(chi) - 0.2155 * t + 2.4192,
-               zenith_chromaticity(zenith_x, t, sun_zenith), zenith_chromaticity(zenith_y, t, sun_zenith)};
+               zenith_chromaticity(kZenithX, t, sun_zenith), zenith_chromaticity(kZenithY, t, sun_zenith)};
     for (std::size_t i = 0; i < 3; ++i) factor_[i] /= perez(shape_[i], 1, sun_zenith);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether an image can be light at all (Eq. 70): a quick look, and a thorough one where that leaves doubts.
+// Whether an image is physical light (Eq. 70): a fast check that most images pass, and an exact one for the
+// others.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
@@ -14,7 +15,7 @@
 namespace nicol {
 namespace {
 
-/// Most that negative pixels may miss of the positive ones.
+/// Largest sum of negative pixels, relative to the positive ones.
 constexpr double kLargestNegative = 0.25;
 
 typedef float Floats __attribute__((vector_size(16)));
@@ -24,11 +25,11 @@ bool any(Ints mask) {
     return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 }
 
-/// Looks at four pixels at a time, with sharper limits than the true ones, which need the largest s0.
-class QuickLook {
+/// Checks four pixels at a time against limits stricter than the exact ones, which depend on the largest s0.
+class FastCheck {
 public:
-    explicit QuickLook(const EquirectView& view) : view_(view) {}
-    QuickLook(const QuickLook& other, tbb::split) : view_(other.view_) {}
+    explicit FastCheck(const EquirectView& view) : view_(view) {}
+    FastCheck(const FastCheck& other, tbb::split) : view_(other.view_) {}
 
     void operator()(const tbb::blocked_range<int>& rows) {
         for (int y = rows.begin(); y < rows.end(); ++y)
@@ -36,24 +37,24 @@ public:
                 const float* row = view_.values + static_cast<std::size_t>(c) * view_.channel_stride +
                                    static_cast<std::size_t>(y) * view_.row_stride;
                 if (view_.components == 4)
-                    look_at_stokes(row);
+                    check_stokes(row);
                 else
-                    look_at_s0(row);
+                    check_s0(row);
             }
     }
 
-    void join(const QuickLook& other) {
-        fine_ &= other.fine_;
+    void join(const FastCheck& other) {
+        passed_ &= other.passed_;
         linear_ |= other.linear_;
         circular_ |= other.circular_;
         largest_ = larger(largest_, other.largest_);
     }
 
-    /// Nothing is negative, not finite or polarized too much, and no square was out of range.
-    [[nodiscard]] bool fine() const {
+    /// No pixel is negative, infinite, NaN or polarized too much, and no square overflowed.
+    [[nodiscard]] bool passed() const {
         float largest = 0;
         for (int i = 0; i < 4; ++i) largest = std::max(largest, largest_[i]);
-        return !any(~fine_) && largest > 1e-15F;
+        return !any(~passed_) && largest > 1e-15F;
     }
     [[nodiscard]] bool linear() const { return any(linear_); }
     [[nodiscard]] bool circular() const { return any(circular_); }
@@ -61,7 +62,7 @@ public:
 private:
     static Floats larger(Floats a, Floats b) { return a > b ? a : b; }
 
-    void look_at_stokes(const float* row) {
+    void check_stokes(const float* row) {
         const auto width = static_cast<std::size_t>(view_.width);
         for (std::size_t x = 0; x < width; x += 4) {
             Floats pixel[4];
@@ -75,35 +76,35 @@ private:
             const Floats s1 = __builtin_shufflevector(low_a, low_b, 2, 3, 6, 7);
             const Floats s2 = __builtin_shufflevector(high_a, high_b, 0, 1, 4, 5);
             const Floats s3 = __builtin_shufflevector(high_a, high_b, 2, 3, 6, 7);
-            fine_ &= (s0 >= 0) & (s0 < 1e18F) & (s1 * s1 + s2 * s2 + s3 * s3 <= 1.02F * (s0 * s0));
+            passed_ &= (s0 >= 0) & (s0 < 1e18F) & (s1 * s1 + s2 * s2 + s3 * s3 <= 1.02F * (s0 * s0));
             linear_ |= (s1 != 0) | (s2 != 0);
             circular_ |= s3 != 0;
             largest_ = larger(s0, largest_);
         }
     }
 
-    void look_at_s0(const float* row) {
+    void check_s0(const float* row) {
         for (std::size_t x = 0; x < static_cast<std::size_t>(view_.width); ++x) {
             const float s0 = row[x * view_.pixel_stride];
-            fine_[0] &= s0 >= 0 && s0 < 1e18F ? -1 : 0;
+            passed_[0] &= s0 >= 0 && s0 < 1e18F ? -1 : 0;
             largest_[0] = std::max(largest_[0], s0);
         }
     }
 
     const EquirectView& view_;
-    Ints fine_{-1, -1, -1, -1};
+    Ints passed_{-1, -1, -1, -1};
     Ints linear_{}, circular_{};
     Floats largest_{};
 };
 
-class ThoroughLook {
+class ExactCheck {
 public:
-    ThoroughLook(const EquirectView& view, double scale, std::span<const double> row_weights,
-                 const std::string& name, ErrorCode code)
+    ExactCheck(const EquirectView& view, double scale, std::span<const double> row_weights,
+               const std::string& name, ErrorCode code)
         : view_(view), scale_(scale), row_weights_(row_weights), name_(name), code_(code) {}
 
     [[nodiscard]] ImageContents run() {
-        for (int c = 0; c < view_.channels; ++c) look_at(c);
+        for (int c = 0; c < view_.channels; ++c) check_channel(c);
         return contents_;
     }
 
@@ -120,7 +121,7 @@ private:
                                                static_cast<std::size_t>(at.x) * view_.pixel_stride + p]);
     }
 
-    void look_at(int channel) {
+    void check_channel(int channel) {
         float largest = 0;
         float smallest = 0;
         Pixel darkest{channel, 0, 0};
@@ -163,7 +164,7 @@ private:
             share = text;
         }
         refuse(darkest, "has s0 < 0, as has much of the channel (" + share +
-                            "); radiance cannot be negative, and only up to 25 % is taken for the trace of "
+                            "); radiance cannot be negative, and only up to 25 % is attributed to "
                             "compression and set to 0");
     }
 
@@ -184,13 +185,13 @@ private:
 
 ImageContents examine_image(const EquirectView& view, double scale, std::span<const double> row_weights,
                             const std::string& name, ErrorCode code) {
-    // A scale that takes the quick look's limits out of the range of float gets the thorough one.
+    // Beyond these scales the limits of the fast check leave the range of float.
     if (scale > 1e-15 && scale < 1e15) {
-        QuickLook look(view);
-        tbb::parallel_reduce(tbb::blocked_range<int>(0, view.height), look);
-        if (look.fine()) return {look.linear(), look.circular(), false};
+        FastCheck fast(view);
+        tbb::parallel_reduce(tbb::blocked_range<int>(0, view.height), fast);
+        if (fast.passed()) return {fast.linear(), fast.circular(), false};
     }
-    return ThoroughLook(view, scale, row_weights, name, code).run();
+    return ExactCheck(view, scale, row_weights, name, code).run();
 }
 
 ImageContents examine_equirect(const EquirectView& view, double scale, const std::string& name,

@@ -100,7 +100,7 @@ private:
 }  // namespace
 
 EnvironmentPtr rayleigh_sky(const RayleighSky& sky) {
-    // Scaled first, so that no length overflows or vanishes in its square.
+    // Scaled first, so that the squared length neither overflows nor underflows.
     const glm::dvec3 a = glm::abs(sky.sun_direction);
     const double largest = std::max({a.x, a.y, a.z});
     const glm::dvec3 scaled = sky.sun_direction / largest;

@@ -91,7 +91,7 @@ private:
                 folded_factor(m) * Complex(sums[8 * m + k], sums[8 * m + 4 + k]);
     }
 
-    /// From the image's frame to the theta-phi frame: a quarter turn, the sign of s1 + i s2.
+    /// From the image's frame to the theta-phi frame: rotated by 90 degrees, which negates s1 + i s2.
     void store_folded_spin(std::span<const double> sums, FourierRows& result, int i) const {
         for (int m = 0; m <= order_; ++m) {
             const double* s = &sums[8 * static_cast<std::size_t>(m)];
@@ -147,7 +147,7 @@ private:
         });
     }
 
-    /// phi = pi - 2 pi u falls with the column, so the pixels are taken from the right.
+    /// phi = pi - 2 pi u falls with the column, so the pixels are read from right to left.
     void load(const Lane& lane, int channel, double* to) const {
         const float* p = row(channel, lane.row_p) + lane.p;
         const float* q = row(channel, lane.row_q) + lane.q;
@@ -159,12 +159,12 @@ private:
         }
     }
 
-    /// Degree m of a transformed lane, also above width / 2, where the plain sums repeat.
+    /// Degree m of a transformed lane, also above width / 2, where the sums are periodic.
     [[nodiscard]] Complex degree(const double* out, int m) const {
         const int bin = (m % view_.width + view_.width) % view_.width;
         const double* z = out + BatchFft::kElement * static_cast<std::size_t>(bin);
-        const Complex turn = rotation_[static_cast<std::size_t>(std::abs(m))];
-        return Complex(z[0], z[BatchFft::kLanes]) * (m < 0 ? std::conj(turn) : turn);
+        const Complex phase = rotation_[static_cast<std::size_t>(std::abs(m))];
+        return Complex(z[0], z[BatchFft::kLanes]) * (m < 0 ? std::conj(phase) : phase);
     }
 
     void store_scalars(const double* out, const Lane& lane, FourierRows& result) const {

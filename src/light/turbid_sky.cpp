@@ -21,7 +21,7 @@ constexpr int kWidth = 1024;
 constexpr int kHeight = kWidth / 2 + 1;
 constexpr int kHorizonRow = kHeight / 2;
 
-/// Solid angle of a pixel of row y of the sky; the horizon's row lies half above it.
+/// Solid angle of a pixel of row y above the horizon; the horizon's row counts half.
 double solid_angle(int y) {
     const double step = pi / (kHeight - 1);
     return 2 * pi / kWidth * step * std::sin(y * step) * (y == kHorizonRow ? 0.5 : 1.0);
@@ -46,7 +46,8 @@ EquirectImage turbid_sky_image(const RayleighSky& sky, const glm::dvec3& sun) {
             const std::array<double, 3> rgb = linear_srgb(color);
             luminance += color[0] * solid_angle(y);
 
-            // DoLP = dop_max sin^2 / (1 + cos^2) along sun x view, without any angle: smooth at the sun.
+            // DoLP = dop_max sin^2 / (1 + cos^2) along sun x view, computed without angles: smooth at the
+            // sun.
             const double degree = sky.dop_max / (1 + cosine * cosine);
             const double ex = glm::dot(e, frame[0]);
             const double ey = glm::dot(e, frame[1]);
@@ -60,7 +61,7 @@ EquirectImage turbid_sky_image(const RayleighSky& sky, const glm::dvec3& sun) {
         }
     }
     for (int c = 0; c < channels; ++c) {
-        // To a mean luminance of 1 over the half of the sky, times this channel's radiance.
+        // To a mean luminance of 1 over the upper half, times this channel's radiance.
         const double scale = sky.radiance[static_cast<std::size_t>(c)] * 2 * pi / luminance;
         double irradiance = 0;
         for (int y = 0; y <= kHorizonRow; ++y) {

@@ -13,7 +13,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::string text(const glm::dvec3& d) {
     std::ostringstream out;
@@ -32,7 +32,7 @@ public:
             throw Error(ErrorCode::invalid_argument, "the material's function is null; give one");
         check_range(p_.channels, 1, 16, "channels");
         check_range(p_.lobe_width, 0.001, 1, "lobe_width");
-        for (int c = 0; c < p_.channels; ++c) probe(c);
+        for (int c = 0; c < p_.channels; ++c) test_channel(c);
     }
 
     [[nodiscard]] int channels() const noexcept override { return p_.channels; }
@@ -59,9 +59,9 @@ private:
         return m;
     }
 
-    // The s-frames turn with the directions, so isotropy asks for the same matrix; the mirror image keeps the
+    // The s-frames rotate with the directions, so isotropy requires the same matrix; mirroring keeps the
     // s-axis up to its sign and reverses s2 and s3.
-    void probe(int channel) const {
+    void test_channel(int channel) const {
         for (const double in : {0.2, 0.7, 1.2}) {
             for (const double out : {0.3, 0.7, 1.3}) {
                 for (const double azimuth : {0.4, 1.9, pi - 0.1}) {

@@ -75,15 +75,15 @@ private:
             : half(glm::normalize(light + viewer)),
               cosine(std::min(1.0, glm::dot(viewer, half))),
               scale(facet_reflection(p.distribution, p.alpha, light, viewer, half)),
-              turns(rotations_from_s_frames(light, viewer)) {}
+              rotations(rotations_from_s_frames(light, viewer)) {}
         [[nodiscard]] Mueller reflect(std::complex<double> eta) const {
-            return in_rotated_frames(scale, reflection_block(cosine, eta), turns);
+            return in_rotated_frames(scale, reflection_block(cosine, eta), rotations);
         }
 
         glm::dvec3 half;
         double cosine;
         double scale;
-        SurfaceRotations turns;
+        SurfaceRotations rotations;
     };
 
     RoughConductorParameters p_;

@@ -22,22 +22,22 @@ struct RoughConductorParameters {
 /// Throws Error(invalid_argument) naming the parameter that is out of range.
 [[nodiscard]] MaterialPtr rough_conductor(const RoughConductorParameters& parameters);
 
-/// Roughness that stands for a smooth surface. A mirror's pBRDF is a delta, which no table holds; Beckmann's
-/// facets of this roughness blur by about one degree, less than an order of 100 resolves.
+/// Roughness used for a smooth surface. A mirror's pBRDF is a delta function, which no table can hold;
+/// Beckmann facets of this roughness blur by about one degree, less than order 100 resolves.
 inline constexpr double kSmoothAlpha = 0.01;
 
 /// Mitsuba 3's `conductor`, as rough_conductor() with Beckmann's facets and kSmoothAlpha.
 [[nodiscard]] MaterialPtr conductor(std::vector<std::complex<double>> eta,
                                     std::vector<double> specular_reflectance = {1.0});
 
-/// Wavelengths in nm that stand for red, green and blue: the dominant wavelengths of the BT.709 primaries.
+/// Wavelengths in nm used for red, green and blue: the dominant wavelengths of the BT.709 primaries.
 inline constexpr std::array<double, 3> kRgbWavelengths{611.4, 549.1, 464.2};
 
 /// Index n - ik of a metal at wavelengths in nm, 400 to 800. Gold ("Au"), silver ("Ag") and copper ("Cu"):
 /// measured by Johnson and Christy, Phys. Rev. B 6, 4370 (1972), linear in the photon energy between their
-/// values. Aluminium ("Al"): the Lorentz-Drude model of Rakic et al., Appl. Opt. 37, 5271 (1998). The names
-/// in full, `aluminum` too, and in lower case serve as well. Throws Error(invalid_argument) for other names
-/// and wavelengths.
+/// values. Aluminium ("Al"): the Lorentz-Drude model of Rakic et al., Appl. Opt. 37, 5271 (1998). Also
+/// accepted: the names in full (`aluminum` too), in lower case. Throws Error(invalid_argument) for other
+/// names and wavelengths.
 [[nodiscard]] std::vector<std::complex<double>> metal_index(std::string_view metal,
                                                             const std::vector<double>& wavelengths = {
                                                                 kRgbWavelengths.begin(),

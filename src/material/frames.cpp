@@ -24,12 +24,12 @@ FrameRotation to_theta_phi(const glm::dvec3& s, const glm::dvec3& z) {
     return {(cosine * cosine - sine * sine) * norm, 2 * cosine * sine * norm};
 }
 
-void rotate_rows(Mueller& m, const FrameRotation& turn) {
+void rotate_rows(Mueller& m, const FrameRotation& rotation) {
     for (std::size_t q = 0; q < 4; ++q) {
         const double m1 = m(1, q);
         const double m2 = m(2, q);
-        m(1, q) = turn.cos2 * m1 + turn.sin2 * m2;
-        m(2, q) = turn.cos2 * m2 - turn.sin2 * m1;
+        m(1, q) = rotation.cos2 * m1 + rotation.sin2 * m2;
+        m(2, q) = rotation.cos2 * m2 - rotation.sin2 * m1;
     }
 }
 
@@ -45,13 +45,13 @@ SurfaceRotations rotations_from_s_frames(const glm::dvec3& towards_light, const 
     return {to_theta_phi(s, -towards_light), to_theta_phi(s, towards_viewer)};
 }
 
-Mueller in_rotated_frames(const Mueller& m, const SurfaceRotations& turns) {
+Mueller in_rotated_frames(const Mueller& m, const SurfaceRotations& rotations) {
     Mueller out = m;
     for (std::size_t p = 0; p < 4; ++p) {
-        out(p, 1) = turns.in.cos2 * m(p, 1) + turns.in.sin2 * m(p, 2);
-        out(p, 2) = turns.in.cos2 * m(p, 2) - turns.in.sin2 * m(p, 1);
+        out(p, 1) = rotations.in.cos2 * m(p, 1) + rotations.in.sin2 * m(p, 2);
+        out(p, 2) = rotations.in.cos2 * m(p, 2) - rotations.in.sin2 * m(p, 1);
     }
-    rotate_rows(out, turns.out);
+    rotate_rows(out, rotations.out);
     return out;
 }
 
@@ -70,14 +70,14 @@ ReflectionBlock reflection_block(double cos_incident, std::complex<double> eta) 
             cross.imag()};
 }
 
-Mueller in_rotated_frames(double scale, const ReflectionBlock& block, const SurfaceRotations& turns) {
+Mueller in_rotated_frames(double scale, const ReflectionBlock& block, const SurfaceRotations& rotations) {
     const double a = scale * block.a;
     const double b = scale * block.b;
     const double c = scale * block.c;
     const double d = scale * block.d;
-    const auto& [ci, si] = turns.in;
+    const auto& [ci, si] = rotations.in;
     Mueller out({a, b * ci, -b * si, 0, b, a * ci, -a * si, 0, 0, c * si, c * ci, -d, 0, d * si, d * ci, c});
-    rotate_rows(out, turns.out);
+    rotate_rows(out, rotations.out);
     return out;
 }
 

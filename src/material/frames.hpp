@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From frames along the s-axis to the theta-phi frames that Material promises, without trigonometry.
+// Rotations from frames along the s-axis to the theta-phi frames of Material, without trigonometric
+// functions.
 #pragma once
 
 #include <complex>
@@ -8,13 +9,13 @@
 
 namespace nicol {
 
-/// A turn of a frame about its z, by the cosine and sine of twice the angle.
+/// A rotation of a frame about its z, as cosine and sine of twice the angle.
 struct FrameRotation {
     double cos2 = 1;
     double sin2 = 0;
 };
 
-/// The turns that bring frames with x along s to the theta-phi frames of the incident propagation
+/// The rotations from frames with x along s to the theta-phi frames of the incident propagation
 /// -towards_light and of towards_viewer.
 struct SurfaceRotations {
     FrameRotation in;
@@ -22,23 +23,23 @@ struct SurfaceRotations {
 };
 
 /// Rotations for x along towards_light x towards_viewer, which is the s-axis of a facet between them. Where
-/// they are parallel, x is some direction across them.
+/// they are parallel, x is an arbitrary perpendicular direction.
 [[nodiscard]] SurfaceRotations rotations_from_s_frames(const glm::dvec3& towards_light,
                                                        const glm::dvec3& towards_viewer);
 
-/// m in frames rotated from its own.
-[[nodiscard]] Mueller in_rotated_frames(const Mueller& m, const SurfaceRotations& turns);
+/// m in rotated frames.
+[[nodiscard]] Mueller in_rotated_frames(const Mueller& m, const SurfaceRotations& rotations);
 
 /// Fresnel's reflection [[a, b, 0, 0], [b, a, 0, 0], [0, 0, c, -d], [0, 0, d, c]] in s-frames.
 struct ReflectionBlock {
     double a, b, c, d;
 };
 
-/// fresnel_reflection() of mueller.hpp as its four numbers; quick where eta is real.
+/// The Fresnel reflection as these four numbers; fast for real eta.
 [[nodiscard]] ReflectionBlock reflection_block(double cos_incident, std::complex<double> eta);
 
 /// scale times the block in rotated frames.
 [[nodiscard]] Mueller in_rotated_frames(double scale, const ReflectionBlock& block,
-                                        const SurfaceRotations& turns);
+                                        const SurfaceRotations& rotations);
 
 }  // namespace nicol

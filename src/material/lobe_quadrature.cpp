@@ -9,15 +9,15 @@ namespace nicol {
 namespace {
 
 // Gauss-Legendre on [-1, 1] with eight nodes, the positive half.
-constexpr std::array<QuadratureNode, 4> rule{{{0.1834346424956498, 0.3626837833783620},
-                                              {0.5255324099163290, 0.3137066458778873},
-                                              {0.7966664774136267, 0.2223810344533745},
-                                              {0.9602898564975363, 0.1012285362903763}}};
+constexpr std::array<QuadratureNode, 4> kRule{{{0.1834346424956498, 0.3626837833783620},
+                                               {0.5255324099163290, 0.3137066458778873},
+                                               {0.7966664774136267, 0.2223810344533745},
+                                               {0.9602898564975363, 0.1012285362903763}}};
 
 void add_panel(std::vector<QuadratureNode>& nodes, double from, double to) {
     const double middle = (from + to) / 2;
     const double half = std::abs(to - from) / 2;
-    for (const QuadratureNode& node : rule) {
+    for (const QuadratureNode& node : kRule) {
         nodes.push_back({middle - half * node.x, half * node.weight});
         nodes.push_back({middle + half * node.x, half * node.weight});
     }

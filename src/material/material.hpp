@@ -33,8 +33,7 @@ public:
     [[nodiscard]] virtual Mueller evaluate(int term, const glm::dvec3& towards_light,
                                            const glm::dvec3& towards_viewer) const = 0;
 
-    /// All terms at once: out[t] = evaluate(t, ...), cheaper where terms share work. out has terms()
-    /// elements.
+    /// All terms at once: out[t] = evaluate(t, ...) for t < terms(); faster where terms share work.
     virtual void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
                                 std::span<Mueller> out) const;
 
@@ -42,12 +41,12 @@ public:
     /// integration over incident directions has to resolve.
     [[nodiscard]] virtual double lobe_width(int term) const noexcept = 0;
 
-    /// Whether the back of a surface reflects as its front. Then evaluate() answers where both directions lie
-    /// below the horizon too; tables hold the front alone.
+    /// Whether the back of a surface reflects like its front. Then evaluate() is also defined where both
+    /// directions are below the horizon; tables hold the front only.
     [[nodiscard]] virtual bool twosided() const noexcept { return false; }
 
-    /// Everything the values depend on, as text: two materials of the same key evaluate alike. Empty where
-    /// that cannot be known, as of a callback.
+    /// Everything the values depend on, as text: materials of equal key have equal values. Empty where that
+    /// is unknown, as for a callback.
     [[nodiscard]] virtual std::string content_key() const { return {}; }
 
     /// The coefficient matrix of a channel, cosine included, where the material is defined by one; else null.
@@ -85,20 +84,20 @@ struct PplasticParameters {
 /// Throws Error(invalid_argument) for null.
 [[nodiscard]] MaterialPtr twosided(MaterialPtr material);
 
-/// A material given by a function.
+/// A material defined by a function.
 struct CallbackParameters {
     /// Mueller matrix, without the cosine, 1/sr, for unit directions in the surface's frame with z > 0 each.
     /// Both frames have x along the s-axis towards_light x towards_viewer and z along the propagation, as
-    /// Fresnel's matrices do. (Where the directions agree, x is any direction across them, the same for
-    /// both.) Called from several threads at once; what it throws is passed on.
+    /// Fresnel's matrices do. (Where the directions are equal, x is any perpendicular direction, the same for
+    /// both.) Called from several threads at once; its exceptions are passed on.
     std::function<Mueller(int channel, const glm::dvec3& towards_light, const glm::dvec3& towards_viewer)>
         reflect;
     int channels = 1;       ///< 1..16
     double lobe_width = 1;  ///< see Material::lobe_width(), 0.001..1
 };
-/// Probes the function at some directions. Throws Error(invalid_argument) for a parameter out of range, a
-/// matrix that is not finite (also later, from evaluate()), and a function that is not isotropic or not
-/// mirror symmetric: what a Material cannot represent is refused rather than averaged away.
+/// Tests the function at some directions. Throws Error(invalid_argument) for a parameter out of range, a
+/// matrix that is not finite (later also from evaluate()), and a function that is not isotropic or not mirror
+/// symmetric, which a Material cannot represent.
 [[nodiscard]] MaterialPtr callback_material(CallbackParameters parameters);
 
 }  // namespace nicol

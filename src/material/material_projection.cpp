@@ -17,7 +17,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 IsotropicMatrix resized(const IsotropicMatrix& from, int order) {
     IsotropicMatrix out(order, order);
@@ -40,7 +40,8 @@ IsotropicMatrix project_material(const Material& material, int channel, int orde
 
     const LightLayout layout(order, LightKind::full);
     IsotropicMatrix matrix(order, order);
-    // Rows change as fast as the harmonics, and within a lobe's width of the horizon, where the lobe is cut.
+    // Rows vary as fast as the harmonics, and faster within a lobe's width of the horizon, where the lobe is
+    // cut off.
     double lobe = 1;
     for (int t = 0; t < material.terms(); ++t) lobe = std::min(lobe, material.lobe_width(t));
     const std::vector<QuadratureNode> nodes =

@@ -17,8 +17,8 @@ namespace {
 
 using Complex = std::complex<double>;
 using Block = IsotropicMatrix::Block;
-constexpr double root2 = std::numbers::sqrt2;
-constexpr double pi = std::numbers::pi;
+constexpr double kRoot2 = std::numbers::sqrt2;
+using std::numbers::pi;
 
 // The four rows' entries for s0_lm, w_lm, w_l-m and s3_lm at one l and m.
 struct RowEntries {
@@ -35,12 +35,12 @@ RowEntries entries_of(const Block& g, int m) {
         r[3] = {0, g[7].imag() - g[6].imag(), 0, g[5].real()};
         return e;
     }
-    r[0] = {root2 * g[0].real(), 2 * g[2].real(), 2 * g[3].real(), root2 * g[1].imag()};
-    r[1] = {(g[8].real() + g[12].real()) / root2, g[10].real() + g[14].real(), g[11].real() + g[15].real(),
-            (g[9].imag() + g[13].imag()) / root2};
-    r[2] = {(g[12].real() - g[8].real()) / root2, g[10].real() - g[14].real(), g[15].real() - g[11].real(),
-            (g[9].imag() - g[13].imag()) / root2};
-    r[3] = {root2 * g[4].imag(), -2 * g[6].imag(), 2 * g[7].imag(), root2 * g[5].real()};
+    r[0] = {kRoot2 * g[0].real(), 2 * g[2].real(), 2 * g[3].real(), kRoot2 * g[1].imag()};
+    r[1] = {(g[8].real() + g[12].real()) / kRoot2, g[10].real() + g[14].real(), g[11].real() + g[15].real(),
+            (g[9].imag() + g[13].imag()) / kRoot2};
+    r[2] = {(g[12].real() - g[8].real()) / kRoot2, g[10].real() - g[14].real(), g[15].real() - g[11].real(),
+            (g[9].imag() - g[13].imag()) / kRoot2};
+    r[3] = {kRoot2 * g[4].imag(), -2 * g[6].imag(), 2 * g[7].imag(), kRoot2 * g[5].real()};
     return e;
 }
 
@@ -67,20 +67,20 @@ Block block_of(const RowEntries& e, int m) {
                 other,
                 same};
     }
-    return {r[0][0] / root2,
-            i * r[0][3] / root2,
+    return {r[0][0] / kRoot2,
+            i * r[0][3] / kRoot2,
             r[0][1] / 2,
             r[0][2] / 2,
-            i * r[3][0] / root2,
-            r[3][3] / root2,
+            i * r[3][0] / kRoot2,
+            r[3][3] / kRoot2,
             -i * r[3][1] / 2.0,
             i * r[3][2] / 2.0,
-            (r[1][0] - r[2][0]) / root2,
-            i * (r[1][3] + r[2][3]) / root2,
+            (r[1][0] - r[2][0]) / kRoot2,
+            i * (r[1][3] + r[2][3]) / kRoot2,
             (r[1][1] + r[2][1]) / 2,
             (r[1][2] - r[2][2]) / 2,
-            (r[1][0] + r[2][0]) / root2,
-            i * (r[1][3] - r[2][3]) / root2,
+            (r[1][0] + r[2][0]) / kRoot2,
+            i * (r[1][3] - r[2][3]) / kRoot2,
             (r[1][1] - r[2][1]) / 2,
             (r[1][2] + r[2][2]) / 2};
 }

@@ -14,7 +14,7 @@
 namespace nicol {
 namespace {
 
-// A term a channel.
+// One term per channel.
 class Measured final : public Material {
 public:
     Measured(MeasuredTable table, std::string key)
@@ -45,8 +45,8 @@ private:
             return;
         }
         table_.at(angles(light, viewer), first, out);
-        const SurfaceRotations turns = rotations_from_s_frames(light, viewer);
-        for (Mueller& m : out) m = in_rotated_frames(m, turns);
+        const SurfaceRotations rotations = rotations_from_s_frames(light, viewer);
+        for (Mueller& m : out) m = in_rotated_frames(m, rotations);
     }
 
     static MeasuredTable::Angles angles(const glm::dvec3& light, const glm::dvec3& viewer) {
@@ -54,7 +54,7 @@ private:
         const glm::dvec3 half = glm::normalize(sum);
         const double tilt = std::hypot(half.x, half.y);
         const double theta_d = std::atan2(glm::length(light - viewer), glm::length(sum));
-        // With the half vector along the normal every azimuth is alike.
+        // With the half vector along the normal the azimuth does not matter.
         if (tilt < 1e-12) return {0, theta_d, 0};
         const glm::dvec3 b(-half.y / tilt, half.x / tilt, 0);
         const glm::dvec3 t = glm::cross(b, half);

@@ -13,13 +13,13 @@ namespace nicol {
 namespace {
 
 using Type = TensorFile::Type;
-constexpr double pi = std::numbers::pi;
-constexpr double same_angle = 1e-4;
-constexpr std::uint64_t most_angles = 100000;
-constexpr std::size_t most_wavelengths = 1000;
-constexpr std::size_t chunk_bytes = 1 << 22;
-constexpr std::uint64_t most_table_bytes = std::uint64_t{1} << 30;
-constexpr double steps = 32767 / 2.0;  // in 1
+using std::numbers::pi;
+constexpr double kSameAngle = 1e-4;
+constexpr std::uint64_t kMaxAngles = 100000;
+constexpr std::size_t kMaxWavelengths = 1000;
+constexpr std::size_t kChunkBytes = 1 << 22;
+constexpr std::uint64_t kMaxTableBytes = std::uint64_t{1} << 30;
+constexpr double kSteps = 32767 / 2.0;  // in 1
 
 bool is_odd(std::size_t element) {
     return (element / 4 < 2) != (element % 4 < 2);
@@ -27,7 +27,7 @@ bool is_odd(std::size_t element) {
 
 std::vector<double> increasing(TensorFile& file, const char* name, double low, double high) {
     const TensorFile::Field& field = file.field(name, {1, 2}, {Type::f32});
-    std::vector<double> values = file.values(field, most_angles);
+    std::vector<double> values = file.values(field, kMaxAngles);
     if (values.empty() || field.shape.back() != field.count)
         file.invalid("field " + std::string(name) + " is empty or not a single row of angles");
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -74,7 +74,7 @@ struct Record {
 
 std::vector<double> MeasuredTable::wavelengths(TensorFile& file) {
     std::vector<double> values =
-        file.values(file.field("wvls", {1, 2}, {Type::u16, Type::f32}), most_wavelengths);
+        file.values(file.field("wvls", {1, 2}, {Type::u16, Type::f32}), kMaxWavelengths);
     bool good = !values.empty() && values.front() > 0 && std::isfinite(values.back());
     for (std::size_t i = 1; i < values.size(); ++i) good = good && values[i] > values[i - 1];
     if (!good) file.invalid("field wvls is empty or does not increase");
@@ -97,7 +97,7 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
 
     const std::size_t plane = theta_d_.size() * theta_h_.size();
     const std::uint64_t entries = std::uint64_t{phi_d_.size()} * plane;
-    if (entries > most_table_bytes / (34 * channels_))
+    if (entries > kMaxTableBytes / (34 * channels_))
         throw Error(ErrorCode::unsupported,
                     "the table of a measured material would need more than 1 GiB; "
                     "use fewer channels or angles");
@@ -108,7 +108,7 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
     for (const auto& grid : {phi, theta_d_, theta_h_, wavelengths(file)})
         hash.add({reinterpret_cast<const unsigned char*>(grid.data()), grid.size() * sizeof(double)});
     const std::size_t record_bytes = spectrum * 16 * sizeof(float);
-    std::vector<unsigned char> chunk(std::max<std::size_t>(chunk_bytes / record_bytes, 1) * record_bytes);
+    std::vector<unsigned char> chunk(std::max<std::size_t>(kChunkBytes / record_bytes, 1) * record_bytes);
     Record record{std::vector<std::array<double, 16>>(spectrum), std::vector<bool>(spectrum)};
     std::uint64_t index = 0;
     for (std::uint64_t done = 0; done < m.count * sizeof(float);) {
@@ -145,7 +145,7 @@ void MeasuredTable::fold_azimuths(const std::vector<double>& phi) {
     std::vector<double> sorted = folded;
     std::ranges::sort(sorted);
     for (const double value : sorted)
-        if (phi_d_.empty() || value - phi_d_.back() > same_angle) phi_d_.push_back(value);
+        if (phi_d_.empty() || value - phi_d_.back() > kSameAngle) phi_d_.push_back(value);
     for (const double value : folded) {
         const auto after = std::ranges::upper_bound(phi_d_, value);
         folded_.push_back(static_cast<std::size_t>(after - phi_d_.begin()) - 1);
@@ -156,7 +156,7 @@ void MeasuredTable::fold_azimuths(const std::vector<double>& phi) {
 void MeasuredTable::take(std::size_t entry, double phi, std::array<double, 16>& matrix) {
     const double wrapped = phi > pi ? phi - 2 * pi : phi;
     // In the plane of symmetry the odd elements vanish.
-    const bool in_plane = std::abs(wrapped) < same_angle || std::abs(wrapped) > pi - same_angle;
+    const bool in_plane = std::abs(wrapped) < kSameAngle || std::abs(wrapped) > pi - kSameAngle;
     const double odd = in_plane ? 0 : wrapped < 0 ? -1 : 1;
     for (std::size_t e = 0; e < 16; ++e)
         if (is_odd(e)) matrix[e] *= odd;
@@ -164,14 +164,14 @@ void MeasuredTable::take(std::size_t entry, double phi, std::array<double, 16>& 
     if (before >= 0) {
         matrix[0] = (matrix[0] + before) / 2;
         for (std::size_t e = 1; e < 16; ++e)
-            matrix[e] = (matrix[e] + before * rest_[entry][e - 1] / steps) / 2;
+            matrix[e] = (matrix[e] + before * rest_[entry][e - 1] / kSteps) / 2;
     }
     // Colours outside the gamut.
     if (!(matrix[0] > 0)) matrix = {};
     m00_[entry] = static_cast<float>(matrix[0]);
     for (std::size_t e = 1; e < 16; ++e) {
         const double relative = matrix[0] > 0 ? std::clamp(matrix[e] / matrix[0], -2.0, 2.0) : 0;
-        rest_[entry][e - 1] = static_cast<std::int16_t>(std::lround(relative * steps));
+        rest_[entry][e - 1] = static_cast<std::int16_t>(std::lround(relative * kSteps));
     }
 }
 
@@ -200,7 +200,7 @@ void MeasuredTable::at(const Angles& angles, std::size_t first, std::span<Muelle
                 first + c;
             const double m00 = weight * static_cast<double>(m00_[entry]);
             sum[0] += m00;
-            for (std::size_t e = 1; e < 16; ++e) sum[e] += m00 / steps * rest_[entry][e - 1];
+            for (std::size_t e = 1; e < 16; ++e) sum[e] += m00 / kSteps * rest_[entry][e - 1];
         }
         if (angles.phi_d < 0) {
             for (std::size_t e = 0; e < 16; ++e)

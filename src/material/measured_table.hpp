@@ -32,7 +32,7 @@ public:
     /// theta_h at which M00, averaged over phi_d and theta_d up to 45 degrees, falls to a quarter of that at
     /// the first theta_h; the smallest of all channels.
     [[nodiscard]] double lobe_width() const;
-    /// Of everything that was read.
+    /// Hash of everything that was read.
     [[nodiscard]] const std::string& content() const noexcept { return content_; }
 
     /// The wavelengths of a file. Throws Error(invalid_file) unless there are 1 to 1000, increasing.

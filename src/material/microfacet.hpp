@@ -10,12 +10,12 @@ namespace nicol {
 /// the integral of D cos over the hemisphere is 1.
 [[nodiscard]] double facet_density(Distribution distribution, double alpha, double cos_facet);
 
-/// Fraction of facets seen from a direction at that angle from the normal (Smith's G1); 0 at and below the
+/// Fraction of facets visible from a direction at that angle from the normal (Smith's G1); 0 at and below the
 /// horizon. Exact for GGX; for Beckmann, Walter's rational fit, as in Mitsuba 3.
 [[nodiscard]] double facet_visibility(Distribution distribution, double alpha, double cos_view);
 
-/// Part of the light that facets with the half vector as their normal send from one direction to the other,
-/// without Fresnel's factor: D G / (4 cos cos), per steradian. Both directions above the horizon.
+/// D G / (4 cos cos), per steradian: reflection of facets whose normal is the half vector, without the
+/// Fresnel factor. Both directions above the horizon.
 [[nodiscard]] double facet_reflection(Distribution distribution, double alpha, const glm::dvec3& light,
                                       const glm::dvec3& viewer, const glm::dvec3& half);
 

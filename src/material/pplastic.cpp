@@ -58,7 +58,7 @@ private:
     [[nodiscard]] Mueller base(const glm::dvec3& light, const glm::dvec3& viewer) const {
         const Mueller in = fresnel_transmission(light.z, eta_);
         const Mueller out = fresnel_transmission(viewer.z, eta_);
-        // The s-axis of the macro surface is phi-hat: a quarter turn, which negates s1.
+        // The s-axis of the macro surface is phi-hat: rotated by 90 degrees, which negates s1.
         const double i = -in(0, 1) / in(0, 0);
         const double o = -out(1, 0) / out(0, 0);
         const double scale = out(0, 0) * in(0, 0) / std::numbers::pi;

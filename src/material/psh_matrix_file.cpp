@@ -17,7 +17,7 @@ namespace {
 
 using Complex = std::complex<double>;
 using Block = IsotropicMatrix::Block;
-constexpr std::size_t most_channels = 16;
+constexpr std::size_t kMaxChannels = 16;
 
 std::size_t entry_count(std::size_t levels) {
     return levels * (4 * levels * levels + 2 - 3 * levels) / 3;
@@ -34,7 +34,7 @@ std::size_t entry_index(int l_in, int l_out, int m_in, int m_out) {
     return entry_count(a) + static_cast<std::size_t>(within);
 }
 
-/// Where the 4 x 4 entries of one (m, l_out, l_in) are: for input and output degree +-m.
+/// Positions of the 4 x 4 entries of one (m, l_out, l_in), for input and output degree +-m.
 struct DegreePair {
     int m, l_out, l_in;
 
@@ -49,7 +49,7 @@ std::size_t coefficient(int level, int sign) {
     return 4 * psh_index(level, sign * level);
 }
 
-/// The map T of real coefficients, seen by the lanes.
+/// The map T of real coefficients, in terms of the lanes.
 IsotropicLanes apply(std::span<const double> channel, const DegreePair& pair, const IsotropicLanes& lanes) {
     std::array<double, 16> in{};
     std::array<double, 16> out{};
@@ -85,7 +85,7 @@ Block read_block(std::span<const double> channel, const DegreePair& pair) {
         out[15] = std::conj(out[10]);
         return out;
     }
-    // A map of complex numbers that turns with its argument is A z; the rest, conj z, is not isotropic.
+    // A map of complex numbers that commutes with rotations is A z; a part with conj z is not isotropic.
     for (std::size_t b = 0; b < 4; ++b) {
         IsotropicLanes unit{};
         unit[b] = 1;
@@ -142,7 +142,7 @@ std::vector<IsotropicMatrix> read_psh_matrix(const std::filesystem::path& path) 
     const std::string name = path.string() + ": member coeff.npy";
     if (coeff.shape.size() != 4 || coeff.shape[2] != 4 || coeff.shape[3] != 4)
         throw Error(ErrorCode::invalid_file, name + " must have the shape [channel][index][4][4]");
-    if (coeff.shape[0] < 1 || coeff.shape[0] > most_channels)
+    if (coeff.shape[0] < 1 || coeff.shape[0] > kMaxChannels)
         throw Error(ErrorCode::invalid_file,
                     name + " has " + std::to_string(coeff.shape[0]) + " channels; it must have 1 to 16");
     std::size_t levels = 1;
@@ -171,7 +171,7 @@ void write_psh_matrix(const std::filesystem::path& path, std::span<const Isotrop
     const auto refuse = [](const std::string& what) {
         throw Error(ErrorCode::invalid_argument, "write_psh_matrix: " + what);
     };
-    if (channels.empty() || channels.size() > most_channels) refuse("there must be 1 to 16 channels");
+    if (channels.empty() || channels.size() > kMaxChannels) refuse("there must be 1 to 16 channels");
     const int order = channels.front().order_in();
     for (const IsotropicMatrix& matrix : channels)
         if (matrix.order_in() != order || matrix.order_out() != order)

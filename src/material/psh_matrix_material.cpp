@@ -15,7 +15,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Rows at outgoing angles a sixth of the shortest half-wave apart; between them cubics.
 class PshMatrixMaterial final : public Material {
@@ -61,7 +61,7 @@ public:
 
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
-        // Closer to the horizon the division by the cosine would exceed every number.
+        // Closer to the horizon the division by the cosine would overflow.
         if (towards_light.z <= 1e-9 || towards_viewer.z <= 0) return {};
         Mueller m;
         add_term(m, term, towards_light, towards_viewer);
@@ -95,7 +95,7 @@ private:
         return out;
     }
 
-    // Rows times the coefficients of light from one direction, each Stokes component in turn.
+    // Rows times the coefficients of light from one direction, for one Stokes component after the other.
     void add_term(Mueller& out, int term, const glm::dvec3& light, const glm::dvec3& viewer) const {
         const Taps tap = taps(viewer);
         const std::size_t size = layout_.size();

@@ -7,13 +7,13 @@
 
 namespace nicol {
 
-/// Throws Error(invalid_argument) unless there are values and each is in 0..1.
+/// Throws Error(invalid_argument) if there is no value or one is outside 0..1.
 void check_reflectance(const std::vector<double>& values, std::string_view name);
 
 /// Throws Error(invalid_argument) unless low <= value <= high (so never for NaN).
 void check_range(double value, double low, double high, std::string_view name);
 
-/// Throws Error(invalid_argument) unless two parameters have as many values, or one of them a single one.
+/// Throws Error(invalid_argument) unless both parameters have equally many values or one has a single one.
 void check_channels(std::size_t a, std::string_view a_name, std::size_t b, std::string_view b_name);
 
 /// One value stands for every channel.

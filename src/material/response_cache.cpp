@@ -19,11 +19,11 @@
 namespace nicol {
 namespace {
 
-constexpr std::string_view magic("NICOLRT\0", 8);
+constexpr std::string_view kMagic("NICOLRT\0", 8);
 // Raise it whenever the numbers of any table change.
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t kVersion = 1;
 
-// What describes the table stands behind the material's own key.
+// The table's parameters follow the material's own key.
 std::string key_of(const std::string& content, const LightLayout& layout, int channels) {
     return Key(content)
         .add("order", layout.order())
@@ -55,13 +55,13 @@ public:
 
         // The length is checked before anything of that size is allocated.
         const auto pairs = static_cast<std::uint64_t>(order + 1) * static_cast<std::uint64_t>(order + 2) / 2;
-        check_size(size_ >= pairs * row_bytes, order);
+        check_size(size_ >= pairs * kRowBytes, order);
         const LightLayout layout(order, static_cast<LightKind>(kind));
-        const std::uint64_t bytes = layout.size() * row_bytes * static_cast<std::uint64_t>(channels);
-        check_size(size_ == header.size() + bytes + hash_size, order);
+        const std::uint64_t bytes = layout.size() * kRowBytes * static_cast<std::uint64_t>(channels);
+        check_size(size_ == header.size() + bytes + kHashSize, order);
         std::vector<float> data(bytes / sizeof(float));
         in_.read(reinterpret_cast<char*>(data.data()), static_cast<std::streamsize>(bytes));
-        const std::string hash = take(hash_size);
+        const std::string hash = take(kHashSize);
         if (hash != ContentHash().add(header).add(bytes_of(std::span<const float>(data))).text())
             invalid("is damaged: its checksum differs");
         if (!all_finite(data)) invalid("has a value that is not finite");
@@ -69,10 +69,10 @@ public:
     }
 
 private:
-    static constexpr std::size_t hash_size = 32;
-    static constexpr std::uint32_t longest_key = 1 << 16;
+    static constexpr std::size_t kHashSize = 32;
+    static constexpr std::uint32_t kMaxKeyBytes = 1 << 16;
     // Of one entry of the layout, in one channel.
-    static constexpr std::uint64_t row_bytes = ResponseTable::kAngles * 4 * sizeof(float);
+    static constexpr std::uint64_t kRowBytes = ResponseTable::kAngles * 4 * sizeof(float);
 
     [[noreturn]] void invalid(const std::string& what) const {
         throw Error(ErrorCode::invalid_file, name_ + ": " + what);
@@ -92,16 +92,16 @@ private:
     }
 
     std::string read_header() {
-        std::string header = take(magic.size() + 8);
-        if (!header.starts_with(magic)) invalid("is no response table of Nicol");
+        std::string header = take(kMagic.size() + 8);
+        if (!header.starts_with(kMagic)) invalid("is no response table of Nicol");
         std::uint32_t found = 0;
         std::uint32_t key_size = 0;
-        std::memcpy(&found, header.data() + magic.size(), 4);
-        std::memcpy(&key_size, header.data() + magic.size() + 4, 4);
-        if (found != version)
+        std::memcpy(&found, header.data() + kMagic.size(), 4);
+        std::memcpy(&key_size, header.data() + kMagic.size() + 4, 4);
+        if (found != kVersion)
             throw Error(ErrorCode::unsupported, name_ + ": has format version " + std::to_string(found) +
-                                                    "; this build reads " + std::to_string(version));
-        if (key_size > longest_key) invalid("claims a key of " + std::to_string(key_size) + " bytes");
+                                                    "; this build reads " + std::to_string(kVersion));
+        if (key_size > kMaxKeyBytes) invalid("claims a key of " + std::to_string(key_size) + " bytes");
         key_ = take(key_size);
         return header + key_;
     }
@@ -130,7 +130,7 @@ ResponseTable load_or_build(const Material& material, const LightLayout& layout,
     const std::string content = folder.empty() ? std::string() : material.content_key();
     if (content.empty()) return ResponseTable(material, layout, channels);
     const int table_channels = ResponseTable::channels_for(material, channels);
-    const CacheFile file(folder, magic, version, key_of(content, layout, table_channels), ".response");
+    const CacheFile file(folder, kMagic, kVersion, key_of(content, layout, table_channels), ".response");
     std::vector<float> data(ResponseTable::kAngles * 4 * layout.size() *
                             static_cast<std::size_t>(table_channels));
     const std::array parts{writable_bytes_of(std::span(data))};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How strongly a material answers to each order of light.
+// How strongly a material responds to each order of light.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace nicol {
 
-/// Mean energy of the rows of a response (ResponseTable), order by order, over outgoing angles by the
-/// projected area that they have on a sphere.
+/// Mean energy of a ResponseTable's rows by order; outgoing angles are weighted by their projected area on a
+/// sphere.
 class ResponsePower {
 public:
     /// Of outgoing light: s0, and s1 and s2 together.
@@ -26,10 +26,10 @@ public:
     /// Integrates the material at a few angles. channels: as for ResponseTable. Throws as it does.
     ResponsePower(const Material& material, int order, LightKind kind, int channels);
 
-    /// 1 where all channels have the same.
+    /// 1 if all channels have the same.
     [[nodiscard]] int channels() const noexcept { return static_cast<int>(of_.size()); }
-    /// Zero for parts that the light kind lacks. The mean square of what light with coefficients of energy
-    /// e_l gives, over all its rotations, is the sum of e_l power_l / (2 l + 1), half of it for s1 and s2.
+    /// Zero for parts that the kind of light lacks. Light of energy e_l in order l reflects to a mean square,
+    /// over all rotations of the light, of the sum of e_l power_l / (2 l + 1), half of it for s1 and s2.
     [[nodiscard]] const Spectrum& of(int channel, std::size_t output, std::size_t part) const {
         return of_[static_cast<std::size_t>(channels() == 1 ? 0 : channel)][output][part];
     }

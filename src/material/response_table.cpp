@@ -15,28 +15,28 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int stride = 4;
-constexpr int integrated = (ResponseTable::kAngles - 1) / stride + 1;
+using std::numbers::pi;
+constexpr int kStride = 4;
+constexpr int kIntegrated = (ResponseTable::kAngles - 1) / kStride + 1;
 
 // Fills the angles between those that were integrated: cubics through the four nearest.
 void interpolate_between(std::vector<float>& data, std::size_t row) {
-    for (int cell = 0; cell + 1 < integrated; ++cell) {
-        const int first = std::clamp(cell - 1, 0, integrated - 4);
-        for (int step = 1; step < stride; ++step) {
-            const double x = cell - first + static_cast<double>(step) / stride;
+    for (int cell = 0; cell + 1 < kIntegrated; ++cell) {
+        const int first = std::clamp(cell - 1, 0, kIntegrated - 4);
+        for (int step = 1; step < kStride; ++step) {
+            const double x = cell - first + static_cast<double>(step) / kStride;
             std::array<double, 4> weight{};
             for (int i = 0; i < 4; ++i) {
                 double lagrange = 1;
                 for (int k = 0; k < 4; ++k) lagrange *= k == i ? 1.0 : (x - k) / (i - k);
                 weight[static_cast<std::size_t>(i)] = lagrange;
             }
-            float* out = data.data() + static_cast<std::size_t>(cell * stride + step) * row;
+            float* out = data.data() + static_cast<std::size_t>(cell * kStride + step) * row;
             for (std::size_t j = 0; j < row; ++j) {
                 double sum = 0;
                 for (std::size_t i = 0; i < 4; ++i) {
                     sum += weight[i] * static_cast<double>(
-                                           data[(static_cast<std::size_t>(first) + i) * stride * row + j]);
+                                           data[(static_cast<std::size_t>(first) + i) * kStride * row + j]);
                 }
                 out[j] = static_cast<float>(sum);
             }
@@ -97,11 +97,11 @@ void ResponseTable::find_makes() {
 void ResponseTable::integrate(const Material& material, const LightLayout& layout) {
     const std::size_t set = 4 * row_size_;
     const auto table_channels = static_cast<std::size_t>(channels_);
-    tbb::parallel_for(tbb::blocked_range<int>(0, integrated), [&](const tbb::blocked_range<int>& range) {
+    tbb::parallel_for(tbb::blocked_range<int>(0, kIntegrated), [&](const tbb::blocked_range<int>& range) {
         RowIntegral integral(material, layout);
         for (int i = range.begin(); i < range.end(); ++i) {
-            const int angle = i * stride;
-            // At 90 degrees the rows have a limit but the formulas of most materials are 0/0.
+            const int angle = i * kStride;
+            // At 90 degrees most materials' formulas are 0/0, though the rows have a limit.
             const double theta = std::min(angle * (pi / 2) / (kAngles - 1), pi / 2 - 1e-6);
             const double* rows = integral.integrate(theta).data();
             for (int term = 0; term < material.terms(); ++term, rows += set) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A material as rows of coefficients that incident light is dotted with, one set for each outgoing zenith
-// angle.
+// A material as rows of coefficients, one set per outgoing zenith angle, whose dot products with the incident
+// light are the reflected Stokes vector.
 #pragma once
 
 #include <array>
@@ -20,14 +20,14 @@ namespace nicol {
 /// angles rows are interpolated linearly.
 class ResponseTable {
 public:
-    /// Zenith angles, evenly from 0 to pi/2. Every fourth is integrated, the others are interpolated by
-    /// cubics, so that the linear interpolation at run time misses less than 1e-4 of a row up to order 16.
+    /// Number of zenith angles, evenly from 0 to pi/2. Every fourth is integrated, the others are cubic
+    /// interpolations; the linear interpolation at run time then errs by less than 1e-4 of a row up to order
+    /// 16.
     static constexpr int kAngles = 4 * 255 + 1;
 
-    /// Integrates every term of the material on quadrature nodes that crowd around the mirror direction; of a
-    /// material that is defined by a matrix, sums up its outgoing side.
-    /// channels is 1 or the scene's; a material of one channel serves any. Throws Error(invalid_argument)
-    /// where the channels do not fit.
+    /// Integrates every term of the material on quadrature nodes that are dense about the mirror direction,
+    /// or evaluates the outgoing side of the matrix that defines the material. `channels`: 1 or the scene's;
+    /// a material of one channel fits any. Throws Error(invalid_argument) if the channels do not fit.
     ResponseTable(const Material& material, const LightLayout& layout, int channels);
     /// From the data() of another table with this layout and number of channels. Throws
     /// Error(invalid_argument) where the length does not fit.
@@ -36,10 +36,10 @@ public:
     /// The channels() that the table of a material has. Throws as the constructor.
     [[nodiscard]] static int channels_for(const Material& material, int channels);
 
-    /// 1 where every channel has the same rows, else the channels asked for.
+    /// 1 if every channel has the same rows, else the number of channels.
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] std::size_t row_size() const noexcept { return row_size_; }
-    /// False where row_p is zero for every angle: the material cannot make that component from this light.
+    /// False if row_p is zero for every angle: the material never reflects that component.
     [[nodiscard]] bool makes(std::size_t p) const noexcept { return makes_[p]; }
 
     /// The four rows of an angle, one after another.

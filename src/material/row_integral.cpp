@@ -11,7 +11,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Whether M_pq is even in the azimuth, for materials with mirror symmetry; else it is odd.
 constexpr bool is_even(std::size_t p, std::size_t q) {
@@ -24,11 +24,12 @@ RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
     : material_(material), layout_(layout), waves_(static_cast<std::size_t>(layout.order()) + 1) {
     // Terms of one lobe width share their nodes, and then what evaluate_terms() shares.
     const int terms = material.terms();
-    bool alike = true;
-    for (int t = 1; t < terms; ++t) alike = alike && material.lobe_width(t) == material.lobe_width(0);
-    if (alike) groups_.emplace_back();
+    bool equal_widths = true;
+    for (int t = 1; t < terms; ++t)
+        equal_widths = equal_widths && material.lobe_width(t) == material.lobe_width(0);
+    if (equal_widths) groups_.emplace_back();
     for (int t = 0; t < terms; ++t) {
-        if (!alike) groups_.emplace_back();
+        if (!equal_widths) groups_.emplace_back();
         groups_.back().push_back(t);
     }
     for (std::size_t j = 0; j < layout.size(); ++j) {
@@ -74,13 +75,13 @@ void RowIntegral::place_azimuths(double narrow, double wide) {
 
 void RowIntegral::add_terms(double theta_out, std::span<const int> terms) {
     const double lobe = material_.lobe_width(terms.front());
-    // Eight nodes a panel follow about four half-waves.
+    // Eight nodes per panel resolve about four half-waves.
     const double wide = std::min(pi / 4, 2 * pi / static_cast<double>(waves_));
     const glm::dvec3 viewer(std::sin(theta_out), 0, std::cos(theta_out));
     place_azimuths(std::min(1.0, lobe / std::max(lobe, viewer.x)), wide);
     for (const QuadratureNode& node : nodes_around(theta_out, 0, pi / 2, lobe, wide)) {
         take_moments(node.x, viewer, terms);
-        // Propagation is opposite: theta_p = pi - theta, so the half-angle functions change places.
+        // Propagation is opposite: theta_p = pi - theta, which exchanges the half-angle functions.
         const double sine = std::sin(node.x / 2);
         const double cosine = std::cos(node.x / 2);
         spin_harmonics(0, layout_.order(), cosine, sine, scalar_);

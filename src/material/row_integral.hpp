@@ -10,7 +10,7 @@
 
 namespace nicol {
 
-/// Rows at any outgoing angle, term by term. Keeps its work space, so one object serves one thread.
+/// Rows at any outgoing angle, term by term. Reuses its work space: not thread-safe.
 class RowIntegral {
 public:
     /// Both must outlive the object.

@@ -15,7 +15,7 @@ namespace {
 struct Tristimulus {
     double x, y, z, d65;
 };
-constexpr std::array<Tristimulus, 41> observer{{
+constexpr std::array<Tristimulus, 41> kObserver{{
     {.001368, .000039, .006450, 49.9755},  {.004243, .000120, .020050, 54.6482},
     {.014310, .000396, .067850, 82.7549},  {.043510, .001210, .207400, 91.4860},
     {.134380, .004000, .645600, 93.4318},  {.283900, .011600, 1.385600, 86.6823},
@@ -40,7 +40,7 @@ constexpr std::array<Tristimulus, 41> observer{{
 }};
 
 // XYZ to linear BT.709.
-constexpr double to_rgb[3][3] = {{3.2404542, -1.5371385, -0.4985314},
+constexpr double kToRgb[3][3] = {{3.2404542, -1.5371385, -0.4985314},
                                  {-0.9692660, 1.8760108, 0.0415560},
                                  {0.0556434, -0.2040259, 1.0572252}};
 
@@ -70,14 +70,14 @@ void spread(std::span<const double> wavelengths, double wavelength, double amoun
 Tristimulus observer_at(int nm) {
     const auto i = static_cast<std::size_t>(nm - 380) / 10;
     const double x = (nm - 380) % 10 / 10.0;
-    const Tristimulus& a = observer[i];
-    const Tristimulus& b = observer[i + 1];
+    const Tristimulus& a = kObserver[i];
+    const Tristimulus& b = kObserver[i + 1];
     return {std::lerp(a.x, b.x, x), std::lerp(a.y, b.y, x), std::lerp(a.z, b.z, x),
             std::lerp(a.d65, b.d65, x)};
 }
 
 double response(std::size_t channel, const Tristimulus& t) {
-    return to_rgb[channel][0] * t.x + to_rgb[channel][1] * t.y + to_rgb[channel][2] * t.z;
+    return kToRgb[channel][0] * t.x + kToRgb[channel][1] * t.y + kToRgb[channel][2] * t.z;
 }
 
 }  // namespace
@@ -112,20 +112,20 @@ ChannelWeights rgb_emission_weights(std::span<const double> wavelengths) {
     return out;
 }
 
-ChannelWeights linear_weights(std::span<const double> wavelengths, std::span<const double> wanted) {
+ChannelWeights linear_weights(std::span<const double> wavelengths, std::span<const double> requested) {
     require_increasing(wavelengths);
-    ChannelWeights out(wanted.size(), std::vector<double>(wavelengths.size()));
-    for (std::size_t c = 0; c < wanted.size(); ++c) spread(wavelengths, wanted[c], 1, out[c]);
+    ChannelWeights out(requested.size(), std::vector<double>(wavelengths.size()));
+    for (std::size_t c = 0; c < requested.size(); ++c) spread(wavelengths, requested[c], 1, out[c]);
     return out;
 }
 
-ChannelWeights nearest_weights(std::span<const double> wavelengths, std::span<const double> wanted) {
+ChannelWeights nearest_weights(std::span<const double> wavelengths, std::span<const double> requested) {
     require_increasing(wavelengths);
-    ChannelWeights out(wanted.size(), std::vector<double>(wavelengths.size()));
-    for (std::size_t c = 0; c < wanted.size(); ++c) {
+    ChannelWeights out(requested.size(), std::vector<double>(wavelengths.size()));
+    for (std::size_t c = 0; c < requested.size(); ++c) {
         std::size_t nearest = 0;
         for (std::size_t k = 1; k < wavelengths.size(); ++k)
-            if (std::abs(wavelengths[k] - wanted[c]) < std::abs(wavelengths[nearest] - wanted[c]))
+            if (std::abs(wavelengths[k] - requested[c]) < std::abs(wavelengths[nearest] - requested[c]))
                 nearest = k;
         out[c][nearest] = 1;
     }

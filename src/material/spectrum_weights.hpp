@@ -7,8 +7,8 @@
 
 namespace nicol {
 
-/// channel = sum_k weights[channel][k] value[k]. But for emissions the weights of a channel sum to 1, so that
-/// a grey reflectance stays grey.
+/// channel = sum_k weights[channel][k] value[k]. For reflectances the weights of a channel sum to 1, so that
+/// grey stays grey.
 using ChannelWeights = std::vector<std::vector<double>>;
 
 /// Linear red, green and blue with the primaries and the white point (D65) of BT.709 and sRGB, of a
@@ -22,12 +22,12 @@ using ChannelWeights = std::vector<std::vector<double>>;
 /// 1).
 [[nodiscard]] ChannelWeights rgb_emission_weights(std::span<const double> wavelengths);
 
-/// A channel for each wanted wavelength: linear between the measured ones, constant beyond them.
+/// One channel per requested wavelength: linear between the measured ones, constant beyond them.
 [[nodiscard]] ChannelWeights linear_weights(std::span<const double> wavelengths,
-                                            std::span<const double> wanted);
+                                            std::span<const double> requested);
 
-/// A channel for each wanted wavelength: the nearest measured one, the shorter of two as near.
+/// One channel per requested wavelength: the nearest measured one, the shorter of two equally near.
 [[nodiscard]] ChannelWeights nearest_weights(std::span<const double> wavelengths,
-                                             std::span<const double> wanted);
+                                             std::span<const double> requested);
 
 }  // namespace nicol

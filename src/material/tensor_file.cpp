@@ -13,14 +13,14 @@ namespace nicol {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "files are little-endian");
-constexpr std::string_view magic("tensor_file\0", 12);
-constexpr std::uint32_t most_fields = 1000;
-constexpr std::uint16_t most_name_bytes = 1000;
-constexpr std::uint16_t most_dimensions = 16;
-constexpr std::array<std::uint64_t, 12> type_bytes{0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
+constexpr std::string_view kMagic("tensor_file\0", 12);
+constexpr std::uint32_t kMaxFields = 1000;
+constexpr std::uint16_t kMaxNameBytes = 1000;
+constexpr std::uint16_t kMaxDimensions = 16;
+constexpr std::array<std::uint64_t, 12> kTypeBytes{0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 
 std::uint64_t bytes_of(TensorFile::Type type) {
-    return type_bytes[static_cast<std::size_t>(type)];
+    return kTypeBytes[static_cast<std::size_t>(type)];
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ TensorFile::TensorFile(std::filesystem::path path) : path_(std::move(path)) {
 
     std::array<char, 12> head{};
     file_.read(head.data(), head.size());
-    if (!file_ || std::string_view(head.data(), head.size()) != magic)
+    if (!file_ || std::string_view(head.data(), head.size()) != kMagic)
         invalid("is no .pbsdf file: it must begin with \"tensor_file\"");
     const auto major = next<std::uint8_t>();
     const auto minor = next<std::uint8_t>();
@@ -43,9 +43,9 @@ TensorFile::TensorFile(std::filesystem::path path) : path_(std::move(path)) {
         throw Error(ErrorCode::unsupported, path_.string() + ": has version " + std::to_string(major) + "." +
                                                 std::to_string(minor) + "; it must be 1.0");
     const auto count = next<std::uint32_t>();
-    if (count > most_fields)
+    if (count > kMaxFields)
         invalid("claims " + std::to_string(count) + " fields; it must have at most " +
-                std::to_string(most_fields));
+                std::to_string(kMaxFields));
     for (std::uint32_t i = 0; i < count; ++i) {
         Field field = next_field(size);
         for (const Field& before : fields_)
@@ -69,7 +69,7 @@ T TensorFile::next() {
 TensorFile::Field TensorFile::next_field(std::uint64_t file_size) {
     Field field;
     const auto length = next<std::uint16_t>();
-    if (length > most_name_bytes) invalid("has a field whose name is longer than 1000 bytes");
+    if (length > kMaxNameBytes) invalid("has a field whose name is longer than 1000 bytes");
     field.name.resize(length);
     file_.read(field.name.data(), length);
     if (!file_) invalid("is truncated within its list of fields");
@@ -77,9 +77,9 @@ TensorFile::Field TensorFile::next_field(std::uint64_t file_size) {
     if (!std::ranges::all_of(field.name, [](char c) { return c > 32 && c < 127; }))
         invalid("has a field whose name is not plain ASCII");
     const auto dimensions = next<std::uint16_t>();
-    if (dimensions > most_dimensions)
+    if (dimensions > kMaxDimensions)
         invalid("field " + field.name + " has " + std::to_string(dimensions) +
-                " dimensions; it must have at most " + std::to_string(most_dimensions));
+                " dimensions; it must have at most " + std::to_string(kMaxDimensions));
     const auto type = next<std::uint8_t>();
     if (type < 1 || type > 11) invalid("field " + field.name + " has unknown type " + std::to_string(type));
     field.type = static_cast<Type>(type);

@@ -24,8 +24,8 @@ public:
         std::uint64_t count = 0;  ///< product of the shape
     };
 
-    /// Throws Error(file_not_found), Error(invalid_file) naming file and field for anything malformed:
-    /// afterwards every field lies inside the file. Error(unsupported) for another version.
+    /// Throws Error(file_not_found), or Error(invalid_file) naming file and field if malformed; every field
+    /// is checked to lie inside the file. Error(unsupported) for another version.
     explicit TensorFile(std::filesystem::path path);
 
     /// The field called `name`. Throws Error(invalid_file) if it is not there, has another number of
@@ -36,7 +36,7 @@ public:
     /// All values of a field of u16, f32 or f64 and at most `most` values (Error(invalid_file) above).
     [[nodiscard]] std::vector<double> values(const Field& field, std::uint64_t most);
 
-    /// Bytes of a field from `first` on; throws Error(invalid_file) if the file got shorter.
+    /// Bytes of a field from `first` on; throws Error(invalid_file) if the file was truncated meanwhile.
     void read(const Field& field, std::uint64_t first, std::span<unsigned char> bytes);
 
     [[noreturn]] void invalid(const std::string& what) const;

@@ -18,7 +18,7 @@ public:
     }
     [[nodiscard]] double lobe_width(int term) const noexcept override { return front_->lobe_width(term); }
     [[nodiscard]] bool twosided() const noexcept override { return true; }
-    // Of the front: its tables serve.
+    // Tables hold the front.
     [[nodiscard]] std::string content_key() const override { return front_->content_key(); }
     [[nodiscard]] const IsotropicMatrix* matrix(int channel) const override {
         return front_->matrix(channel);
@@ -36,7 +36,7 @@ public:
     }
 
 private:
-    // Half a turn about x. It takes theta-hat and phi-hat to their opposites, so no Stokes component changes.
+    // Rotation by 180 degrees about x. It negates theta-hat and phi-hat, which changes no Stokes component.
     static glm::dvec3 on_front(const glm::dvec3& d, bool back) {
         return back ? glm::dvec3(d.x, -d.y, -d.z) : d;
     }

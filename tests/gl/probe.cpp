@@ -16,8 +16,8 @@ int main(int count, char** arguments) {
         const nicol::gl::ContextInfo& info = context->info();
         std::printf("ok %s %s\n", info.backend == nicol::gl::Backend::egl ? "egl" : "osmesa",
                     info.renderer.c_str());
-        for (const nicol::gl::Probe& probe : context->failed_probes())
-            std::printf("failed %s: %s\n", probe.what.c_str(), probe.reason.c_str());
+        for (const nicol::gl::FailedAttempt& attempt : context->failed_attempts())
+            std::printf("failed %s: %s\n", attempt.what.c_str(), attempt.reason.c_str());
     } catch (const nicol::Error& error) {
         std::printf("error %d %s\n", static_cast<int>(error.code()), error.what());
     }

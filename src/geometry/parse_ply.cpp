@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "error.hpp"
-#include "geometry/source_text.hpp"
-#include "geometry/vet.hpp"
+#include "geometry/parse.hpp"
+#include "geometry/tokenizer.hpp"
 
 namespace nicol::geometry {
 namespace {
@@ -39,7 +39,7 @@ struct Header {
     std::size_t lines = 0;  ///< lines of the same
 };
 
-Type type_named(const Words& words, std::string_view word) {
+Type type_named(const Tokenizer& tokens, std::string_view token) {
     constexpr std::array<std::array<std::string_view, 2>, 8> names = {{{"char", "int8"},
                                                                        {"uchar", "uint8"},
                                                                        {"short", "int16"},
@@ -49,21 +49,21 @@ Type type_named(const Words& words, std::string_view word) {
                                                                        {"float", "float32"},
                                                                        {"double", "float64"}}};
     for (std::size_t i = 0; i < names.size(); ++i)
-        if (word == names[i][0] || word == names[i][1]) return static_cast<Type>(i);
-    words.fail("not a PLY type; expected char, uchar, short, ushort, int, uint, float or double");
+        if (token == names[i][0] || token == names[i][1]) return static_cast<Type>(i);
+    tokens.fail("not a PLY type; expected char, uchar, short, ushort, int, uint, float or double");
 }
 
-Property parsed_property(Words& words) {
+Property parsed_property(Tokenizer& tokens) {
     Property property;
-    std::string_view type = words.require("a type");
+    std::string_view type = tokens.require("a type");
     if (type == "list") {
-        property.length = type_named(words, words.require("the type of a list's length"));
+        property.length = type_named(tokens, tokens.require("the type of a list's length"));
         if (*property.length == Type::f32 || *property.length == Type::f64)
-            words.fail("the length of a list must be a whole number type");
-        type = words.require("a type");
+            tokens.fail("the length of a list must be a whole number type");
+        type = tokens.require("a type");
     }
-    property.type = type_named(words, type);
-    property.name = words.require("a property's name");
+    property.type = type_named(tokens, type);
+    property.name = tokens.require("a property's name");
     return property;
 }
 
@@ -74,50 +74,50 @@ Header parsed_header(std::string_view name, std::string_view bytes) {
         const std::size_t end = bytes.find('\n', header.size);
         const std::size_t line_number = ++header.lines;
         if (end == std::string_view::npos) fail_at(name, line_number, "the file ends before \"end_header\"");
-        Words words(name, bytes.substr(header.size, end - header.size), 0, line_number);
+        Tokenizer tokens(name, bytes.substr(header.size, end - header.size), 0, line_number);
         header.size = end + 1;
-        const std::string_view key = words.next();
+        const std::string_view key = tokens.next();
         if (line_number == 1) {
-            if (key != "ply" && key != "PLY") words.fail("not a PLY file: the first line is not \"ply\"");
+            if (key != "ply" && key != "PLY") tokens.fail("not a PLY file: the first line is not \"ply\"");
         } else if (key == "format") {
-            const std::string_view format = words.next();
+            const std::string_view format = tokens.next();
             if (format == "binary_little_endian")
                 header.format = Format::little;
             else if (format == "binary_big_endian")
                 header.format = Format::big;
             else if (format != "ascii")
-                words.fail("unknown format; expected ascii, binary_little_endian or binary_big_endian");
+                tokens.fail("unknown format; expected ascii, binary_little_endian or binary_big_endian");
             has_format = true;
         } else if (key == "element") {
             Element element;
-            element.name = words.require("an element's name");
-            element.count = words.count("the element's count", std::numeric_limits<std::uint64_t>::max());
+            element.name = tokens.require("an element's name");
+            element.count = tokens.count("the element's count", std::numeric_limits<std::uint64_t>::max());
             header.elements.push_back(std::move(element));
         } else if (key == "property") {
-            if (header.elements.empty()) words.fail("a property before the first element");
-            header.elements.back().properties.push_back(parsed_property(words));
+            if (header.elements.empty()) tokens.fail("a property before the first element");
+            header.elements.back().properties.push_back(parsed_property(tokens));
         } else if (key == "end_header") {
-            if (!has_format) words.fail("the header has no \"format\" line");
+            if (!has_format) tokens.fail("the header has no \"format\" line");
             return header;
         } else if (!key.empty() && key != "comment" && key != "obj_info") {
-            words.fail(
+            tokens.fail(
                 "unknown line in the header; expected format, element, property, comment or end_header");
         }
     }
 }
 
-/// The values after the header, one after the other, whatever their form.
+/// The values after the header in order, text or binary.
 class Values {
 public:
     Values(std::string_view name, std::string_view bytes, const Header& header)
         : name_(name),
           bytes_(bytes.substr(header.size)),
           format_(header.format),
-          words_(name, bytes_, 0, header.lines + 1) {}
+          tokens_(name, bytes_, 0, header.lines + 1) {}
 
-    /// `what` names the value in messages, as "vertex 5 (0-based)".
+    /// `what` names the value in error messages, for example "vertex 5 (0-based)".
     double next(Type type, const std::string& what) {
-        if (format_ == Format::text) return words_.number(what);
+        if (format_ == Format::text) return tokens_.number(what);
         switch (type) {
             case Type::i8:
                 return raw<std::int8_t>(what);
@@ -139,9 +139,9 @@ public:
         return 0.0;
     }
 
-    /// A count or an index: a whole number from 0 to 2^32 - 1.
-    std::uint64_t whole(Type type, const std::string& what) {
-        if (format_ == Format::text) return words_.count(what);
+    /// A count or an index: an integer from 0 to 2^32 - 1.
+    std::uint64_t integer(Type type, const std::string& what) {
+        if (format_ == Format::text) return tokens_.count(what);
         const double value = next(type, what);
         if (!(value >= 0.0 && value == std::floor(value) && value <= 4294967295.0))
             fail(what + " has a count or an index that is not a whole number from 0 up");
@@ -149,7 +149,7 @@ public:
     }
 
     [[noreturn]] void fail(const std::string& message) const {
-        if (format_ == Format::text) words_.fail(message);
+        if (format_ == Format::text) tokens_.fail(message);
         throw Error(ErrorCode::invalid_file, std::string(name_) + ": " + message);
     }
 
@@ -168,17 +168,17 @@ private:
     std::string_view name_;
     std::string_view bytes_;
     Format format_;
-    Words words_;
+    Tokenizer tokens_;
     std::size_t at_ = 0;
 };
 
 void skip(Values& values, const Property& property, const std::string& what) {
-    const std::uint64_t count = property.length ? values.whole(*property.length, what) : 1;
+    const std::uint64_t count = property.length ? values.integer(*property.length, what) : 1;
     for (std::uint64_t i = 0; i < count; ++i) values.next(property.type, what);
 }
 
-/// The file with its vertices, the faces still to come.
-PlainPly read_vertices(Values& values, const Element& element) {
+/// A writer with the vertices added.
+PlyWriter read_vertices(Values& values, const Element& element) {
     constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
     const auto column = [&](std::string_view name) {
         const auto at = std::ranges::find(element.properties, name, &Property::name);
@@ -193,7 +193,7 @@ PlainPly read_vertices(Values& values, const Element& element) {
             values.fail("the vertices have no property " + std::string(names[i]) + "; expected x, y and z");
     const bool normals =
         std::none_of(columns.begin() + 3, columns.end(), [](std::size_t c) { return c == std::size_t(-1); });
-    PlainPly out(normals);
+    PlyWriter out(normals);
     for (std::uint64_t v = 0; v < element.count; ++v) {
         const std::string what = "vertex " + std::to_string(v) + " (0-based)";
         std::array<float, 6> row{};
@@ -213,7 +213,7 @@ PlainPly read_vertices(Values& values, const Element& element) {
     return out;
 }
 
-void read_faces(Values& values, const Element& element, std::uint64_t vertices, PlainPly& out) {
+void read_faces(Values& values, const Element& element, std::uint64_t vertices, PlyWriter& out) {
     const auto is_indices = [](const Property& p) {
         return p.length && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
@@ -226,12 +226,12 @@ void read_faces(Values& values, const Element& element, std::uint64_t vertices, 
                 skip(values, property, what);
                 continue;
             }
-            const std::uint64_t corners = values.whole(*property.length, what);
+            const std::uint64_t corners = values.integer(*property.length, what);
             if (corners < 3)
                 values.fail(what + " has " + std::to_string(corners) + " corners; it needs 3 or more");
             out.begin_face(static_cast<std::uint32_t>(corners));
             for (std::uint64_t i = 0; i < corners; ++i) {
-                const std::uint64_t index = values.whole(property.type, what);
+                const std::uint64_t index = values.integer(property.type, what);
                 if (index >= vertices)
                     values.fail(what + " uses vertex " + std::to_string(index) + ", but there are " +
                                 std::to_string(vertices));
@@ -241,9 +241,44 @@ void read_faces(Values& values, const Element& element, std::uint64_t vertices, 
     }
 }
 
+template <class T>
+void append(std::string& bytes, T value) {
+    const auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+    bytes.append(raw.data(), raw.size());
+}
+
 }  // namespace
 
-Vetted vet_ply(std::string_view name, std::string_view bytes) {
+void PlyWriter::add_number(float x) {
+    append(vertices_, x);
+}
+
+void PlyWriter::begin_face(std::uint32_t corners) {
+    ++face_count_;
+    append(faces_, corners);
+}
+
+void PlyWriter::add_index(std::uint32_t index) {
+    append(faces_, index);
+}
+
+ParsedFile PlyWriter::file() const {
+    ParsedFile out;
+    out.suffix = ".ply";
+    out.vertices = vertices_.size() / (sizeof(float) * (normals_ ? 6 : 3));
+    out.faces = face_count_;
+    out.bytes = std::string("ply\nformat ") +
+                (std::endian::native == std::endian::big ? "binary_big_endian" : "binary_little_endian") +
+                " 1.0\nelement vertex " + std::to_string(out.vertices) +
+                "\nproperty float x\nproperty float y\nproperty float z\n" +
+                (normals_ ? "property float nx\nproperty float ny\nproperty float nz\n" : "") +
+                "element face " + std::to_string(out.faces) +
+                "\nproperty list int int vertex_indices\nend_header\n";
+    out.bytes.append(vertices_).append(faces_);
+    return out;
+}
+
+ParsedFile parse_ply(std::string_view name, std::string_view bytes) {
     const Header header = parsed_header(name, bytes);
     Values values(name, bytes, header);
     const auto element = [&](std::string_view wanted) -> const Element& {
@@ -255,7 +290,7 @@ Vetted vet_ply(std::string_view name, std::string_view bytes) {
     const Element& vertex = element("vertex");
     const Element& face = element("face");
     if (&face < &vertex) values.fail("the faces come before the vertices; expected the other order");
-    PlainPly out(false);
+    PlyWriter out(false);
     for (const Element& e : header.elements) {
         if (&e == &vertex) {
             out = read_vertices(values, e);
@@ -267,7 +302,7 @@ Vetted vet_ply(std::string_view name, std::string_view bytes) {
                     skip(values, p, e.name + " " + std::to_string(i) + " (0-based)");
         }
     }
-    return out.finished();
+    return out.file();
 }
 
 }  // namespace nicol::geometry

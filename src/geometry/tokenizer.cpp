@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads files and cuts words.
-#include "geometry/source_text.hpp"
+#include "geometry/tokenizer.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -14,7 +13,7 @@ namespace nicol::geometry {
 
 std::string read_bytes(const std::filesystem::path& file) {
     std::error_code status;
-    // A device or a pipe may never end.
+    // Reading a device or a pipe might never end.
     if (!std::filesystem::is_regular_file(file, status))
         throw Error(ErrorCode::file_not_found, file.string() + ": no such file");
     std::ifstream in(file, std::ios::binary);
@@ -37,16 +36,16 @@ bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
 }
 
-/// For messages: hostile words may be megabytes long or binary.
-std::string in_quotes(std::string_view word) {
+/// For error messages: a token may be megabytes long or binary.
+std::string in_quotes(std::string_view token) {
     std::string text = "\"";
-    for (const char c : word.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
-    return text + (word.size() > 40 ? "...\"" : "\"");
+    for (const char c : token.substr(0, 40)) text += c >= ' ' && c <= '~' ? c : '?';
+    return text + (token.size() > 40 ? "...\"" : "\"");
 }
 
 }  // namespace
 
-std::string_view Words::next() {
+std::string_view Tokenizer::next() {
     while (at_ < text_.size()) {
         const char c = text_[at_];
         if (comment_ != 0 && c == comment_) {
@@ -62,35 +61,35 @@ std::string_view Words::next() {
     return text_.substr(begin, at_ - begin);
 }
 
-std::string_view Words::require(std::string_view what) {
-    const std::string_view word = next();
-    if (word.empty()) fail("the file ends where " + std::string(what) + " should be");
-    return word;
+std::string_view Tokenizer::require(std::string_view what) {
+    const std::string_view token = next();
+    if (token.empty()) fail("the file ends where " + std::string(what) + " should be");
+    return token;
 }
 
-float Words::number(std::string_view what) {
-    std::string_view word = require(what);
-    const std::string_view whole = word;
-    if (word.front() == '+') word.remove_prefix(1);
+float Tokenizer::number(std::string_view what) {
+    std::string_view token = require(what);
+    const std::string_view whole = token;
+    if (token.front() == '+') token.remove_prefix(1);
     double value = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() ||
+    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+    if (error != std::errc() || end != token.data() + token.size() ||
         !(std::abs(value) <= std::numeric_limits<float>::max()))
         fail(std::string(what) + " is " + in_quotes(whole) + ", not a finite number a float can hold");
     return static_cast<float>(value);
 }
 
-std::uint64_t Words::count(std::string_view what, std::uint64_t max) {
-    const std::string_view word = require(what);
+std::uint64_t Tokenizer::count(std::string_view what, std::uint64_t max) {
+    const std::string_view token = require(what);
     std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || value > max)
-        fail(std::string(what) + " is " + in_quotes(word) + ", not a whole number from 0 to " +
+    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+    if (error != std::errc() || end != token.data() + token.size() || value > max)
+        fail(std::string(what) + " is " + in_quotes(token) + ", not a whole number from 0 to " +
              std::to_string(max));
     return value;
 }
 
-void Words::skip_line() {
+void Tokenizer::skip_line() {
     at_ = std::min(text_.find('\n', at_), text_.size());
 }
 

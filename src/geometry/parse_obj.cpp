@@ -7,50 +7,50 @@
 #include <vector>
 
 #include "error.hpp"
-#include "geometry/source_text.hpp"
-#include "geometry/vet.hpp"
+#include "geometry/parse.hpp"
+#include "geometry/tokenizer.hpp"
 
 namespace nicol::geometry {
 namespace {
 
-// Statements that carry no surface, or nothing we follow.
-constexpr std::array<std::string_view, 21> passed_over = {
+// Statements that describe no surface, or whose effect is not supported.
+constexpr std::array<std::string_view, 21> kIgnored = {
     "vt",         "vp",        "o",      "g",      "s",      "mg",       "l",
     "p",          "usemtl",    "mtllib", "usemap", "maplib", "c_interp", "d_interp",
     "shadow_obj", "trace_obj", "lod",    "bevel",  "call",   "csh",      "off"};
-constexpr std::array<std::string_view, 4> free_form = {"curv", "curv2", "surf", "cstype"};
+constexpr std::array<std::string_view, 4> kFreeForm = {"curv", "curv2", "surf", "cstype"};
 
-/// Position and normal of a corner, counted from 1; normal 0 when the file gives none.
+/// 1-based position and normal of a corner; normal 0 if the file gives none.
 struct Corner {
     std::uint64_t position = 0;
     std::uint64_t normal = 0;
 };
 
-/// An index counted from 1, or from the last one backwards when negative. Empty where it is neither.
-std::optional<std::uint64_t> resolved(std::string_view word, std::uint64_t count_so_far) {
+/// A 1-based index; a negative one counts back from the last. Empty if the token is neither.
+std::optional<std::uint64_t> resolved(std::string_view token, std::uint64_t count_so_far) {
     std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || value == 0) return std::nullopt;
+    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+    if (error != std::errc() || end != token.data() + token.size() || value == 0) return std::nullopt;
     if (value > 0) return static_cast<std::uint64_t>(value);
     const std::uint64_t back = 0 - static_cast<std::uint64_t>(value);
     if (back > count_so_far) return std::nullopt;
     return count_so_far - back + 1;
 }
 
-std::optional<Corner> parsed_corner(std::string_view word, std::uint64_t positions, std::uint64_t normals) {
-    const std::size_t first = word.find('/');
-    const auto position = resolved(word.substr(0, first), positions);
+std::optional<Corner> parsed_corner(std::string_view token, std::uint64_t positions, std::uint64_t normals) {
+    const std::size_t first = token.find('/');
+    const auto position = resolved(token.substr(0, first), positions);
     if (!position) return std::nullopt;
     if (first == std::string_view::npos) return Corner{*position, 0};
-    const std::size_t second = word.find('/', first + 1);
+    const std::size_t second = token.find('/', first + 1);
     if (second == std::string_view::npos) return Corner{*position, 0};
-    const auto normal = resolved(word.substr(second + 1), normals);
+    const auto normal = resolved(token.substr(second + 1), normals);
     if (!normal) return std::nullopt;
     return Corner{*position, *normal};
 }
 
-/// The shortest text for a number, as 15e-1 for 1.5: OpenMesh takes the sign between the digits from the
-/// locale of the host, which may be a comma.
+/// The shortest text of a number without a decimal point, 15e-1 for 1.5: OpenMesh expects the locale's
+/// decimal point, which may be a comma.
 std::string without_point(float x) {
     std::array<char, 32> buffer{};
     const auto end =
@@ -68,12 +68,12 @@ std::string without_point(float x) {
     return digits + "e" + std::to_string(exponent);
 }
 
-/// One file; faces are checked against the final counts, since OBJ lets an index point ahead.
-class ObjVetter {
+/// Parses one file. Indices are checked at the end, since OBJ allows references to later vertices.
+class ObjParser {
 public:
-    ObjVetter(std::string_view name, std::string_view bytes) : name_(name), bytes_(bytes) {}
+    ObjParser(std::string_view name, std::string_view bytes) : name_(name), bytes_(bytes) {}
 
-    Vetted run() {
+    ParsedFile run() {
         out_.suffix = ".obj";
         if (bytes_.starts_with("\xEF\xBB\xBF")) bytes_.remove_prefix(3);  // byte order mark
         std::size_t line_number = 0;
@@ -104,43 +104,43 @@ private:
     }
 
     void statement(std::string_view line, std::size_t number) {
-        Words words(name_, line, '#', number);
-        const std::string_view key = words.next();
+        Tokenizer tokens(name_, line, '#', number);
+        const std::string_view key = tokens.next();
         if (key == "v" || key == "vn") {
             triple(key, line, number);
         } else if (key == "f" || key == "fo") {
-            face(words, number);
-        } else if (std::ranges::find(free_form, key) != free_form.end()) {
+            face(tokens, number);
+        } else if (std::ranges::find(kFreeForm, key) != kFreeForm.end()) {
             throw Error(ErrorCode::unsupported, std::string(name_) + ":" + std::to_string(number) +
                                                     ": free-form curves and surfaces (" + std::string(key) +
                                                     "); export polygons instead");
-        } else if (!key.empty() && std::ranges::find(passed_over, key) == passed_over.end()) {
-            words.fail(
+        } else if (!key.empty() && std::ranges::find(kIgnored, key) == kIgnored.end()) {
+            tokens.fail(
                 "a line that starts with none of OBJ's statements; expected v, vn, f, a group or a comment");
         }
     }
 
     void triple(std::string_view key, std::string_view line, std::size_t number) {
-        Words words(name_, line, '#', number);
-        out_.bytes.append(words.next());
+        Tokenizer tokens(name_, line, '#', number);
+        out_.bytes.append(tokens.next());
         for (const char* coordinate : {"x", "y", "z"})
             out_.bytes.append(" ").append(
-                without_point(words.number(std::string(key == "v" ? "vertex " : "normal ") + coordinate)));
+                without_point(tokens.number(std::string(key == "v" ? "vertex " : "normal ") + coordinate)));
         out_.bytes.append("\n");
         ++(key == "v" ? out_.vertices : normals_);
     }
 
-    void face(Words& words, std::size_t number) {
+    void face(Tokenizer& tokens, std::size_t number) {
         corners_.clear();
-        for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-            const auto corner = parsed_corner(word, out_.vertices, normals_);
+        for (std::string_view token = tokens.next(); !token.empty(); token = tokens.next()) {
+            const auto corner = parsed_corner(token, out_.vertices, normals_);
             if (!corner)
-                words.fail("corner " + std::to_string(corners_.size()) +
-                           " of the face is not v, v/vt, v//vn or v/vt/vn with numbers that exist");
+                tokens.fail("corner " + std::to_string(corners_.size()) +
+                            " of the face is not v, v/vt, v//vn or v/vt/vn with numbers that exist");
             corners_.push_back(*corner);
         }
         if (corners_.size() < 3)
-            words.fail("a face with " + std::to_string(corners_.size()) + " corners; it needs 3 or more");
+            tokens.fail("a face with " + std::to_string(corners_.size()) + " corners; it needs 3 or more");
         out_.bytes.append("f");
         for (const Corner& corner : corners_) {
             if (corner.position > furthest_position_)
@@ -152,8 +152,8 @@ private:
         out_.bytes.append("\n");
         std::ranges::sort(corners_, {}, &Corner::position);
         if (std::ranges::adjacent_find(corners_, {}, &Corner::position) != corners_.end())
-            words.fail("degenerate face " + std::to_string(out_.faces) +
-                       " (0-based): it uses a vertex twice; remove the face or merge it with its neighbour");
+            tokens.fail("degenerate face " + std::to_string(out_.faces) +
+                        " (0-based): it uses a vertex twice; remove the face or merge it with its neighbour");
         ++out_.faces;
     }
 
@@ -170,7 +170,7 @@ private:
 
     std::string_view name_;
     std::string_view bytes_;
-    Vetted out_;
+    ParsedFile out_;
     std::size_t normals_ = 0;
     std::vector<Corner> corners_;
     std::uint64_t furthest_position_ = 0;
@@ -181,8 +181,8 @@ private:
 
 }  // namespace
 
-Vetted vet_obj(std::string_view name, std::string_view bytes) {
-    return ObjVetter(name, bytes).run();
+ParsedFile parse_obj(std::string_view name, std::string_view bytes) {
+    return ObjParser(name, bytes).run();
 }
 
 }  // namespace nicol::geometry

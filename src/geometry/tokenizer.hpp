@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh file in memory and the words in it, with the line each stands on.
+// Reading a mesh file, and splitting its text into tokens with line numbers for errors.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,20 @@ namespace nicol::geometry {
 /// Throws Error(invalid_file) "name:line: message".
 [[noreturn]] void fail_at(std::string_view name, std::size_t line, std::string_view message);
 
-/// Cuts text at blanks and line ends. A word from a comment character to the end of its line is skipped.
-class Words {
+/// Splits text at white space. Text from the comment character to the end of the line is skipped.
+class Tokenizer {
 public:
-    /// `comment` = 0: the text has no comments. `line` is the number of the text's first line.
-    Words(std::string_view name, std::string_view text, char comment, std::size_t line = 1)
+    /// `comment` 0: the format has no comments. `line` is the number of the text's first line.
+    Tokenizer(std::string_view name, std::string_view text, char comment, std::size_t line = 1)
         : name_(name), text_(text), comment_(comment), line_(line) {}
 
-    /// The next word, empty at the end of the text.
+    /// The next token, empty at the end of the text.
     std::string_view next();
-    /// The next word; throws "the file ends where WHAT should be" at the end.
+    /// The next token; throws "the file ends where WHAT should be" at the end.
     std::string_view require(std::string_view what);
-    /// The next word as a number a float can hold; throws, naming `what`, when it is none.
+    /// The next token as a finite number in the range of float; throws, naming `what`, if it is not one.
     float number(std::string_view what);
-    /// The next word as a whole number in [0, max]; throws, naming `what`, when it is none.
+    /// The next token as an integer in [0, max]; throws, naming `what`, if it is not one.
     std::uint64_t count(std::string_view what, std::uint64_t max = UINT32_MAX);
     void skip_line();
     [[noreturn]] void fail(std::string_view message) const { fail_at(name_, line_, message); }

@@ -8,21 +8,20 @@
 #include <cstring>
 
 #include "error.hpp"
-#include "geometry/source_text.hpp"
-#include "geometry/vet.hpp"
+#include "geometry/parse.hpp"
+#include "geometry/tokenizer.hpp"
 
 namespace nicol::geometry {
 namespace {
 
-static_assert(std::endian::native == std::endian::little,
-              "binary STL is read and written as it lies in memory");
+static_assert(std::endian::native == std::endian::little, "binary STL is copied to and from memory as it is");
 
-constexpr std::size_t header_size = 84;
-constexpr std::size_t facet_size = 50;
+constexpr std::size_t kHeaderSize = 84;
+constexpr std::size_t kFacetSize = 50;
 
 using Facet = std::array<std::array<float, 3>, 4>;  // normal, three corners
 
-void append(Vetted& out, std::string_view name, const Facet& facet) {
+void append(ParsedFile& out, std::string_view name, const Facet& facet) {
     const std::string label = std::string(name) + ": facet " + std::to_string(out.faces) + " (0-based) ";
     for (std::size_t corner = 1; corner < 4; ++corner) {
         if (!std::ranges::all_of(facet[corner], [](float x) { return std::isfinite(x); }))
@@ -31,7 +30,7 @@ void append(Vetted& out, std::string_view name, const Facet& facet) {
             throw Error(ErrorCode::invalid_file,
                         label + "is degenerate: two of its corners are the same point; remove it");
     }
-    std::array<char, facet_size> record{};
+    std::array<char, kFacetSize> record{};
     std::memcpy(record.data(), &facet, sizeof(facet));
     out.bytes.append(record.data(), record.size());
     ++out.faces;
@@ -39,73 +38,73 @@ void append(Vetted& out, std::string_view name, const Facet& facet) {
 
 std::uint32_t binary_count(std::string_view bytes) {
     std::uint32_t count = 0;
-    if (bytes.size() >= header_size) std::memcpy(&count, bytes.data() + 80, 4);
+    if (bytes.size() >= kHeaderSize) std::memcpy(&count, bytes.data() + 80, 4);
     return count;
 }
 
-void expect(Words& words, std::string_view expected) {
-    const std::string_view word = words.require(expected);
-    if (!std::ranges::equal(word, expected,
+void expect(Tokenizer& tokens, std::string_view expected) {
+    const std::string_view token = tokens.require(expected);
+    if (!std::ranges::equal(token, expected,
                             [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; }))
-        words.fail("expected \"" + std::string(expected) + "\"");
+        tokens.fail("expected \"" + std::string(expected) + "\"");
 }
 
-void read_text(Vetted& out, std::string_view name, std::string_view bytes) {
-    Words words(name, bytes, 0);
-    for (Words ahead = words; !ahead.next().empty(); ahead = words) {
-        expect(words, "solid");
-        words.skip_line();  // the name of the solid
+void read_text(ParsedFile& out, std::string_view name, std::string_view bytes) {
+    Tokenizer tokens(name, bytes, 0);
+    for (Tokenizer ahead = tokens; !ahead.next().empty(); ahead = tokens) {
+        expect(tokens, "solid");
+        tokens.skip_line();  // the name of the solid
         for (;;) {
-            Words end = words;
-            const std::string_view word = end.require("facet or endsolid");
-            if (word == "endsolid" || word == "ENDSOLID") break;
-            expect(words, "facet");
-            expect(words, "normal");
+            Tokenizer end = tokens;
+            const std::string_view token = end.require("facet or endsolid");
+            if (token == "endsolid" || token == "ENDSOLID") break;
+            expect(tokens, "facet");
+            expect(tokens, "normal");
             // The normal follows from the corners, and some programs write nan here.
-            for (int i = 0; i < 3; ++i) words.require("the normal");
-            expect(words, "outer");
-            expect(words, "loop");
+            for (int i = 0; i < 3; ++i) tokens.require("the normal");
+            expect(tokens, "outer");
+            expect(tokens, "loop");
             Facet facet{};
             for (std::size_t corner = 1; corner < 4; ++corner) {
-                expect(words, "vertex");
+                expect(tokens, "vertex");
                 for (float& x : facet[corner])
-                    x = words.number("a coordinate of facet " + std::to_string(out.faces) + " (0-based)");
+                    x = tokens.number("a coordinate of facet " + std::to_string(out.faces) + " (0-based)");
             }
-            expect(words, "endloop");
-            expect(words, "endfacet");
+            expect(tokens, "endloop");
+            expect(tokens, "endfacet");
             append(out, name, facet);
         }
-        words.next();
-        words.skip_line();
+        tokens.next();
+        tokens.skip_line();
     }
 }
 
-void read_binary(Vetted& out, std::string_view name, std::string_view bytes) {
+void read_binary(ParsedFile& out, std::string_view name, std::string_view bytes) {
     const std::uint32_t count = binary_count(bytes);
-    if (bytes.size() < header_size || (bytes.size() - header_size) / facet_size < count)
+    if (bytes.size() < kHeaderSize || (bytes.size() - kHeaderSize) / kFacetSize < count)
         throw Error(ErrorCode::invalid_file,
                     std::string(name) +
                         ": neither a text STL, which begins with \"solid\", nor a whole binary one: " +
                         std::to_string(count) + " facets take " +
-                        std::to_string(header_size + std::uint64_t{count} * facet_size) +
+                        std::to_string(kHeaderSize + std::uint64_t{count} * kFacetSize) +
                         " bytes, the file has " + std::to_string(bytes.size()));
     for (std::size_t f = 0; f < count; ++f) {
         Facet facet{};
-        std::memcpy(&facet, bytes.data() + header_size + f * facet_size, sizeof(facet));
+        std::memcpy(&facet, bytes.data() + kHeaderSize + f * kFacetSize, sizeof(facet));
         append(out, name, facet);
     }
 }
 
 }  // namespace
 
-Vetted vet_stl(std::string_view name, std::string_view bytes) {
-    Vetted out;
+ParsedFile parse_stl(std::string_view name, std::string_view bytes) {
+    ParsedFile out;
     out.suffix = ".stl";
-    out.bytes.assign(header_size, '\0');
-    // Binary files may begin with "solid" too; only their size gives them away.
+    out.bytes.assign(kHeaderSize, '\0');
+    // Binary files may begin with "solid" too; only their size tells them apart.
     const bool sized_as_binary =
-        bytes.size() >= header_size &&
-        bytes.size() == header_size + std::uint64_t{binary_count(bytes)} * facet_size;
+        bytes.size() >= kHeaderSize &&
+        bytes.size() == kHeaderSize + std::uint64_t{binary_count(bytes)} * kFacetSize;
     if (!sized_as_binary && (bytes.starts_with("solid") || bytes.starts_with("SOLID")))
         read_text(out, name, bytes);
     else
