@@ -10,8 +10,8 @@ constexpr std::uint32_t kImageSize = 8;
 
 nicol_statistics bake(Options options, const std::string& cache, std::uint32_t directions) {
     options.cache = cache;
-    const Workshop workshop(options);
-    const Stage stage(workshop);
+    const SceneSource source(options);
+    const Stage stage(source);
     const Framebuffer framebuffer = stage.framebuffer(kImageSize, kImageSize);
     const Recipe recipe{.directions = directions};
     return stage.render(recipe.options(), framebuffer.get());

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <vector>
 
-Comparison::Comparison(const Workshop& workshop, std::uint32_t size, std::int32_t samples, bool shadows,
+Comparison::Comparison(const SceneSource& source, std::uint32_t size, std::int32_t samples, bool shadows,
                        int converged)
-    : stage_(workshop),
+    : stage_(source),
       framebuffer_(stage_.framebuffer(kReduction * size, kReduction * size)),
-      truth_(make_truth(workshop, size, samples, shadows)),
+      truth_(make_truth(source, size, samples, shadows)),
       shadows_(shadows) {
     if (converged == 0) return;
     const Image limit = reduced_image(stage_, {.low = converged, .shadows = shadows}, framebuffer_.get());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors of many images of one scene against one truth.
+// Errors of images of a scene against its reference.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 
 class Comparison {
 public:
-    /// `converged` above 0: the order of a factored image that has the same vertices as all others, for a
-    /// second set of errors: those of truncation alone.
-    Comparison(const Workshop& workshop, std::uint32_t size, std::int32_t samples, bool shadows,
+    /// `converged` above 0: the order of a factored image against which truncation errors are measured, since
+    /// it has the same vertices.
+    Comparison(const SceneSource& source, std::uint32_t size, std::int32_t samples, bool shadows,
                int converged = 0);
 
     [[nodiscard]] StokesErrors noise() const { return truth_.noise(); }
@@ -23,11 +23,11 @@ public:
         StokesErrors cut;  ///< of truncation alone; zero where there is no converged image
         nicol_statistics statistics;
     };
-    /// Whatever the recipe says of shadows, they are this comparison's.
+    /// The recipe's `shadows` is replaced by this comparison's.
     [[nodiscard]] Measured measure(Recipe recipe) const;
     [[nodiscard]] StokesErrors errors(const Recipe& recipe) const { return measure(recipe).errors; }
-    /// A row named after the recipe: s0 to s3, then s0 to s2 of truncation alone where there is a converged
-    /// image.
+    /// A row named after the recipe: s0 to s3, then, if there is a converged image, the truncation errors of
+    /// s0 to s2.
     void add(Report& report, Recipe recipe) const;
     [[nodiscard]] std::ptrdiff_t pixels() const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fair timing: contestants take turns in one process, and medians of many turns are compared.
+// Fair timing: contestants alternate in one process, and medians of many runs are compared.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 #include "median.hpp"
 
-/// Median seconds of each contestant for one call. Every contestant runs once untimed; then all take turns
-/// until `seconds` have passed, at least five rounds. A turn repeats the call until it takes a millisecond or
-/// so, since clocks are coarse.
+/// Median seconds of each contestant for one call. Every contestant runs once untimed; then all alternate
+/// until `seconds` have passed, for at least five rounds. A run repeats the call for about a millisecond,
+/// since clocks are coarse.
 inline std::vector<double> contest(const std::vector<std::function<void()>>& contestants, double seconds) {
     using Clock = std::chrono::steady_clock;
     const auto elapsed = [](Clock::time_point since) {

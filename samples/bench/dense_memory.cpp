@@ -9,8 +9,8 @@ constexpr int kMeasuredOrder = 2;
 
 }
 
-DenseMemory::DenseMemory(const Workshop& workshop) {
-    const Stage stage(workshop);
+DenseMemory::DenseMemory(const SceneSource& source) {
+    const Stage stage(source);
     const Framebuffer framebuffer = stage.framebuffer(8, 8);
     const Recipe recipe{.method = NICOL_METHOD_DENSE, .low = kMeasuredOrder, .shadows = false};
     const nicol_statistics statistics = stage.render(recipe.options(), framebuffer.get());

@@ -4,11 +4,10 @@
 
 #include "stage.hpp"
 
-/// Bytes that the dense method's matrices take grow as (order + 1)^4; measured at a low order, told for
-/// others.
+/// The size of the dense method's matrices grows as (order + 1)^4; measured at a low order and extrapolated.
 class DenseMemory {
 public:
-    explicit DenseMemory(const Workshop& workshop);
+    explicit DenseMemory(const SceneSource& source);
     /// In gigabytes.
     [[nodiscard]] double at(int order) const;
 

@@ -32,11 +32,11 @@ Report bench_error(const Options& options) {
     const int last = options.last_order < 0 ? 12 : options.last_order;
     const std::uint32_t size = options.size == 0 ? 256 : options.size;
     const std::int32_t samples = options.samples == 0 ? 256 : options.samples;
-    const Workshop workshop(options);
-    const DenseMemory memory(workshop);
+    const SceneSource source(options);
+    const DenseMemory memory(source);
     Report report(columns(options));
     for (const bool shadows : {true, false}) {
-        const Comparison comparison(workshop, size, samples, shadows, options.converged);
+        const Comparison comparison(source, size, samples, shadows, options.converged);
         const StokesErrors noise = comparison.noise();
         report.add(shadows ? "reference, its noise" : "reference, its noise, no shadows",
                    std::vector<double>(noise.begin(), noise.end()));

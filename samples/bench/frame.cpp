@@ -31,7 +31,7 @@ void compare(Report& report, const FrameTimes& dense, const FrameTimes& factored
                       dense.camera_shade / factored.camera_shade));
     if (!std::isnan(dense.light)) {
         report.note(times(
-            "dense / factored, " + what + ", relight + shade, light turning",
+            "dense / factored, " + what + ", relight + shade, light rotating",
             (dense.light_relight + dense.light_shade) / (factored.light_relight + factored.light_shade)));
     }
     report.note(
@@ -71,16 +71,16 @@ std::vector<Recipe> recipes(const Options& options, const DenseMemory& memory) {
 
 Report bench_frame(const Options& options) {
     const std::uint32_t size = options.size == 0 ? 1024 : options.size;
-    const Workshop workshop(options);
-    const DenseMemory memory(workshop);
+    const SceneSource source(options);
+    const DenseMemory memory(source);
     const std::vector<Recipe> list = recipes(options, memory);
     std::vector<Contestant> contestants;
     contestants.reserve(list.size() + 3);
-    contestants.emplace_back(workshop, floor_recipe(), size);
-    for (const Recipe& recipe : list) contestants.emplace_back(workshop, recipe, size);
+    contestants.emplace_back(source, floor_recipe(), size);
+    for (const Recipe& recipe : list) contestants.emplace_back(source, recipe, size);
     const Recipe low = list.front();
-    contestants.emplace_back(workshop, low, size, Costume::full);
-    contestants.emplace_back(workshop, low, size, Costume::plain);
+    contestants.emplace_back(source, low, size, SceneVariant::polarized);
+    contestants.emplace_back(source, low, size, SceneVariant::unpolarized);
     const std::vector<FrameTimes> medians = time_frames(contestants, options.seconds);
 
     const double floor = medians[0].camera_draw;
@@ -98,8 +98,8 @@ Report bench_frame(const Options& options) {
     add_rows(report, low.name() + ", polarized sky on plastic", full, floor);
     add_rows(report, low.name() + ", unpolarized sky on diffuse surfaces", plain, floor);
     report.note(
-        times("unpolarized light on diffuse material against full Stokes, relight + shade, light turning",
+        times("unpolarized light on diffuse material against full Stokes, relight + shade, light rotating",
               (full.light_relight + full.light_shade) / (plain.light_relight + plain.light_shade)));
-    report.note(workshop.machine() + "; " + std::to_string(size) + " x " + std::to_string(size) + ".");
+    report.note(source.machine() + "; " + std::to_string(size) + " x " + std::to_string(size) + ".");
     return report;
 }

@@ -10,15 +10,16 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Whole turns take many frames, and no two frames of a run are the same.
+// A full circle takes many frames, and no two frames of a run are equal.
 constexpr double kCameraStep = 0.37;
 constexpr double kLightStep = 1.3;
 
 }  // namespace
 
-Contestant::Contestant(const Workshop& workshop, const Recipe& recipe, std::uint32_t size, Costume costume)
-    : stage_(workshop), recipe_(recipe), framebuffer_(stage_.framebuffer(size, size)) {
-    dress(stage_, costume);
+Contestant::Contestant(const SceneSource& source, const Recipe& recipe, std::uint32_t size,
+                       SceneVariant variant)
+    : stage_(source), recipe_(recipe), framebuffer_(stage_.framebuffer(size, size)) {
+    apply_variant(stage_, variant);
 }
 
 Contestant::Frame Contestant::frame() {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What frames cost, with contestants that take turns.
+// Times of frames, with alternating contestants.
 #pragma once
 
 #include <vector>
 
-#include "costume.hpp"
+#include "scene_variant.hpp"
 #include "stage.hpp"
 
-/// Median milliseconds. A frame is the whole call, whatever else the statistics leave out.
+/// Median milliseconds. A frame is the whole call of nicol_render.
 struct FrameTimes {
     double camera = 0;  ///< frame after a move of the camera
-    double light = 0;   ///< frame after a turn of the light; NaN in darkness
+    double light = 0;   ///< frame after the light rotated; NaN in darkness
     double still = 0;   ///< frame after no change at all
     double camera_shade = 0, camera_draw = 0;
     double light_relight = 0, light_shade = 0, light_draw = 0;
@@ -20,8 +20,8 @@ struct FrameTimes {
 /// One way to render, with a scene of its own.
 class Contestant {
 public:
-    Contestant(const Workshop& workshop, const Recipe& recipe, std::uint32_t size,
-               Costume costume = Costume::own);
+    Contestant(const SceneSource& source, const Recipe& recipe, std::uint32_t size,
+               SceneVariant variant = SceneVariant::original);
 
     [[nodiscard]] const Recipe& recipe() const { return recipe_; }
     [[nodiscard]] const Stage& stage() const { return stage_; }
@@ -45,6 +45,6 @@ private:
 /// Rounds until `seconds` a contestant have passed, at least five; one round before them is not counted.
 std::vector<FrameTimes> time_frames(std::vector<Contestant>& contestants, double seconds);
 
-/// The same triangles into the same attachments, in one colour: light of order 0. Its floor is the median of
-/// what its drawing takes, camera_draw.
+/// The same triangles into the same attachments, in one colour: light of order 0. The floor is its median
+/// camera_draw.
 Recipe floor_recipe();

@@ -17,7 +17,7 @@ struct Image {
 
 Image read_image(nicol_framebuffer framebuffer);
 
-/// Means over squares of `side` pixels, as a sensor's pixel sees them.
+/// Means over squares of `side` pixels.
 Image reduced(const Image& image, std::uint32_t side);
 
 /// 1 for each pixel that counts.

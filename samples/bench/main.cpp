@@ -45,7 +45,7 @@ const Command commands[] = {
      bench_frame,
      {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--orders", "--memory", "--seconds",
       "--csv", "--json"},
-     "frames after a move of the camera, a turn of the light and no change, beside\n"
+     "frames after a move of the camera, a rotation of the light and no change, beside\n"
      "              drawing the triangles in one colour"},
     {"pareto",
      bench_pareto,
@@ -63,11 +63,11 @@ const Command commands[] = {
     {"tolerance",
      bench_tolerance,
      {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--samples", "--csv", "--json"},
-     "errors that were asked for, predicted and measured"},
+     "requested, predicted and measured errors"},
     {"skip",
      bench_skip,
      {"--backend", "--cache", "--size", "--seconds", "--csv", "--json"},
-     "what leaving out saves where a scene does not need everything"},
+     "what each optimisation saves in a scene that allows it"},
     {"start",
      bench_start,
      {"SCENE.xml", "-D", "--light", "--backend", "--size", "--csv", "--json"},
@@ -143,9 +143,9 @@ int main(int count, char** arguments) {
     const std::string name = count > 1 ? arguments[1] : "";
     const auto* command = std::ranges::find_if(commands, [&](const Command& c) { return name == c.name; });
     if (command == std::end(commands)) {
-        const bool asked = name == "--help";
-        print_usage(asked ? std::cout : std::cerr);
-        return asked ? 0 : 2;
+        const bool requested = name == "--help";
+        print_usage(requested ? std::cout : std::cerr);
+        return requested ? 0 : 2;
     }
     const std::span<char* const> rest(arguments + 2, static_cast<std::size_t>(count - 2));
     if (std::ranges::any_of(rest, [](const char* a) { return std::string(a) == "--help"; })) {

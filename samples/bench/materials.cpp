@@ -50,7 +50,7 @@ std::vector<Named> materials(Report& report) {
     list.push_back({"rough gold 0.2", R"(<bsdf type="roughconductor"><string name="material" value="Au"/>)"
                                       R"(<float name="alpha" value="0.2"/></bsdf>)"});
     if (const auto gold = measured_gold()) {
-        // Each look-up in its matrix takes a hundred of another material's.
+        // A look-up in its matrix costs as much as a hundred of another material.
         list.push_back(
             {"measured gold",
              R"(<bsdf type="psh"><string name="filename" value=")" + gold->string() + R"("/></bsdf>)", 4});
@@ -61,7 +61,7 @@ std::vector<Named> materials(Report& report) {
     return list;
 }
 
-// In its own light nothing of the scene is seen; --light or the forest replaces it.
+// The scene's own light is a placeholder; --light or the forest replaces it.
 void write_scene(const std::filesystem::path& path, const std::string& bsdf) {
     std::ofstream out(path);
     out << R"(<scene version="3.0.0"><sensor type="orthographic"><transform name="to_world"><scale value="1.03"/>)"
@@ -98,8 +98,8 @@ Report bench_materials(const Options& given) {
     Report report({"relative RMSE", "s0", "s1", "s2"});
     for (const auto& [name, bsdf, share] : materials(report)) {
         write_scene(options.scene, bsdf);
-        const Workshop workshop(options);
-        const Comparison comparison(workshop, size, std::max(samples / share, 1), false);
+        const SceneSource source(options);
+        const Comparison comparison(source, size, std::max(samples / share, 1), false);
         const auto add = [&](const std::string& what, const StokesErrors& e) {
             report.add(std::string(name) + ": " + what, {e[0], e[1], e[2]});
             return e;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Fields that were not given have the values below; 0 or -1 asks for the sub-command's own default.
+/// Defaults of the command line; 0 or -1 means the sub-command's own default.
 struct Options {
     std::string scene;  ///< empty: the bunny of samples/assets
     std::vector<std::string> definitions;

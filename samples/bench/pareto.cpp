@@ -84,7 +84,7 @@ void compare_at_equal_error(Report& report, const std::vector<Entry>& list) {
         if (best == nullptr) continue;
         char text[200];
         std::snprintf(text, sizeof text,
-                      "%s errs no more than %s, which takes, in relight + shade as the light turns, %.3g "
+                      "%s errs no more than %s, which takes, in relight + shade as the light rotates, %.3g "
                       "times as long.",
                       best->recipe.name().c_str(), dense.recipe.name().c_str(),
                       transfer_ms(dense.times) / transfer_ms(best->times));
@@ -114,9 +114,9 @@ void write_plot(const std::string& path, const std::vector<Entry>& list) {
     constexpr const char* linear_axis = "relative RMSE of (s1, s2)";
     std::ofstream out(path);
     write_svg(out,
-              {panel(list, "the light turns", s0_axis, light, s0),
+              {panel(list, "the light rotates", s0_axis, light, s0),
                panel(list, "the camera moves", s0_axis, camera, s0),
-               panel(list, "the light turns", linear_axis, light, linear),
+               panel(list, "the light rotates", linear_axis, light, linear),
                panel(list, "the camera moves", linear_axis, camera, linear)},
               2);
     out.close();
@@ -128,26 +128,26 @@ void write_plot(const std::string& path, const std::vector<Entry>& list) {
 Report bench_pareto(const Options& options) {
     const std::uint32_t size = options.size == 0 ? 1024 : options.size;
     const std::uint32_t small = std::min(size, kErrorSize);
-    const Workshop workshop(options);
-    std::vector<Entry> list = entries(options, DenseMemory(workshop));
-    const Truth truth = make_truth(workshop, small, options.samples == 0 ? 256 : options.samples, true);
+    const SceneSource source(options);
+    std::vector<Entry> list = entries(options, DenseMemory(source));
+    const Truth truth = make_truth(source, small, options.samples == 0 ? 256 : options.samples, true);
 
     std::vector<Contestant> contestants;
     contestants.reserve(list.size());
     for (Entry& entry : list) {
-        const Contestant& added = contestants.emplace_back(workshop, entry.recipe, size);
+        const Contestant& added = contestants.emplace_back(source, entry.recipe, size);
         const Framebuffer wide = added.stage().framebuffer(kReduction * small, kReduction * small);
         entry.errors = truth.errors(reduced_image(added.stage(), entry.recipe, wide.get()));
     }
     const std::vector<FrameTimes> times = time_frames(contestants, options.seconds);
-    Report report({"method and orders", "light turning ms", "camera only ms", "s0", "s1", "s2", "s3"});
+    Report report({"method and orders", "light rotating ms", "camera only ms", "s0", "s1", "s2", "s3"});
     for (std::size_t i = 0; i < list.size(); ++i) {
         list[i].times = times[i];
         const StokesErrors& e = list[i].errors;
         report.add(list[i].recipe.name(), {times[i].light, times[i].camera, e[0], e[1], e[2], e[3]});
     }
     compare_at_equal_error(report, list);
-    report.note(workshop.machine() + "; frames of " + std::to_string(size) + " x " + std::to_string(size) +
+    report.note(source.machine() + "; frames of " + std::to_string(size) + " x " + std::to_string(size) +
                 ", errors relative to the RMS of s0 at " + std::to_string(small) + " x " +
                 std::to_string(small) + ", shadows included.");
     if (!options.plot.empty()) write_plot(options.plot, list);

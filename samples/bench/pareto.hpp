@@ -5,6 +5,5 @@
 #include "options.hpp"
 #include "report.hpp"
 
-/// Writes the plot too where one is asked for. Throws std::runtime_error with Nicol's message where a call
-/// fails.
+/// Writes the plot too if requested. Throws std::runtime_error with Nicol's message where a call fails.
 Report bench_pareto(const Options& options);

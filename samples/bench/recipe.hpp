@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an image is made with.
+// Render options of a benchmark image.
 #pragma once
 
 #include <nicol.h>
@@ -15,8 +15,8 @@ struct Recipe {
     High high = High::none;
     int top = 9;  ///< highest order; without effect where high is none
     bool shadows = true;
-    std::uint32_t directions = 0;  ///< of the bake; 0: the library's default
-    double tolerance = 0;          ///< above 0: orders are as it says
+    std::uint32_t directions = 0;  ///< of the bake; 0: default
+    double tolerance = 0;          ///< above 0: chooses the orders
     nicol_high_orders_at at = NICOL_HIGH_ORDERS_AT_VERTICES;
 
     /// As in "dense 4 + convolution to 9, at pixels, no shadows".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A table for people, and the same as CSV and JSON for programs.
+// A table as text, CSV and JSON.
 #pragma once
 
 #include <iosfwd>

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bumpy_sphere.hpp"
 #include "median.hpp"
+#include "sphere.hpp"
 #include "stage.hpp"
 
 namespace {
@@ -29,7 +29,7 @@ Environment polarized_sky(nicol_context context) {
     return Environment(handle);
 }
 
-// A bumpy sphere of pplastic under a polarized sky: nothing can be left out.
+// A bumpy sphere of pplastic under a polarized sky, for which no optimisation applies.
 class Ball {
 public:
     Ball(nicol_context context, std::uint32_t vertices) : sky_(polarized_sky(context)) {
@@ -42,7 +42,7 @@ public:
         nicol_material handle = nullptr;
         check(nicol_material_create_pplastic(context, &plastic, &handle));
         const Material material(handle);
-        const Mesh mesh = make_bumpy_sphere(context, vertices);
+        const Mesh mesh = make_sphere(context, vertices, 0.1);
         nicol_instance instance = NICOL_INSTANCE_INIT;
         instance.mesh = mesh.get();
         instance.material = material.get();
@@ -51,7 +51,7 @@ public:
         check(nicol_camera_look_at(&camera_, origin, target, up));
     }
 
-    // Medians of frames after turns of the light.
+    // Medians of frames after rotations of the light.
     Cost measure(const Recipe& recipe, nicol_framebuffer framebuffer, int frames) {
         Cost cost{};
         std::vector<double> relight, shade, draw;
@@ -149,7 +149,7 @@ Report bench_scale(const Options& options) {
         costs.back().size = order + 1;
     }
     add_slopes(report, costs, "order + 1");
-    report.note("A bumpy sphere of pplastic under a polarized sky, the light turning, shadows on; " +
+    report.note("A bumpy sphere of pplastic under a polarized sky, the light rotating, shadows on; " +
                 std::to_string(size) + " x " + std::to_string(size) + ".");
     return report;
 }

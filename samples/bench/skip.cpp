@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "bumpy_sphere.hpp"
 #include "common/handles.hpp"
 #include "median.hpp"
+#include "sphere.hpp"
 #include "stage.hpp"
 
 namespace {
@@ -21,62 +21,73 @@ enum class Change { light, camera, nothing };
 
 constexpr std::uint32_t kChannels = 3;
 
-// A scene that does not need something.
-struct Exhibit {
+// An optimisation and a scene in which it has an effect.
+struct Case {
     const char* name;
-    std::uint32_t skip;
+    std::uint32_t optimisation;
     Change change;
     bool diffuse = false;
     bool grey = false;
+    bool polarized = false;
+    bool convex = false;
     std::uint32_t light_order = 16;
 };
 
-const Exhibit exhibits[] = {
-    {.name = "nothing changed", .skip = NICOL_OPTIMISATION_UNCHANGED, .change = Change::nothing},
-    {.name = "light unpolarized", .skip = NICOL_OPTIMISATION_LIGHT_COMPONENTS, .change = Change::light},
+const Case kCases[] = {
+    {.name = "nothing changed", .optimisation = NICOL_OPTIMISATION_UNCHANGED, .change = Change::nothing},
+    {.name = "light unpolarized",
+     .optimisation = NICOL_OPTIMISATION_LIGHT_COMPONENTS,
+     .change = Change::light},
     {.name = "light and material grey",
-     .skip = NICOL_OPTIMISATION_CHANNELS,
+     .optimisation = NICOL_OPTIMISATION_CHANNELS,
      .change = Change::light,
      .grey = true},
     {.name = "light of low orders",
-     .skip = NICOL_OPTIMISATION_ORDERS,
+     .optimisation = NICOL_OPTIMISATION_ORDERS,
      .change = Change::light,
      .light_order = 4},
-    {.name = "material depolarizing",
-     .skip = NICOL_OPTIMISATION_RESPONSE_ROWS,
+    {.name = "material depolarizing, light polarized",
+     .optimisation = NICOL_OPTIMISATION_RESPONSE_ROWS,
      .change = Change::camera,
-     .diffuse = true},
-    {.name = "vertices hidden", .skip = NICOL_OPTIMISATION_HIDDEN, .change = Change::camera},
-    {.name = "vertices unoccluded", .skip = NICOL_OPTIMISATION_UNOCCLUDED, .change = Change::light},
+     .diffuse = true,
+     .polarized = true},
+    {.name = "vertices hidden", .optimisation = NICOL_OPTIMISATION_HIDDEN, .change = Change::camera},
+    {.name = "convex object, no shadows",
+     .optimisation = NICOL_OPTIMISATION_UNOCCLUDED,
+     .change = Change::light,
+     .convex = true},
     {.name = "all, diffuse under unpolarized grey light",
-     .skip = NICOL_OPTIMISATION_ALL & ~NICOL_OPTIMISATION_UNCHANGED,
+     .optimisation = NICOL_OPTIMISATION_ALL & ~NICOL_OPTIMISATION_UNCHANGED,
      .change = Change::light,
      .diffuse = true,
      .grey = true,
      .light_order = 4},
 };
 
-// Its power falls with the order, as that of natural light does.
-Environment make_light(nicol_context context, const Exhibit& exhibit) {
-    const std::size_t count = std::size_t{exhibit.light_order + 1} * (exhibit.light_order + 1);
+// Light whose power falls with the order, like natural light. Of order 2 and above it may be polarized.
+Environment make_light(nicol_context context, const Case& use) {
+    const std::size_t count = std::size_t{use.light_order + 1} * (use.light_order + 1);
     std::vector<double> coefficients(kChannels * count * 4);
     for (std::uint32_t c = 0; c < kChannels; ++c) {
-        std::mt19937 random(exhibit.grey ? 0 : c);
+        std::mt19937 random(use.grey ? 0 : c);
         std::normal_distribution<double> normal;
         for (std::size_t i = 0; i < count; ++i) {
             const double l = std::floor(std::sqrt(static_cast<double>(i)));
-            coefficients[(c * count + i) * 4] = i == 0 ? 6 : std::pow(l, -1.3) * normal(random);
+            double* stokes = &coefficients[(c * count + i) * 4];
+            stokes[0] = i == 0 ? 6 : std::pow(l, -1.3) * normal(random);
+            for (std::size_t p = 1; use.polarized && l >= 2 && p < 4; ++p)
+                stokes[p] = 0.3 * std::pow(l, -1.3) * normal(random);
         }
     }
     nicol_environment handle = nullptr;
-    check(nicol_environment_create_psh(context, exhibit.light_order, kChannels, coefficients.data(),
+    check(nicol_environment_create_psh(context, use.light_order, kChannels, coefficients.data(),
                                        coefficients.size(), &handle));
     return Environment(handle);
 }
 
-Material make_material(nicol_context context, const Exhibit& exhibit) {
+Material make_material(nicol_context context, const Case& use) {
     nicol_material handle = nullptr;
-    if (exhibit.diffuse) {
+    if (use.diffuse) {
         nicol_spectrum grey = NICOL_SPECTRUM_INIT;
         grey.count = 1;
         grey.values[0] = 0.5F;
@@ -89,15 +100,15 @@ Material make_material(nicol_context context, const Exhibit& exhibit) {
     return Material(handle);
 }
 
-// One of two that take turns: with the skip, and without it.
-class Show {
+// Renders a case with or without its optimisation.
+class Runner {
 public:
-    Show(nicol_context context, const Exhibit& exhibit, nicol_mesh mesh, std::uint32_t size, bool skipping)
-        : exhibit_(exhibit), light_(make_light(context, exhibit)) {
+    Runner(nicol_context context, const Case& use, nicol_mesh mesh, std::uint32_t size, bool enabled)
+        : case_(use), light_(make_light(context, use)) {
         nicol_scene scene = nullptr;
         check(nicol_scene_create(context, &scene));
         scene_.reset(scene);
-        const Material material = make_material(context, exhibit);
+        const Material material = make_material(context, use);
         nicol_instance instance = NICOL_INSTANCE_INIT;
         instance.mesh = mesh;
         instance.material = material.get();
@@ -105,12 +116,12 @@ public:
         nicol_framebuffer framebuffer = nullptr;
         check(nicol_framebuffer_create(context, size, size, kChannels, &framebuffer));
         framebuffer_.reset(framebuffer);
-        options_.disabled_optimisations = skipping ? 0 : exhibit.skip;
+        options_.disabled_optimisations = enabled ? 0 : use.optimisation;
     }
 
     void run_round() {
-        if (frames_.empty() || exhibit_.change == Change::light) rotate_light();
-        if (frames_.empty() || exhibit_.change == Change::camera) move_camera();
+        if (frames_.empty() || case_.change == Change::light) rotate_light();
+        if (frames_.empty() || case_.change == Change::camera) move_camera();
         const auto start = Clock::now();
         check(nicol_render(scene_.get(), &camera_, &options_, framebuffer_.get()));
         frames_.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
@@ -118,7 +129,7 @@ public:
         check(nicol_framebuffer_get_statistics(framebuffer_.get(), &statistics));
         transfers_.push_back(statistics.relight_ms + statistics.shade_ms);
     }
-    // The first frame makes what later ones find.
+    // Of all frames but the first, which also bakes.
     [[nodiscard]] double frame() const { return median({frames_.begin() + 1, frames_.end()}); }
     [[nodiscard]] double transfer() const { return median({transfers_.begin() + 1, transfers_.end()}); }
     [[nodiscard]] std::vector<float> image() const {
@@ -147,7 +158,7 @@ private:
         check(nicol_camera_look_at(&camera_, origin, target, up));
     }
 
-    Exhibit exhibit_;
+    Case case_;
     Environment light_;
     Scene scene_;
     Framebuffer framebuffer_;
@@ -173,29 +184,31 @@ double largest_difference(const std::vector<float>& a, const std::vector<float>&
 Report bench_skip(const Options& options) {
     const std::uint32_t size = options.size == 0 ? 512 : options.size;
     const Context context = make_context(options.backend, options.cache);
-    const Mesh mesh = make_bumpy_sphere(context.get(), 20000);
-    Report report({"what the scene does not need", "relight + shade, without / with skip", "ms without",
-                   "ms with", "frame, without / with", "largest difference"});
-    for (const Exhibit& exhibit : exhibits) {
-        std::array<Show, 2> shows{Show(context.get(), exhibit, mesh.get(), size, false),
-                                  Show(context.get(), exhibit, mesh.get(), size, true)};
+    const Mesh bumpy = make_sphere(context.get(), 20000, 0.1);
+    const Mesh convex = make_sphere(context.get(), 20000, 0);
+    Report report({"what the scene does not need", "relight + shade, disabled / enabled", "ms disabled",
+                   "ms enabled", "frame, disabled / enabled", "largest difference"});
+    for (const Case& use : kCases) {
+        const nicol_mesh mesh = use.convex ? convex.get() : bumpy.get();
+        std::array<Runner, 2> runners{Runner(context.get(), use, mesh, size, false),
+                                      Runner(context.get(), use, mesh, size, true)};
         const auto begin = Clock::now();
         for (int round = 0;
              round < 6 || std::chrono::duration<double>(Clock::now() - begin).count() < 2 * options.seconds;
              ++round) {
-            for (Show& show : shows) show.run_round();
+            for (Runner& runner : runners) runner.run_round();
         }
-        const auto& [full, skipping] = shows;
-        const bool runs = exhibit.change != Change::nothing;
+        const auto& [disabled, enabled] = runners;
+        const bool runs = use.change != Change::nothing;
         const double none = std::nan("");
-        report.add(exhibit.name,
-                   {runs ? full.transfer() / skipping.transfer() : none, runs ? full.transfer() : none,
-                    runs ? skipping.transfer() : none, full.frame() / skipping.frame(),
-                    largest_difference(skipping.image(), full.image())});
+        report.add(use.name,
+                   {runs ? disabled.transfer() / enabled.transfer() : none, runs ? disabled.transfer() : none,
+                    runs ? enabled.transfer() : none, disabled.frame() / enabled.frame(),
+                    largest_difference(enabled.image(), disabled.image())});
     }
-    report.note("Frames of a bumpy sphere of 20,000 vertices, " + std::to_string(size) + " x " +
-                std::to_string(size) +
-                ", after a turn of the light, a move of the camera or nothing; differences over the largest "
-                "value.");
+    report.note("Frames of a sphere of 20,000 vertices, bumpy but for the convex object, " +
+                std::to_string(size) + " x " + std::to_string(size) +
+                ", after the light rotates, the camera moves or nothing changes; differences over the "
+                "largest value.");
     return report;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The half of a sphere that an orthographic camera sees.
+// The half of a sphere that faces an orthographic camera.
 #pragma once
 
 #include <filesystem>

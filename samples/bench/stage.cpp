@@ -8,7 +8,7 @@
 
 namespace {
 
-// Rotations what a row-major matrix places, about the world's y.
+// Rotates a row-major placement about the world's y.
 void rotate_about_vertical(double degrees, double (&matrix)[16]) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle);
@@ -38,14 +38,14 @@ Context make_context(nicol_backend backend, const std::string& cache_folder) {
     return Context(context);
 }
 
-Workshop::Workshop(const Options& options) : path_(options.scene), definitions_(options.definitions) {
+SceneSource::SceneSource(const Options& options) : path_(options.scene), definitions_(options.definitions) {
     if (options.cache.empty()) folder_.emplace();
     context_ = make_context(options.backend, folder_ ? folder_->path().string() : options.cache);
     if (path_.empty()) path_ = NICOL_BENCH_ASSETS "/bunny_hdr.xml";
     if (!options.light.empty()) light_ = load_light(context_.get(), options.light);
 }
 
-Scene Workshop::load() const {
+Scene SceneSource::load() const {
     std::vector<const char*> definitions;
     for (const std::string& definition : definitions_) definitions.push_back(definition.c_str());
     nicol_scene scene = nullptr;
@@ -54,17 +54,17 @@ Scene Workshop::load() const {
     return Scene(scene);
 }
 
-std::string Workshop::machine() const {
+std::string SceneSource::machine() const {
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
     check(nicol_context_get_info(context_.get(), &info));
     return std::string(info.backend == NICOL_BACKEND_EGL ? "EGL, " : "OSMesa, ") + info.renderer + ", " +
            std::to_string(info.threads) + " threads";
 }
 
-Stage::Stage(const Workshop& workshop) : context_(workshop.context()), scene_(workshop.load()) {
+Stage::Stage(const SceneSource& source) : context_(source.context()), scene_(source.load()) {
     check(nicol_scene_get_camera(scene_.get(), &camera_));
-    if (workshop.light() != nullptr)
-        check(nicol_scene_set_environment(scene_.get(), workshop.light(), nullptr, 1));
+    if (source.light() != nullptr)
+        check(nicol_scene_set_environment(scene_.get(), source.light(), nullptr, 1));
     nicol_environment light = nullptr;
     check(nicol_scene_get_environment(scene_.get(), &light, light_to_world_, &light_scale_));
     light_.reset(light);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene to render from its own camera, and what moves in it.
+// A scene rendered from its own camera, which can orbit, as can the light.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 #include "recipe.hpp"
 #include "temporary_folder.hpp"
 
-/// A context, and the scene file and light that the command line asks for.
-class Workshop {
+/// A context, and the scene file and light of the command line.
+class SceneSource {
 public:
-    explicit Workshop(const Options& options);
+    explicit SceneSource(const Options& options);
 
     [[nodiscard]] nicol_context context() const { return context_.get(); }
-    /// NULL: scenes keep the light of their file.
+    /// NULL: scenes keep their own light.
     [[nodiscard]] nicol_environment light() const { return light_.get(); }
     [[nodiscard]] Scene load() const;
     /// "llvmpipe ..., 2 threads" for the notes of a report.
@@ -31,23 +31,23 @@ private:
 
 Context make_context(nicol_backend backend, const std::string& cache_folder);
 
-/// Loads it afresh, so that stages share nothing that a render changes.
+/// A scene of its own: stages share nothing that a render changes.
 class Stage {
 public:
-    explicit Stage(const Workshop& workshop);
+    explicit Stage(const SceneSource& source);
 
     [[nodiscard]] nicol_context context() const { return context_; }
     [[nodiscard]] nicol_scene scene() const { return scene_.get(); }
-    /// In place of the light there is; rotated as that is.
+    /// Replaces the light; keeps its rotation.
     void set_light(Environment light);
     /// Of all instances.
     void set_material(nicol_material material);
     [[nodiscard]] Framebuffer framebuffer(std::uint32_t width, std::uint32_t height) const;
-    /// Rotations the camera about the world's vertical axis, further by `degrees`.
+    /// Rotates the camera about the world's vertical axis by `degrees` more.
     void orbit(double degrees);
     /// False in darkness.
     [[nodiscard]] bool has_light() const { return light_ != nullptr; }
-    /// Rotations the light about the world's vertical axis, further by `degrees`.
+    /// Rotates the light about the world's vertical axis by `degrees` more.
     void rotate_light(double degrees);
     nicol_statistics render(const nicol_render_options& options, nicol_framebuffer framebuffer) const;
 

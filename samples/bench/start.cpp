@@ -19,9 +19,9 @@ std::vector<double> first_image(const Options& options, std::uint32_t size) {
         last = now;
         return milliseconds;
     };
-    const Workshop workshop(options);
+    const SceneSource source(options);
     const double opened = step();
-    const Stage stage(workshop);
+    const Stage stage(source);
     const Framebuffer framebuffer = stage.framebuffer(size, size);
     const double loaded = step();
     const nicol_statistics statistics =

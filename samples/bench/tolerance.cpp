@@ -9,7 +9,7 @@
 
 namespace {
 
-// Where truncation alone is measured, light to this order stands for all of it.
+// Order of the light that truncation errors are measured against.
 constexpr int kConverged = 24;
 
 double largest(const StokesErrors& errors) {
@@ -21,11 +21,11 @@ double largest(const StokesErrors& errors) {
 Report bench_tolerance(const Options& options) {
     const std::uint32_t size = options.size == 0 ? 256 : options.size;
     const std::int32_t samples = options.samples == 0 ? 256 : options.samples;
-    const Workshop workshop(options);
+    const SceneSource source(options);
     Report report({"tolerance", "order low", "to order", "predicted", "truncation", "truncation / tolerance",
                    "against reference"});
     for (const bool shadows : {true, false}) {
-        const Comparison comparison(workshop, size, samples, shadows, kConverged);
+        const Comparison comparison(source, size, samples, shadows, kConverged);
         for (const double tolerance : {0.2, 0.1, 0.05, 0.02}) {
             const Recipe recipe{.high = High::split, .tolerance = tolerance};
             const Comparison::Measured measured = comparison.measure(recipe);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol-bench tolerance: errors that were asked for, predicted and measured.
+// nicol-bench tolerance: requested, predicted and measured errors.
 #pragma once
 
 #include "options.hpp"

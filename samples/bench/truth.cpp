@@ -6,13 +6,13 @@
 namespace {
 
 // Under constant light of radiance 1 the background is 1 to the last bit, and nothing reflects exactly that.
-Mask wholly_covered(const Workshop& workshop, std::uint32_t size) {
-    const Stage stage(workshop);
+Mask wholly_covered(const SceneSource& source, std::uint32_t size) {
+    const Stage stage(source);
     nicol_spectrum one = NICOL_SPECTRUM_INIT;
     one.count = 1;
     one.values[0] = 1;
     nicol_environment handle = nullptr;
-    check(nicol_environment_create_constant(workshop.context(), &one, &handle));
+    check(nicol_environment_create_constant(source.context(), &one, &handle));
     const Environment constant(handle);
     check(nicol_scene_set_environment(stage.scene(), constant.get(), nullptr, 1));
     const Framebuffer framebuffer = stage.framebuffer(kReduction * size, kReduction * size);
@@ -35,15 +35,15 @@ Mask wholly_covered(const Workshop& workshop, std::uint32_t size) {
 
 }  // namespace
 
-Truth make_truth(const Workshop& workshop, std::uint32_t size, std::int32_t samples, bool shadows) {
-    const Stage stage(workshop);
+Truth make_truth(const SceneSource& source, std::uint32_t size, std::int32_t samples, bool shadows) {
+    const Stage stage(source);
     const Framebuffer framebuffer = stage.framebuffer(size, size);
     Truth truth;
     stage.render(reference_options(samples, 1, shadows), framebuffer.get());
     truth.first = read_image(framebuffer.get());
     stage.render(reference_options(samples, 2, shadows), framebuffer.get());
     truth.second = read_image(framebuffer.get());
-    truth.mask = eroded(wholly_covered(workshop, size), size, size);
+    truth.mask = eroded(wholly_covered(source, size), size, size);
     return truth;
 }
 

@@ -5,12 +5,12 @@
 #include "image.hpp"
 #include "stage.hpp"
 
-/// By the reference method with two seeds, `samples` a pixel each. The mask holds the pixels that objects
-/// cover wholly, less those beside others.
-Truth make_truth(const Workshop& workshop, std::uint32_t size, std::int32_t samples, bool shadows);
+/// By the reference method with two seeds, `samples` per pixel each. The mask has the pixels that objects
+/// cover completely, without those next to other pixels.
+Truth make_truth(const SceneSource& source, std::uint32_t size, std::int32_t samples, bool shadows);
 
-/// Sides of the squares of pixels of which one pixel of a comparison is the mean: references are means over
-/// a pixel too, and without that silhouettes would be what differs most.
+/// A compared pixel is the mean of a square of this side, since the reference averages over pixels too;
+/// otherwise silhouettes would dominate the errors.
 inline constexpr std::uint32_t kReduction = 4;
 
 /// In a framebuffer that has kReduction times the size.

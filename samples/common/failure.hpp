@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What ends a program, and how it is told.
+// An error that ends the program, and its message.
 #pragma once
 
 #include <stdexcept>
@@ -10,7 +10,7 @@ struct Failure : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Scripts count on one line; a path may hold a line feed, and a driver's message more.
+/// Messages are one line for scripts; paths and drivers' messages may contain line feeds.
 inline std::string one_line(const char* message) {
     std::string line;
     for (const char* p = message; *p; ++p) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Handles of the C interface that release themselves, and its errors as exceptions.
+// RAII handles for the C interface, and its errors as exceptions.
 #pragma once
 
 #include <nicol.h>

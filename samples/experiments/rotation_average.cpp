@@ -35,7 +35,7 @@ std::int32_t rough_glass(void*, const double in[3], const double out[3], double 
     mueller[2] = b * e.imag();
     mueller[4] = b * f.real();
     mueller[8] = b * f.imag();
-    // (s1, s2) -> diag(a, d) between the turns by conj(e) and f.
+    // (s1, s2) -> diag(a, d) between the rotations by conj(e) and f.
     const double ce = e.real(), se = e.imag(), cf = f.real(), sf = f.imag();
     mueller[5] = cf * a * ce + sf * d * se;
     mueller[6] = cf * a * se - sf * d * ce;

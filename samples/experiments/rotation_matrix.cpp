@@ -38,13 +38,13 @@ Summary summary(const Panel& matrix) {
 
 /// Magnitudes of the responses, read from components a and b of coefficient vectors, to unit vectors that
 /// `turn` maps to coefficients.
-template <class Rotation>
-Panel matrix_of(std::size_t first, std::size_t input, std::size_t a, std::size_t b, Rotation turn) {
+template <class Rotate>
+Panel matrix_of(std::size_t first, std::size_t input, std::size_t a, std::size_t b, Rotate rotate_field) {
     Panel panel{kCount, kCount, std::vector<double>(kCount * kCount)};
     for (std::size_t j = first; j < kCount; ++j) {
         Doubles unit_vector(4 * kCount);
         unit_vector[4 * j + input] = 1;
-        const Doubles column = turn(unit_vector);
+        const Doubles column = rotate_field(unit_vector);
         for (std::size_t i = 0; i < kCount; ++i)
             panel.values[i * kCount + j] = std::hypot(column[4 * i + a], a == b ? 0.0 : column[4 * i + b]);
     }

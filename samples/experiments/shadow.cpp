@@ -12,7 +12,7 @@
 namespace {
 
 constexpr std::uint32_t kOrder = 4;
-constexpr std::uint32_t kScalarOrder = 2 * kOrder;  // all that counts between two fields of that order
+constexpr std::uint32_t kScalarOrder = 2 * kOrder;  // all orders that matter between two fields of that order
 
 /// What a vertex beside a wall, on the ground, with a ball overhead might see.
 double visible(const Vec3& w) {

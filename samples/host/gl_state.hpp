@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What OpenGL tells of its state, to see that a library leaves it alone.
+// OpenGL's state, to check that the library restores it.
 #pragma once
 
 #include <map>
@@ -11,5 +11,5 @@
 using GlState = std::map<std::string, std::vector<double>>;
 
 [[nodiscard]] GlState gl_state(const Gl& gl);
-/// "GL_BLEND was 1, is 0; ..."; empty where nothing differs.
+/// "GL_BLEND was 1, is 0; ..."; empty if nothing differs.
 [[nodiscard]] std::string difference(const GlState& before, const GlState& after);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ball under a clear sky, seen through a polarizer, in a texture of the application's.
+// A ball under a clear sky behind a polarizer, drawn into a texture of the application.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ class Polarized {
 public:
     static constexpr int size = 256;
 
-    /// With the application's context current, which must stay so in every call.
+    /// The application's context must be current, here and in every call.
     Polarized();
 
-    /// Renders with the sun at this azimuth in degrees, and draws what a polarizer at this angle passes into
-    /// the texture: RGBA8, row 0 at the bottom as OpenGL's own images.
+    /// Renders with the sun at this azimuth in degrees, and draws the light behind a polarizer at this angle
+    /// into the texture: RGBA8, row 0 at the bottom, as in OpenGL.
     void draw(double sun, double polarizer, unsigned texture);
     /// [channel][row][column][4], the top row first.
     [[nodiscard]] std::vector<float> planes() const;

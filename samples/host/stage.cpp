@@ -10,11 +10,11 @@ namespace {
 constexpr const char* kTriangleVertex = R"(#version 450 core
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec4 colour;
-uniform float turn;
+uniform float angle;
 out vec4 tint;
 void main() {
     tint = colour;
-    vec2 rotated = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * place;
+    vec2 rotated = mat2(cos(angle), sin(angle), -sin(angle), cos(angle)) * place;
     gl_Position = vec4(rotated * vec2(0.5625, 1.0) * 0.8 - vec2(0.45, 0.0), 0.0, 1.0);
 })";
 constexpr const char* kTriangleFragment = R"(#version 450 core
@@ -24,13 +24,13 @@ void main() { pixel = tint; })";
 
 constexpr const char* kQuadVertex = R"(#version 450 core
 layout(location = 0) in vec2 corner;  // in pixels from the quad's middle
-uniform float turn;
+uniform float angle;
 out vec2 uv;
 void main() {
     uv = corner / 256.0 + 0.5;
-    float depth = 1.0 + 0.002 * corner.x * sin(turn);
+    float depth = 1.0 + 0.002 * corner.x * sin(angle);
     vec2 middle = vec2(480.0, 180.0) / vec2(320.0, 180.0) - 1.0;
-    gl_Position = vec4(corner.x * cos(turn) / 320.0 + middle.x * depth, corner.y / 180.0 + middle.y * depth, 0.0, depth);
+    gl_Position = vec4(corner.x * cos(angle) / 320.0 + middle.x * depth, corner.y / 180.0 + middle.y * depth, 0.0, depth);
 })";
 constexpr const char* kQuadFragment = R"(#version 450 core
 in vec2 uv;
@@ -89,21 +89,21 @@ Stage::Stage(const Gl& gl)
     gl.Enable(GL_BLEND);
 }
 
-void Stage::draw_triangles(double turn) const {
+void Stage::draw_triangles(double angle) const {
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
     gl_.Scissor(20, 20, 300, height - 40);
     gl_.Enable(GL_SCISSOR_TEST);
     gl_.UseProgram(triangles_);
-    gl_.Uniform1f(gl_.GetUniformLocation(triangles_, "turn"), radians(turn));
+    gl_.Uniform1f(gl_.GetUniformLocation(triangles_, "angle"), radians(angle));
     gl_.BindVertexArray(triangle_vertices_);
     gl_.DrawArrays(GL_TRIANGLES, 0, 9);
 }
 
-void Stage::draw_quad(double turn) const {
+void Stage::draw_quad(double angle) const {
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.UseProgram(quad_);
-    gl_.Uniform1f(gl_.GetUniformLocation(quad_, "turn"), radians(turn));
+    gl_.Uniform1f(gl_.GetUniformLocation(quad_, "angle"), radians(angle));
     gl_.BindVertexArray(quad_vertices_);
     gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gl_.Enable(GL_SCISSOR_TEST);

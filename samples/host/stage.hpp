@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the application draws itself: a few triangles, and a quad with an image on it.
+// The application's own drawing: a few triangles, and a textured quad.
 #pragma once
 
 #include "gl.hpp"
 
-/// Leaves its program, arrays, scissor and blending in place between frames, as applications do.
+/// Leaves its program, arrays, scissor and blending set between frames, as applications do.
 class Stage {
 public:
     static constexpr int width = 640, height = 360;
@@ -14,9 +14,9 @@ public:
 
     /// The texture on the quad, RGBA8.
     [[nodiscard]] GLuint image() const { return image_; }
-    void draw_triangles(double turn) const;
-    /// turn: degrees about the vertical axis.
-    void draw_quad(double turn) const;
+    void draw_triangles(double angle) const;
+    /// angle: degrees about the vertical axis.
+    void draw_quad(double angle) const;
 
 private:
     const Gl& gl_;

@@ -8,7 +8,7 @@
 
 struct MethodCost {
     double bytes = 0;              ///< kept a vertex: light, shadows, matrices, visibility, geometry
-    double light_ms = 0;           ///< median frame in which the light turns
+    double light_ms = 0;           ///< median frame in which the light rotates
     double camera_ms = 0;          ///< median frame in which the camera moves
     double light_physical_ms = 0;  ///< light_ms with Eq. 70
 };
@@ -18,7 +18,7 @@ struct Cost {
     MethodCost dense, factored;
 };
 
-/// The scenes keep their work from step to step. The methods, with and without Eq. 70, take turns; every
+/// The scenes keep their work from step to step. The methods, with and without Eq. 70, alternate; every
 /// frame differs from the one before, and drawing it is waited for.
 Cost measure(const Stage& stage, nicol_scene dense, nicol_scene factored, const Recipe& recipe,
              std::uint32_t frames, nicol_framebuffer target);

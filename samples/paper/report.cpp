@@ -33,7 +33,8 @@ std::string cost_table(const std::vector<StepResult>& results, unsigned componen
         "vertex, dense | factored |";
     if (timed) {
         text +=
-            " light turns, ms: dense | factored | dense / factored | with Eq. 70: dense | factored | camera "
+            " light rotates, ms: dense | factored | dense / factored | with Eq. 70: dense | factored | "
+            "camera "
             "moves, ms: dense | factored |";
     }
     text += "\n|---|---|---|---|---|---|---|";

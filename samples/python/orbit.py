@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rotations the camera about a scene's middle and plots how polarized the image is. usage: orbit.py SCENE.xml OUT.svg
+"""Moves the camera around a scene and plots the degree of polarization. usage: orbit.py SCENE.xml OUT.svg
 [--views N] [--size WxH]
 
 The degree of linear polarization is the mean over all pixels, weighted by their light."""
@@ -44,7 +44,7 @@ def plot(points, path):
     """A curve as an SVG file: angle to the right, degree of polarization upwards."""
     top = math.ceil(10 * max(dolp for _, dolp in points)) / 10
     place = lambda degrees, dolp: f"{60 + 1.5 * degrees:.1f},{260 - 220 * dolp / top:.1f}"  # noqa: E731
-    text = lambda x, y, words, turn="": f'<text x="{x}" y="{y}" {turn}>{words}</text>'  # noqa: E731
+    text = lambda x, y, words, rotation="": f'<text x="{x}" y="{y}" {rotation}>{words}</text>'  # noqa: E731
     parts = ['<svg xmlns="http://www.w3.org/2000/svg" width="640" height="320" font-family="sans-serif" font-size="13" '
              'text-anchor="middle"><rect width="640" height="320" fill="white"/>']  # fmt: skip
     for degrees in range(0, 361, 60):

@@ -30,7 +30,7 @@ const char* const usage =
     "      --tolerance E        chooses the orders: those left out may change s0, s1 and s2 by E, as the\n"
     "                           predicted relative RMSE; without it orders are as given\n"
     "      --components NAME    what the image holds: s0, linear (s0, s1, s2) or all; default all\n"
-    "      --no-shadows         lets every surface see all of the light\n"
+    "      --no-shadows         computes no shadows\n"
     "      --bake-directions N  directions that shadows are traced in from each vertex, 256 to 65536;\n"
     "                           default 2048\n"
     "      --dering X           weakens high orders of the light against ringing; default 0, 0.001 helps\n"

@@ -49,7 +49,7 @@ std::array<double, 9> rotation(std::size_t axis, double angle) {
 }
 
 /// rotation * matrix, of which the last row stays.
-void turn(const std::array<double, 9>& r, double m[16]) {
+void set_rotation(const std::array<double, 9>& r, double m[16]) {
     for (std::size_t c = 0; c < 4; ++c) {
         const Vector v = column(m, c);
         for (std::size_t row = 0; row < 3; ++row)
@@ -105,6 +105,6 @@ nicol_camera camera_of(const View& view, const nicol_camera& own, std::uint32_t 
 
 void rotate_light(const View& view, std::uint32_t up, const double own[16], double rotated[16]) {
     std::copy_n(own, 16, rotated);
-    turn(rotation(up, view.light * kDegree), rotated);
-    turn(rotation(horizontal(up)[1], view.light_tilt * kDegree), rotated);
+    set_rotation(rotation(up, view.light * kDegree), rotated);
+    set_rotation(rotation(horizontal(up)[1], view.light_tilt * kDegree), rotated);
 }

@@ -21,7 +21,7 @@ std::chrono::steady_clock::duration duration(Seconds seconds) {
     return std::chrono::duration_cast<std::chrono::steady_clock::duration>(seconds);
 }
 
-/// What a request that cannot be read is told.
+/// The answer to a request that cannot be parsed.
 Problem problem_of(const error_code& error) {
     if (error == http::error::header_limit)
         return {.status = 431, .detail = "The request's header is too long."};
@@ -37,7 +37,7 @@ std::string text_of(beast::string_view text) {
 
 Connection::Connection(asio::ip::tcp::socket socket, const Surroundings& surroundings)
     : stream_(std::move(socket)), around_(surroundings), deadline_(stream_.get_executor()) {
-    // Answers go out in one piece; waiting for more would only delay their end.
+    // Answers are sent in one piece; Nagle's algorithm would only delay their end.
     error_code ignored;
     stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
 }
@@ -75,7 +75,7 @@ void Connection::wait_for_request() {
 
 void Connection::read() {
     in_request_ = true;
-    // The stream's own limit would close it, and the client be told nothing.
+    // The stream's own limit would close it without an answer.
     stream_.expires_never();
     late_ = false;
     limit(around_.options.read_limit, [this] {
@@ -129,7 +129,7 @@ void Connection::handle() {
 
 void Connection::render(const Render& render) {
     asked_ = std::chrono::steady_clock::now();
-    ticket_ = around_.dispatcher.ask(
+    ticket_ = around_.dispatcher.submit(
         render.tag, render.request, [self = shared_from_this(), render](const AnswerPtr& made) {
             self->ticket_.reset();
             self->unlimit();
@@ -156,7 +156,7 @@ void Connection::render(const Render& render) {
     watch();
 }
 
-/// Nothing is read while an image is made, but the end of the stream tells that nobody waits for it.
+/// Nothing is read while an image is rendered, but the end of the stream means that the client left.
 void Connection::watch() {
     stream_.socket().async_wait(asio::ip::tcp::socket::wait_read,
                                 [self = shared_from_this(), job = ticket_->job](const error_code& error) {

@@ -37,7 +37,7 @@ std::string hex(const Digest& digest) {
 }
 
 std::string entity_tag(std::string_view text) {
-    // 128 bits suffice against chance, and nobody gains from a collision.
+    // 128 bits suffice against accidental collisions; deliberate ones do no harm.
     return '"' + hex(sha256(text)).substr(0, 32) + '"';
 }
 

@@ -20,14 +20,14 @@ AnswerPtr unavailable(const char* why) {
 Dispatcher::Dispatcher(std::size_t queue_limit, Workers workers)
     : queue_limit_(queue_limit), workers_(std::move(workers)) {}
 
-std::optional<Dispatcher::Ticket> Dispatcher::ask(const std::string& key, const ImageRequest& request,
-                                                  Done done) {
+std::optional<Dispatcher::Ticket> Dispatcher::submit(const std::string& key, const ImageRequest& request,
+                                                     Done done) {
     if (const auto known = by_key_.find(key); known != by_key_.end()) {
         const JobPtr& job = known->second;
         job->waiters.emplace(++last_id_, std::move(done));
         return Ticket{.job = job->id, .waiter = last_id_, .joined = true};
     }
-    // An idle worker takes it at once; the queue is for those that must wait.
+    // An idle worker takes it at once; otherwise it is queued.
     if (idle_.empty() && queue_.size() >= queue_limit_) return std::nullopt;
     const auto job = std::make_shared<Job>();
     job->id = ++last_id_;
@@ -117,6 +117,6 @@ void Dispatcher::forget(const Job& job) {
 
 void Dispatcher::finish(const JobPtr& job, const AnswerPtr& answer) {
     forget(*job);
-    // Whoever is told may ask anew, which must not disturb the list.
+    // A callback may submit again, which must not invalidate the list.
     for (auto& [waiter, done] : std::exchange(job->waiters, {})) done(answer);
 }

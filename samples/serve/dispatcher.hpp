@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which request is rendered when and by which worker: a bounded queue, equal requests once, retries. No
-// sockets, no clocks: it is told what happens, and tells workers what to do.
+// sockets, no clocks: it receives events and sends commands to workers.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 #include "image_request.hpp"
 #include "message.hpp"
 
-/// What all who asked for the same get.
+/// The answer that all requests of a job share.
 struct Answer {
     ResultHead head;
     std::string content;  ///< of the image, or what went wrong
@@ -38,19 +38,17 @@ public:
 
     /// `key` is the same for equal requests. Nothing where the queue is full. `done` is called once, later,
     /// unless leave() comes first.
-    std::optional<Ticket> ask(const std::string& key, const ImageRequest& request, Done done);
-    /// Nobody waits for this answer any more. Where it was the last who did, the job leaves the queue or is
-    /// cancelled.
+    std::optional<Ticket> submit(const std::string& key, const ImageRequest& request, Done done);
+    /// The client of this answer left. If it was the job's last, the job leaves the queue or is cancelled.
     void leave(const Ticket& ticket);
 
     /// It takes a job now, at once or later.
     void worker_idle(int worker);
-    /// Tells all who wait. It gets no other job before worker_idle().
+    /// Answers all waiting requests. The worker gets no other job before worker_idle().
     void worker_done(int worker, std::uint64_t job, const AnswerPtr& answer);
     /// It crashed or was killed: its job is tried once more by another one, and then answered 503.
     void worker_lost(int worker);
-    /// Requests of before mean nothing any more: those that wait are answered 503, those that run are not
-    /// tried again.
+    /// Earlier requests are outdated: queued ones are answered 503, running ones are not tried again.
     void begin_generation();
 
     [[nodiscard]] std::size_t queued() const { return queue_.size(); }
@@ -78,7 +76,7 @@ private:
     std::deque<JobPtr> queue_;
     std::map<int, JobPtr> running_;          ///< by worker
     std::map<std::string, JobPtr> by_key_;   ///< those that can be joined
-    std::map<std::uint64_t, JobPtr> by_id_;  ///< all that somebody waits for
+    std::map<std::uint64_t, JobPtr> by_id_;  ///< jobs with waiting clients
     std::set<int> idle_;
     std::map<int, View> last_view_;  ///< of workers
 };

@@ -31,14 +31,14 @@ double wrapped(double value, double period) {
     return positive == period ? 0 : positive;
 }
 
-/// The parameters of one URL, each looked at with its row of the table.
+/// The parameters of one URL, each checked against its row of the table.
 class Reader {
 public:
     Reader(const Target& target, const Limits& limits, bool stokes)
         : target_(target), limits_(limits), table_(parameters(limits)) {
         for (const auto& parameter : target.query) {
             const std::string& name = parameter.first;
-            // Looked at where signatures are.
+            // Checked with the signature.
             if (name == "sig" || name == "expires") continue;
             const auto known =
                 std::ranges::find_if(table_, [&](const Parameter& p) { return p.name == name; });

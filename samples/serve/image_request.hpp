@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a client can ask of a scene, as numbers: the same in the front process and in the workers.
+// A request for an image of a scene, as numbers; used by the front process and the workers.
 #pragma once
 
 #include <array>
@@ -23,7 +23,8 @@ struct Orbit {
     bool operator==(const Orbit&) const = default;
 };
 
-/// What decides what is rendered; two images of one view differ only in how they are looked at. Plain data.
+/// The part of a request that determines the rendering; images of equal views differ only in the observer.
+/// Plain data.
 struct View {
     CameraKind camera = CameraKind::scene;
     std::uint32_t scene = 0;  ///< index

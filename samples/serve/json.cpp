@@ -58,7 +58,7 @@ std::string json_string(std::string_view text) {
 
 std::string json_number(double value) {
     std::array<char, 32> text{};
-    // Adding 0 turns -0 into 0.
+    // -0 + 0 is 0.
     const auto end =
         std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general).ptr;
     return {text.data(), end};

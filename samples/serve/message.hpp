@@ -16,7 +16,7 @@ enum class MessageKind : std::uint32_t {
     hello,   ///< worker: warm; the scenes follow
     failed,  ///< worker: cannot start; the reason follows
     job,     ///< front: a Job
-    cancel,  ///< front: nobody waits for this job any more; nothing follows
+    cancel,  ///< front: the job's clients left; nothing follows
     result   ///< worker: a ResultHead and the answer's content, or what went wrong
 };
 
@@ -29,7 +29,7 @@ struct Head {
 /// No message is longer; the largest Stokes image stays far below.
 constexpr std::uint32_t kMaxMessageBytes = 0x7fffffff;
 
-/// The verbs whose time is told, in this order.
+/// The verbs whose times are reported, in this order.
 constexpr std::array<const char*, 6> kVerbs = {"project", "bake", "relight", "shade", "draw", "encode"};
 
 struct ResultHead {
@@ -58,7 +58,7 @@ bool take(std::string_view& from, T& into) {
     return true;
 }
 
-/// What a worker is, told in its hello.
+/// Description of a worker, sent in its hello.
 struct Hello {
     std::string renderer;  ///< OpenGL's name and version
     std::vector<SceneInfo> scenes;

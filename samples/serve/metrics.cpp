@@ -82,12 +82,12 @@ std::string Metrics::text(const Gauges& now) const {
     text += line("cache_hits_total", label("kind", "view"), std::to_string(hits_view));
     text += single("queue_refused_total", "counter", "Requests that found the queue full.", refused_queue);
     text += single("clients_gone_total", "counter", "Clients that left before their answer.", clients_gone);
-    text += single("renders_cancelled_total", "counter", "Renders that were stopped as nobody waited.",
-                   cancelled);
+    text += single("renders_cancelled_total", "counter",
+                   "Renders that were cancelled because all clients left.", cancelled);
     text += head("workers_lost_total", "counter", "Worker processes that had to be replaced.");
     text += line("workers_lost_total", label("reason", "crash"), std::to_string(crashed));
     text += line("workers_lost_total", label("reason", "hang"), std::to_string(hung));
-    text += single("queue_length", "gauge", "Requests that wait for a worker.", now.queued);
+    text += single("queue_length", "gauge", "Requests in the queue.", now.queued);
     text += single("renders_running", "gauge", "Renders under way.", now.running);
     text += single("connections", "gauge", "Open connections.", now.connections);
     text += single("result_bytes", "gauge", "Answers kept for equal requests.", now.cached_bytes);
@@ -100,6 +100,6 @@ std::string Metrics::text(const Gauges& now) const {
     text += render_seconds.text("render_seconds", "");
     text += head("verb_seconds", "histogram", "Time of each verb of the renderer where it ran.");
     for (std::size_t i = 0; i < kVerbs.size(); ++i)
-        text += by_verb[i].text("verb_seconds", label("verb", verbs[i]));
+        text += by_verb[i].text("verb_seconds", label("verb", kVerbs[i]));
     return text;
 }

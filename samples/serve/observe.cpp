@@ -72,7 +72,7 @@ void polarization(const std::vector<float>& stokes, std::uint32_t channels, std:
             for (std::size_t p = 0; p < 3; ++p) sum[p] += finite(stokes[(i * channels + c) * 4 + p]);
         const auto [s0, s1, s2] = sum;
         if (!(s0 > 0) || (s1 == 0 && s2 == 0)) continue;
-        // s2 = -0 must not turn vertical into -pi/2.
+        // s2 = -0 must not make vertical into -pi/2.
         const float angle = 0.5f * std::atan2(s2 + 0.0f, s1);
         constexpr auto right_angle = static_cast<float>(std::numbers::pi / 2);
         into[2 * i] = angle <= -right_angle ? right_angle : angle;
@@ -80,9 +80,9 @@ void polarization(const std::vector<float>& stokes, std::uint32_t channels, std:
     }
 }
 
-void hue(float turn, float value, std::uint8_t* rgb) {
+void hue(float angle, float value, std::uint8_t* rgb) {
     for (std::size_t i = 0; i < 3; ++i) {
-        const float shifted = 6 * turn + std::array<float, 3>{0, 4, 2}[i];
+        const float shifted = 6 * angle + std::array<float, 3>{0, 4, 2}[i];
         const float distance = std::abs(shifted - 6 * std::floor(shifted / 6) - 3);
         rgb[i] = code(value * std::clamp(distance - 1, 0.0f, 1.0f));
     }

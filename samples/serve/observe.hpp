@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes images as observers see them: numbers, and colours as nicol_framebuffer_write_png has them.
+// Observers of Stokes images: values, and colours like those of nicol_framebuffer_write_png.
 #pragma once
 
 #include <nicol.h>
@@ -15,8 +15,8 @@ struct FloatImage {
     std::vector<float> data;
 };
 
-/// What the observer sees, a value a colour channel; dolp and aolp (radians) are of the channels' mean and
-/// have one. s0 and polarizer are times 2^exposure.
+/// The observed values, one per colour channel; dolp and aolp (radians) are of the channels' mean and have
+/// one. s0 and polarizer are times 2^exposure.
 FloatImage observe(nicol_framebuffer framebuffer, const ImageRequest& request);
 
 /// 8-bit R G B: s0 and polarizer (one channel or three) with the sRGB curve; s1, s2, s3 (their channels'

@@ -56,7 +56,7 @@ std::string problem_response(int status, const std::string& description) {
 std::string image_path(const Options& options, const Resource& resource) {
     const bool stokes = resource.format != Format::png && resource.format != Format::exr;
     std::string text = ",\"/scenes/{id}/" + std::string(resource.name) + "\":{\"get\":{\"summary\":";
-    text += json_string(stokes ? "The Stokes vector of every pixel" : "An image as an observer sees it");
+    text += json_string(stokes ? "The Stokes vector of every pixel" : "An image of an observer");
     text += ",\"parameters\":[" + image_parameters(options, stokes) + "],\"responses\":{";
     text += "\"200\":{\"description\":\"The image\",\"content\":{" + json_string(resource.type) + ":{}}}";
     text += R"(,"304":{"description":"As If-None-Match has it"})";

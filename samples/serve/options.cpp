@@ -7,7 +7,7 @@
 
 const char* const usage =
     "usage: nicol-serve --scenes DIR [options]\n"
-    "Renders the Mitsuba 3 scenes of a folder over HTTP: images, Stokes data and a page to look at them.\n"
+    "Renders the Mitsuba 3 scenes of a folder over HTTP: images, Stokes data and a viewer page.\n"
     "\n"
     "  --scenes DIR            every *.xml in it is a scene\n"
     "  --listen ADDRESS:PORT   default 127.0.0.1:8080; port 0 takes one that is free and prints it\n"
@@ -23,7 +23,7 @@ const char* const usage =
     "  --max-side N            of an image, default 2048\n"
     "  --max-pixels N          of an image, default 2097152\n"
     "  --max-order N           of light, 4 to 64, default 16\n"
-    "  --queue N               requests that may wait for a worker, default 64; more are answered 503\n"
+    "  --queue N               length of the queue, default 64; further requests are answered 503\n"
     "  --connections N         open at once, default 512; more are answered 503\n"
     "  --max-header BYTES      of a request, 256 to 1048576, default 8192\n"
     "  --max-body BYTES        of a request, default 1024; bodies are ignored\n"

@@ -59,7 +59,7 @@ std::vector<Parameter> parameters(const Limits& limits) {
          .least = -kFarthest,
          .most = kFarthest,
          .count = 3,
-         .description = "The point x,y,z that an orbiting camera looks at."},
+         .description = "The point x,y,z around which the camera orbits."},
         {.name = "matrix",
          .kind = Kind::numbers,
          .least = -kFarthest,
@@ -71,7 +71,7 @@ std::vector<Parameter> parameters(const Limits& limits) {
         {.name = "light",
          .least = -360,
          .most = 360,
-         .description = "Rotations the light about the vertical, degrees."},
+         .description = "Rotates the light about the vertical, degrees."},
         {.name = "light_tilt",
          .least = -180,
          .most = 180,
@@ -98,8 +98,9 @@ std::vector<Parameter> parameters(const Limits& limits) {
         {.name = "polarizer",
          .least = -360,
          .most = 360,
-         .description = "Looks through a linear polarizer at this angle, degrees counter-clockwise from the "
-                        "image's right.",
+         .description =
+             "The light behind a linear polarizer at this angle, degrees counter-clockwise from the "
+             "image's right.",
          .stokes = false},
         {.name = "exposure",
          .least = -20,

@@ -14,7 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr Seconds kFirstPause(0.25), kLongestPause(30);
-/// A worker that lives so long has not failed because of how it starts.
+/// A worker that ran this long has started successfully.
 constexpr Seconds kSettled(10);
 
 std::size_t worker_count(const Options& options) {

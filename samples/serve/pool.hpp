@@ -39,7 +39,7 @@ public:
     [[nodiscard]] const Hello* hello() const { return hello_ ? &*hello_ : nullptr; }
     [[nodiscard]] std::vector<WorkerState> states() const;
 
-    /// Called when scenes turn out to have changed on disk: answers of before are of other scenes.
+    /// Called when scenes have changed on disk: earlier answers are outdated.
     std::function<void()> scenes_changed;
 
 private:
@@ -73,6 +73,6 @@ private:
     std::optional<Hello> hello_;
     std::function<void(const std::string&)> failed_;
     boost::asio::signal_set child_ended_;
-    std::vector<pid_t> ended_;  ///< killed, not waited for yet
+    std::vector<pid_t> ended_;  ///< killed, not reaped yet
     bool stopped_ = false;
 };

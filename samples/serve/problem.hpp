@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a client is told when it gets no image: problem details as JSON (RFC 9457).
+// Error answers: problem details as JSON (RFC 9457).
 #pragma once
 
 #include <stdexcept>
@@ -13,7 +13,7 @@ struct Problem {
     int retry_after = 0;         ///< seconds; 0: no such header
 };
 
-/// Thrown by whatever looks at a request.
+/// Thrown while a request is checked.
 struct Refusal : std::runtime_error {
     explicit Refusal(Problem what) : std::runtime_error(what.detail), problem(std::move(what)) {}
     Problem problem;

@@ -12,5 +12,5 @@ std::vector<std::filesystem::path> find_scenes(const std::filesystem::path& fold
 
 /// SHA-256 in hexadecimal of the scene file and of all files that it names as a quoted value: meshes, light,
 /// materials and included scenes, these likewise. A "$name" in a value is what a <default> of the file says.
-/// Files are told apart by content, not by place or time.
+/// Files are identified by content, not by path or time.
 std::string scene_digest(const std::filesystem::path& path);

@@ -69,8 +69,8 @@ void Server::accept() {
         if (!acceptor_.is_open()) return;
         if (error) {
             // Out of file descriptors, most likely: some connection must end first.
-            constexpr auto breath = std::chrono::milliseconds(100);
-            pause_.expires_after(breath);
+            constexpr auto retry_delay = std::chrono::milliseconds(100);
+            pause_.expires_after(retry_delay);
             pause_.async_wait([this](const error_code& cancelled) {
                 if (!cancelled) accept();
             });

@@ -123,8 +123,7 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
         return respond(render, kept);
     }
     if (draining) refuse(503, "The service is about to end.", kNotReadySeconds);
-    if (*answer_bytes_ > options_.answer_bytes)
-        refuse(503, "Too many answers wait to be taken.", retry_after());
+    if (*answer_bytes_ > options_.answer_bytes) refuse(503, "Too many answers are unread.", retry_after());
     return render;
 }
 

@@ -14,7 +14,7 @@
 #include "problem.hpp"
 #include "result_cache.hpp"
 
-/// What the answers of the service look at in a request.
+/// The parts of a request that the service uses.
 struct Request {
     std::string method, target, if_none_match;
 };

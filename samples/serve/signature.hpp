@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Signed URLs: who has a key may hand out images, and nobody else can ask for others.
+// Signed URLs: only images whose URL was signed with a key can be requested.
 #pragma once
 
 #include <cstdint>

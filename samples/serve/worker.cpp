@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kCancelled = 499;
 
-/// The front process is gone: there is nobody left to work for.
+/// The front process ended.
 struct Gone {};
 
 class Channel {
@@ -64,12 +64,12 @@ private:
     int socket_;
 };
 
-/// What a render under way looks at: whether its job was cancelled, or everybody left.
+/// Polled during a render: whether its job was cancelled or the front process ended.
 struct Watch {
     const Channel& channel;
     std::uint64_t job;
 
-    static std::int32_t ask(void* user, const char*, double) {
+    static std::int32_t poll(void* user, const char*, double) {
         const auto& watch = *static_cast<const Watch*>(user);
         while (watch.channel.readable()) {
             // Exceptions must not pass through the library; the main loop meets the end of the stream again.
@@ -120,7 +120,7 @@ void render(const Channel& channel, std::uint64_t id, const ImageRequest& reques
     std::string content;
     try {
         content = stages.at(request.view.scene)
-                      .render(request, {.callback = Watch::ask, .user = &watch}, options.scratch, result);
+                      .render(request, {.callback = Watch::poll, .user = &watch}, options.scratch, result);
         result.status = 200;
     } catch (const RenderError& error) {
         result.status = status_of(error.code);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A worker process: holds every scene warm and renders what the front process asks for.
+// A worker process: keeps every scene baked and renders the front process's requests.
 #pragma once
 
 #include "options.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One worker process as the front process sees it: started, spoken to, killed.
+// The front process's side of a worker process.
 #pragma once
 
 #include <sys/types.h>
@@ -49,5 +49,5 @@ private:
     bool over_ = false;
 };
 
-/// Bytes of memory that the process holds, 0 where that cannot be told.
+/// Bytes of memory that the process uses, 0 if unknown.
 std::uint64_t resident_bytes(pid_t pid);

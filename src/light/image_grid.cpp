@@ -94,7 +94,7 @@ EquirectImage synthesize_image(const PshVector& field, int width, int height) {
     EquirectImage image(width, height, field.channels());
     ImageGrid(order, width, height).synthesize(rotated(part, glm::transpose(equirect_axes())), image);
     // Transforms share work between components, which leaves rounding errors in those that are zero.
-    const std::array<bool, 4> there = components_of(part);
+    const std::array<bool, 4> present = components_of(part);
     for (std::size_t i = 0; i < image.data.size(); ++i)
         if (!present[i % 4]) image.data[i] = 0;
     return image;

@@ -109,7 +109,7 @@ def check_pareto(folder, scene):
                          for method, high in (("factored", ""), ("factored", " + split to 32"), ("dense", ""),
                                               ("dense", " + convolution to 9"))}, rows
     for row in rows.values():
-        assert row["light turning ms"] > 0 and row["camera only ms"] > 0, row
+        assert row["light rotating ms"] > 0 and row["camera only ms"] > 0, row
     drawing = xml.etree.ElementTree.parse(plot).getroot()
     points = [e for e in drawing.iter() if e.tag.endswith("circle")]
     assert len(points) == 4 * len(rows), len(points)

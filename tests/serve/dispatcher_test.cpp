@@ -21,7 +21,7 @@ struct Fixture {
                                           double azimuth = 0) {
         ImageRequest request;
         request.view.orbit.azimuth = azimuth;
-        return dispatcher.ask(key, request, [this, who](const AnswerPtr& answer) {
+        return dispatcher.submit(key, request, [this, who](const AnswerPtr& answer) {
             answers.emplace_back(who, answer->head.status);
         });
     }
@@ -180,8 +180,8 @@ TEST_CASE("who is told may ask again at once") {
         4, {.start = [](int, std::uint64_t, const ImageRequest&) {}, .cancel = [](int, std::uint64_t) {}});
     dispatcher.worker_idle(0);
     bool again = false;
-    const auto first = dispatcher.ask("a", {}, [&](const AnswerPtr&) {
-        again = !dispatcher.ask("a", {}, [](const AnswerPtr&) {})->joined;
+    const auto first = dispatcher.submit("a", {}, [&](const AnswerPtr&) {
+        again = !dispatcher.submit("a", {}, [](const AnswerPtr&) {})->joined;
     });
     dispatcher.worker_done(0, first->job, std::make_shared<Answer>());
     CHECK(again);

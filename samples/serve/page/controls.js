@@ -60,16 +60,16 @@ export function listenToImage(canvas, { state, move, hover }) {
 }
 
 export function listenToDial(dial, { state, change }) {
-  const turn = (event) => {
+  const rotate = (event) => {
     const box = dial.getBoundingClientRect();
     const y = box.top + box.height / 2 - event.clientY, x = event.clientX - box.left - box.width / 2;
     change({ polarizer: Math.round((Math.atan2(y, x) * 180) / Math.PI) });
   };
   dial.addEventListener("pointerdown", (event) => {
     dial.setPointerCapture(event.pointerId);
-    turn(event);
+    rotate(event);
   });
-  dial.addEventListener("pointermove", (event) => event.buttons && turn(event));
+  dial.addEventListener("pointermove", (event) => event.buttons && rotate(event));
   dial.addEventListener("keydown", (event) => {
     const step = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
     if (!step && event.key !== "Home") return;

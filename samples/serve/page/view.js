@@ -22,8 +22,8 @@ vec3 srgb(vec3 v) {
   v = clamp(v, 0.0, 1.0);
   return mix(12.92 * v, 1.055 * pow(v, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, v));
 }
-vec3 hue(float turn) {
-  return clamp(abs(fract(turn + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
+vec3 hue(float angle) {
+  return clamp(abs(fract(angle + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0, 0.0, 1.0);
 }
 void main() {
   vec2 place = vec2(gl_FragCoord.x, size.y - gl_FragCoord.y) / size;
@@ -104,9 +104,9 @@ export function drawWheel(canvas) {
     for (let x = 0; x < side; ++x) {
       const dx = x + 0.5 - side / 2, dy = side / 2 - y - 0.5, radius = Math.hypot(dx, dy) / (side / 2);
       if (radius > 1) continue;
-      const turn = (Math.atan2(dy, dx) / Math.PI + 2) % 1;
+      const angle = (Math.atan2(dy, dx) / Math.PI + 2) % 1;
       [0, 2, 1].forEach((shift, i) => {
-        const part = (turn + shift / 3) % 1;
+        const part = (angle + shift / 3) % 1;
         image.data[4 * (y * side + x) + i] = 255 * radius * Math.max(0, Math.min(1, Math.abs(part * 6 - 3) - 1));
       });
       image.data[4 * (y * side + x) + 3] = 255;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "costume.hpp"
+#include "scene_variant.hpp"
 
 namespace {
 
@@ -39,11 +39,11 @@ Material surface(nicol_context context, std::uint32_t channels, bool polarizing)
 
 }  // namespace
 
-void dress(Stage& stage, Costume costume) {
-    if (costume == Costume::own) return;
+void apply_variant(Stage& stage, SceneVariant variant) {
+    if (variant == SceneVariant::original) return;
     std::uint32_t channels = 0;
     check(nicol_scene_get_channels(stage.scene(), &channels));
-    const bool full = costume == Costume::full;
-    stage.set_light(sky(stage.context(), channels, full));
-    stage.set_material(surface(stage.context(), channels, full).get());
+    const bool polarized = variant == SceneVariant::polarized;
+    stage.set_light(sky(stage.context(), channels, polarized));
+    stage.set_material(surface(stage.context(), channels, polarized).get());
 }

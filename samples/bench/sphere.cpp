@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "bumpy_sphere.hpp"
+#include "sphere.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-Mesh make_bumpy_sphere(nicol_context context, std::uint32_t vertices) {
+Mesh make_sphere(nicol_context context, std::uint32_t vertices, double amplitude) {
     // Rows between the poles, of twice as many columns; a pole is one vertex.
     const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(vertices / 2.0)));
     const std::uint32_t columns = 2 * rows;
     std::vector<float> positions;
     const auto add = [&](double theta, double phi) {
-        const double radius = 1 + 0.1 * std::sin(7 * theta) * std::sin(6 * phi) * std::sin(theta);
+        const double radius = 1 + amplitude * std::sin(7 * theta) * std::sin(6 * phi) * std::sin(theta);
         positions.push_back(static_cast<float>(radius * std::sin(theta) * std::cos(phi)));
         positions.push_back(static_cast<float>(radius * std::cos(theta)));
         positions.push_back(static_cast<float>(-radius * std::sin(theta) * std::sin(phi)));

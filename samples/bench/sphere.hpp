@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// A sphere mesh of any size, with waves that shadow each other.
+#pragma once
+
+#include "common/handles.hpp"
+
+/// About `vertices` of them, on a sphere of radius 1 with waves of the given amplitude; 0: convex.
+Mesh make_sphere(nicol_context context, std::uint32_t vertices, double amplitude);
