@@ -3,7 +3,7 @@
 
 const float PI = 3.14159265358979;
 
-// The angle of (x, y), 0 where both are. Drivers' own atan() may miss by 1e-5, a visible part of a texel.
+// The angle of (x, y), 0 where both are 0. Drivers' own atan() may err by 1e-5, a visible part of a texel.
 float angle_of(float y, float x) {
     vec2 size = abs(vec2(x, y));
     float large = max(size.x, size.y);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Depth, normal, position and instance of a pixel's surface.
+// AOVs: depth, normal, position and instance.
 #version 450 core
 
-// ATTACHMENTS: how many there are. NORMALS, DEPTH, POSITIONS, INSTANCES: the first float of each, where it is wanted.
+// ATTACHMENTS: their number. NORMALS, DEPTH, POSITIONS, INSTANCES: the position of its first float, if it is requested.
 layout(location = 0) in vec3 vertex_position;
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 0) out vec4 pixel[ATTACHMENTS];
 
 #ifdef DEPTH
-uniform vec3 eye;       // of a camera in the world
-uniform vec3 eye_rest;  // what single precision leaves of it
+uniform vec3 eye;       // the camera's position in the world
+uniform vec3 eye_rest;  // its rounding error in single precision
 uniform vec3 forward;
 #endif
 #ifdef INSTANCES
@@ -20,13 +20,13 @@ void main() {
     float value[4 * ATTACHMENTS];
     for (int i = 0; i < 4 * ATTACHMENTS; ++i) value[i] = 0.0;
 #ifdef NORMALS
-    // Opposite normals may cancel in between.
+    // Interpolated normals may cancel.
     vec3 normal = dot(vertex_normal, vertex_normal) > 1e-12 ? normalize(vertex_normal) : vec3(0.0);
     for (int i = 0; i < 3; ++i) value[NORMALS + i] = normal[i];
 #endif
 #ifdef DEPTH
-    precise vec3 way = (vertex_position - eye) - eye_rest;
-    value[DEPTH] = dot(forward, way);
+    precise vec3 offset = (vertex_position - eye) - eye_rest;
+    value[DEPTH] = dot(forward, offset);
 #endif
 #ifdef POSITIONS
     for (int i = 0; i < 3; ++i) value[POSITIONS + i] = vertex_position[i];

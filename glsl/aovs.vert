@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces to their planes.
+// Passes vertices on to the AOVs.
 #version 450 core
 
 layout(location = 0) in vec3 position;
@@ -8,8 +8,8 @@ layout(location = 1) in vec3 normal;
 layout(location = 0) out vec3 vertex_position;
 layout(location = 1) out vec3 vertex_normal;
 
-uniform mat4 to_clip;   // from the vertices' axes
-uniform mat4 to_world;  // likewise; a turn and a shift
+uniform mat4 to_clip;   // from the axes of the vertices
+uniform mat4 to_world;  // likewise; a rotation and a translation
 
 void main() {
     vertex_position = (to_world * vec4(position, 1.0)).xyz;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The environment itself, where nothing hides it.
+// The environment behind the surfaces.
 #version 450 core
 
 layout(location = 0) in vec2 uv;  // (0, 0) upper left
@@ -14,7 +14,7 @@ layout(binding = 0) uniform sampler2D environment;
 
 uniform mat3 camera;        // columns: right, up, forward in the world
 uniform vec2 half_size;     // of the image at unit distance
-uniform bool orthographic;  // every pixel looks along forward
+uniform bool orthographic;  // all pixels share the direction `forward`
 uniform mat3 to_light;      // world directions to the environment's axes, y up
 uniform float scale;
 

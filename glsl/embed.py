@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Rotations GLSL stages into a C++ source: python3 embed.py OUTPUT FUNCTION FILE...
+"""Embeds GLSL stages in a C++ source: python3 embed.py OUTPUT FUNCTION FILE...
 
-Stages (.vert, .frag, .comp) become entries of nicol::gl::FUNCTION(); other files are only there to be included.
-`#include "name"` finds one of the given files, the one beside the including file first, so that a build knows all
-it depends on. A stage holds each file once, where it is asked for first, whatever #if surrounds it.
+Stages (.vert, .frag, .comp) become entries of nicol::gl::FUNCTION(); other files are only included.
+`#include "name"` finds one of the given files, the one beside the including file first, so that the build knows all
+dependencies. A stage contains each file once, at its first #include, even inside an #if.
 """
 import pathlib
 import re

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an observer sees of a Stokes image, pixel by pixel, into a texture of anyone's.
+// An observer's image of a Stokes image, pixel by pixel.
 #version 450 core
 
 layout(location = 0) out vec4 pixel;
@@ -7,8 +7,8 @@ layout(location = 0) out vec4 pixel;
 layout(binding = 0) uniform sampler2D stokes[CHANNELS];
 
 uniform int kind;        // 0 the Stokes vector itself, 1 radiance, 2 signed component, 3 DoLP, 4 AoLP
-uniform vec4 analyzer;   // radiance and signed component: what is seen is dot(analyzer, s)
-uniform bool encode;     // radiance: by the sRGB curve
+uniform vec4 analyzer;   // radiance and signed component: the value is dot(analyzer, s)
+uniform bool encode;     // radiance: sRGB-encoded
 uniform bool bottom_up;  // the image's last row goes into row 0
 
 const float PI = 3.14159265358979;
@@ -32,8 +32,8 @@ float dolp(vec4 s) {
     return s.x > 0.0 ? min(length(s.yz) / s.x, 1.0) : 0.0;
 }
 
-vec3 hue(float turn) {
-    return clamp(abs(mod(6.0 * turn + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0);
+vec3 hue(float angle) {
+    return clamp(abs(mod(6.0 * angle + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0);
 }
 
 void main() {
@@ -43,17 +43,17 @@ void main() {
         pixel = texelFetch(stokes[0], at, 0);
         return;
     }
-    vec3 seen = vec3(0.0);
+    vec3 colour = vec3(0.0);
     if (kind == 1) {
         for (int i = 0; i < 3; ++i)
-            seen[i] = dot(analyzer, finite_or_zero(texelFetch(stokes[min(i, CHANNELS - 1)], at, 0)));
-        if (encode) seen = srgb(seen);
+            colour[i] = dot(analyzer, finite_or_zero(texelFetch(stokes[min(i, CHANNELS - 1)], at, 0)));
+        if (encode) colour = srgb(colour);
     } else {
         vec4 s = mean(at);
         float value = dot(analyzer, s);
-        if (kind == 2) seen = value < 0.0 ? vec3(-value, 0.0, 0.0) : vec3(0.0, value, 0.0);
-        if (kind == 3) seen = vec3(dolp(s));
-        if (kind == 4) seen = dolp(s) * hue(s.y == 0.0 && s.z == 0.0 ? 0.0 : 0.5 * atan(s.z, s.y) / PI);
+        if (kind == 2) colour = value < 0.0 ? vec3(-value, 0.0, 0.0) : vec3(0.0, value, 0.0);
+        if (kind == 3) colour = vec3(dolp(s));
+        if (kind == 4) colour = dolp(s) * hue(s.y == 0.0 && s.z == 0.0 ? 0.0 : 0.5 * atan(s.z, s.y) / PI);
     }
-    pixel = vec4(seen, 1.0);
+    pixel = vec4(colour, 1.0);
 }

@@ -5,7 +5,7 @@ bool is_physical(vec4 stokes) {
     return stokes.x >= 0.0 && dot(stokes.yzw, stokes.yzw) <= stokes.x * stokes.x;
 }
 
-// s0 at least 0, and of the polarized part no more than that.
+// Clamps s0 to 0 and the polarized part to s0.
 vec4 made_physical(vec4 stokes) {
     float polarized2 = dot(stokes.yzw, stokes.yzw);
     float s0 = max(stokes.x, 0.0);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes vectors between vertices. All are in the camera's frame field, which is smooth over the image, so plain
-// interpolation is right.
+// Interpolates the vertices' Stokes vectors. They are all in the camera's frame field, which is smooth over the image.
 #version 450 core
 
 layout(location = 0) in vec4 vertex_stokes[CHANNELS];
@@ -14,8 +13,8 @@ layout(location = 0) out vec4 pixel[CHANNELS];
 
 layout(location = 4) in vec3 vertex_position;
 layout(location = 5) in vec3 vertex_normal;
-// The visible fractions of lobes are numbers without a frame, smooth where shadows are: vertices have them from many
-// coefficients of visibility, which are in frames of their own and cannot be interpolated.
+// The visible fractions of lobes are scalars and can be interpolated, unlike the coefficients of visibility, which are in
+// the vertices' own frames.
 #ifdef SHADOWED
 layout(location = 6) in vec2 vertex_visible;
 #endif
@@ -32,14 +31,14 @@ uniform bool physical;
 #endif
 
 void main() {
-    // Materials have no back: seen from behind they are black, yet hide what lies behind them.
+    // Back faces are black and opaque.
     if (!gl_FrontFacing) {
         for (int c = 0; c < CHANNELS; ++c) pixel[c] = vec4(0.0);
         return;
     }
 #ifdef HIGH_ORDERS
     vec3 view = towards_camera(vertex_position);
-    // Opposite normals may cancel in between.
+    // Interpolated normals may cancel.
     vec3 normal = dot(vertex_normal, vertex_normal) > 1e-12 ? normalize(vertex_normal) : view;
 #ifdef SHADOWED
     vec2 visible = clamp(vertex_visible, 0.0, 1.0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Shaded vertices to the image.
+// Passes shaded vertices on.
 #version 450 core
 
-// CHANNELS: colour channels drawn at once. HIGH_ORDERS: pixels look up high orders; SHADOWED: dimmed by what the vertices
-// see.
+// CHANNELS: colour channels drawn at once. HIGH_ORDERS: pixels look up high orders; SHADOWED: times the visible
+// fractions at the vertices.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 stokes[CHANNELS];
 

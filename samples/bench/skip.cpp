@@ -31,6 +31,7 @@ struct Case {
     bool polarized = false;
     bool convex = false;
     std::uint32_t light_order = 16;
+    std::int32_t order_low = 0;  // 0: default
 };
 
 const Case kCases[] = {
@@ -46,11 +47,12 @@ const Case kCases[] = {
      .optimisation = NICOL_OPTIMISATION_ORDERS,
      .change = Change::light,
      .light_order = 4},
-    {.name = "material depolarizing, light polarized",
+    {.name = "material depolarizing, order 12",
      .optimisation = NICOL_OPTIMISATION_RESPONSE_ROWS,
      .change = Change::camera,
      .diffuse = true,
-     .polarized = true},
+     .polarized = true,
+     .order_low = 12},
     {.name = "vertices hidden", .optimisation = NICOL_OPTIMISATION_HIDDEN, .change = Change::camera},
     {.name = "convex object, no shadows",
      .optimisation = NICOL_OPTIMISATION_UNOCCLUDED,
@@ -116,6 +118,8 @@ public:
         nicol_framebuffer framebuffer = nullptr;
         check(nicol_framebuffer_create(context, size, size, kChannels, &framebuffer));
         framebuffer_.reset(framebuffer);
+        options_.order_low = use.order_low;
+        if (use.order_low > 0) options_.high_orders = NICOL_HIGH_ORDERS_NONE;
         options_.disabled_optimisations = enabled ? 0 : use.optimisation;
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotations one light into the frames of sixteen vertices at once.
+// Rotates one light into the frames of sixteen vertices at once.
 #pragma once
 
 #include <complex>

@@ -12,7 +12,7 @@
 
 namespace nicol {
 
-/// Rotations bits into coefficients over real harmonics, [psh_index(l, m)], of the PROPAGATION direction of
+/// Converts bits into coefficients over real harmonics, [psh_index(l, m)], of the PROPAGATION direction of
 /// the light, as its own coefficients are, in theta_phi_frame(normal). The quadrature is corrected so that
 /// what is seen nowhere is 0 and what is seen everywhere above the horizon is exact: sqrt(4 pi), 0, 0 ... for
 /// `mirrored`, the half sphere for `dark`.

@@ -43,7 +43,7 @@ struct Scene {
     }
 
     /// 1 where a pixel and its eight neighbours show the same object. Under even light without shadows the
-    /// background is 1, the plane grey and the statue coloured. Rotations the scene's light into that.
+    /// background is 1, the plane grey and the statue coloured. Sets the scene's light to that.
     [[nodiscard]] std::vector<char> inner_pixels() const {
         nicol_environment even = nullptr;
         const nicol_spectrum one = spectrum({1, 1, 1});
