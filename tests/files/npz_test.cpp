@@ -2,11 +2,8 @@
 // NumPy archives: what is written comes back, and archives of others are read.
 #include "files/npz.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cstdlib>
-
-#include "image/temporary_folder.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
@@ -34,13 +31,8 @@ TEST_CASE("Members come back as they were written") {
 }
 
 TEST_CASE("The authors' archives are read") {
-    const char* data = std::getenv("NICOL_TEST_DATA");
-    const std::filesystem::path file =
-        std::filesystem::path(data != nullptr ? data : "") / "polarsh/SHVec_sponza_1024_L100.npz";
-    if (!std::filesystem::exists(file)) {
-        MESSAGE("skipped: no " << file.string());
-        return;
-    }
+    const auto file = test_data("polarsh/SHVec_sponza_1024_L100.npz");
+    if (file.empty()) return;
     CHECK(read_npz_text(file, "cod_type") == "POLAR4");
     CHECK(read_npz_text(file, "sh_type") == "REAL");
     const NpyArray coefficients = read_npz_member(file, "coeff");

@@ -1,45 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Mesh files: the same surface through every format.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <glm/geometric.hpp>
 #include <iostream>
 #include <locale>
 #include <map>
-#include <random>
 #include <sstream>
 #include <thread>
 
-#include "error.hpp"
+#include "geometry/measures.hpp"
 #include "geometry/mesh.hpp"
-#include "geometry/temporary_folder.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using nicol::load_mesh;
 using nicol::Mesh;
 
 namespace {
-
-double area(const Mesh& mesh) {
-    double sum = 0.0;
-    for (const glm::uvec3& t : mesh.triangles)
-        sum += 0.5 * glm::length(glm::cross(mesh.positions[t.y] - mesh.positions[t.x],
-                                            mesh.positions[t.z] - mesh.positions[t.x]));
-    return sum;
-}
-
-/// Positive and the volume inside if the mesh is closed and its front is outside.
-double volume(const Mesh& mesh) {
-    double sum = 0.0;
-    for (const glm::uvec3& t : mesh.triangles)
-        sum += glm::dot(mesh.positions[t.x], glm::cross(mesh.positions[t.y], mesh.positions[t.z])) / 6.0;
-    return sum;
-}
 
 template <class T>
 std::string raw(T value, bool big = false) {
@@ -379,16 +355,12 @@ TEST_CASE("several threads may load at once") {
 }
 
 TEST_CASE("the scene of the paper loads") {
-    const char* data = std::getenv("NICOL_TEST_DATA");
-    const std::filesystem::path folder = std::filesystem::path(data ? data : "") / "polarsh";
-    if (!std::filesystem::exists(folder / "buddha.obj")) {
-        MESSAGE("skipped: NICOL_TEST_DATA holds no polarsh/buddha.obj");
-        return;
-    }
-    const Mesh buddha = load_mesh(folder / "buddha.obj");
+    const std::filesystem::path file = test_data("polarsh/buddha.obj");
+    if (file.empty()) return;
+    const Mesh buddha = load_mesh(file);
     CHECK(buddha.positions.size() == 19004);
     CHECK(buddha.triangles.size() == 38034);
-    const Mesh plane = load_mesh(folder / "plane.obj");
+    const Mesh plane = load_mesh(file.parent_path() / "plane.obj");
     CHECK(plane.positions.size() == 761);
     CHECK(plane.triangles.size() == 1476);
     CHECK(area(plane) == doctest::Approx(100.0));

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/principal_axes.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <limits>
-#include <random>
-#include <vector>
+
+#include "test.hpp"
 
 using namespace nicol;
 

@@ -2,12 +2,10 @@
 // For tests that need OpenGL: every backend, one context each.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <memory>
 #include <optional>
 
 #include "gl/context.hpp"
+#include "test.hpp"
 
 namespace nicol::gl {
 

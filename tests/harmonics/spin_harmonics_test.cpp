@@ -2,19 +2,11 @@
 // Spin harmonics against explicit sums in high precision, next to and at both poles.
 #include "harmonics/spin_harmonics.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <vector>
-
-#include "error.hpp"
 #include "harmonics/grid.hpp"
 #include "harmonics/reference.hpp"
+#include "test.hpp"
 
 using namespace nicol;
-using std::numbers::pi;
 
 namespace {
 
@@ -54,21 +46,6 @@ double worst_in_units_of_l_eps(int spin, const std::vector<int>& orders, const s
 
 const std::vector<double> kThetas = {0, 1e-300, 1e-12, 1e-6, 1e-3, .7, pi / 2, 2.5, pi - 1e-6, pi};
 
-/// Eq. 26 as printed, through scalar harmonics.
-double closed_form(int l, int m, double theta) {
-    std::vector<double> y(psh_count(l));
-    spin_harmonics(0, l, theta, y);
-    const double s = std::sin(theta);
-    const double cot = std::cos(theta) / s;
-    const double alpha =
-        (2.0 * m * m - l * (l + 1)) / (s * s) - 2.0 * m * (l - 1) * cot / s + l * (l - 1) * cot * cot;
-    const double beta =
-        2 * std::sqrt((2.0 * l + 1) / (2.0 * l - 1) * (l * l - m * m)) * (m / (s * s) + cot / s);
-    const double below = std::abs(m) <= l - 1 ? y[psh_index(l - 1, m)] : 0;
-    return std::sqrt(1.0 / ((l + 2.0) * (l + 1.0) * l * (l - 1.0))) *
-           (alpha * y[psh_index(l, m)] + beta * below);
-}
-
 }  // namespace
 
 TEST_CASE("spin harmonics are right to 5 l eps at low and middle orders, every spin") {
@@ -103,7 +80,7 @@ TEST_CASE("the poles are exact") {
 
 TEST_CASE("no value is lost up to order 4096") {
     std::vector<double> y(psh_count(kMaxOrder));
-    for (const double theta : {1e-3, .4, pi}) {
+    for (const double theta : {1e-3, .3, .4, pi}) {
         for (const int spin : {0, 2}) {
             spin_harmonics(spin, kMaxOrder, theta, y);
             // sum over m of |sY_lm|^2 is (2l+1)/4pi everywhere: it fails if any value that counts is missing.
@@ -118,27 +95,6 @@ TEST_CASE("no value is lost up to order 4096") {
     for (const int m : {-1500, -2, 900, 1594})
         CHECK(y[psh_index(4096, m)] ==
               doctest::Approx(reference::spin_harmonic(2, 4096, m, .4)).epsilon(0).scale(1).epsilon(1e-11));
-}
-
-TEST_CASE("starts without an exponent of their own lose values: why the recursion carries one") {
-    // d^l_{l,-2} starts at about 2^-1075 at this angle and would be flushed; l later, the harmonic is 0.1.
-    const double theta = .3;
-    const int m = 900;
-    const double s = std::sin(theta / 2);
-    const double c = std::cos(theta / 2);
-    CHECK(std::pow(c, m - 2) * std::pow(s, m + 2) == 0);
-    std::vector<double> y(psh_count(4000));
-    spin_harmonics(2, 4000, theta, y);
-    double largest = 0;
-    for (int l = m; l <= 4000; ++l) largest = std::max(largest, std::abs(y[psh_index(l, m)]));
-    CHECK(largest > .1);
-}
-
-TEST_CASE("the closed form of Eq. 26 is right in the middle and useless next to a pole") {
-    for (const int m : {-2, 0, 1, 4})
-        CHECK(closed_form(5, m, .9) == doctest::Approx(reference::spin_harmonic(2, 5, m, .9)).epsilon(1e-12));
-    CHECK(std::abs(closed_form(5, 0, 1e-6) - reference::spin_harmonic(2, 5, 0, 1e-6)) > 1e-7);
-    CHECK_FALSE(std::isfinite(closed_form(5, -2, 0)));
 }
 
 TEST_CASE("conjugation: conj(sY_lm) = (-1)^(s+m) (-s)Y_{l,-m}") {

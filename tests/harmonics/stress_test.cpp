@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Random orders, directions, rotations and coefficients of every size at the whole folder. The seed is
 // printed and can be given in NICOL_STRESS_SEED; NICOL_STRESS_CASES sets how many.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <glm/matrix.hpp>
-#include <random>
-#include <string>
-
-#include "error.hpp"
 #include "harmonics/convolution.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/product.hpp"
 #include "harmonics/reference.hpp"
 #include "harmonics/rotation.hpp"
 #include "harmonics/transform.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 

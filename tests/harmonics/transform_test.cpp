@@ -2,19 +2,11 @@
 // Transforms: exact on every grid for band-limited fields, and equal to evaluation point by point.
 #include "harmonics/transform.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <vector>
-
-#include "error.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/reference.hpp"
+#include "test.hpp"
 
 using namespace nicol;
-using std::numbers::pi;
 
 namespace {
 
@@ -125,7 +117,7 @@ TEST_CASE("rows that are not mirrored between north and south work, too") {
     CHECK(left == doctest::Approx(right).epsilon(1e-12));
 }
 
-TEST_CASE("weights integrate polynomials; sin(theta) dtheta weights do not") {
+TEST_CASE("weights integrate polynomials") {
     const auto moment = [](const LatitudeRows& rows, int power) {
         double sum = 0;
         for (std::size_t j = 0; j < rows.theta.size(); ++j) {
@@ -143,9 +135,6 @@ TEST_CASE("weights integrate polynomials; sin(theta) dtheta weights do not") {
             if (n > 1 && power < n) CHECK(std::abs(moment(clenshaw_curtis_rows(n), power) - want) < 3e-15);
         }
     }
-    LatitudeRows naive = fejer_rows(512);
-    for (std::size_t j = 0; j < 512; ++j) naive.weight[j] = std::sin(naive.theta[j]) * pi / 512;
-    CHECK(std::abs(moment(naive, 20) - 2.0 / 21) > 1e-7);
     CHECK(gauss_legendre_rows(3).weight[1] == doctest::Approx(8.0 / 9));
     CHECK(gauss_legendre_rows(2).theta[0] == doctest::Approx(std::acos(1 / std::sqrt(3))));
 }
@@ -170,42 +159,18 @@ TEST_CASE("cube maps: solid angles, orientation, and exact analysis of what they
     CHECK(reference::max_difference(f.data(), back) < 1e-13);
     project_samples(6, grid.direction, samples, grid.solid_angle, back);
     CHECK(reference::max_difference(f.data(), back) > 1e-4);
-    CHECK_THROWS_AS((void)cube_grid(0), Error);
-    CHECK_THROWS_AS((void)cube_grid(kMaxCubeSize + 1), Error);
+    CHECK_THROWS_AS(cube_grid(0), Error);
+    CHECK_THROWS_AS(cube_grid(kMaxCubeSize + 1), Error);
     CHECK_THROWS_AS(analyze_cube(grid, samples, 10, back), Error);
     CHECK_THROWS_AS(analyze_cube(grid, samples, 5, back), Error);
     CHECK_THROWS_AS(analyze_cube(grid, std::span(samples).first(9), 6, back), Error);
 }
 
-TEST_CASE("the naive projection onto scalar harmonics loses what spin harmonics keep") {
-    // s1 = const along the theta-phi frame near the pole is no smooth field; a constant linear polarization
-    // carried over the pole is, and only spin-2 harmonics represent it with few coefficients.
-    std::mt19937_64 random(5);
-    PshVector f(2, 1);
-    f.at(0, 2, -2, 1) = 1;
-    PshTransform wide(20, gauss_legendre_rows(21), 41);
-    std::vector<double> samples(4 * 21 * 41);
-    std::vector<double> padded(4 * psh_count(20));
-    std::ranges::copy(f.data(), padded.begin());
-    wide.synthesize(padded, samples);
-    for (std::size_t i = 0; i < samples.size(); i += 4) samples[i] = samples[i + 1];  // s1 taken for a scalar
-    std::vector<double> naive(padded.size());
-    wide.analyze(samples, naive);
-    double beyond = 0;
-    double beyond_spin = 0;
-    for (std::size_t i = psh_index(3, -3); i < psh_count(20); ++i) {
-        beyond += naive[4 * i] * naive[4 * i];
-        beyond_spin += naive[4 * i + 1] * naive[4 * i + 1] + naive[4 * i + 2] * naive[4 * i + 2];
-    }
-    CHECK(beyond > 1e-3);
-    CHECK(beyond_spin < 1e-24);
-}
-
 TEST_CASE("transforms refuse bad arguments") {
-    CHECK_THROWS_AS((void)gauss_legendre_rows(0), Error);
-    CHECK_THROWS_AS((void)gauss_legendre_rows(kMaxGaussRows + 1), Error);
-    CHECK_THROWS_AS((void)fejer_rows(-3), Error);
-    CHECK_THROWS_AS((void)clenshaw_curtis_rows(1), Error);
+    CHECK_THROWS_AS(gauss_legendre_rows(0), Error);
+    CHECK_THROWS_AS(gauss_legendre_rows(kMaxGaussRows + 1), Error);
+    CHECK_THROWS_AS(fejer_rows(-3), Error);
+    CHECK_THROWS_AS(clenshaw_curtis_rows(1), Error);
     CHECK_THROWS_AS(PshTransform(-1, fejer_rows(3), 3), Error);
     CHECK_THROWS_AS(PshTransform(2, fejer_rows(5), 4), Error);
     CHECK_THROWS_AS(PshTransform(2, fejer_rows(5), 5, NAN), Error);

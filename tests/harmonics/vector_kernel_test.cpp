@@ -2,17 +2,9 @@
 // The loops of every instruction set this processor has do the same, and transforms of any length are right.
 #include "harmonics/vector_kernel.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <numbers>
-#include <random>
-#include <vector>
-
 #include "harmonics/batch_fft.hpp"
 #include "harmonics/reference.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
@@ -136,10 +128,9 @@ TEST_CASE("Fourier transforms of every kind of length agree with the sum") {
                 for (std::size_t lane = 0; lane < BatchFft::kLanes; ++lane) {
                     std::complex<double> sum = 0;
                     for (std::size_t i = 0; i < count; ++i)
-                        sum +=
-                            std::complex(in[BatchFft::kElement * i + lane],
-                                         in[BatchFft::kElement * i + 8 + lane]) *
-                            std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(i * k % count) / n);
+                        sum += std::complex(in[BatchFft::kElement * i + lane],
+                                            in[BatchFft::kElement * i + 8 + lane]) *
+                               std::polar(1.0, -2 * pi * static_cast<double>(i * k % count) / n);
                     worst =
                         std::max(worst, std::abs(sum - std::complex(out[BatchFft::kElement * k + lane],
                                                                     out[BatchFft::kElement * k + 8 + lane])));
@@ -157,8 +148,8 @@ TEST_CASE("Fourier stages and small products agree between instruction sets") {
         const auto twiddles = random_values(random, 2 * 2 * (p - 1));
         std::vector<double> roots;
         for (int j = 0; j < factor; ++j) {
-            roots.push_back(std::cos(2 * std::numbers::pi * j / factor));
-            roots.push_back(-std::sin(2 * std::numbers::pi * j / factor));
+            roots.push_back(std::cos(2 * pi * j / factor));
+            roots.push_back(-std::sin(2 * pi * j / factor));
         }
         std::vector<double> first(in.size());
         vector_kernel(0).fft_stage(in.data(), first.data(), factor, 2, 3, twiddles.data(), roots.data());

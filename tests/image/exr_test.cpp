@@ -10,14 +10,13 @@
 #include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 #include <ImfTiledOutputFile.h>
-#include <doctest/doctest.h>
 
-#include <cstdlib>
 #include <set>
 
 #include "image/file_size_limit.hpp"
 #include "image/stokes_image.hpp"
-#include "image/temporary_folder.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
@@ -100,7 +99,7 @@ TEST_CASE("what is written comes back bit for bit, under Mitsuba's channel names
         CHECK(text("comments") == "a note");
         CHECK(text("software").find("Nicol") == 0);
     }
-    CHECK(folder.files() == 1);
+    CHECK(folder.names().size() == 1);
 }
 
 TEST_CASE("R G B hold s0, so that any viewer shows the image") {
@@ -183,8 +182,7 @@ TEST_CASE("files that call for channels they lack are refused by the name of the
     const TemporaryFolder folder;
     const auto refuse = [&](const std::vector<std::string>& names, ErrorCode code, const std::string& what) {
         write_channels(folder / "a.exr", names, Imf::FLOAT, Imf::NO_COMPRESSION, false, {0, 0});
-        check_error(
-            code, [&] { (void)read_exr(folder / "a.exr"); }, "a.exr", what);
+        check_error(code, CALL(read_exr(folder / "a.exr")), "a.exr", what);
     };
     const auto bad = ErrorCode::invalid_file;
     refuse({"R", "B"}, bad, "no channel G");
@@ -205,27 +203,19 @@ TEST_CASE("a file that cannot be written says so and leaves nothing behind") {
     const TemporaryFolder folder;
     const StokesImage image = numbered(4, 3, 3);
     const auto bad = ErrorCode::write_failed;
-    check_error(
-        bad, [&] { write_exr(folder / "none" / "a.exr", image); }, "none/a.exr");
+    check_error(bad, CALL(write_exr(folder / "none" / "a.exr", image)), "none/a.exr");
     std::filesystem::create_directories(folder / "taken.exr" / "inside");
-    check_error(
-        bad, [&] { write_exr(folder / "taken.exr", image); }, "taken.exr");
-    check_error(
-        bad, [&] { write_exr(folder.path() / "", image); }, "folder");
-    check_error(
-        bad, [&] { write_exr("", image); }, "cannot be written");
-    CHECK(folder.files() == 1);
+    check_error(bad, CALL(write_exr(folder / "taken.exr", image)), "taken.exr");
+    check_error(bad, CALL(write_exr(folder.path() / "", image)), "folder");
+    check_error(bad, CALL(write_exr("", image)), "cannot be written");
+    CHECK(folder.names().size() == 1);
     // A file name that is too long for the system.
-    check_error(
-        bad, [&] { write_exr(folder / std::string(300, 'a'), image); }, "aaaa");
-    check_error(
-        ErrorCode::invalid_argument, [&] { write_exr(folder / "a.exr", StokesImage()); }, "image");
-    check_error(
-        ErrorCode::invalid_argument, [&] { write_exr(folder / "a.exr", StokesImage(2, 2, 17)); },
-        "17 channels");
-    check_error(
-        ErrorCode::invalid_argument, [&] { write_exr(folder / "a.exr", image, {.components = 0b10000}); },
-        "components");
+    check_error(bad, CALL(write_exr(folder / std::string(300, 'a'), image)), "aaaa");
+    check_error(ErrorCode::invalid_argument, CALL(write_exr(folder / "a.exr", StokesImage())), "image");
+    check_error(ErrorCode::invalid_argument, CALL(write_exr(folder / "a.exr", StokesImage(2, 2, 17))),
+                "17 channels");
+    check_error(ErrorCode::invalid_argument,
+                CALL(write_exr(folder / "a.exr", image, {.components = 0b10000})), "components");
 }
 
 TEST_CASE("a full disk is an error, at whatever byte it is full") {
@@ -235,10 +225,9 @@ TEST_CASE("a full disk is an error, at whatever byte it is full") {
     const auto size = std::filesystem::file_size(folder / "whole.exr");
     for (const auto limit : {std::uintmax_t{0}, std::uintmax_t{100}, size / 2, size - 1}) {
         const FileSizeLimit full(limit);
-        check_error(
-            ErrorCode::write_failed, [&] { write_exr(folder / "a.exr", image); }, "a.exr");
+        check_error(ErrorCode::write_failed, CALL(write_exr(folder / "a.exr", image)), "a.exr");
     }
-    CHECK(folder.files() == 1);
+    CHECK(folder.names().size() == 1);
 }
 
 TEST_CASE("an existing file is replaced only by a complete one") {
@@ -248,17 +237,12 @@ TEST_CASE("an existing file is replaced only by a complete one") {
     CHECK(read_exr(folder / "a.exr").width == 4);
     write_exr(folder / "a.exr", numbered(9, 2, 1));
     CHECK(read_exr(folder / "a.exr").width == 9);
-    CHECK(folder.files() == 1);
+    CHECK(folder.names().size() == 1);
 }
 
 TEST_CASE("Mitsuba's own files are read") {
-    const char* data = std::getenv("NICOL_TEST_DATA");
-    const std::filesystem::path file =
-        std::filesystem::path(data != nullptr ? data : "") / "mitsuba" / "sphere_const_a03.exr";
-    if (!std::filesystem::exists(file)) {
-        MESSAGE("skipped: no ", file.string());
-        return;
-    }
+    const auto file = test_data("mitsuba/sphere_const_a03.exr");
+    if (file.empty()) return;
     const StokesImage image = read_exr(file);
     CHECK(image.width == 128);
     CHECK(image.channels == 3);

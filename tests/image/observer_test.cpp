@@ -2,17 +2,10 @@
 // Observers, pixel by pixel.
 #include "image/observer.hpp"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numbers>
-
-#include "image/temporary_folder.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
-using std::numbers::pi;
 
 namespace {
 
@@ -200,32 +193,18 @@ TEST_CASE("several channels: one of them, or the mean of their Stokes vectors") 
 TEST_CASE("arguments out of range are refused by name") {
     const auto bad = ErrorCode::invalid_argument;
     const StokesImage image(2, 2, 3);
-    check_error(
-        bad, [] { (void)tone_mapped(StokesImage()); }, "tone_mapped");
-    check_error(
-        bad, [] { (void)tone_mapped(StokesImage(2, 2, 2)); }, "2 channels");
-    check_error(
-        bad, [&] { (void)tone_mapped(image, not_a_number); }, "exposure");
-    check_error(
-        bad, [&] { (void)tone_mapped(image, infinity); }, "exposure");
-    check_error(
-        bad, [&] { (void)signed_component(image, 4); }, "component 4");
-    check_error(
-        bad, [&] { (void)signed_component(image, -1); }, "component -1");
-    check_error(
-        bad, [&] { (void)signed_component(image, 1, -2); }, "scale");
-    check_error(
-        bad, [&] { (void)signed_component(image, 1, not_a_number); }, "scale");
-    check_error(
-        bad, [&] { (void)signed_component(image, 1, 0, 3); }, "channel 3");
-    check_error(
-        bad, [&] { (void)dolp(image, -2); }, "channel -2");
-    check_error(
-        bad, [&] { (void)dolp_image(image, 3); }, "channel 3");
-    check_error(
-        bad, [&] { (void)aolp(image, 3); }, "channel 3");
-    check_error(
-        bad, [&] { (void)aolp_image(image, static_cast<AolpStyle>(9)); }, "style");
-    check_error(
-        bad, [&] { (void)through_polarizer(image, infinity); }, "angle");
+    check_error(bad, CALL(tone_mapped(StokesImage())), "tone_mapped");
+    check_error(bad, CALL(tone_mapped(StokesImage(2, 2, 2))), "2 channels");
+    check_error(bad, CALL(tone_mapped(image, not_a_number)), "exposure");
+    check_error(bad, CALL(tone_mapped(image, infinity)), "exposure");
+    check_error(bad, CALL(signed_component(image, 4)), "component 4");
+    check_error(bad, CALL(signed_component(image, -1)), "component -1");
+    check_error(bad, CALL(signed_component(image, 1, -2)), "scale");
+    check_error(bad, CALL(signed_component(image, 1, not_a_number)), "scale");
+    check_error(bad, CALL(signed_component(image, 1, 0, 3)), "channel 3");
+    check_error(bad, CALL(dolp(image, -2)), "channel -2");
+    check_error(bad, CALL(dolp_image(image, 3)), "channel 3");
+    check_error(bad, CALL(aolp(image, 3)), "channel 3");
+    check_error(bad, CALL(aolp_image(image, static_cast<AolpStyle>(9))), "style");
+    check_error(bad, CALL(through_polarizer(image, infinity)), "angle");
 }

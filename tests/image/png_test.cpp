@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 // PNG files, read back with libpng.
-#include <doctest/doctest.h>
 #include <png.h>
 
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 
 #include "image/file_size_limit.hpp"
 #include "image/observer.hpp"
-#include "image/temporary_folder.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
@@ -88,7 +86,7 @@ TEST_CASE("a PNG holds the pixels and the text of its observation") {
     CHECK(back.text.at("Title") == "A test");
     CHECK(back.text.at("Nicol:Scale") == "code 255 is 3");
     CHECK(back.text.at("Software").find("Nicol") == 0);
-    CHECK(folder.files() == 1);
+    CHECK(folder.names().size() == 1);
 }
 
 TEST_CASE("only tone-mapped images claim a transfer curve") {
@@ -130,25 +128,21 @@ TEST_CASE("in the file the AoLP wheel turns counter-clockwise: y is up") {
 TEST_CASE("what cannot be written is an error and leaves nothing behind") {
     const TemporaryFolder folder;
     const Observation good{1, 1, {1, 2, 3}, {}, false};
-    check_error(
-        ErrorCode::write_failed, [&] { write_png(folder / "none" / "a.png", good); }, "none/a.png");
+    check_error(ErrorCode::write_failed, CALL(write_png(folder / "none" / "a.png", good)), "none/a.png");
     std::filesystem::create_directories(folder / "taken.png" / "inside");
-    check_error(
-        ErrorCode::write_failed, [&] { write_png(folder / "taken.png", good); }, "taken.png");
-    CHECK(folder.files() == 1);
+    check_error(ErrorCode::write_failed, CALL(write_png(folder / "taken.png", good)), "taken.png");
+    CHECK(folder.names().size() == 1);
 
     write_png(folder / "whole.png", good);
     const auto size = std::filesystem::file_size(folder / "whole.png");
     for (const auto limit : {std::uintmax_t{0}, size / 2, size - 1}) {
         const FileSizeLimit full(limit);
-        check_error(
-            ErrorCode::write_failed, [&] { write_png(folder / "a.png", good); }, "a.png");
+        check_error(ErrorCode::write_failed, CALL(write_png(folder / "a.png", good)), "a.png");
     }
-    CHECK(folder.files() == 2);
+    CHECK(folder.names().size() == 2);
 
     const auto refuse = [&](Observation observation, const char* what) {
-        check_error(
-            ErrorCode::invalid_argument, [&] { write_png(folder / "a.png", observation); }, what);
+        check_error(ErrorCode::invalid_argument, CALL(write_png(folder / "a.png", observation)), what);
     };
     refuse({}, "0 x 0");
     refuse({2, 1, {1, 2, 3}, {}, false}, "3 bytes");
@@ -157,5 +151,5 @@ TEST_CASE("what cannot be written is an error and leaves nothing behind") {
     refuse({1, 1, {1, 2, 3}, {{std::string(80, 'k'), "text"}}, false}, "keyword");
     refuse({1, 1, {1, 2, 3}, {{"a\nb", "text"}}, false}, "keyword");
     refuse({1, 1, {1, 2, 3}, {{"a", std::string("x\0y", 3)}}, false}, "zero bytes");
-    CHECK(folder.files() == 2);
+    CHECK(folder.names().size() == 2);
 }

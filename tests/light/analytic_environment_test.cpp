@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Light in closed form: constant and Rayleigh sky.
-#include <doctest/doctest.h>
-
-#include <limits>
-
 #include "harmonics/evaluate.hpp"
 #include "harmonics/grid.hpp"
 #include "harmonics/rotation.hpp"
-#include "image/temporary_folder.hpp"
-#include "light/directions.hpp"
+#include "light/images.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
-using std::numbers::pi;
 
 namespace {
 
@@ -22,37 +18,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 PshVector brute_force(const Environment& light, int order) {
     PshVector result(order, light.channels());
     const LatitudeRows rows = gauss_legendre_rows(24);
-    std::vector<double> scalar(psh_count(order));
-    std::vector<std::complex<double>> spin2(psh_count(order));
     constexpr int columns = 48;
-    for (std::size_t j = 0; j < rows.theta.size(); ++j) {
-        for (int i = 0; i < columns; ++i) {
-            const double phi = 2 * pi * i / columns;
-            const glm::dvec3 along(std::sin(rows.theta[j]) * std::cos(phi),
-                                   std::sin(rows.theta[j]) * std::sin(phi), std::cos(rows.theta[j]));
-            const double weight = rows.weight[j] * 2 * pi / columns;
-            harmonics_at(order, along, scalar, spin2);
-            for (int c = 0; c < light.channels(); ++c) {
-                const Stokes s = light.radiance(c, -along);
-                for (std::size_t k = 0; k < scalar.size(); ++k) {
-                    const auto spin = weight * std::conj(spin2[k]) * std::complex<double>(s[1], s[2]);
-                    result.channel(c)[4 * k] += weight * scalar[k] * s[0];
-                    result.channel(c)[4 * k + 1] += spin.real();
-                    result.channel(c)[4 * k + 2] += spin.imag();
-                    result.channel(c)[4 * k + 3] += weight * scalar[k] * s[3];
-                }
-            }
-        }
-    }
+    for (std::size_t j = 0; j < rows.theta.size(); ++j)
+        for (int i = 0; i < columns; ++i)
+            add_products(result, light, direction(rows.theta[j], 2 * pi * i / columns),
+                         rows.weight[j] * 2 * pi / columns);
     return result;
-}
-
-double largest_difference(const PshVector& a, const PshVector& b) {
-    REQUIRE(a.data().size() == b.data().size());
-    double largest = 0;
-    for (std::size_t i = 0; i < a.data().size(); ++i)
-        largest = std::max(largest, std::abs(a.data()[i] - b.data()[i]));
-    return largest;
 }
 
 }  // namespace
@@ -144,73 +115,22 @@ TEST_CASE("analytic light is smooth and finite at its special directions") {
 
 TEST_CASE("analytic light refuses what is out of range and says what") {
     const auto bad = ErrorCode::invalid_argument;
-    check_error(
-        bad, [] { (void)constant_environment({}); }, "radiance");
-    check_error(
-        bad,
-        [] {
-            (void)constant_environment({1, -1});
-        },
-        "channel 1");
-    check_error(
-        bad, [] { (void)constant_environment({not_a_number}); }, "channel 0");
-    check_error(
-        bad,
-        [] {
-            (void)rayleigh_sky({.sun_direction = {0, 0, 0}});
-        },
-        "sun_direction");
-    check_error(
-        bad,
-        [] {
-            (void)rayleigh_sky({.sun_direction = {0, not_a_number, 1}});
-        },
-        "sun_direction");
-    check_error(
-        bad,
-        [] {
-            (void)rayleigh_sky({.sun_direction = {infinity, 0, 0}});
-        },
-        "sun_direction");
-    check_error(
-        bad, [] { (void)rayleigh_sky({.dop_max = 1.01}); }, "dop_max");
-    check_error(
-        bad, [] { (void)rayleigh_sky({.dop_max = not_a_number}); }, "dop_max");
-    check_error(
-        bad,
-        [] {
-            (void)rayleigh_sky({.radiance = {1, infinity}});
-        },
-        "channel 1");
+    check_error(bad, CALL(constant_environment({})), "radiance");
+    check_error(bad, CALL(constant_environment({1, -1})), "channel 1");
+    check_error(bad, CALL(constant_environment({not_a_number})), "channel 0");
+    check_error(bad, CALL(rayleigh_sky({.sun_direction = {0, 0, 0}})), "sun_direction");
+    check_error(bad, CALL(rayleigh_sky({.sun_direction = {0, not_a_number, 1}})), "sun_direction");
+    check_error(bad, CALL(rayleigh_sky({.sun_direction = {infinity, 0, 0}})), "sun_direction");
+    check_error(bad, CALL(rayleigh_sky({.dop_max = 1.01})), "dop_max");
+    check_error(bad, CALL(rayleigh_sky({.dop_max = not_a_number})), "dop_max");
+    check_error(bad, CALL(rayleigh_sky({.radiance = {1, infinity}})), "channel 1");
     for (const auto& light : {constant_environment({1}), rayleigh_sky({.radiance = {1}})}) {
-        check_error(
-            bad,
-            [&] {
-                (void)light->radiance(1, {0, 0, 1});
-            },
-            "channel 1");
-        check_error(
-            bad,
-            [&] {
-                (void)light->radiance(-1, {0, 0, 1});
-            },
-            "channel -1");
-        check_error(
-            bad,
-            [&] {
-                (void)light->radiance(0, {0, 0, 1.1});
-            },
-            "unit");
-        check_error(
-            bad,
-            [&] {
-                (void)light->radiance(0, {not_a_number, 0, 0});
-            },
-            "unit");
-        check_error(
-            bad, [&] { (void)light->project(-1); }, "order");
-        check_error(
-            bad, [&] { (void)light->project(kMaxOrder + 1); }, "order");
+        check_error(bad, CALL(light->radiance(1, {0, 0, 1})), "channel 1");
+        check_error(bad, CALL(light->radiance(-1, {0, 0, 1})), "channel -1");
+        check_error(bad, CALL(light->radiance(0, {0, 0, 1.1})), "unit");
+        check_error(bad, CALL(light->radiance(0, {not_a_number, 0, 0})), "unit");
+        check_error(bad, CALL(light->project(-1)), "order");
+        check_error(bad, CALL(light->project(kMaxOrder + 1)), "order");
     }
     CHECK_FALSE(rayleigh_sky({.dop_max = 0})->polarized());
     CHECK_FALSE(rayleigh_sky({.radiance = {0}})->polarized());

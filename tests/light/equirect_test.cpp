@@ -2,12 +2,10 @@
 // The mapping between directions and images, and its frames.
 #include "light/equirect.hpp"
 
-#include <doctest/doctest.h>
-
-#include "light/directions.hpp"
+#include "light/images.hpp"
+#include "test.hpp"
 
 using namespace nicol;
-using std::numbers::pi;
 
 TEST_CASE("coordinates of the axes") {
     CHECK(equirect_coordinates({0, 1, 0}) == glm::dvec2(0, 0));

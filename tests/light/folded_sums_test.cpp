@@ -2,12 +2,7 @@
 // Sums of few degrees against their definition.
 #include "light/folded_sums.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <random>
+#include "test.hpp"
 
 using namespace nicol;
 
@@ -33,8 +28,7 @@ TEST_CASE("folded sums are the sums of their definition") {
                         double cosine = 0;
                         double sine = 0;
                         for (std::size_t c = 0; c < width; ++c) {
-                            const double angle =
-                                2 * std::numbers::pi * m * (static_cast<double>(c) + 0.5) / columns;
+                            const double angle = 2 * pi * m * (static_cast<double>(c) + 0.5) / columns;
                             cosine += rows.first[k][c * stride] * std::cos(angle);
                             sine += rows.first[k][c * stride] * std::sin(angle);
                         }

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Images as light: directions, files, refusals.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <limits>
-
-#include "image/temporary_folder.hpp"
-#include "light/directions.hpp"
+#include "light/images.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
-using std::numbers::pi;
 
 namespace {
 
@@ -91,39 +85,22 @@ TEST_CASE("what is zero is not counted as polarization") {
     CHECK_FALSE(image_environment(image, 0)->polarized());
 }
 
-TEST_CASE("images that are no light are refused by pixel") {
+TEST_CASE("images that are no light are refused") {
     const auto bad = ErrorCode::invalid_argument;
-    const auto refuse = [&](int component, float value, const char* what) {
-        EquirectImage image = random_image(5, 4, 2, 1, false);
-        image.at(1, 2, 3)[static_cast<std::size_t>(component)] = value;
-        check_error(
-            bad, [&] { (void)image_environment(image); }, "channel 1", "pixel (3, 2)", what);
-    };
-    refuse(0, -20.0f, "s0 < 0");
-    refuse(0, not_a_number, "finite");
-    refuse(1, not_a_number, "finite");
-    refuse(3, -infinity, "finite");
-    refuse(2, 1.7f, "more than fully");
     // Rounding and lossy compression are forgiven.
     EquirectImage rounded = grey_image(4, 3);
     rounded.at(0, 1, 1)[1] = -1.005f;
     CHECK_NOTHROW((void)image_environment(rounded));
 
-    check_error(
-        bad, [] { (void)image_environment(grey_image(1, 4)); }, "1 x 4", "2 x 2");
-    check_error(
-        bad, [] { (void)image_environment(grey_image(4, 1)); }, "4 x 1", "2 x 2");
-    check_error(
-        bad, [] { (void)image_environment(EquirectImage()); }, "image");
+    check_error(bad, CALL(image_environment(grey_image(1, 4))), "1 x 4", "2 x 2");
+    check_error(bad, CALL(image_environment(grey_image(4, 1))), "4 x 1", "2 x 2");
+    check_error(bad, CALL(image_environment(EquirectImage())), "image");
     EquirectImage ragged = grey_image(4, 3);
     ragged.data.pop_back();
-    check_error(
-        bad, [&] { (void)image_environment(ragged); }, "47", "48");
+    check_error(bad, CALL(image_environment(ragged)), "47", "48");
     for (const double scale : {-1.0, double{not_a_number}, double{infinity}})
-        check_error(
-            bad, [&] { (void)image_environment(grey_image(4, 3), scale); }, "scale");
-    check_error(
-        bad, [] { (void)image_environment(grey_image(4, 3), 1e300); }, "pixel (0, 0)", "finite");
+        check_error(bad, CALL(image_environment(grey_image(4, 3), scale)), "scale");
+    check_error(bad, CALL(image_environment(grey_image(4, 3), 1e300)), "pixel (0, 0)", "finite");
 }
 
 TEST_CASE("negative unpolarized pixels become 0 unless they are much of the light") {
@@ -140,9 +117,8 @@ TEST_CASE("negative unpolarized pixels become 0 unless they are much of the ligh
     }
     for (const float share : {0.26f, 1.0f, 100.0f}) {
         image.at(0, 2, 1)[0] = -share * positive;
-        check_error(
-            ErrorCode::invalid_argument, [&] { (void)image_environment(image); }, "channel 0", "pixel (1, 2)",
-            "s0 < 0");
+        check_error(ErrorCode::invalid_argument, CALL(image_environment(image)), "channel 0", "pixel (1, 2)",
+                    "s0 < 0");
     }
     // Of no solid angle at all.
     EquirectImage pole = grey_image(4, 5);
@@ -152,15 +128,13 @@ TEST_CASE("negative unpolarized pixels become 0 unless they are much of the ligh
     EquirectImage polarized = grey_image(4, 5);
     polarized.at(0, 2, 1)[0] = -1e-4f;
     polarized.at(0, 2, 1)[2] = 1e-5f;
-    check_error(
-        ErrorCode::invalid_argument, [&] { (void)image_environment(polarized); }, "pixel (1, 2)", "s0 < 0");
+    check_error(ErrorCode::invalid_argument, CALL(image_environment(polarized)), "pixel (1, 2)", "s0 < 0");
     EquirectImage dark(4, 5, 1);
     dark.at(0, 2, 3)[0] = -1e-6f;
-    check_error(
-        ErrorCode::invalid_argument, [&] { (void)image_environment(dark); }, "pixel (3, 2)", "s0 < 0");
+    check_error(ErrorCode::invalid_argument, CALL(image_environment(dark)), "pixel (3, 2)", "s0 < 0");
 }
 
-TEST_CASE("the quick look at an image overlooks nothing in any column") {
+TEST_CASE("every column of an image is checked, and what is no light named by channel and pixel") {
     for (const int width : {2, 3, 4, 5, 8, 11}) {
         const EquirectImage good = random_image(width, 3, 2, 8);
         CHECK_NOTHROW((void)image_environment(good));
@@ -169,9 +143,11 @@ TEST_CASE("the quick look at an image overlooks nothing in any column") {
                 for (const float wrong : {not_a_number, infinity, -infinity, p == 0 ? -1e3f : 1e3f}) {
                     EquirectImage image = good;
                     image.at(1, 1, x)[p] = wrong;
-                    check_error(
-                        ErrorCode::invalid_argument, [&] { (void)image_environment(image); }, "channel 1",
-                        "pixel (" + std::to_string(x) + ", 1)");
+                    const char* what = !std::isfinite(wrong) ? "finite"
+                                       : p == 0              ? "s0 < 0"
+                                                             : "more than fully";
+                    check_error(ErrorCode::invalid_argument, CALL(image_environment(image)), "channel 1",
+                                "pixel (" + std::to_string(x) + ", 1)", what);
                 }
         // Squares out of the range of float say nothing.
         for (const float size : {1e-30f, 1e25f}) {
@@ -179,8 +155,7 @@ TEST_CASE("the quick look at an image overlooks nothing in any column") {
             for (std::size_t i = 0; i < extreme.data.size(); i += 4) extreme.data[i] = size;
             CHECK_NOTHROW((void)image_environment(extreme));
             extreme.at(0, 2, width - 1)[3] = 2 * size;
-            check_error(
-                ErrorCode::invalid_argument, [&] { (void)image_environment(extreme); }, "more than fully");
+            check_error(ErrorCode::invalid_argument, CALL(image_environment(extreme)), "more than fully");
         }
     }
 }
@@ -210,13 +185,10 @@ TEST_CASE("a view gives the light of the image it shows, whatever its layout") {
                 CHECK(have.data()[i] == doctest::Approx(want.data()[i]).epsilon(1e-12));
         }
         const auto refused = [&](const char* what) {
-            check_error(
-                ErrorCode::invalid_argument, [&] { (void)image_environment(view); }, what);
-            check_error(
-                ErrorCode::invalid_argument, [&] { (void)project_image(view, 2); }, what);
+            check_error(ErrorCode::invalid_argument, CALL(image_environment(view)), what);
+            check_error(ErrorCode::invalid_argument, CALL(project_image(view, 2)), what);
         };
-        check_error(
-            ErrorCode::invalid_argument, [&] { (void)project_image(view, -1); }, "order");
+        check_error(ErrorCode::invalid_argument, CALL(project_image(view, -1)), "order");
         view.components = 3;
         refused("components is 3");
         view.components = components;
@@ -261,24 +233,17 @@ TEST_CASE("files: polarized by their channels, errors by their name") {
     EquirectImage negative = image;
     negative.at(1, 2, 3)[0] = -100;
     write_exr(folder / "negative.exr", negative);
-    check_error(
-        ErrorCode::invalid_file, [&] { (void)load_environment(folder / "negative.exr"); }, "negative.exr",
-        "channel 1", "pixel (3, 2)");
-    check_error(
-        ErrorCode::file_not_found, [&] { (void)load_environment(folder / "none.exr"); }, "none.exr");
-    check_error(
-        ErrorCode::invalid_argument, [&] { (void)load_environment(folder / "plain.exr", -1); }, "scale");
+    check_error(ErrorCode::invalid_file, CALL(load_environment(folder / "negative.exr")), "negative.exr",
+                "channel 1", "pixel (3, 2)");
+    check_error(ErrorCode::file_not_found, CALL(load_environment(folder / "none.exr")), "none.exr");
+    check_error(ErrorCode::invalid_argument, CALL(load_environment(folder / "plain.exr", -1)), "scale");
 }
 
 TEST_CASE("environments of third parties load, and their mean is that of their pixels") {
-    const char* data = std::getenv("NICOL_TEST_DATA");
-    const std::filesystem::path folder = std::filesystem::path(data != nullptr ? data : "") / "mitsuba";
-    for (const char* name : {"env.exr", "venice.exr"}) {
-        if (!std::filesystem::exists(folder / name)) {
-            MESSAGE("skipped: no ", name);
-            continue;
-        }
-        const auto light = load_environment(folder / name);
+    for (const char* name : {"mitsuba/env.exr", "mitsuba/venice.exr"}) {
+        const auto file = test_data(name);
+        if (file.empty()) continue;
+        const auto light = load_environment(file);
         CHECK(light->channels() == 3);
         CHECK_FALSE(light->polarized());
         const PshVector f = light->project(3);

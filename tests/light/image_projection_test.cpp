@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Coefficients of images against independent integration.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <complex>
-
 #include "harmonics/evaluate.hpp"
-#include "light/directions.hpp"
+#include "light/images.hpp"
+#include "light/random_field.hpp"
+#include "test.hpp"
 
 using namespace nicol;
-using std::numbers::pi;
 
 namespace {
 
@@ -20,8 +16,6 @@ PshVector brute_force(const Environment& light, int width, int height, int order
     constexpr double share[] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
                                 0.4786286704993665, 0.2369268850561891};
     PshVector result(order, light.channels());
-    std::vector<double> scalar(psh_count(order));
-    std::vector<std::complex<double>> spin2(psh_count(order));
     // Large cells are cut into small ones, where the rule is as good as exact for the harmonics.
     const int cuts_u = 1 + 16 / width;
     const int cuts_v = 1 + 24 / (height - 1);
@@ -33,43 +27,10 @@ PshVector brute_force(const Environment& light, int width, int height, int order
             const double v = (j / 5 + 0.5 + 0.5 * node[j % 5]) * dv;
             const double weight =
                 share[i % 5] * share[j % 5] / 4 * (2 * pi * du) * (pi * dv) * std::sin(pi * v);
-            const glm::dvec3 w = towards(u, v);
-            harmonics_at(order, -w, scalar, spin2);
-            for (int c = 0; c < light.channels(); ++c) {
-                const Stokes s = light.radiance(c, w);
-                for (std::size_t k = 0; k < scalar.size(); ++k) {
-                    const auto spin = weight * std::conj(spin2[k]) * std::complex<double>(s[1], s[2]);
-                    result.channel(c)[4 * k] += weight * scalar[k] * s[0];
-                    result.channel(c)[4 * k + 1] += spin.real();
-                    result.channel(c)[4 * k + 2] += spin.imag();
-                    result.channel(c)[4 * k + 3] += weight * scalar[k] * s[3];
-                }
-            }
+            add_products(result, light, -towards(u, v), weight);
         }
     }
     return result;
-}
-
-double largest_difference(const PshVector& a, const PshVector& b) {
-    REQUIRE(a.data().size() == b.data().size());
-    double largest = 0;
-    for (std::size_t i = 0; i < a.data().size(); ++i)
-        largest = std::max(largest, std::abs(a.data()[i] - b.data()[i]));
-    return largest;
-}
-
-/// A smooth physical field: small random coefficients on a large constant.
-PshVector smooth_field(int order, int channels) {
-    PshVector field(order, channels);
-    std::mt19937 engine(4);
-    std::uniform_real_distribution<double> uniform(-0.03, 0.03);
-    for (int c = 0; c < channels; ++c)
-        for (int l = 0; l <= order; ++l)
-            for (int m = -l; m <= l; ++m)
-                for (int p = 0; p < 4; ++p)
-                    if (l >= 2 || p == 0 || p == 3) field.at(c, l, m, p) = uniform(engine);
-    for (int c = 0; c < channels; ++c) field.at(c, 0, 0, 0) = 6;
-    return field;
 }
 
 EquirectImage image_of(const PshVector& field, int width, int height) {
@@ -118,7 +79,7 @@ TEST_CASE("a constant image has the coefficients of constant light, at any resol
 }
 
 TEST_CASE("a field of known harmonics comes back from its image, better the finer it is") {
-    const PshVector field = smooth_field(4, 2);
+    const PshVector field = random_field(4, 2);
     double previous = 0;
     for (const int height : {33, 65, 129}) {
         const auto light = image_environment(image_of(field, 2 * height - 2, height));
@@ -132,7 +93,7 @@ TEST_CASE("a field of known harmonics comes back from its image, better the fine
 }
 
 TEST_CASE("radiance() is what the coefficients of high order say, for smooth light") {
-    const auto light = image_environment(image_of(smooth_field(3, 1), 128, 65));
+    const auto light = image_environment(image_of(random_field(3, 1), 128, 65));
     const PshVector f = light->project(24);
     for (const glm::dvec3& w : random_directions(60, 2))
         CHECK(glm::length(light->radiance(0, w) - evaluate(f, 0, -w)) < 1e-3);

@@ -2,16 +2,12 @@
 // Reports of light against what is known of it.
 #include "light/light_report.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-
-#include "image/temporary_folder.hpp"
-#include "light/directions.hpp"
+#include "light/images.hpp"
 #include "light/random_field.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
-using std::numbers::pi;
 
 TEST_CASE("the report of a Rayleigh sky has its closed form") {
     const LightReport report =
@@ -81,6 +77,5 @@ TEST_CASE("images are written in the layout that is read") {
     // Unpolarized light takes no more than it needs.
     write_environment(folder / "b.exr", *constant_environment({1, 2, 3}));
     CHECK_FALSE(load_environment(folder / "b.exr")->polarized());
-    check_error(
-        ErrorCode::invalid_argument, [&] { (void)describe(*light, -1); }, "order");
+    check_error(ErrorCode::invalid_argument, CALL(describe(*light, -1)), "order");
 }

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Light given by coefficients, and its files.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <numbers>
-
 #include "files/npz.hpp"
 #include "harmonics/evaluate.hpp"
-#include "image/temporary_folder.hpp"
-#include "light/directions.hpp"
+#include "light/images.hpp"
 #include "light/psh_file.hpp"
 #include "light/random_field.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
@@ -69,7 +63,7 @@ TEST_CASE("the table of coefficients is the light to 0.8 % of what varies in it,
             for (const glm::dvec3& w : directions) {
                 Stokes exact = light->radiance(1, w);
                 const Stokes difference = table->radiance(1, w) - exact;
-                exact[0] -= field.at(1, 0, 0, 0) / std::sqrt(4 * std::numbers::pi);
+                exact[0] -= field.at(1, 0, 0, 0) / std::sqrt(4 * pi);
                 error += difference * difference;
                 size += exact * exact;
             }
@@ -102,25 +96,16 @@ TEST_CASE("what light of coefficients claims about itself is true") {
 
 TEST_CASE("coefficients that are no light are refused") {
     const auto bad = ErrorCode::invalid_argument;
-    check_error(
-        bad, [] { (void)psh_environment(PshVector()); }, "channel");
+    check_error(bad, CALL(psh_environment(PshVector())), "channel");
     PshVector field = random_field(3, 2);
-    check_error(
-        bad, [&] { (void)psh_environment(field, {500}); }, "wavelengths");
-    check_error(
-        bad,
-        [&] {
-            (void)psh_environment(field, {500, -1});
-        },
-        "wavelengths");
+    check_error(bad, CALL(psh_environment(field, {500})), "wavelengths");
+    check_error(bad, CALL(psh_environment(field, {500, -1})), "wavelengths");
     field.at(1, 1, -1, 2) = 0.1;
-    check_error(
-        bad, [&] { (void)psh_environment(field); }, "channel 1", "coefficient 1", "below l = 2");
+    check_error(bad, CALL(psh_environment(field)), "channel 1", "coefficient 1", "below l = 2");
     for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
         field.at(1, 1, -1, 2) = 0;
         field.at(0, 2, -2, 1) = value;
-        check_error(
-            bad, [&] { (void)psh_environment(field); }, "channel 0", "coefficient 4", "finite");
+        check_error(bad, CALL(psh_environment(field)), "channel 0", "coefficient 4", "finite");
     }
 }
 
@@ -134,15 +119,12 @@ TEST_CASE("coefficient files come back bit for bit") {
     CHECK(std::ranges::equal(back.data(), field.data()));
     const auto light = load_environment(folder / "a.npz", 2);
     CHECK(light->project(7).at(2, 5, -3, 1) == 2 * field.at(2, 5, -3, 1));
-    check_error(
-        ErrorCode::invalid_argument, [&] { write_psh_vector(folder / "b.npz", PshVector(0, 17)); }, "17");
-    check_error(
-        ErrorCode::invalid_argument, [&] { (void)load_environment(folder / "a.npz", std::nan("")); },
-        "scale");
+    check_error(ErrorCode::invalid_argument, CALL(write_psh_vector(folder / "b.npz", PshVector(0, 17))),
+                "17");
+    check_error(ErrorCode::invalid_argument, CALL(load_environment(folder / "a.npz", std::nan(""))), "scale");
     const std::vector<double> wavelengths = {500};
-    check_error(
-        ErrorCode::invalid_argument, [&] { (void)load_environment(folder / "a.npz", 1, wavelengths); },
-        "spectral");
+    check_error(ErrorCode::invalid_argument, CALL(load_environment(folder / "a.npz", 1, wavelengths)),
+                "spectral");
 }
 
 TEST_CASE("coefficient files without a channel axis or without polarization") {
@@ -171,8 +153,7 @@ TEST_CASE("coefficient files of another kind are refused") {
         write_npz(
             folder / "a.npz",
             std::vector<NpzMember>{{"cod_type", codomain}, {"sh_type", basis}, {"coeff", std::move(array)}});
-        check_error(
-            code, [&] { (void)load_environment(folder / "a.npz"); }, "a.npz", part);
+        check_error(code, CALL(load_environment(folder / "a.npz")), "a.npz", part);
     };
     const auto zeros = [](std::vector<std::size_t> shape) {
         std::size_t count = 1;
@@ -196,23 +177,15 @@ TEST_CASE("coefficient files of another kind are refused") {
     array.values[13] = 1;
     refuse(bad, "POLAR4", "REAL", array, "below l = 2");
     write_npz(folder / "a.npz", std::vector<NpzMember>{{"cod_type", "POLAR4"}, {"sh_type", "REAL"}});
-    check_error(
-        bad, [&] { (void)load_environment(folder / "a.npz"); }, "no member coeff.npy");
+    check_error(bad, CALL(load_environment(folder / "a.npz")), "no member coeff.npy");
     write_bytes(folder / "a.npz", "no archive");
-    check_error(
-        bad, [&] { (void)load_environment(folder / "a.npz"); }, "a.npz");
-    check_error(
-        ErrorCode::file_not_found, [&] { (void)load_environment(folder / "none.npz"); }, "none.npz");
+    check_error(bad, CALL(load_environment(folder / "a.npz")), "a.npz");
+    check_error(ErrorCode::file_not_found, CALL(load_environment(folder / "none.npz")), "none.npz");
 }
 
 TEST_CASE("the authors' light has the published coefficients") {
-    const char* data = std::getenv("NICOL_TEST_DATA");
-    const auto file =
-        std::filesystem::path(data != nullptr ? data : "") / "polarsh/SHVec_sponza_1024_L100.npz";
-    if (!std::filesystem::exists(file)) {
-        MESSAGE("skipped: no ", file.string());
-        return;
-    }
+    const auto file = test_data("polarsh/SHVec_sponza_1024_L100.npz");
+    if (file.empty()) return;
     const PshVector f = read_psh_vector(file);
     CHECK(f.order() == 99);
     CHECK(f.channels() == 3);

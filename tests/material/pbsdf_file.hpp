@@ -66,10 +66,6 @@ struct PbsdfFile {
     }
 };
 
-inline void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
-    std::ofstream(path, std::ios::binary) << bytes;
-}
-
 inline std::vector<float> even_angles(std::size_t count, double from, double to) {
     std::vector<float> out;
     for (std::size_t i = 0; i < count; ++i)

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What every material must obey.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-#include <random>
 #include <stdexcept>
-#include <string>
 
-#include "error.hpp"
+#include "directions.hpp"
 #include "material/conductor.hpp"
 #include "material/frames.hpp"
 #include "material/material.hpp"
@@ -17,18 +10,13 @@
 #include "material/response_table.hpp"
 #include "pbsdf_file.hpp"
 #include "polarization/fresnel.hpp"
-#include "scratch.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using doctest::Approx;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-
-glm::dvec3 direction(double zenith, double azimuth) {
-    return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
-}
 
 // A perfect retarder by `retardance` that scatters evenly, its axes along and across the plane of light and
 // viewer: physical, polarizing and reciprocal.
@@ -43,12 +31,11 @@ struct Named {
     MaterialPtr material;
 };
 
-std::vector<Named> materials(const test::ScratchFolder& folder) {
+std::vector<Named> materials(const TemporaryFolder& folder) {
     const MaterialPtr gold = rough_conductor({.eta = metal_index("Au"), .alpha = 0.3});
     const auto path = folder / "gold.pbsdf";
     const auto angles = test::even_angles(31, 0, pi / 2);
-    test::write_bytes(path,
-                      test::make_pbsdf(test::even_angles(25, -pi, pi), angles, angles, {450, 550, 650},
+    write_bytes(path, test::make_pbsdf(test::even_angles(25, -pi, pi), angles, angles, {450, 550, 650},
                                        [](std::size_t w, const glm::dvec3& i, const glm::dvec3& o) {
                                            // Without the glare of grazing directions, as measurements.
                                            Mueller m = fresnel_reflection(
@@ -61,6 +48,8 @@ std::vector<Named> materials(const test::ScratchFolder& folder) {
     return {
         {"diffuse", diffuse({0.9})},
         {"pplastic", pplastic({.diffuse_reflectance = {0.9}, .alpha = 0.2})},
+        {"glossy pplastic", pplastic({.diffuse_reflectance = {1}, .alpha = 0.05})},
+        {"dull pplastic", pplastic({.diffuse_reflectance = {1}, .alpha = 1})},
         {"pplastic ggx",
          pplastic({.diffuse_reflectance = {1}, .alpha = 0.5, .distribution = Distribution::ggx})},
         {"dense to thin", pplastic({.int_ior = 1, .ext_ior = 1.5, .alpha = 0.3})},
@@ -78,7 +67,7 @@ std::vector<Named> materials(const test::ScratchFolder& folder) {
 }  // namespace
 
 TEST_CASE("physical light stays physical: s0 >= |(s1, s2, s3)| whatever arrives") {
-    const test::ScratchFolder folder;
+    const TemporaryFolder folder;
     std::mt19937 random(11);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform;
@@ -103,7 +92,7 @@ TEST_CASE("physical light stays physical: s0 >= |(s1, s2, s3)| whatever arrives"
 }
 
 TEST_CASE("no more energy leaves than arrives, for unpolarized and for polarized light") {
-    const test::ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const auto& [name, material] : materials(folder)) {
         CAPTURE(name);
         // A table's first row over constant light is the albedo seen from that angle; by reciprocity it is
@@ -140,7 +129,7 @@ TEST_CASE("no more energy leaves than arrives, for unpolarized and for polarized
 }
 
 TEST_CASE("mirror symmetry and isotropy hold for every material") {
-    const test::ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const auto& [name, material] : materials(folder)) {
         CAPTURE(name);
         for (const double azimuth : {0.3, 1.7, 2.9}) {
@@ -158,11 +147,11 @@ TEST_CASE("mirror symmetry and isotropy hold for every material") {
 }
 
 TEST_CASE("extreme directions stay finite") {
-    const test::ScratchFolder folder;
+    const TemporaryFolder folder;
     for (const auto& [name, material] : materials(folder)) {
         CAPTURE(name);
         for (const double in : {0.0, 1e-300, 1e-160, 1e-9, 1.0, pi / 2 - 1e-6}) {
-            for (const double out : {0.0, 1e-300, 1e-9, 1.0, pi / 2 - 1e-6}) {
+            for (const double out : {0.0, 1e-300, 1e-9, 1e-3, 1.0, pi / 2 - 1e-6}) {
                 for (const double azimuth : {0.0, 1e-12, 1.0, pi}) {
                     const Mueller m = evaluate(*material, 0, direction(in, azimuth), direction(out, 0));
                     for (std::size_t e = 0; e < 16; ++e) CHECK(std::isfinite(m(e / 4, e % 4)));
@@ -213,7 +202,7 @@ TEST_CASE("twosided answers from both sides, alike, and never through the surfac
     std::array<Mueller, 2> terms;
     both->evaluate_terms(behind(light), behind(viewer), terms);
     CHECK(terms[1](0, 0) == both->evaluate(1, behind(light), behind(viewer))(0, 0));
-    CHECK_THROWS_AS(static_cast<void>(twosided(nullptr)), Error);
+    CHECK_THROWS_AS(twosided(nullptr), Error);
 }
 
 TEST_CASE("a callback in s-frames is the material it computes") {
@@ -244,15 +233,7 @@ TEST_CASE("a callback in s-frames is the material it computes") {
 }
 
 TEST_CASE("callbacks that are no isotropic, mirror symmetric, finite material are refused") {
-    const auto message = [](CallbackParameters p) {
-        try {
-            static_cast<void>(callback_material(std::move(p)));
-        } catch (const Error& error) {
-            CHECK(error.code() == ErrorCode::invalid_argument);
-            return std::string(error.what());
-        }
-        return std::string("accepted");
-    };
+    const auto message = [](CallbackParameters p) { return error_of(CALL(callback_material(std::move(p)))); };
     const auto even = [](int, const glm::dvec3&, const glm::dvec3&) { return retarder(0.3); };
     CHECK(message({}).find("null") != std::string::npos);
     CHECK(message({.reflect = even, .channels = 0}).find("channels") == 0);

@@ -1,60 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <glm/geometric.hpp>
-#include <initializer_list>
-#include <numbers>
-#include <random>
-
 #include "brute_force.hpp"
-#include "error.hpp"
+#include "directions.hpp"
 #include "files/npz.hpp"
 #include "harmonics/evaluate.hpp"
+#include "harmonics/random_operators.hpp"
 #include "material/conductor.hpp"
 #include "material/material_projection.hpp"
 #include "material/matrix_rows.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "material/response_table.hpp"
-#include "scratch.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using doctest::Approx;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
-
-glm::dvec3 direction(double zenith, double azimuth) {
-    return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
-}
-
-// Isotropic, and obeying what real s0 and s3 ask of m = 0.
-IsotropicMatrix random_matrix(int order, unsigned seed) {
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal;
-    IsotropicMatrix out(order, order);
-    for (int m = 0; m <= order; ++m) {
-        for (int l = m; l <= order; ++l) {
-            for (int k = m; k <= order; ++k) {
-                auto& b = out.block(m, l, k);
-                for (auto& value : b) value = {normal(random), normal(random)};
-                if (m == 0) {
-                    for (const std::size_t i : {0, 1, 4, 5}) b[i] = b[i].real();
-                    for (const std::size_t i : {2, 6}) b[i + 1] = std::conj(b[i]);
-                    for (const std::size_t i : {0, 1}) b[12 + i] = std::conj(b[8 + i]);
-                    b[14] = std::conj(b[11]);
-                    b[15] = std::conj(b[10]);
-                }
-                for (std::size_t i = 0; i < 16; ++i)
-                    if ((i / 4 >= 2 && l < 2) || (i % 4 >= 2 && k < 2)) b[i] = 0;
-            }
-        }
-    }
-    return out;
-}
 
 // Nodes for fields that end at the horizon.
 LatitudeRows hemisphere_rows(int count, bool upper) {
@@ -93,13 +54,6 @@ Stokes respond(const ResponseTable& table, const LightLayout& layout, const PshV
 
 MaterialPtr rough_gold(double alpha) {
     return rough_conductor({.eta = {metal_index("Au").front()}, .alpha = alpha});
-}
-
-std::filesystem::path gold_file() {
-    const char* folder = std::getenv("NICOL_TEST_DATA");
-    if (folder == nullptr) return {};
-    const auto path = std::filesystem::path(folder) / "polarsh/SHMat_6_gold_ds1_L20_ISOBI2.npz";
-    return std::filesystem::exists(path) ? path : std::filesystem::path();
 }
 
 }  // namespace
@@ -215,9 +169,11 @@ TEST_CASE("the kernel of a mirrored convolution is that convolution") {
 }
 
 TEST_CASE("matrices survive a file, whose entries are those of the dense matrix") {
-    const test::ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto path = folder / "matrix.npz";
-    const std::vector<IsotropicMatrix> matrices{random_matrix(4, 1), random_matrix(4, 2)};
+    std::mt19937 random(1);
+    const std::vector<IsotropicMatrix> matrices{reference::random_isotropic(random, 4, 4),
+                                                reference::random_isotropic(random, 4, 4)};
     write_psh_matrix(path, matrices);
     const auto back = read_psh_matrix(path);
     REQUIRE(back.size() == 2);
@@ -244,11 +200,8 @@ TEST_CASE("matrices survive a file, whose entries are those of the dense matrix"
 }
 
 TEST_CASE("measured gold: check values, isotropy, and light from above leaves upwards") {
-    const auto path = gold_file();
-    if (path.empty()) {
-        MESSAGE("skipped: no test data");
-        return;
-    }
+    const auto path = test_data("polarsh/SHMat_6_gold_ds1_L20_ISOBI2.npz");
+    if (path.empty()) return;
     const auto gold = read_psh_matrix(path);
     REQUIRE(gold.size() == 3);
     CHECK(gold[0].order_in() == 19);
@@ -258,7 +211,7 @@ TEST_CASE("measured gold: check values, isotropy, and light from above leaves up
     CHECK(gold[1].block(0, 0, 0)[0].real() > 1.4 * gold[2].block(0, 0, 0)[0].real());
     // What reading averages away is rounding only.
     const NpyArray coeff = read_npz_member(path, "coeff");
-    const test::ScratchFolder folder;
+    const TemporaryFolder folder;
     write_psh_matrix(folder / "gold.npz", gold);
     const NpyArray again = read_npz_member(folder / "gold.npz", "coeff");
     double largest = 0;
@@ -309,19 +262,11 @@ TEST_CASE("measured gold: check values, isotropy, and light from above leaves up
 }
 
 TEST_CASE("files that are no matrix are refused by name") {
-    const test::ScratchFolder folder;
+    const TemporaryFolder folder;
     const auto path = folder / "bad.npz";
     const auto refused = [&](std::vector<NpzMember> members, const char* what) {
         write_npz(path, members);
-        CAPTURE(what);
-        try {
-            static_cast<void>(read_psh_matrix(path));
-            FAIL("was accepted");
-        } catch (const Error& error) {
-            CHECK(error.code() == ErrorCode::invalid_file);
-            CHECK(std::string(error.what()).find("bad.npz") != std::string::npos);
-            CHECK(std::string(error.what()).find(what) != std::string::npos);
-        }
+        check_error(ErrorCode::invalid_file, CALL(read_psh_matrix(path)), "bad.npz", what);
     };
     const auto array = [](std::vector<std::size_t> shape, double value = 0) {
         std::size_t count = 1;
@@ -338,10 +283,10 @@ TEST_CASE("files that are no matrix are refused by name") {
     refused({{"coeff", array({1, 1, 4, 4}, std::nan(""))}}, "finite");
     refused({{"coeff", array({1, 1, 4, 4})}, {"cod_type", std::string("POLAR3")}}, "POLAR4");
     refused({{"coeff", array({1, 1, 4, 4})}, {"sh_type", std::string("COMP")}}, "REAL");
-    CHECK_THROWS_AS(static_cast<void>(read_psh_matrix(folder / "absent.npz")), Error);
-    CHECK_THROWS_AS(static_cast<void>(psh_matrix_material({})), Error);
-    CHECK_THROWS_AS(static_cast<void>(psh_matrix_material({IsotropicMatrix(2, 3)})), Error);
-    CHECK_THROWS_AS(static_cast<void>(psh_matrix_material({IsotropicMatrix(2, 2)}, {-1})), Error);
-    CHECK_THROWS_AS(static_cast<void>(project_material(*diffuse({0.5}), 1, 300000)), Error);
-    CHECK_THROWS_AS(static_cast<void>(project_material(*diffuse({0.5, 0.5}), 2, 2)), Error);
+    CHECK_THROWS_AS(read_psh_matrix(folder / "absent.npz"), Error);
+    CHECK_THROWS_AS(psh_matrix_material({}), Error);
+    CHECK_THROWS_AS(psh_matrix_material({IsotropicMatrix(2, 3)}), Error);
+    CHECK_THROWS_AS(psh_matrix_material({IsotropicMatrix(2, 2)}, {-1}), Error);
+    CHECK_THROWS_AS(project_material(*diffuse({0.5}), 1, 300000), Error);
+    CHECK_THROWS_AS(project_material(*diffuse({0.5, 0.5}), 2, 2), Error);
 }

@@ -2,15 +2,11 @@
 // Energies of responses against what rotated light really gives.
 #include "material/response_power.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <complex>
 #include <glm/gtc/quaternion.hpp>
-#include <random>
 
 #include "harmonics/rotation.hpp"
 #include "material/response_table.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "material/response_table.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <complex>
-#include <glm/geometric.hpp>
-#include <initializer_list>
-#include <numbers>
-
 #include "brute_force.hpp"
-#include "error.hpp"
 #include "material/lobe_quadrature.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using doctest::Approx;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Rows of the table applied to light in the surface's own frame, viewer at that table angle and azimuth 0.
 Stokes respond(const ResponseTable& table, const LightLayout& layout, const PshVector& light, int angle,
@@ -65,7 +55,7 @@ TEST_CASE("packing keeps every coefficient, and turning the viewer is a phase") 
         CHECK(2 * packed.size() == expected);
     }
     CHECK_THROWS_AS(LightLayout(-1, LightKind::full), Error);
-    CHECK_THROWS_AS(static_cast<void>(LightLayout(6, LightKind::full).pack(light.channel(0))), Error);
+    CHECK_THROWS_AS(LightLayout(6, LightKind::full).pack(light.channel(0)), Error);
 }
 
 TEST_CASE("rows times light equals the reflection integral in the angular domain") {

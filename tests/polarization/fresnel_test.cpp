@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "polarization/fresnel.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <initializer_list>
-#include <numbers>
+#include "test.hpp"
 
 using namespace nicol;
 using doctest::Approx;
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+constexpr double degree = pi / 180;
 
 double dolp(const Stokes& s) {
     return std::hypot(s[1], s[2]) / s[0];

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polarization/mueller.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <initializer_list>
-#include <numbers>
-#include <random>
+#include "test.hpp"
 
 using namespace nicol;
 using doctest::Approx;

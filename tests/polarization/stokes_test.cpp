@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "polarization/stokes.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <initializer_list>
-#include <numbers>
+#include "test.hpp"
 
 using namespace nicol;
 using doctest::Approx;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // The electric field of linear light at `angle` from x, as a Stokes vector by definition: s1 and s2 are
 // intensity differences behind polarizers, and depend on nothing else.

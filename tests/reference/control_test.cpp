@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Options, threads, progress and errors.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
 #include <thread>
-#include <vector>
 
-#include "error.hpp"
 #include "scenes.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using namespace nicol::test;
@@ -34,16 +29,12 @@ Camera camera() {
     return out;
 }
 
-ErrorCode code_of(const Scene& scene, int w, int h, const ReferenceOptions& options, std::string& message) {
-    try {
-        ReferenceStatistics statistics;
-        (void)render_reference(scene, project(camera(), width, height), w, h, options, statistics);
-    } catch (const Error& error) {
-        message = error.what();
-        return error.code();
-    }
-    message.clear();
-    return ErrorCode{};
+void check_refused(ErrorCode code, const Scene& scene, int w, int h, const ReferenceOptions& options,
+                   const std::string& part = "") {
+    ReferenceStatistics statistics;
+    check_error(code,
+                CALL(render_reference(scene, project(camera(), width, height), w, h, options, statistics)),
+                part);
 }
 
 }  // namespace
@@ -156,8 +147,7 @@ TEST_CASE("progress is told on the calling thread, rising, and can stop the rend
             sound = sound && std::this_thread::get_id() == caller;
             return ++calls < 2;
         };
-        std::string message;
-        CHECK(code_of(scene, 1024, 1024, options, message) == ErrorCode::cancelled);
+        check_refused(ErrorCode::cancelled, scene, 1024, 1024, options);
         CHECK(calls == 2);
         CHECK(sound);
     }
@@ -165,18 +155,13 @@ TEST_CASE("progress is told on the calling thread, rising, and can stop the rend
 
 TEST_CASE("options and sizes out of range are refused by name") {
     const Scene scene = ball_on_floor();
-    std::string message;
-    for (const int samples : {0, -1, kMaxReferenceSamples + 1}) {
-        CHECK(code_of(scene, width, height, {.samples = samples, .progress = {}}, message) ==
-              ErrorCode::invalid_argument);
-        CHECK(message.find("samples is " + std::to_string(samples)) != std::string::npos);
-    }
-    CHECK(code_of(scene, width, height, {.threads = -1, .progress = {}}, message) ==
-          ErrorCode::invalid_argument);
-    CHECK(message.find("threads") != std::string::npos);
+    const auto bad = ErrorCode::invalid_argument;
+    for (const int samples : {0, -1, kMaxReferenceSamples + 1})
+        check_refused(bad, scene, width, height, {.samples = samples, .progress = {}},
+                      "samples is " + std::to_string(samples));
+    check_refused(bad, scene, width, height, {.threads = -1, .progress = {}}, "threads");
     for (const int side : {0, -5, kMaxImageSide + 1})
-        CHECK(code_of(scene, side, height, {.samples = 1, .progress = {}}, message) ==
-              ErrorCode::invalid_argument);
+        check_refused(bad, scene, side, height, {.samples = 1, .progress = {}});
 }
 
 TEST_CASE("what throws inside reaches the caller") {

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Images against Mitsuba 3's, object pixels away from silhouettes. Fewer samples than the truth has; what
 // matters is that nothing but noise is left: it must average out over blocks of pixels as noise does.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-
 #include "reference/camera_rays.hpp"
 #include "scenes.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using namespace nicol::test;
@@ -17,11 +11,6 @@ using namespace nicol::test;
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path data_folder() {
-    const char* folder = std::getenv("NICOL_TEST_DATA");
-    return folder == nullptr ? fs::path() : fs::path(folder);
-}
 
 /// What the scene files beside the images say.
 struct MitsubaScene {
@@ -156,21 +145,13 @@ void check(const MitsubaScene& s, const fs::path& truth_file, int samples) {
 }  // namespace
 
 TEST_CASE("a sphere under an image of light is Mitsuba 3's, but for noise") {
-    const fs::path data = data_folder();
-    const fs::path truth = data / "mitsuba/sphere_env_a03.exr";
-    if (!fs::exists(truth)) {
-        MESSAGE("skipped: NICOL_TEST_DATA has no mitsuba/sphere_env_a03.exr");
-        return;
-    }
-    check(sphere_env(data), truth, 128);
+    const fs::path truth = test_data("mitsuba/sphere_env_a03.exr");
+    if (truth.empty()) return;
+    check(sphere_env(truth.parent_path().parent_path()), truth, 128);
 }
 
 TEST_CASE("a statue on a plane, with shadows, is Mitsuba 3's, but for noise") {
-    const fs::path data = data_folder();
-    const fs::path truth = data / "mitsuba/buddha_plane_venice.exr";
-    if (!fs::exists(truth) || !fs::exists(data / "polarsh/buddha.obj")) {
-        MESSAGE("skipped: NICOL_TEST_DATA has no mitsuba/buddha_plane_venice.exr or polarsh/buddha.obj");
-        return;
-    }
-    check(buddha(data), truth, 64);
+    const fs::path truth = test_data("mitsuba/buddha_plane_venice.exr");
+    if (truth.empty() || test_data("polarsh/buddha.obj").empty()) return;
+    check(buddha(truth.parent_path().parent_path()), truth, 64);
 }

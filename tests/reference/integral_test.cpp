@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Values known in closed form, and strategies against each other.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <random>
-
 #include "scenes.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using namespace nicol::test;

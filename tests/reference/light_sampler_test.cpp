@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
-#include <glm/geometric.hpp>
-#include <memory>
-#include <random>
-
-#include "error.hpp"
 #include "reference/light_sampler.hpp"
 #include "sampling.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using namespace nicol::test;

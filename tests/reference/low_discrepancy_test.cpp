@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
-#include <cmath>
 #include <set>
-#include <vector>
 
 #include "reference/low_discrepancy.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Frames: light into surfaces, out of them, and straight to the camera.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/matrix.hpp>
-#include <numbers>
-
+#include "directions.hpp"
 #include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
 #include "scenes.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using namespace nicol::test;
 
 namespace {
-
-glm::dmat3 some_rotation() {
-    return frame_with_x(glm::normalize(glm::dvec3(0.3, -0.5, 0.7)), glm::dvec3(1, 0.2, 0.1));
-}
 
 /// The linear part as a tensor in space, which no choice of frame can hide an error from.
 glm::dmat3 tensor(const Stokes& s, const Frame& f) {
@@ -76,7 +68,7 @@ TEST_CASE(
 
     // The camera's head bends to its own right by 30 degrees; in its image the horizon then rises to the
     // right, counter-clockwise, and AoLP is 30 degrees.
-    const double roll = std::numbers::pi / 6;
+    const double roll = pi / 6;
     const glm::dvec3 forward = -towards;
     const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
     const glm::dvec3 up = glm::cross(right, forward);

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Shadows whose depth is known: view factors of squares and walls.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "scenes.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using namespace nicol::test;
-using std::numbers::pi;
 
 namespace {
 

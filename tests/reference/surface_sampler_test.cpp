@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
-#include <glm/geometric.hpp>
-
 #include "reference/surface_sampler.hpp"
 #include "sampling.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using namespace nicol::test;
@@ -12,7 +9,7 @@ using namespace nicol::test;
 namespace {
 
 glm::dvec3 viewer_at(double degrees) {
-    const double theta = degrees * std::numbers::pi / 180;
+    const double theta = degrees * pi / 180;
     return {std::sin(theta) * std::cos(0.7), std::sin(theta) * std::sin(0.7), std::cos(theta)};
 }
 
@@ -41,7 +38,7 @@ TEST_CASE("a diffuse surface is sampled by the cosine") {
     const glm::dvec3 viewer = viewer_at(60);
     for (const double degrees : {0.0, 30.0, 89.0}) {
         const glm::dvec3 d = viewer_at(degrees);
-        CHECK(sampler.pdf(viewer, d) == doctest::Approx(d.z / std::numbers::pi).epsilon(1e-14));
+        CHECK(sampler.pdf(viewer, d) == doctest::Approx(d.z / pi).epsilon(1e-14));
         CHECK(sampler.pdf(viewer, -d) == 0);
     }
 }

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Low orders: frames in which only the camera or the light moves need no memory that grows with the scene.
-#include <doctest/doctest.h>
-
 #include <atomic>
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
-#include <functional>
-#include <glm/gtc/matrix_transform.hpp>
-#include <memory>
 #include <new>
 
-#include "coarse_sphere.hpp"
-#include "falling_light.hpp"
 #include "render/progress.hpp"
+#include "render/scenes.hpp"
 #include "render/transfer_cache.hpp"
 #include "scene/projection.hpp"
+#include "test.hpp"
 
 namespace {
 

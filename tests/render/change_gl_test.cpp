@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A change of the scene costs what it touches, and the image is that of a fresh start.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <glm/gtc/matrix_transform.hpp>
-#include <memory>
-#include <random>
-#include <string>
-#include <vector>
-
-#include "coarse_sphere.hpp"
-#include "error.hpp"
-#include "falling_light.hpp"
 #include "gl/contexts.hpp"
+#include "image_difference.hpp"
 #include "material/conductor.hpp"
 #include "render/renderer.hpp"
+#include "render/scenes.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using test::coarse_sphere;
@@ -28,12 +17,6 @@ namespace {
 constexpr int width = 40;
 constexpr int height = 30;
 
-Camera some_camera() {
-    Camera camera;
-    camera.to_world = look_at({3, 4, 6}, {0, 0.3, 0}, {0, 1, 0});
-    return camera;
-}
-
 RenderOptions by(Method method) {
     return {.method = method,
             .executor = Executor::cpu,
@@ -43,6 +26,8 @@ RenderOptions by(Method method) {
             .high_orders_at = HighOrdersAt::vertices,
             .progress = {}};
 }
+
+const Camera some_camera = test::camera_at({3, 4, 6}, {0, 0.3, 0});
 
 glm::dmat4 at(double x, double y, double z, double size = 1) {
     return glm::scale(glm::translate(glm::dmat4(1), {x, y, z}), glm::dvec3(size));
@@ -74,15 +59,9 @@ Scene balls_on_plate() {
 }
 
 /// For what takes long to make, shared by all renderers but for bakes.
-struct Folder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("nicol-change-" + std::to_string(std::random_device()()));
-    ~Folder() { std::filesystem::remove_all(path); }
-};
-
 const std::filesystem::path& tables() {
-    static const Folder folder;
-    return folder.path;
+    static const TemporaryFolder folder;
+    return folder.path();
 }
 
 struct Studio {
@@ -92,20 +71,19 @@ struct Studio {
           renderer(context, 0),
           target(context, width, height, 3),
           folder(tables()) {
-        std::filesystem::create_directories(folder);
         for (const auto& file : std::filesystem::directory_iterator(folder)) {
             if (file.path().extension() == ".visibility") std::filesystem::remove(file.path());
         }
         renderer.set_cache(folder, {});
     }
 
-    const Statistics& operator()(const Scene& scene, const Camera& camera = some_camera()) {
+    const Statistics& operator()(const Scene& scene, const Camera& camera = some_camera) {
         renderer.render(scene, camera, options, target);
         return target.statistics();
     }
 
     /// That of a renderer that has seen nothing else.
-    StokesImage fresh(const Scene& scene, const Camera& camera = some_camera()) const {
+    StokesImage fresh(const Scene& scene, const Camera& camera = some_camera) const {
         Studio other(context, options.method);
         other.options = options;
         other(scene, camera);
@@ -119,18 +97,9 @@ struct Studio {
     std::filesystem::path folder;
 };
 
-double largest(const StokesImage& image) {
-    float most = 0;
-    for (const float value : image.data) most = std::max(most, std::abs(value));
-    return static_cast<double>(most);
-}
-
 /// Root mean square over the largest value: a pixel at an edge may fall to either side.
 double difference(const StokesImage& a, const StokesImage& b) {
-    REQUIRE(a.data.size() == b.data.size());
-    double sum = 0;
-    for (std::size_t i = 0; i < a.data.size(); ++i) sum += std::pow(a.data[i] - b.data[i], 2);
-    return std::sqrt(sum / static_cast<double>(a.data.size())) / largest(b);
+    return test::rms_difference(a, b) / test::largest(b);
 }
 
 constexpr std::array methods{Method::factored, Method::dense};
@@ -173,8 +142,7 @@ TEST_CASE("what has not changed is not computed") {
         CHECK(still.vertices_shaded == 0);
         CHECK(still.draw_ms == 0);
 
-        Camera camera = some_camera();
-        camera.to_world = look_at({-3, 4, 5}, {0, 0, 0}, {0, 1, 0});
+        Camera camera = test::camera_at({-3, 4, 5});
         const Statistics seen = studio(scene, camera);
         check_nothing_projected(seen);
         check_nothing_baked(seen);
@@ -413,11 +381,9 @@ TEST_CASE("any row of changes ends where a fresh start does") {
                         break;
                 }
             }
-            Camera camera;
-            camera.to_world =
-                look_at(glm::dvec3(5 * value(random), 5, 6), glm::dvec3(0), glm::dvec3(0, 1, 0));
+            Camera camera = test::camera_at({5 * value(random), 5, 6});
             camera.fov = 60;
-            if (step % 3 == 0) camera = some_camera();
+            if (step % 3 == 0) camera = some_camera;
             studio(scene, camera);
             CAPTURE(step);
             CHECK(difference(studio.target.image(), studio.fresh(scene, camera)) < 2e-5);

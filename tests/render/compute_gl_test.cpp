@@ -1,42 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Compute shaders against threads.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <glm/gtc/matrix_transform.hpp>
-#include <random>
-#include <string>
-
-#include "coarse_sphere.hpp"
 #include "gl/contexts.hpp"
+#include "image_difference.hpp"
 #include "material/conductor.hpp"
 #include "polarization/stokes.hpp"
 #include "render/renderer.hpp"
+#include "render/scenes.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
 
 using namespace nicol;
+using test::falling_light;
 
 namespace {
 
 constexpr double tolerance = 1e-5;  // of the largest value
 
-EnvironmentPtr some_light(LightKind kind, int order, int channels) {
-    PshVector light(order, channels);
-    for (int c = 0; c < channels; ++c) {
-        light.at(c, 0, 0, 0) = 6 + c;
-        for (int l = 0; l <= order; ++l) {
-            for (int m = -l; m <= l; ++m) {
-                for (int p = l == 0 ? 3 : 0; p < static_cast<int>(kind); ++p) {
-                    if (l < 2 && (p == 1 || p == 2)) continue;
-                    light.at(c, l, m, p) = std::sin(7.1 * l + 3.3 * m + 5 * p + 0.2 * c) / (l + 1);
-                }
-            }
-        }
-    }
-    return psh_environment(light);
-}
+const Camera some_camera = test::camera_at({2, 4, 6}, {0, 0.5, 0});
 
 /// A coloured sphere that stands on a metal plate, with so many colour channels.
 Scene sphere_on_plate(const EnvironmentPtr& light, int channels) {
@@ -54,28 +34,13 @@ Scene sphere_on_plate(const EnvironmentPtr& light, int channels) {
     return scene;
 }
 
-Camera some_camera() {
-    Camera camera;
-    camera.to_world = look_at({2, 4, 6}, {0, 0.5, 0}, {0, 1, 0});
-    return camera;
-}
-
-bool alike(const StokesImage& first, const StokesImage& second) {
-    const std::vector<float>& a = first.data;
-    const std::vector<float>& b = second.data;
-    REQUIRE(a.size() == b.size());
-    double largest = 0;
-    double difference = 0;
-    bool finite = true;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        finite = finite && std::isfinite(b[i]);
-        largest = std::max(largest, std::abs(static_cast<double>(a[i])));
-        difference = std::max(difference, std::abs(static_cast<double>(a[i]) - b[i]));
-    }
-    CHECK(finite);
+bool alike(const StokesImage& a, const StokesImage& b) {
+    const double largest = test::largest(a);
+    const double difference = test::largest_difference(a, b);
+    CHECK(test::finite(b));
     CHECK(largest > 0.1);
     CHECK(difference <= tolerance * largest);
-    return finite && difference <= tolerance * largest;
+    return test::finite(b) && difference <= tolerance * largest;
 }
 
 /// Renders by both executors and compares the images.
@@ -91,15 +56,11 @@ struct Comparison {
 
     /// What takes long to prepare is shared by the backends.
     static std::filesystem::path folder() {
-        static const struct Temporary {
-            std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                         ("nicol-compute-" + std::to_string(std::random_device()()));
-            ~Temporary() { std::filesystem::remove_all(path); }
-        } temporary;
-        return temporary.path;
+        static const TemporaryFolder shared;
+        return shared.path();
     }
 
-    void run(const Scene& scene, RenderOptions options, const Camera& camera = some_camera()) {
+    void run(const Scene& scene, RenderOptions options, const Camera& camera = some_camera) {
         options.bake_directions = 256;
         options.executor = Executor::cpu;
         threads.render(scene, camera, options, by_threads);
@@ -126,7 +87,7 @@ TEST_CASE("compute shaders make what threads make, of every kind of light, chann
             Comparison comparison(context, channels);
             for (const LightKind kind : kinds) {
                 for (const int order : {0, 4, 9}) {
-                    const Scene scene = sphere_on_plate(some_light(kind, order, channels), channels);
+                    const Scene scene = sphere_on_plate(falling_light(order, kind, channels), channels);
                     for (const bool shadows : {false, true}) {
                         CAPTURE(channels);
                         CAPTURE(static_cast<int>(kind));
@@ -152,7 +113,7 @@ TEST_CASE("compute shaders make what threads make of shadows on a grid") {
             CAPTURE(static_cast<int>(kind));
             CAPTURE(order);
             CAPTURE(static_cast<int>(horizon));
-            comparison.run(sphere_on_plate(some_light(kind, order, channels), channels),
+            comparison.run(sphere_on_plate(falling_light(order, kind, channels), channels),
                            {.horizon = horizon,
                             .order_low = order,
                             .order_high = order,
@@ -184,7 +145,7 @@ TEST_CASE("compute shaders make what threads make by the dense method") {
             Comparison comparison(context, channels);
             for (const LightKind kind : kinds) {
                 for (const int order : {0, 4}) {
-                    const Scene scene = sphere_on_plate(some_light(kind, order, channels), channels);
+                    const Scene scene = sphere_on_plate(falling_light(order, kind, channels), channels);
                     CAPTURE(channels);
                     CAPTURE(static_cast<int>(kind));
                     CAPTURE(order);
@@ -204,7 +165,7 @@ TEST_CASE("compute shaders make what threads make of high orders") {
         for (const int channels : {1, 6}) {
             Comparison comparison(context, channels);
             for (const LightKind kind : {LightKind::unpolarized, LightKind::full}) {
-                const Scene scene = sphere_on_plate(some_light(kind, 9, channels), channels);
+                const Scene scene = sphere_on_plate(falling_light(9, kind, channels), channels);
                 for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
                     for (const bool shadows : {false, true}) {
                         CAPTURE(channels);
@@ -225,7 +186,7 @@ TEST_CASE("compute shaders make what threads make of high orders") {
 
 TEST_CASE("options and changes reach compute shaders") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        const EnvironmentPtr light = some_light(LightKind::linear, 6, 3);
+        const EnvironmentPtr light = falling_light(6, LightKind::linear, 3);
         Comparison comparison(context, 3);
         Scene scene = sphere_on_plate(light, 3);
         for (const Method method : {Method::factored, Method::dense}) {
@@ -240,7 +201,7 @@ TEST_CASE("options and changes reach compute shaders") {
             options.physical = true;
             options.dering = 1e-3;
             comparison.run(scene, options);
-            Camera camera = some_camera();
+            Camera camera = some_camera;
             camera.orthographic = true;
             comparison.run(scene, options, camera);
             CHECK(comparison.by_shaders.statistics().relight_ms == 0);
@@ -249,7 +210,7 @@ TEST_CASE("options and changes reach compute shaders") {
             comparison.run(scene, options);
             scene.set_transform(0, glm::translate(glm::dmat4(1), {-0.5, 1.2, 0.3}));
             comparison.run(scene, options);
-            scene.set_environment(some_light(LightKind::full, 5, 1), glm::dmat3(1), 1);
+            scene.set_environment(falling_light(5, LightKind::full, 1), glm::dmat3(1), 1);
             comparison.run(scene, options);
             scene.set_environment(light, glm::dmat3(1), 0.7);
         }
@@ -259,7 +220,7 @@ TEST_CASE("options and changes reach compute shaders") {
 TEST_CASE("compute shaders take more vertices than one buffer of light holds") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     Comparison comparison(context, 3);
-    Scene scene = sphere_on_plate(some_light(LightKind::linear, 2, 3), 3);
+    Scene scene = sphere_on_plate(falling_light(2, LightKind::linear, 3), 3);
     scene.add(
         {.mesh = std::make_shared<const Mesh>(make_rectangle(264)),
          .material = diffuse({0.5}),
@@ -276,9 +237,9 @@ TEST_CASE("an empty scene and the automatic choice of the executor") {
         Framebuffer target(context, 8, 8, 3);
         Scene scene;
         scene.set_environment(constant_environment({1.0, 1.0, 1.0}), glm::dmat3(1), 1);
-        renderer.render(scene, some_camera(), {.executor = Executor::compute, .progress = {}}, target);
+        renderer.render(scene, some_camera, {.executor = Executor::compute, .progress = {}}, target);
         CHECK(target.image().at(0, 4, 4)[0] == doctest::Approx(1));
-        renderer.render(scene, some_camera(), {.progress = {}}, target);
+        renderer.render(scene, some_camera, {.progress = {}}, target);
         CHECK(target.statistics().compute == !context->info().software);
     });
 }

@@ -1,48 +1,23 @@
 // SPDX-License-Identifier: MIT
 // High orders looked up at pixels.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-#include <numbers>
-
-#include "falling_light.hpp"
 #include "gl/contexts.hpp"
+#include "image_difference.hpp"
 #include "material/conductor.hpp"
 #include "polarization/stokes.hpp"
 #include "render/renderer.hpp"
+#include "render/scenes.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using test::falling_light;
+using test::largest;
+using test::largest_difference;
+using test::rms;
 
 namespace {
 
 constexpr int width = 64;
 constexpr int height = 48;
-
-/// A unit sphere of rows x columns quadrangles about y, with exact normals.
-std::shared_ptr<const Mesh> coarse_sphere(int rows, int columns) {
-    Mesh mesh;
-    for (int r = 0; r <= rows; ++r) {
-        for (int c = 0; c <= columns; ++c) {
-            const double theta = std::numbers::pi * r / rows;
-            const double phi = 2 * std::numbers::pi * c / columns;
-            mesh.positions.emplace_back(std::sin(theta) * std::sin(phi), std::cos(theta),
-                                        std::sin(theta) * std::cos(phi));
-        }
-    }
-    mesh.normals = mesh.positions;
-    const auto at = [&](int r, int c) { return static_cast<std::uint32_t>(r * (columns + 1) + c); };
-    for (int r = 0; r < rows; ++r) {
-        for (int c = 0; c < columns; ++c) {
-            if (r > 0) mesh.triangles.emplace_back(at(r, c), at(r + 1, c), at(r, c + 1));
-            if (r < rows - 1) mesh.triangles.emplace_back(at(r, c + 1), at(r + 1, c), at(r + 1, c + 1));
-        }
-    }
-    return std::make_shared<const Mesh>(std::move(mesh));
-}
 
 std::shared_ptr<const Mesh> fine_sphere() {
     return std::make_shared<const Mesh>(make_sphere());
@@ -74,8 +49,7 @@ Scene sphere_on_plate(const EnvironmentPtr& light, const std::shared_ptr<const M
 }
 
 Camera some_camera() {
-    Camera camera;
-    camera.to_world = look_at({2, 3, 4}, {0, 0, 0}, {0, 1, 0});
+    Camera camera = test::camera_at({2, 3, 4});
     camera.fov = 40;
     return camera;
 }
@@ -110,21 +84,6 @@ private:
     Renderer renderer_;
 };
 
-double largest(const StokesImage& image) {
-    double most = 0;
-    for (const float value : image.data) most = std::max(most, std::abs(static_cast<double>(value)));
-    return most;
-}
-
-double largest_difference(const StokesImage& a, const StokesImage& b) {
-    REQUIRE(a.data.size() == b.data.size());
-    double most = 0;
-    for (std::size_t i = 0; i < a.data.size(); ++i) {
-        most = std::max(most, std::abs(static_cast<double>(a.data[i]) - b.data[i]));
-    }
-    return most;
-}
-
 /// Root mean square of the difference where `part` is true of the pixel, of Stokes component p.
 template <class Part>
 double difference(const StokesImage& a, const StokesImage& b, std::size_t p, Part part) {
@@ -141,11 +100,6 @@ double difference(const StokesImage& a, const StokesImage& b, std::size_t p, Par
     }
     REQUIRE(count > 100);
     return std::sqrt(sum / count);
-}
-
-/// Of s0.
-double rms(const StokesImage& image) {
-    return difference(image, StokesImage(width, height, image.channels), 0, [](int, int) { return true; });
 }
 
 /// Well inside the unit sphere's image.
@@ -192,7 +146,7 @@ TEST_CASE("where vertices are far apart, pixels come much nearer to the smooth s
         for (const bool polarized : {false, true}) {
             const EnvironmentPtr light = falling_light(9, polarized);
             const Scene smooth = lone(fine_sphere(), light);
-            const Scene coarse = lone(coarse_sphere(10, 20), light);
+            const Scene coarse = lone(test::coarse_sphere(6), light);
             for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
                 CAPTURE(polarized);
                 CAPTURE(static_cast<int>(form));
@@ -220,7 +174,7 @@ TEST_CASE("both executors make the same at pixels, of every kind of light, shado
         Studio render(context);
         for (const auto& [channels, polarized] : {std::pair(1, true), {3, false}, {6, true}}) {
             const Scene scene =
-                sphere_on_plate(falling_light(9, polarized, channels), coarse_sphere(12, 24), 6);
+                sphere_on_plate(falling_light(9, polarized, channels), test::coarse_sphere(7), 6);
             for (const bool shadows : {false, true}) {
                 CAPTURE(channels);
                 CAPTURE(polarized);
@@ -242,7 +196,7 @@ TEST_CASE("both executors make the same at pixels, of every kind of light, shado
 TEST_CASE("shadows dim what pixels look up as they dim it at vertices") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Studio render(context);
-        const Scene scene = sphere_on_plate(falling_light(9, false), coarse_sphere(40, 80), 40);
+        const Scene scene = sphere_on_plate(falling_light(9, false), test::coarse_sphere(23), 40);
         const auto minus = [](StokesImage a, const StokesImage& b) {
             for (std::size_t i = 0; i < a.data.size(); ++i) a.data[i] -= b.data[i];
             return a;
@@ -274,7 +228,7 @@ TEST_CASE("unpolarized light costs one look-up a level, whatever the channels") 
             const PshVector grey = falling_light(9, polarized, 1)->project(9);
             PshVector light(9, channels);
             for (int c = 0; c < channels; ++c) std::ranges::copy(grey.channel(0), light.channel(c).begin());
-            const Scene scene = lone(coarse_sphere(10, 20), psh_environment(light));
+            const Scene scene = lone(test::coarse_sphere(6), psh_environment(light));
             std::uint64_t of[2];
             for (const HighOrders form : {HighOrders::split, HighOrders::none}) {
                 Studio render(context);
@@ -297,7 +251,7 @@ TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
         Studio render(context);
         EquirectImage image(64, 33, 3);  // a lamp in the dark
         for (int c = 0; c < 3; ++c) image.at(c, 8, 20)[0] = 500;
-        const Scene scene = lone(coarse_sphere(24, 48), image_environment(image));
+        const Scene scene = lone(test::coarse_sphere(14), image_environment(image));
         const auto unphysical = [](const StokesImage& image) {
             int count = 0;
             for (std::size_t i = 0; i < image.data.size(); i += 4) {
@@ -331,9 +285,8 @@ TEST_CASE("backs of one-sided surfaces stay black at pixels, and two-sided ones 
             Studio render(context);
             const Scene scene = lone(std::make_shared<const Mesh>(make_rectangle(4)), falling_light(9, true),
                                      both ? twosided(metal()) : metal());
-            Camera behind;
-            behind.to_world = look_at({0.3, 0.2, -2}, {0, 0, 0}, {0, 1, 0});
-            const StokesImage image = render(scene, at(HighOrdersAt::pixels), behind);
+            const StokesImage image =
+                render(scene, at(HighOrdersAt::pixels), test::camera_at({0.3, 0.2, -2}));
             const float centre = image.at(1, height / 2, width / 2)[0];
             if (both) {
                 CHECK(centre > 0.5F);
@@ -347,7 +300,7 @@ TEST_CASE("backs of one-sided surfaces stay black at pixels, and two-sided ones 
 TEST_CASE("changes reach pixels") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         const EnvironmentPtr light = falling_light(9, true);
-        Scene scene = sphere_on_plate(light, coarse_sphere(10, 20), 6);
+        Scene scene = sphere_on_plate(light, test::coarse_sphere(6), 6);
         Studio render(context);
         RenderOptions options = at(HighOrdersAt::pixels, HighOrders::split, true);
         options.order_high = 6;
@@ -370,7 +323,7 @@ TEST_CASE("changes reach pixels") {
         scene.set_environment(falling_light(5, false), glm::dmat3(1), 0.3);
         compare();
         scene.set_transform(0, glm::translate(glm::dmat4(1), {0.3, 0.2, 0}));
-        scene.add({.mesh = coarse_sphere(6, 12),
+        scene.add({.mesh = test::coarse_sphere(4),
                    .material = pplastic({.alpha = 0.4}),
                    .to_world = glm::translate(glm::dmat4(1), {-1, 0.5, 1})});
         compare();
@@ -385,7 +338,7 @@ TEST_CASE("changes reach pixels") {
 TEST_CASE("high orders are at vertices where OpenGL runs on the CPU, unless asked otherwise") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Studio render(context);
-        const Scene scene = lone(coarse_sphere(10, 20), falling_light(9, true));
+        const Scene scene = lone(test::coarse_sphere(6), falling_light(9, true));
         const StokesImage automatic = render(scene, at(HighOrdersAt::automatic));
         const HighOrdersAt same = context->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
         CHECK(render.statistics.high_orders_at == same);

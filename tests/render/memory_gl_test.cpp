@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Device memory stays what the present scene and image need.
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <memory>
-#include <utility>
-
-#include "coarse_sphere.hpp"
-#include "falling_light.hpp"
 #include "gl/contexts.hpp"
 #include "render/renderer.hpp"
+#include "render/scenes.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using test::falling_light;
 
 namespace {
 
-Camera some_camera() {
-    Camera camera;
-    camera.to_world = look_at({2, 3, 4}, {0, 0, 0}, {0, 1, 0});
-    return camera;
-}
+const Camera some_camera = test::camera_at({2, 3, 4});
 
 struct Use {
     std::uint64_t buffers;
@@ -72,15 +60,15 @@ TEST_CASE("changes of scene, light, camera and options give back what they no lo
                 CAPTURE(w);
                 RenderOptions options = by(ways[w]);
                 scene.set_environment(plain, glm::dmat3(1), 1 + round);
-                renderer.render(scene, some_camera(), options, target);
+                renderer.render(scene, some_camera, options, target);
                 options.order_low = 1;
                 options.shadows = false;
-                renderer.render(scene, some_camera(), options, target);
+                renderer.render(scene, some_camera, options, target);
                 options.order_low = 2;
                 options.shadows = true;
                 scene.set_transform(1, glm::translate(glm::dmat4(1), {1, 1.4, 0.1}));
                 scene.set_environment(polarized, glm::dmat3(1), 1 + round);
-                renderer.render(scene, some_camera(), options, target);
+                renderer.render(scene, some_camera, options, target);
                 const Use use = use_of(target.statistics());
                 CHECK(use.buffers > 0);
                 if (round == 0) first[w] = use;
@@ -104,7 +92,7 @@ TEST_CASE("an image of another size costs its own size alone") {
             const auto use_at = [&](int width, int height) {
                 target.reset();
                 target = std::make_unique<Framebuffer>(context, width, height, 3);
-                renderer.render(scene, some_camera(), by(way), *target);
+                renderer.render(scene, some_camera, by(way), *target);
                 return use_of(target->statistics());
             };
             const Use small = use_at(20, 10);
@@ -129,7 +117,7 @@ TEST_CASE("nothing is left of a renderer") {
         {
             Renderer renderer(context, 0);
             Framebuffer target(context, 24, 16, 3);
-            for (const auto& way : ways) renderer.render(scene, some_camera(), by(way), target);
+            for (const auto& way : ways) renderer.render(scene, some_camera, by(way), target);
             CHECK(context->memory().total() > before);
         }
         CHECK(context->memory().total() == before);

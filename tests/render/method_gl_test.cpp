@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The methods of transfer against each other.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-
-#include "coarse_sphere.hpp"
 #include "gl/contexts.hpp"
 #include "harmonics/rotation.hpp"
+#include "image_difference.hpp"
 #include "material/conductor.hpp"
 #include "material/material_projection.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "render/renderer.hpp"
+#include "render/scenes.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
@@ -51,32 +48,7 @@ Scene two_spheres(const MaterialPtr& first, const MaterialPtr& second, int order
     return scene;
 }
 
-Camera some_camera() {
-    Camera camera;
-    camera.to_world = look_at({1, 2, 6}, {0, 0, 0}, {0, 1, 0});
-    return camera;
-}
-
-struct Difference {
-    double scale = 0;    ///< root mean square of the first image
-    double mean = 0;     ///< root mean square of the difference
-    double largest = 0;  ///< difference
-};
-
-Difference compare(const StokesImage& a, const StokesImage& b) {
-    Difference d;
-    REQUIRE(a.data.size() == b.data.size());
-    for (std::size_t i = 0; i < a.data.size(); ++i) {
-        const double difference = a.data[i] - b.data[i];
-        d.scale += a.data[i] * a.data[i];
-        d.mean += difference * difference;
-        d.largest = std::max(d.largest, std::abs(difference));
-    }
-    const auto n = static_cast<double>(a.data.size());
-    d.scale = std::sqrt(d.scale / n);
-    d.mean = std::sqrt(d.mean / n);
-    return d;
-}
+const Camera some_camera = test::camera_at({1, 2, 6});
 
 }  // namespace
 
@@ -94,16 +66,16 @@ TEST_CASE("dense equals factored where factored truncates the outgoing side as w
             RenderOptions options{.order_low = order, .order_high = order, .progress = {}};
             const auto check = [&] {
                 options.method = Method::dense;
-                dense_renderer.render(exact, some_camera(), options, dense);
+                dense_renderer.render(exact, some_camera, options, dense);
                 options.method = Method::factored;
-                factored_renderer.render(cut, some_camera(), options, factored);
-                const Difference d = compare(factored.image(), dense.image());
-                CHECK(d.scale > 0.1);
+                factored_renderer.render(cut, some_camera, options, factored);
+                const double scale = test::rms(factored.image());
+                CHECK(scale > 0.1);
                 // What remains is the linear interpolation between the angles of the response table, and
                 // single vertices whose matrices of shadow lose most to the 16 bits that their entries are
                 // kept in.
-                CHECK(d.mean < 1e-5 * d.scale);
-                CHECK(d.largest < 3e-4 * d.scale);
+                CHECK(test::rms_difference(factored.image(), dense.image()) < 1e-5 * scale);
+                CHECK(test::largest_difference(factored.image(), dense.image()) < 3e-4 * scale);
             };
             check();
             // Rotated light, then an object elsewhere: what depends on them follows.
@@ -124,14 +96,14 @@ TEST_CASE("dense says what it holds and skips") {
         scene.set_environment(constant_environment({1.0, 1.0, 1.0}), glm::dmat3(1), 1);
         Framebuffer target(context, 16, 16, 3);
         Renderer renderer(context, 0);
-        renderer.render(scene, some_camera(), {.method = Method::dense, .progress = {}}, target);
+        renderer.render(scene, some_camera, {.method = Method::dense, .progress = {}}, target);
         const Statistics& first = target.statistics();
         const std::uint64_t vertices = first.vertices;
         CHECK(first.transfer_bytes > vertices * 25 * 24 * sizeof(float));
         CHECK(first.transfer_bytes < vertices * 25 * 50 * sizeof(float));
         CHECK(first.response_rows_skipped == 2 * 3 * 3);
         CHECK(first.bake_ms > 0);
-        renderer.render(scene, some_camera(), {.method = Method::dense, .progress = {}}, target);
+        renderer.render(scene, some_camera, {.method = Method::dense, .progress = {}}, target);
         CHECK(target.statistics().bake_ms == 0);
         CHECK(target.statistics().relight_ms == 0);
     });

@@ -2,16 +2,10 @@
 // Orders that are chosen for an error, and the error they then have.
 #include "render/order_selector.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <random>
-
-#include "coarse_sphere.hpp"
-#include "error.hpp"
+#include "render/scenes.hpp"
 #include "render/transfer_cache.hpp"
 #include "scene/projection.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 

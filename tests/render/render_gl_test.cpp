@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <initializer_list>
-#include <memory>
-#include <numbers>
-#include <random>
-
-#include "error.hpp"
+#include "directions.hpp"
 #include "gl/contexts.hpp"
+#include "image_difference.hpp"
 #include "render/renderer.hpp"
+#include "test.hpp"
 
 using namespace nicol;
+using test::largest;
+using test::largest_difference;
 
 namespace {
 
@@ -35,10 +27,6 @@ StokesImage render(const std::shared_ptr<gl::Context>& context, const Scene& sce
     Renderer renderer(context, 0);
     renderer.render(scene, camera, {.order_low = order, .order_high = order, .progress = {}}, target);
     return target.image();
-}
-
-glm::dmat3 some_rotation() {
-    return frame_with_x(glm::normalize(glm::dvec3(0.3, -0.5, 0.7)), glm::dvec3(1, 0.2, 0.1));
 }
 
 glm::dmat4 affine(const glm::dmat3& linear, const glm::dvec3& translation = glm::dvec3(0.0)) {
@@ -65,23 +53,10 @@ EnvironmentPtr noisy_polarized_light(int channels) {
 
 // The world's direction a pixel looks along, written out once more.
 glm::dvec3 ray_of(const Camera& camera, int x, int y) {
-    const double half = std::tan(camera.fov * std::numbers::pi / 360);
+    const double half = std::tan(camera.fov * pi / 360);
     const double right = (2 * (x + 0.5) / width - 1) * half;
     const double up = (1 - 2 * (y + 0.5) / height) * half * height / width;
     return glm::normalize(glm::dvec3(camera.to_world * glm::dvec4(-right, up, 1, 0)));
-}
-
-float largest(const StokesImage& image) {
-    float most = 0;
-    for (const float value : image.data) most = std::max(most, std::abs(value));
-    return most;
-}
-
-float largest_difference(const StokesImage& a, const StokesImage& b) {
-    REQUIRE(a.data.size() == b.data.size());
-    float most = 0;
-    for (std::size_t i = 0; i < a.data.size(); ++i) most = std::max(most, std::abs(a.data[i] - b.data[i]));
-    return most;
 }
 
 std::shared_ptr<const Mesh> sphere() {
@@ -139,35 +114,6 @@ TEST_CASE("OSMesa and EGL give the same floats") {
     CHECK(largest_difference(egl, osmesa) < 1e-5F * largest(egl));
 }
 
-TEST_CASE("turning light, object and camera together changes nothing") {
-    const glm::dmat3 turn = some_rotation();
-    const EnvironmentPtr light = noisy_polarized_light(1);
-    const auto image = [&](const glm::dmat3& rotation) {
-        Scene scene;
-        scene.add({.mesh = std::make_shared<const Mesh>(make_cube(6)),
-                   .material = pplastic({.alpha = 0.2}),
-                   .to_world = affine(rotation)});
-        scene.set_environment(light, rotation, 1);
-        Camera camera = camera_at({2, 3, 4});
-        camera.to_world = affine(rotation) * camera.to_world;
-        return render(gl::make_context(gl::Backend::osmesa), scene, camera, 9);
-    };
-    const StokesImage before = image(glm::dmat3(1.0));
-    const StokesImage after = image(turn);
-    // Rounding may move an edge by a pixel here and there.
-    std::size_t differing = 0;
-    for (std::size_t i = 0; i < before.data.size(); ++i) {
-        if (std::abs(before.data[i] - after.data[i]) > 1e-5F * largest(before)) ++differing;
-    }
-    CHECK(differing < before.data.size() / 100);
-    for (int y = height / 2 - 3; y < height / 2 + 3; ++y) {
-        for (int x = width / 2 - 3; x < width / 2 + 3; ++x) {
-            CHECK(glm::distance(before.stokes(0, y, x), after.stokes(0, y, x)) <
-                  1e-5 * static_cast<double>(largest(before)));
-        }
-    }
-}
-
 TEST_CASE("a diffuse surface under constant light has its albedo's radiance, and its back is black") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
         Scene scene;
@@ -192,8 +138,8 @@ TEST_CASE("a two-sided surface is lit on both sides, each by the light it faces"
         EquirectImage image(64, 33, 1);
         for (int y = 0; y < 33; ++y) {
             for (int x = 0; x < 64; ++x) {
-                const double theta = std::numbers::pi * y / 32;
-                const double phi = 2 * std::numbers::pi * (x + 0.5) / 64;
+                const double theta = pi * y / 32;
+                const double phi = 2 * pi * (x + 0.5) / 64;
                 image.at(0, y, x)[0] = static_cast<float>(1 - std::cos(phi) * std::sin(theta));
             }
         }
@@ -224,10 +170,10 @@ TEST_CASE("near things hide far ones whatever the order, and darkness is black")
     }
 }
 
-TEST_CASE("only what a change makes necessary runs again") {
+TEST_CASE("what needs no work is counted, and another image or framebuffer is drawn") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     Scene scene;
-    const auto id = scene.add({.mesh = sphere(), .material = pplastic({})});
+    scene.add({.mesh = sphere(), .material = pplastic({})});
     scene.set_environment(constant_environment({1, 1, 1}), glm::dmat3(1.0), 1);
     Framebuffer target(context, width, height, 3);
     Renderer renderer(context, 0);
@@ -245,12 +191,7 @@ TEST_CASE("only what a change makes necessary runs again") {
     CHECK(first.response_rows_skipped == 3);  // no s3, in three channels
 
     const StokesImage image = target.image();
-    const Statistics again = run(camera_at({0, 0, 3}));
-    CHECK(again.relight_ms == 0);
-    CHECK(again.shade_ms == 0);
-    CHECK(again.draw_ms == 0);
-    CHECK(again.vertices_skipped == first.vertices_skipped);
-    CHECK(largest_difference(image, target.image()) == 0);
+    CHECK(run(camera_at({0, 0, 3})).draw_ms == 0);
     // Another image in the framebuffer is a change, too, and so is another framebuffer.
     Framebuffer other(context, width, height, 3);
     renderer.render(scene, camera_at({0, 0, 3}), {}, other);
@@ -263,14 +204,7 @@ TEST_CASE("only what a change makes necessary runs again") {
     coarse.order_low = 0;
     renderer.render(scene, camera_at({0, 0, 3}), coarse, target);
     CHECK(target.statistics().draw_ms > 0);
-    run(camera_at({0, 0, 3}));
-    CHECK(run(camera_at({0, 3, 3})).relight_ms == 0);
     CHECK(largest_difference(image, target.image()) > 0);
-    scene.set_environment(scene.environment(), some_rotation(), 1);
-    CHECK(run(camera_at({0, 3, 3})).relight_ms > 0);
-    scene.set_transform(id, affine(glm::dmat3(0.5)));
-    CHECK(run(camera_at({0, 3, 3})).relight_ms > 0);
-    CHECK(largest_difference(image, target.image()) > 0.1F);
 }
 
 TEST_CASE("an image shown in a framebuffer is in memory and on the device") {

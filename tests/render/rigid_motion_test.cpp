@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/rigid_motion.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <glm/matrix.hpp>
+#include "test.hpp"
 
 using namespace nicol;
 

@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene_geometry.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
-#include <memory>
-
-#include "coarse_sphere.hpp"
-#include "error.hpp"
+#include "render/scenes.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using test::coarse_sphere;

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <random>
-#include <vector>
-
 #include "shading/physical_range.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <initializer_list>
-#include <numbers>
-#include <random>
-#include <vector>
-
+#include "shading/shade.hpp"
+#include "directions.hpp"
 #include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
-#include "shading/shade.hpp"
+#include "test.hpp"
 #include "transfer/vertex_light.hpp"
 
 using namespace nicol;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 std::vector<glm::vec3> test_normals() {
     std::vector<glm::vec3> normals{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
@@ -27,11 +18,6 @@ std::vector<glm::vec3> test_normals() {
         normals.push_back(glm::normalize(glm::vec3(normal(random), normal(random), normal(random))));
     }
     return normals;
-}
-
-glm::dmat3 some_rotation() {
-    const glm::dvec3 z = glm::normalize(glm::dvec3(1, -2, 0.5));
-    return frame_with_x(z, {0.3, 0.1, 1});
 }
 
 }  // namespace

@@ -1,14 +1,5 @@
 // SPDX-License-Identifier: MIT
 // High orders against the full transfer.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "light/environment.hpp"
 #include "material/brute_force.hpp"
 #include "material/material_projection.hpp"
@@ -16,6 +7,7 @@
 #include "specular/convolution_kernel.hpp"
 #include "specular/high_order_light.hpp"
 #include "specular/high_order_scene.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 using test::gold;
@@ -30,7 +22,7 @@ MaterialPtr mirrored_convolution(int order) {
     ConvolutionKernel kernel(static_cast<std::size_t>(order) + 1);
     for (int l = 0; l <= order; ++l) {
         KernelBand& k = kernel[static_cast<std::size_t>(l)];
-        const double unit = std::exp(-0.02 * l * l) * std::sqrt((2 * l + 1) / (4 * std::numbers::pi));
+        const double unit = std::exp(-0.02 * l * l) * std::sqrt((2 * l + 1) / (4 * pi));
         k.k00 = unit;
         k.k33 = 0.6 * unit;
         if (l < 2) continue;
@@ -105,12 +97,8 @@ TEST_CASE("the split form comes close to the full transfer of polarized light") 
 }
 
 TEST_CASE("under real light the split form halves what convolution misses, and keeps polarization") {
-    const char* data = std::getenv("NICOL_TEST_DATA");
-    const std::filesystem::path folder = std::filesystem::path(data == nullptr ? "" : data) / "mitsuba";
-    if (data == nullptr || !std::filesystem::exists(folder / "env.exr")) {
-        MESSAGE("skipped: NICOL_TEST_DATA has no mitsuba/env.exr");
-        return;
-    }
+    const std::filesystem::path folder = test_data("mitsuba/env.exr").parent_path();
+    if (folder.empty()) return;
     constexpr int order = 64;
     struct Subject {
         std::string name;
@@ -150,13 +138,8 @@ TEST_CASE("under real light the split form halves what convolution misses, and k
 }
 
 TEST_CASE("of a measured metal given as a matrix the split form keeps polarization too") {
-    const char* data = std::getenv("NICOL_TEST_DATA");
-    const std::filesystem::path folder = data == nullptr ? "" : data;
-    const auto file = folder / "polarsh" / "SHMat_6_gold_ds1_L20_ISOBI2.npz";
-    if (data == nullptr || !std::filesystem::exists(file)) {
-        MESSAGE("skipped: NICOL_TEST_DATA has no polarsh/SHMat_6_gold_ds1_L20_ISOBI2.npz");
-        return;
-    }
+    const auto file = test_data("polarsh/SHMat_6_gold_ds1_L20_ISOBI2.npz");
+    if (file.empty()) return;
     const MaterialPtr material = psh_matrix_material(read_psh_matrix(file));
     const int order = material->matrix(0)->order_in();
     const PshVector light = test::random_light(order, 3, 1, 1);

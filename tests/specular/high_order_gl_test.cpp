@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 // glsl/high_order.glsl against the CPU.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <memory>
-#include <random>
-#include <vector>
-
+#include "directions.hpp"
 #include "gl/buffer.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
@@ -17,6 +9,7 @@
 #include "specular/convolution_kernel.hpp"
 #include "specular/high_order_light.hpp"
 #include "specular/high_order_scene.hpp"
+#include "test.hpp"
 
 namespace nicol::gl {
 [[nodiscard]] std::span<const ShaderSource> specular_test_shaders();
@@ -58,10 +51,6 @@ std::vector<Point> test_points() {
             {glm::vec4(n, 0), glm::vec4(v, 0), glm::vec4(uniform(random), uniform(random), 0, 0)});
     }
     return points;
-}
-
-glm::dmat3 some_rotation() {
-    return frame_with_x(glm::normalize(glm::dvec3(1, -2, 0.5)), {0.3, 0.1, 1});
 }
 
 /// The same texels for the shader. A map that is not used is replaced by one that is.
@@ -138,10 +127,9 @@ void compare(const std::shared_ptr<Context>& context, const HighOrderFactors& fa
 /// As of nature: the power of an order falls with its square.
 PshVector natural_light(int channels, int components) {
     PshVector light = test::random_light(l_high, channels, components, 6);
-    for (int c = 0; c < channels; ++c)
-        for (int l = 0; l <= l_high; ++l)
-            for (int m = -l; m <= l; ++m)
-                for (int p = 0; p < 4; ++p) light.at(c, l, m, p) /= std::sqrt(l + 1.0);
+    std::vector<double> gains;
+    for (int l = 0; l <= l_high; ++l) gains.push_back(1 / std::sqrt(l + 1.0));
+    scale_orders(light, gains);
     return light;
 }
 

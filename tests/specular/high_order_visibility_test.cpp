@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "specular/high_order_visibility.hpp"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <glm/geometric.hpp>
-#include <numbers>
-#include <vector>
-
-#include "error.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/grid.hpp"
 #include "specular/high_order_gains.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Coefficients over real harmonics of a function of the propagation direction.
 template <class Function>

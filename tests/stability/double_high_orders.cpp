@@ -9,44 +9,14 @@
 
 #include "harmonics/evaluate.hpp"
 #include "specular/high_order_gains.hpp"
+#include "specular/look_up.hpp"
 #include "stability/double_transfer.hpp"
 
 namespace nicol::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 double mix(double low, double high, double fraction) {
     return low + fraction * (high - low);
-}
-
-// The map's field at a direction, with x for the frame.
-Stokes probe(const LobeMap& map, int channel, const glm::dvec3& d, const glm::dvec3& x) {
-    const double phi = std::atan2(d.y, d.x);
-    const double u = (phi < 0 ? phi + 2 * pi : phi) / (2 * pi) * map.columns();
-    const double v = std::atan2(std::hypot(d.x, d.y), d.z) / pi * (map.rows() - 1);
-    const auto width = static_cast<std::size_t>(map.columns());
-    const auto left = static_cast<std::size_t>(u) % width;
-    const auto top = std::min(static_cast<std::size_t>(v), static_cast<std::size_t>(map.rows() - 2));
-    const double a = u - std::floor(u);
-    const double b = v - static_cast<double>(top);
-    const auto layers = static_cast<std::size_t>(map.layers());
-    const auto texel = [&](int layer) {
-        const auto at = [&](std::size_t row, std::size_t column) {
-            const std::size_t texel_at = row * (width + 1) + column;
-            const float* t = &map.texels()[4 * (texel_at * layers + static_cast<std::size_t>(layer))];
-            return glm::dvec4(t[0], t[1], t[2], t[3]);
-        };
-        const std::size_t right = (left + 1) % width;
-        return (1 - b) * ((1 - a) * at(top, left) + a * at(top, right)) +
-               b * ((1 - a) * at(top + 1, left) + a * at(top + 1, right));
-    };
-    if (!map.polarized()) return {texel(channel / 4)[channel % 4], 0, 0, 0};
-    const glm::dvec4 p = texel(2 * channel);
-    const glm::dvec4 q = texel(2 * channel + 1);
-    const glm::dmat3 tensor(p[2], q[0], q[1], q[0], p[3], q[2], q[1], q[2], -p[2] - p[3]);
-    const glm::dvec3 y = glm::cross(d, x);
-    return {p[0], (glm::dot(x, tensor * x) - glm::dot(y, tensor * y)) / 2, glm::dot(x, tensor * y), p[1]};
 }
 
 // The elements of the factors as they are stored, between two angles.
@@ -112,7 +82,7 @@ Image high_orders_in_double(const Vertices& vertices, const HighOrderFactors& fa
         const double turn = angle_between(Frame(x, glm::cross(v, x), v), camera);
         for (int c = 0; c < channels; ++c) {
             const auto look = [&](const LobeMap& map, const glm::dvec3& direction, const glm::dvec3& axis) {
-                return probe(map, map.channels() == 1 ? 0 : c, to_light * direction, to_light * axis);
+                return look_up(map, map.channels() == 1 ? 0 : c, to_light * direction, to_light * axis);
             };
             const Elements f(factors, c, cosine);
             Stokes sum = f.even(0, look(*maps.centre, d, x));

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The size of the scene changes nothing.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <memory>
-#include <utility>
-
 #include "gl/contexts.hpp"
+#include "image_difference.hpp"
 #include "material/conductor.hpp"
-#include "render/coarse_sphere.hpp"
 #include "render/renderer.hpp"
+#include "render/scenes.hpp"
 #include "stability/lights.hpp"
+#include "test.hpp"
 
 using namespace nicol;
+using test::finite;
 
 namespace {
 
@@ -53,17 +48,12 @@ StokesImage image(const std::shared_ptr<gl::Context>& context, double unit, Exec
     return rendered(context, scene, camera, executor);
 }
 
-bool finite(const StokesImage& image) {
-    return std::ranges::all_of(image.data, [](float value) { return std::isfinite(value); });
-}
-
 }  // namespace
 
 TEST_CASE("a scene of a millionth or a million of its size looks the same") {
     const auto context = gl::make_context(gl::Backend::automatic);
     const StokesImage truth = image(context, 1, Executor::cpu);
-    float largest = 0;
-    for (const float value : truth.data) largest = std::max(largest, std::abs(value));
+    const double largest = test::largest(truth);
     REQUIRE(largest > 0);
     for (const Executor executor : {Executor::cpu, Executor::compute}) {
         for (const double unit : {1e-7, 1e-6, 1e6, 1e7}) {
@@ -73,7 +63,7 @@ TEST_CASE("a scene of a millionth or a million of its size looks the same") {
             CHECK(finite(found));
             std::size_t apart = 0;
             for (std::size_t i = 0; i < truth.data.size(); ++i)
-                apart += std::abs(found.data[i] - truth.data[i]) > 1e-4F * largest ? 1 : 0;
+                apart += std::abs(found.data[i] - truth.data[i]) > 1e-4 * largest ? 1 : 0;
             // Rays and edges that just miss may go either way.
             CHECK(static_cast<double>(apart) < 0.002 * static_cast<double>(truth.data.size()));
         }

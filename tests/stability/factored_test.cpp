@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Low orders: relight and shade in floats against doubles.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <initializer_list>
-#include <vector>
-
 #include "material/conductor.hpp"
 #include "shading/shade.hpp"
 #include "stability/double_transfer.hpp"
 #include "stability/lights.hpp"
+#include "test.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
 

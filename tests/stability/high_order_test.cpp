@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 // High orders: look-ups in floats against doubles.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <string>
 
 #include "material/conductor.hpp"
 #include "specular/high_order_light.hpp"
 #include "specular/high_order_visibility.hpp"
 #include "stability/double_transfer.hpp"
 #include "stability/lights.hpp"
+#include "test.hpp"
 #include "visibility/visibility_harmonics.hpp"
 
 using namespace nicol;

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <random>
-#include <vector>
-
+#include "transfer/dense.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
 #include "material/conductor.hpp"
 #include "material/material_projection.hpp"
 #include "shading/outgoing_shade.hpp"
-#include "transfer/dense.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 

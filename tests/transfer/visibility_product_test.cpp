@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Visibility times light at vertices: every form equals the product of harmonics.
-#include <doctest/doctest.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <random>
-#include <vector>
-
-#include "error.hpp"
 #include "harmonics/mirror_basis.hpp"
 #include "harmonics/product.hpp"
 #include "material/brute_force.hpp"
+#include "test.hpp"
 #include "transfer/visibility_product.hpp"
 
 using namespace nicol;

@@ -2,20 +2,15 @@
 // What shadows do to spectra, in the mean over all orientations.
 #include "visibility/visibility_power.hpp"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
 #include <numeric>
 
 #include "harmonics/psh.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 const glm::vec3 up(0, 1, 0);
 
 // One vertex that sees what lies within a cone about a direction, of that cosine, above its horizon.

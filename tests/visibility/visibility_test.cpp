@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The directions of visibility, and visibility as harmonics.
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstdlib>
-#include <filesystem>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
-#include <numbers>
-#include <random>
-#include <vector>
-
-#include "error.hpp"
 #include "files/npz.hpp"
 #include "geometry/mesh.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/grid.hpp"
 #include "harmonics/psh.hpp"
 #include "polarization/stokes.hpp"
+#include "test.hpp"
 #include "visibility/bake.hpp"
 #include "visibility/visibility_directions.hpp"
 #include "visibility/visibility_harmonics.hpp"
@@ -27,8 +14,6 @@
 using namespace nicol;
 
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // What is seen by `sees`, above the horizon of one vertex.
 template <class Sees>
@@ -227,16 +212,11 @@ TEST_CASE("coefficients are those of the directions turned into the vertex's fra
 }
 
 TEST_CASE("a vertex of the authors' data sees what they say it sees") {
-    const char* data = std::getenv("NICOL_TEST_DATA");
-    const std::filesystem::path folder = std::filesystem::path(data != nullptr ? data : "") / "polarsh";
-    if (!std::filesystem::exists(folder / "buddha.obj")) {
-        MESSAGE("skipped: no polarsh data in NICOL_TEST_DATA");
-        return;
-    }
-    const auto file = folder / "vis_SHVec_buddha_v17650_256_L9.npz";
+    const auto file = test_data("polarsh/vis_SHVec_buddha_v17650_256_L9.npz");
+    if (file.empty()) return;
     const std::vector<double> published = read_npz_member(file, npz_members(file).back()).values;
     REQUIRE(published.size() == psh_count(8));
-    const Mesh mesh = load_mesh(folder / "buddha.obj");
+    const Mesh mesh = load_mesh(file.parent_path() / "buddha.obj");
     const DirectionSet set(512);
     const Visibility visibility = bake({mesh.positions, mesh.normals, mesh.triangles}, set);
     // They count vertices in another order, and keep what is below the normal's horizon: compared is what

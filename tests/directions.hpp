@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Directions and rotations.
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+#include <vector>
+
+#include "polarization/stokes.hpp"
+
+/// The unit vector at these angles from and about z.
+inline glm::dvec3 direction(double zenith, double azimuth) {
+    return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
+}
+
+inline std::vector<glm::dvec3> random_directions(int count, unsigned seed = 1) {
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> normal;
+    std::vector<glm::dvec3> result;
+    for (int i = 0; i < count; ++i)
+        result.push_back(glm::normalize(glm::dvec3(normal(engine), normal(engine), normal(engine))));
+    return result;
+}
+
+/// Any rotation: the axes of the frame at a random direction, rotated about it.
+inline glm::dmat3 some_rotation(unsigned seed = 1) {
+    const auto d = random_directions(2, seed);
+    return nicol::frame_with_x(d[0], d[1]);
+}
