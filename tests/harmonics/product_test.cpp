@@ -3,6 +3,7 @@
 // directions.
 #include "harmonics/product.hpp"
 
+#include "files/npz.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/reference.hpp"
 #include "test.hpp"
@@ -24,20 +25,10 @@ PshVector as_field(const std::vector<double>& scalar, int order) {
     return out;
 }
 
-/// The doubles of the last array in an uncompressed .npz file; empty where there is no such file.
+/// The last array of a file of the authors; empty where there is none.
 std::vector<double> npz_values(const std::string& name) {
-    std::ifstream file(test_data("polarsh/" + name), std::ios::binary);
-    const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-    const std::size_t magic = bytes.rfind("\x93NUMPY");
-    if (magic == std::string::npos) return {};
-    const auto byte = [&](std::size_t i) {
-        return static_cast<std::size_t>(static_cast<unsigned char>(bytes.at(i)));
-    };
-    const std::size_t first = magic + 10 + byte(magic + 8) + 256 * byte(magic + 9);
-    // Behind the values stands the archive's table of contents.
-    std::vector<double> out((bytes.find("PK\x01\x02", first) - first) / sizeof(double));
-    std::memcpy(out.data(), bytes.data() + first, out.size() * sizeof(double));
-    return out;
+    const auto file = test_data("polarsh/" + name);
+    return file.empty() ? std::vector<double>() : read_npz_member(file, npz_members(file).back()).values;
 }
 
 }  // namespace
