@@ -10,6 +10,7 @@
 #include <new>
 #include <string>
 
+#include "arguments.hpp"
 #include "error.hpp"
 #include "nicol.h"
 
@@ -35,10 +36,7 @@ nicol_result guarded(F&& body) noexcept {
     }
 }
 
-[[noreturn]] inline void refuse(const std::string& message) {
-    throw Error(ErrorCode::invalid_argument, message);
-}
-
+using nicol::require;
 /// Throws Error(invalid_argument) naming the argument where it is NULL.
 template <class T>
 void require(T* pointer, const char* name) {

@@ -4,7 +4,7 @@
 
 #include "handles.hpp"
 #include "image/observer.hpp"
-#include "render/stopwatch.hpp"
+#include "progress.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -48,7 +48,7 @@ nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uin
             refuse("channels is " + std::to_string(channels) + "; it must lie in 1 to " +
                    std::to_string(NICOL_MAX_CHANNELS));
         }
-        const Rotation turn(session);
+        const SessionLock lock(session);
         *framebuffer = make_handle<nicol_framebuffer_impl>(
             session, std::make_shared<Framebuffer>(session->gl, static_cast<int>(width),
                                                    static_cast<int>(height), static_cast<int>(channels)));
@@ -79,7 +79,7 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         require(path, "path");
-        const Rotation turn(self.session);
+        const SessionLock lock(self.session);
         const StokesImage& image = self.content->image();
         const Stopwatch watch;
         const Aovs* surfaces = self.content->planes() != 0 ? &self.content->surfaces() : nullptr;
@@ -94,7 +94,7 @@ nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const ni
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         const nicol_observation wanted = read_struct(image, "image");
         require(path, "path");
-        const Rotation turn(self.session);
+        const SessionLock lock(self.session);
         const StokesImage& image = self.content->image();
         const Stopwatch watch;
         write_png(path, image_of(image, wanted));

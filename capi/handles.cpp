@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "handles.hpp"
 
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <unordered_map>
 
 namespace nicol::capi {
@@ -97,23 +94,6 @@ glm::dmat4 matrix(const double (&rows)[16]) {
         for (int column = 0; column < 4; ++column) m[column][row] = rows[4 * row + column];
     }
     return m;
-}
-
-glm::dmat3 rotation_of(const glm::dmat4& to_world, const char* what) {
-    glm::dmat3 axes(to_world);
-    for (int i = 0; i < 3; ++i) {
-        const double length = glm::length(axes[i]);
-        if (!(length > 0) || !std::isfinite(length)) {
-            refuse(std::string(what) + ": to_world has an axis without length or that is not finite");
-        }
-        axes[i] /= length;
-    }
-    for (int i = 0; i < 3; ++i) {
-        if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > 1e-5 || glm::determinant(axes) < 0) {
-            refuse(std::string(what) + ": to_world must turn without shearing or mirroring");
-        }
-    }
-    return axes;
 }
 
 }  // namespace nicol::capi

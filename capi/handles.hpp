@@ -10,7 +10,6 @@
 #include <optional>
 #include <string>
 #include <thread>
-#include <tuple>
 
 #include "boundary.hpp"
 #include "geometry/mesh.hpp"
@@ -74,46 +73,46 @@ inline void refuse_in_callback(const Session& session) {
 }
 
 /// One call at a time on the objects of a session. Refuses calls from within a callback of the same session.
-class Rotation {
+class SessionLock {
 public:
-    explicit Rotation(SessionPtr session) : session_(std::move(session)) {
+    explicit SessionLock(SessionPtr session) : session_(std::move(session)) {
         refuse_in_callback(*session_);
         session_->mutex.lock();
         session_->busy = std::this_thread::get_id();
     }
-    ~Rotation() {
+    ~SessionLock() {
         session_->busy = std::thread::id();
         session_->mutex.unlock();
     }
-    Rotation(const Rotation&) = delete;
-    Rotation& operator=(const Rotation&) = delete;
+    SessionLock(const SessionLock&) = delete;
+    SessionLock& operator=(const SessionLock&) = delete;
 
 private:
     SessionPtr session_;
 };
 
-/// What a scene's prediction of memory depends on.
-using MemoryKey = std::tuple<std::uint64_t, int, int, nicol_method, std::int32_t, std::int32_t,
-                             nicol_high_orders, std::int32_t, std::int32_t, std::uint32_t, std::uint32_t>;
+/// What a scene file says about its image.
+struct Film {
+    Camera camera;
+    std::uint32_t width;
+    std::uint32_t height;
+    bool luminance;  ///< one channel is asked for
+};
 
 struct SceneState {
     explicit SceneState(const SessionPtr& session) : renderer(session->gl, session->threads) {
         // Renders happen inside a call that holds the session.
         renderer.set_cache(session->cache,
                            [owner = session.get()](const std::string& message) { owner->notice(message); });
+        renderer.set_memory_limit(session->memory_limit);
     }
 
     /// Held by who reads or changes the scene: jobs, which have copies, do not keep it.
     std::mutex edit;
     std::atomic<std::thread::id> editor{};  ///< the thread that holds it
     Scene scene;
-    Renderer renderer;              // with the session's turn alone, as what follows
-    std::optional<MemoryKey> fits;  // last found to be within the session's limit
-    std::optional<Camera> camera;   // of the file it was loaded from, as the rest
-    bool luminance = false;         // its film asks for one channel
-    std::uint32_t width = 0;
-    std::uint32_t height = 0;
-    std::unique_ptr<Framebuffer> colours;  // drawn into where an image of the luminance is wanted
+    Renderer renderer;         // used with the session's lock alone
+    std::optional<Film> film;  // of the file it was loaded from
 };
 
 /// Every handle: a session, what it stands for, and a count.
@@ -177,7 +176,7 @@ class Edit {
 public:
     explicit Edit(const nicol_scene_impl& scene)
         : Edit((refuse_in_callback(*scene.session), scene.content)) {}
-    /// Of a render, which has its session's turn.
+    /// Of a render, which holds its session's lock.
     explicit Edit(std::shared_ptr<SceneState> scene) : scene_(std::move(scene)) {
         if (scene_->editor == std::this_thread::get_id()) {
             refuse("a callback called Nicol with the scene that is calling it");
@@ -254,12 +253,5 @@ struct ImagePixels {
 ImagePixels read_image(const nicol_image* image);
 /// A row-major matrix; all zeros are the identity.
 glm::dmat4 matrix(const double (&rows)[16]);
-/// The rotation of an affine matrix whose axes are at right angles. Throws Error(invalid_argument) naming
-/// `what`.
-glm::dmat3 rotation_of(const glm::dmat4& to_world, const char* what);
-
-/// Reads a scene file and everything it names. Notices go to the session's log.
-std::shared_ptr<SceneState> load_scene(const SessionPtr& session, const char* path,
-                                       const char* const* definitions, std::uint32_t count);
 
 }  // namespace nicol::capi

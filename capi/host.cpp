@@ -78,7 +78,7 @@ nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32
         static_cast<void>(of_host(self));
         const nicol_texture_target wanted = read_struct(target, "target");
         require_channel(*self.content, channel);
-        const Rotation turn(self.session);
+        const SessionLock lock(self.session);
         draw_stokes(*self.session, *self.content, static_cast<int>(channel), wanted);
     });
 }
@@ -90,7 +90,7 @@ nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, c
         static_cast<void>(of_host(self));
         const nicol_observation seen = read_struct(image, "image");
         const nicol_texture_target wanted = read_struct(target, "target");
-        const Rotation turn(self.session);
+        const SessionLock lock(self.session);
         draw_image(*self.session, *self.content, seen, wanted);
     });
 }

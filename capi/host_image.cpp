@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "gl/draw.hpp"
-#include "render/stopwatch.hpp"
+#include "progress.hpp"
 
 namespace nicol::capi {
 namespace {

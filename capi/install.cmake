@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-# What others link to: components `runtime` (the library) and `development` (header, CMake package, pkg-config).
+# What others link to: components `runtime` (the library) and `development` (headers, CMake package, pkg-config).
 include(CMakePackageConfigHelpers)
 
 install(TARGETS nicol EXPORT nicol
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT development)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
-install(FILES ${PROJECT_SOURCE_DIR}/include/nicol.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
 # The library depends on nothing that its users have to find, so its targets are the whole package.
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/nicol)

@@ -7,7 +7,7 @@
 
 #include "assets.hpp"
 #include "image/observer.hpp"
-#include "render/stopwatch.hpp"
+#include "progress.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -196,7 +196,7 @@ nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const n
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         const nicol_plane_buffer wanted = read_struct(to, "to");
-        const Rotation turn(self.session);
+        const SessionLock lock(self.session);
         read(*self.content, wanted);
     });
 }
@@ -212,7 +212,7 @@ nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane p
         wanted.pixels = pixels;
         wanted.row_stride = row_stride;
         wanted.byte_size = byte_size;
-        const Rotation turn(self.session);
+        const SessionLock lock(self.session);
         if (channel == NICOL_ALL_CHANNELS) refuse("channel must be one of the framebuffer's");
         read(*self.content, wanted);
     });

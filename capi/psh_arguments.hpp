@@ -7,6 +7,7 @@
 
 #include "boundary.hpp"
 #include "harmonics/psh.hpp"
+#include "nicol_psh.h"
 
 namespace nicol::capi {
 

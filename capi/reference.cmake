@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# `cmake --build build --target reference`: nicol.h as pages to read, in build/capi/reference/html.
+# `cmake --build build --target reference`: the C headers as pages to read, in build/capi/reference/html.
 find_package(Doxygen QUIET)
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if(NOT DOXYGEN_FOUND OR NOT Python3_FOUND)
@@ -8,9 +8,11 @@ endif()
 
 configure_file(reference/Doxyfile.in reference/Doxyfile @ONLY)
 # The filter's failure would not be Doxygen's, so it runs before.
-set(marked ${CMAKE_CURRENT_BINARY_DIR}/reference/nicol.h)
+set(mark ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/reference/mark_comments.py)
 add_custom_target(reference
-  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/reference/mark_comments.py
-          ${PROJECT_SOURCE_DIR}/include/nicol.h > ${marked}
+  COMMAND ${mark} ${PROJECT_SOURCE_DIR}/include/nicol.h > reference/nicol.h
+  COMMAND ${mark} ${PROJECT_SOURCE_DIR}/include/nicol_psh.h > reference/nicol_psh.h
+  COMMAND ${mark} ${PROJECT_SOURCE_DIR}/include/nicol_files.h > reference/nicol_files.h
   COMMAND ${DOXYGEN_EXECUTABLE} ${CMAKE_CURRENT_BINARY_DIR}/reference/Doxyfile
+  WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
   COMMENT "Writing ${CMAKE_CURRENT_BINARY_DIR}/reference/html")

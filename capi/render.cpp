@@ -5,10 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "reference/render_reference.hpp"
 #include "render.hpp"
-#include "render/memory_estimate.hpp"
-#include "render/stopwatch.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -17,11 +14,6 @@ namespace {
 
 double or_default(double value, double fallback) {
     return value == 0 ? fallback : value;
-}
-
-std::uint64_t texture_bytes(gl::Context& context) {
-    const gl::MemoryUse memory = context.memory();
-    return memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
 }
 
 Camera camera_from(const nicol_camera& given) {
@@ -52,11 +44,19 @@ std::function<bool(const char*, double)> progress_from(const nicol_render_option
 }
 
 Method method_from(nicol_method given) {
-    if (given == NICOL_METHOD_FACTORED) return Method::factored;
-    if (given == NICOL_METHOD_DENSE) return Method::dense;
-    throw Error(ErrorCode::unsupported, "method is " + std::to_string(given) +
-                                            "; this version has NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE "
-                                            "and NICOL_METHOD_REFERENCE");
+    switch (given) {
+        case NICOL_METHOD_FACTORED:
+            return Method::factored;
+        case NICOL_METHOD_DENSE:
+            return Method::dense;
+        case NICOL_METHOD_REFERENCE:
+            return Method::reference;
+        default:
+            throw Error(ErrorCode::unsupported,
+                        "method is " + std::to_string(given) +
+                            "; this version has NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE and "
+                            "NICOL_METHOD_REFERENCE");
+    }
 }
 
 Executor executor_from(nicol_executor given) {
@@ -166,102 +166,10 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.components = components_from(given.components);
     options.planes = planes_from(given.planes);
     options.disabled_optimisations = given.disabled_optimisations;
+    options.samples = given.samples == 0 ? options.samples : given.samples;
+    options.seed = given.seed;
     options.progress = progress_from(given);
     return options;
-}
-
-void render_by_reference(const Session& session, const Scene& scene, const Camera& camera,
-                         const nicol_render_options& given, Framebuffer& target) {
-    const ReferenceOptions options{.samples = given.samples == 0 ? 256 : given.samples,
-                                   .shadows = switch_from(given.shadows, "shadows"),
-                                   .seed = given.seed,
-                                   .threads = session.threads,
-                                   .planes = planes_from(given.planes),
-                                   .progress = progress_from(given)};
-    ReferenceStatistics traced;
-    Aovs surfaces;
-    StokesImage image =
-        render_reference(scene, project(camera, target.width(), target.height()), target.width(),
-                         target.height(), options, traced, Strategy::both, &surfaces);
-    Statistics statistics;
-    for (const Instance& instance : scene.instances()) statistics.vertices += instance.mesh->positions.size();
-    statistics.triangles = traced.triangles;
-    statistics.bake_ms = traced.build_ms;
-    statistics.trace_ms = traced.trace_ms;
-    statistics.camera_rays = traced.camera_rays;
-    statistics.shadow_rays = traced.shadow_rays;
-    statistics.texture_bytes = texture_bytes(*target.context());
-    const Stopwatch watch;
-    target.show(std::move(image), statistics, std::move(surfaces));
-    target.statistics().draw_ms = watch.milliseconds();
-}
-
-void check_memory(const Session& session, SceneState& state, const Scene& scene,
-                  const nicol_render_options& given) {
-    if (session.memory_limit == 0) return;
-    const bool reference = given.method == NICOL_METHOD_REFERENCE;
-    const Environment* light = scene.environment().get();
-    const MemoryKey key{scene.geometry_revision(),
-                        scene.channels(),
-                        light == nullptr ? 0 : 1 + (light->polarized() ? 1 : 0) + (light->circular() ? 2 : 0),
-                        given.method,
-                        given.order_low,
-                        given.order_high,
-                        given.high_orders,
-                        given.shadows,
-                        given.high_order_shadows,
-                        given.bake_directions,
-                        given.disabled_optimisations};
-    if (state.fits == key) return;
-    const MemoryEstimate needed =
-        reference ? estimate_reference_memory(scene) : estimate_memory(scene, options_from(given));
-    if (needed.total() <= session.memory_limit) {
-        state.fits = key;
-        return;
-    }
-    throw Error(ErrorCode::out_of_memory, "the scene needs up to " + std::to_string(needed.total()) +
-                                              " bytes at run time; the context's memory_limit is " +
-                                              std::to_string(session.memory_limit));
-}
-
-void render_colours(const Session& session, SceneState& state, const Scene& scene, const RenderCall& call,
-                    Framebuffer& target) {
-    if (call.options.method == NICOL_METHOD_REFERENCE) {
-        render_by_reference(session, scene, call.camera, call.options, target);
-    } else {
-        state.renderer.render(scene, call.camera, options_from(call.options), target);
-    }
-}
-
-// Of linear BT.709. The Stokes components of incoherent light add, so this is the light a grey sensor with
-// the eye's sensitivity measures.
-StokesImage luminance(const StokesImage& rgb) {
-    StokesImage grey(rgb.width, rgb.height, 1);
-    const std::size_t plane = grey.data.size();
-    for (std::size_t i = 0; i < plane; ++i) {
-        grey.data[i] =
-            0.2126F * rgb.data[i] + 0.7152F * rgb.data[plane + i] + 0.0722F * rgb.data[2 * plane + i];
-    }
-    return grey;
-}
-
-// Lights and materials of three channels multiply before the luminance is taken, so the image is drawn in
-// three channels first.
-void render_luminance(const Session& session, SceneState& state, const Scene& scene, const RenderCall& call,
-                      Framebuffer& target) {
-    std::unique_ptr<Framebuffer>& colours = state.colours;
-    if (!colours || colours->width() != target.width() || colours->height() != target.height()) {
-        colours.reset();
-        colours = std::make_unique<Framebuffer>(session.gl, target.width(), target.height(), 3);
-    }
-    render_colours(session, state, scene, call, *colours);
-    const StokesImage& image = colours->image();
-    const Aovs& surfaces = colours->surfaces();
-    const Stopwatch watch;
-    Statistics statistics = colours->statistics();
-    target.show(luminance(image), statistics, surfaces);
-    target.statistics().observe_ms = 0;
-    target.statistics().draw_ms += statistics.observe_ms + watch.milliseconds();
 }
 
 }  // namespace
@@ -269,25 +177,10 @@ void render_luminance(const Session& session, SceneState& state, const Scene& sc
 namespace nicol::capi {
 
 RenderCall read_render_call(const nicol_camera* camera, const nicol_render_options* options) {
-    const Camera from = camera_from(read_struct(camera, "camera"));
-    const nicol_render_options chosen =
+    const nicol_render_options given =
         options != nullptr ? read_struct(options, "options") : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
-    if (chosen.reserved != 0) refuse("options->reserved must be 0");
-    return {from, chosen};
-}
-
-void render(const Session& session, SceneState& state, const Scene& scene, const RenderCall& call,
-            Framebuffer& target) {
-    const int wanted = scene.channels();
-    const bool grey = target.channels() == 1 && wanted == 3;
-    if (target.channels() != wanted && !grey) {
-        refuse("the framebuffer has " + std::to_string(target.channels()) +
-               " colour channels and the scene " + std::to_string(wanted) +
-               "; they must agree, or be 1 and 3 for the luminance");
-    }
-    check_memory(session, state, scene, call.options);
-    if (grey) return render_luminance(session, state, scene, call, target);
-    render_colours(session, state, scene, call, target);
+    if (given.reserved != 0) refuse("options->reserved must be 0");
+    return {camera_from(read_struct(camera, "camera")), options_from(given)};
 }
 
 }  // namespace nicol::capi
@@ -299,17 +192,17 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         const nicol_framebuffer_impl& target = resolve(framebuffer);
         require_same_context(self, target);
         const RenderCall call = read_render_call(camera, options);
-        const Rotation turn(self.session);
+        const SessionLock lock(self.session);
         self.session->gl->require_current();  // before baking for minutes
         const Edit edit(self.content);
-        render(*self.session, *self.content, self.content->scene, call, *target.content);
+        self.content->renderer.render(self.content->scene, call.camera, call.options, *target.content);
     });
 }
 
 nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nicol_statistics* statistics) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        const Rotation turn(self.session);
+        const SessionLock lock(self.session);
         const Statistics& s = self.content->statistics();
         nicol_statistics out = NICOL_STATISTICS_INIT;
         out.order = static_cast<uint32_t>(s.order);

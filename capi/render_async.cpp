@@ -8,20 +8,15 @@ using namespace nicol::capi;
 namespace {
 
 // The caller's progress callback behind the job's own.
-struct JobProgress {
-    Job& job;
-    nicol_progress_callback callback;
-    void* user;
-
-    static std::int32_t report(void* self, const char* verb, double fraction) {
-        const auto& progress = *static_cast<const JobProgress*>(self);
-        progress.job.report(verb, fraction);
-        if (progress.callback == nullptr) return 1;
-        const std::int32_t answer = progress.callback(progress.user, verb, fraction);
-        progress.job.report(verb, fraction);  // it may have taken a while
-        return answer;
-    }
-};
+std::function<bool(const char*, double)> job_progress(Job& job, const RenderOptions& options) {
+    return [&job, callback = options.progress](const char* verb, double fraction) {
+        job.report(verb, fraction);
+        if (!callback) return true;
+        const bool go_on = callback(verb, fraction);
+        job.report(verb, fraction);  // a cancellation may have come meanwhile
+        return go_on;
+    };
+}
 
 }  // namespace
 
@@ -46,13 +41,11 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
         }
         auto made = std::make_shared<Job>([call, snapshot = std::move(snapshot), session = self.session,
                                            state = self.content, target = target.content](Job& running) {
-            const Rotation turn(session);
+            const SessionLock lock(session);
             running.begin();
-            JobProgress progress{running, call.options.progress, call.options.progress_user};
-            RenderCall own = call;
-            own.options.progress = JobProgress::report;
-            own.options.progress_user = &progress;
-            render(*session, *state, snapshot, own, *target);
+            RenderOptions options = call.options;
+            options.progress = job_progress(running, call.options);
+            state->renderer.render(snapshot, call.camera, options, *target);
         });
         nicol_job handle = make_handle<nicol_job_impl>(self.session, made);
         try {

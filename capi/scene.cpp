@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "handles.hpp"
+#include "scene/load_scene.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -15,6 +16,27 @@ void write_matrix(const glm::dmat4& m, double* rows) {
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) rows[4 * row + column] = m[column][row];
     }
+}
+
+SceneParameters parameters_from(const char* const* definitions, std::uint32_t count) {
+    if (count > 0) require(definitions, "definitions");
+    SceneParameters parameters;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        require(definitions[i], "definitions[...]");
+        const std::string text = definitions[i];
+        const std::size_t equals = text.find('=');
+        if (equals == 0 || equals == std::string::npos) {
+            refuse("the definition \"" + text + "\" must have the form name=value");
+        }
+        parameters[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    return parameters;
+}
+
+const Film& film_of(const SceneState& scene) {
+    if (!scene.film)
+        throw Error(ErrorCode::unsupported, "only a scene loaded from a file has a camera and a film");
+    return *scene.film;
 }
 
 glm::dmat4 matrix_or_identity(const double* rows) {
@@ -53,8 +75,16 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
     return guarded([&] {
         require(scene, "scene");
         const SessionPtr session = resolve(context).session;
-        *scene =
-            make_handle<nicol_scene_impl>(session, load_scene(session, path, definitions, definition_count));
+        require(path, "path");
+        LoadedScene loaded = load_scene(path, parameters_from(definitions, definition_count));
+        for (const std::string& notice : loaded.notices) session->notice(notice);
+        auto state = std::make_shared<SceneState>(session);
+        state->scene = std::move(loaded.scene);
+        state->film = {.camera = loaded.camera,
+                       .width = static_cast<uint32_t>(loaded.width),
+                       .height = static_cast<uint32_t>(loaded.height),
+                       .luminance = loaded.luminance};
+        *scene = make_handle<nicol_scene_impl>(session, state);
     });
 }
 
@@ -179,15 +209,13 @@ nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* e
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        if (!self.content->camera)
-            throw Error(ErrorCode::unsupported, "only a scene loaded from a file has a camera");
+        const Camera& from = film_of(*self.content).camera;
         nicol_camera out = NICOL_CAMERA_INIT;
-        out.projection =
-            self.content->camera->orthographic ? NICOL_PROJECTION_ORTHOGRAPHIC : NICOL_PROJECTION_PERSPECTIVE;
-        write_matrix(self.content->camera->to_world, out.to_world);
-        out.fov = self.content->camera->fov;
-        out.near_clip = self.content->camera->near_clip;
-        out.far_clip = self.content->camera->far_clip;
+        out.projection = from.orthographic ? NICOL_PROJECTION_ORTHOGRAPHIC : NICOL_PROJECTION_PERSPECTIVE;
+        write_matrix(from.to_world, out.to_world);
+        out.fov = from.fov;
+        out.near_clip = from.near_clip;
+        out.far_clip = from.far_clip;
         write_struct(camera, out, "camera");
     });
 }
@@ -197,10 +225,9 @@ nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint3
         const nicol_scene_impl& self = resolve(scene);
         require(width, "width");
         require(height, "height");
-        if (!self.content->camera)
-            throw Error(ErrorCode::unsupported, "only a scene loaded from a file has a film");
-        *width = self.content->width;
-        *height = self.content->height;
+        const Film& film = film_of(*self.content);
+        *width = film.width;
+        *height = film.height;
     });
 }
 
@@ -210,7 +237,8 @@ nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels) {
         require(channels, "channels");
         const Edit edit(self);
         const int parts = self.content->scene.channels();
-        *channels = self.content->luminance && parts == 3 ? 1 : static_cast<uint32_t>(parts);
+        const bool luminance = self.content->film && self.content->film->luminance;
+        *channels = luminance && parts == 3 ? 1 : static_cast<uint32_t>(parts);
     });
 }
 

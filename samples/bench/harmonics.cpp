@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "harmonics.hpp"
 
+#include <nicol_psh.h>
+
 #include <cmath>
 #include <memory>
 #include <numeric>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The binary interface that nicol.h promises, as text; and whether another one keeps an older one's promises.
+"""The binary interface that the C headers promise, as text; and whether another one keeps an older one's promises.
 
 usage: abi.py              prints the interface; capi/nicol.abi holds that of the last release
        abi.py BASELINE     ends with 1, and says why, where programs built against the baseline would break
@@ -123,7 +123,7 @@ def breaks(old, new):
 
 
 def main():
-    now = list(interface(reader.read(os.path.join(FOLDER, "include", "nicol.h"))))
+    now = list(interface(reader.read(os.path.join(FOLDER, "include"))))
     if len(sys.argv) == 1:
         print("\n".join(now))
         return

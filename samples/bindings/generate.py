@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes the bindings of other languages from nicol.h.
+"""Makes the bindings of other languages from the C headers.
 
 usage: generate.py            writes them
-       generate.py --check    ends with 1 where a file is not what nicol.h would make it
+       generate.py --check    ends with 1 where a file is not what the headers would make it
 """
 
 import difflib
@@ -28,7 +28,7 @@ TARGETS = {
 def main():
     if sys.argv[1:] not in ([], ["--check"]):
         sys.exit(__doc__)
-    model = reader.read(os.path.join(os.path.dirname(SAMPLES), "include", "nicol.h"))
+    model = reader.read(os.path.join(os.path.dirname(SAMPLES), "include"))
     stale = False
     for name, target in TARGETS.items():
         path, made = os.path.join(SAMPLES, name), target.generate(model)
@@ -40,14 +40,14 @@ def main():
             continue
         if sys.argv[1:]:
             stale = True
-            difference = difflib.unified_diff(found.splitlines(), made.splitlines(), name, "as nicol.h has it", lineterm="", n=1)
+            difference = difflib.unified_diff(found.splitlines(), made.splitlines(), name, "as the headers have it", lineterm="", n=1)
             print("\n".join(list(difference)[:40]))
         else:
             with open(path, "w", encoding="utf-8") as file:
                 file.write(made)
             print("wrote", os.path.join("samples", name))
     if stale:
-        sys.exit("nicol.h has changed: run python3 samples/bindings/generate.py and commit what it writes")
+        sys.exit("the headers have changed: run python3 samples/bindings/generate.py and commit what it writes")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What nicol.h declares: constants, types with their layout, and functions."""
+"""What the C headers declare: constants, types with their layout, and functions."""
 
 from dataclasses import dataclass, field
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Reads nicol.h, as far as the header's own rules go and not a step further."""
+"""Reads the C headers, as far as their own rules go and not a step further."""
 
+import os
 import re
 
 from header import SCALARS, Function, Header, HeaderError, Struct, Type, Variable
@@ -25,9 +26,14 @@ def text_of(comment):
     return "\n".join(lines).strip()
 
 
+# Of include/, in the order in which one builds on another.
+HEADERS = ("nicol.h", "nicol_psh.h", "nicol_files.h")
+
+
 class Parser:
-    def __init__(self, text):
-        self.header = Header()
+    def __init__(self, text, name="nicol.h", header=None):
+        self.name = name
+        self.header = header or Header()  # what headers before this one declare
         self.tokens = []  # (kind, text, line)
         self.at = 0
         self.tokenize(text)
@@ -35,7 +41,7 @@ class Parser:
 
     def fail(self, what, line=None):
         line = line or (self.tokens[self.at][2] if self.at < len(self.tokens) else "the end")
-        raise HeaderError(f"nicol.h, line {line}: {what}")
+        raise HeaderError(f"{self.name}, line {line}: {what}")
 
     def tokenize(self, text):
         line, taken = 1, []  # taken: whether each open #if holds
@@ -69,7 +75,7 @@ class Parser:
     def define(self, text, line):
         text = re.sub(r"/\*.*", "", text).strip()
         name, _, value = text.partition(" ")
-        if name in ("NICOL_H", "NICOL_API") or name.endswith("_INIT"):
+        if name == "NICOL_API" or name.endswith(("_H", "_INIT")):
             return
         if not re.fullmatch(r"NICOL_[A-Z0-9_]+", name):
             self.fail(f"the macro {name} does not start with NICOL_", line)
@@ -236,6 +242,10 @@ class Parser:
             self.declare(self.header.aliases, name, base.base)
 
 
-def read(path):
-    with open(path, encoding="utf-8") as file:
-        return Parser(file.read()).header
+def read(folder):
+    """What all headers of a folder declare."""
+    header = Header()
+    for name in HEADERS:
+        with open(os.path.join(folder, name), encoding="utf-8") as file:
+            Parser(file.read(), name, header)
+    return header

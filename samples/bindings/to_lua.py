@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""samples/lua/nicol_ffi.lua: nicol.h for LuaJIT's ffi, its constants, and which functions make objects."""
+"""samples/lua/nicol_ffi.lua: the C headers for LuaJIT's ffi, its constants, and which functions make objects."""
 
 HEAD = """-- SPDX-License-Identifier: MIT
--- nicol.h {version} for LuaJIT. Made by samples/bindings/generate.py: change the header, not this file.
+-- Nicol {version} for LuaJIT. Made of the C headers by samples/bindings/generate.py: change those, not this file.
 local ffi = require("ffi")
 
 ffi.cdef[[

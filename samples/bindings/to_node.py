@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""samples/node/nicol_abi.js: nicol.h for Koffi, its constants, and which functions make objects."""
+"""samples/node/nicol_abi.js: the C headers for Koffi, its constants, and which functions make objects."""
 
 from roles import roles_of
 
 HEAD = """// SPDX-License-Identifier: MIT
-// nicol.h {version} for Node.js. Made by samples/bindings/generate.py: change the header, not this file.
+// Nicol {version} for Node.js. Made of the C headers by samples/bindings/generate.py: change those, not this file.
 
 export const constants = {{
 """

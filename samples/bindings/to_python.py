@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""samples/python/nicol/_abi.py: nicol.h for ctypes, with a Python function or method for each of its functions."""
+"""samples/python/nicol/_abi.py: the C headers for ctypes, with a Python function or method for each of its functions."""
 
 from header import Type
 from python_call import CTYPES, Call, class_name, variable_name
 
 HEAD = '''# SPDX-License-Identifier: MIT
-"""nicol.h {version} for Python. Made by samples/bindings/generate.py: change the header, not this file."""
+"""Nicol {version} for Python. Made of the C headers by samples/bindings/generate.py: change those, not this file."""
 
 from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_uint32, c_uint64, c_void_p
 

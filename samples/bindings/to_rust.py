@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""samples/rust/src/abi.rs: nicol.h as Rust's extern block, with what its structs must look like checked at compile time."""
+"""samples/rust/src/abi.rs: the C headers as Rust's extern block, with what its structs must look like checked at compile time."""
 
 SCALARS = {"char": "c_char", "int32_t": "i32", "uint32_t": "u32", "float": "f32", "uint64_t": "u64", "double": "f64",
            "void": "c_void"}  # fmt: skip
 KEYWORDS = {"in", "type", "ref", "match", "move", "use"}
 
 HEAD = """// SPDX-License-Identifier: MIT
-//! nicol.h {version} for Rust. Made by samples/bindings/generate.py: change the header, not this file.
+//! Nicol {version} for Rust. Made of the C headers by samples/bindings/generate.py: change those, not this file.
 #![allow(non_camel_case_types)]
 use std::ffi::{{c_char, c_void}};
 use std::mem::{{offset_of, size_of}};

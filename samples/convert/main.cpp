@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // nicol-convert: light and materials between file formats, and what files hold, through the C ABI alone.
-#include <nicol.h>
+#include <nicol_files.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 
+#include "common/failure.hpp"
 #include "common/handles.hpp"
 #include "options.hpp"
 #include "report.hpp"

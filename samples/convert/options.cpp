@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "options.hpp"
 
+#include <nicol_psh.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>

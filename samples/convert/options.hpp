@@ -2,7 +2,7 @@
 // The command line of nicol-convert.
 #pragma once
 
-#include <nicol.h>
+#include <nicol_files.h>
 
 #include <string>
 

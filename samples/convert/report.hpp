@@ -2,7 +2,7 @@
 // What a file holds, for people and as JSON.
 #pragma once
 
-#include <nicol.h>
+#include <nicol_files.h>
 
 #include <string>
 #include <vector>

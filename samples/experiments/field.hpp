@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Thin C++ clothes for the calls of nicol.h that all experiments use. Failures throw Failure.
+// The calls of nicol_psh.h that all experiments use. Failures throw nicol::Error.
 #pragma once
 
-#include <nicol.h>
+#include <nicol_psh.h>
 
 #include <algorithm>
 #include <array>

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "common/failure.hpp"
 #include "gl_state.hpp"
 #include "options.hpp"
 #include "polarized.hpp"

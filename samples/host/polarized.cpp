@@ -16,14 +16,6 @@ std::int32_t is_current(void* context) {
     return SDL_GL_GetCurrentContext() == context ? 1 : 0;
 }
 
-/// Calls a function of the interface that makes an object, and owns the object.
-template <class Owner, class Create, class... Arguments>
-Owner made(Create create, Arguments... arguments) {
-    typename Owner::pointer object = nullptr;
-    check(create(arguments..., &object));
-    return Owner(object);
-}
-
 }  // namespace
 
 Polarized::Polarized() {
@@ -31,23 +23,23 @@ Polarized::Polarized() {
     host.get_proc_address = find_function;
     host.is_current = is_current;
     host.user = SDL_GL_GetCurrentContext();
-    context_ = made<Context>(nicol_context_create_host, &host, nullptr);
+    context_ = create<Context>(nicol_context_create_host, &host, nullptr);
 
     nicol_sky sky = NICOL_SKY_INIT;
     sky.sun_direction[0] = 1;
     sky.sun_direction[1] = 0.5F;
-    sky_ = made<Environment>(nicol_environment_create_sky, context_.get(), &sky);
+    sky_ = create<Environment>(nicol_environment_create_sky, context_.get(), &sky);
     nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
     plastic.diffuse_reflectance = {3, {0.6F, 0.3F, 0.1F}};
-    const auto material = made<Material>(nicol_material_create_pplastic, context_.get(), &plastic);
-    const auto mesh = made<Mesh>(nicol_mesh_create_sphere, context_.get());
-    scene_ = made<Scene>(nicol_scene_create, context_.get());
+    const auto material = create<Material>(nicol_material_create_pplastic, context_.get(), &plastic);
+    const auto mesh = create<Mesh>(nicol_mesh_create_sphere, context_.get());
+    scene_ = create<Scene>(nicol_scene_create, context_.get());
     nicol_instance ball = NICOL_INSTANCE_INIT;
     ball.mesh = mesh.get();
     ball.material = material.get();
     check(nicol_scene_add_instance(scene_.get(), &ball, nullptr));
-    framebuffer_ = made<Framebuffer>(nicol_framebuffer_create, context_.get(), std::uint32_t{size},
-                                     std::uint32_t{size}, std::uint32_t{3});
+    framebuffer_ = create<Framebuffer>(nicol_framebuffer_create, context_.get(), std::uint32_t{size},
+                                       std::uint32_t{size}, std::uint32_t{3});
     const double origin[] = {0, 0.5, 3.5}, target[] = {0, 0, 0}, up[] = {0, 1, 0};
     check(nicol_camera_look_at(&camera_, origin, target, up));
 }

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- Nicol for LuaJIT: functions of nicol.h without their prefix. Failures are errors, handles are released by the garbage
+-- Nicol for LuaJIT: functions of the C headers without their prefix. Failures are errors, handles are released by the garbage
 -- collector or by nicol.release, descriptors are made from tables.
 local ffi = require("ffi")
 local abi = require("nicol_ffi")

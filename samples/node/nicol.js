@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nicol for Node.js: functions of nicol.h without their prefix. Failures are exceptions, handles are released by
+// Nicol for Node.js: functions of the C headers without their prefix. Failures are exceptions, handles are released by
 // release() or the garbage collector, descriptors are made from objects.
 import koffi from "koffi";
 import { constants, functions, types } from "./nicol_abi.js";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// nicol.h 0.1.0 for Node.js. Made by samples/bindings/generate.py: change the header, not this file.
+// Nicol 0.1.0 for Node.js. Made of the C headers by samples/bindings/generate.py: change those, not this file.
 
 export const constants = {
   VERSION_MAJOR: 0,

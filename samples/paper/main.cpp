@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 
+#include "common/failure.hpp"
 #include "report.hpp"
 #include "sheet.hpp"
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "stage.hpp"
 
+#include <nicol_files.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "common/failure.hpp"
 
 namespace {
 

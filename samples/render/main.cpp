@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "common/failure.hpp"
 #include "common/handles.hpp"
 #include "options.hpp"
 #include "progress.hpp"

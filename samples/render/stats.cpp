@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "common/failure.hpp"
 #include "options.hpp"
 
 namespace {

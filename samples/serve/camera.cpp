@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "render_error.hpp"
+#include "common/handles.hpp"
 
 namespace {
 
@@ -94,7 +94,7 @@ nicol_camera camera_of(const View& view, const nicol_camera& own, std::uint32_t 
     origin[up] += std::sin(view.orbit.elevation * kDegree) * view.orbit.distance;
     Vector vertical{};
     vertical[up] = 1;
-    must(nicol_camera_look_at(&camera, origin.data(), view.orbit.target.data(), vertical.data()));
+    check(nicol_camera_look_at(&camera, origin.data(), view.orbit.target.data(), vertical.data()));
     // The size of an orthographic image is the scale of its axes.
     for (std::size_t c = 0; c < 2; ++c) {
         const double scale = length(column(own.to_world, c));

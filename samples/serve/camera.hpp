@@ -13,7 +13,7 @@ std::uint32_t vertical_axis(const nicol_camera& camera);
 /// that they are the same on other machines.
 Orbit orbit_of(const nicol_camera& camera, std::uint32_t up, double depth);
 
-/// The scene's own camera, changed as the request says. Throws RenderError if the target is at the camera.
+/// The scene's own camera, changed as the request says. Throws nicol::Error if the target is at the camera.
 nicol_camera camera_of(const View& view, const nicol_camera& own, std::uint32_t up);
 
 /// light_tilt after light, times the environment's own matrix.

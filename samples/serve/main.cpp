@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "common/failure.hpp"
 #include "options.hpp"
 #include "server.hpp"
 #include "signature.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "render_error.hpp"
+#include "common/handles.hpp"
 
 namespace {
 
@@ -60,7 +60,7 @@ std::vector<float> read(nicol_framebuffer framebuffer, nicol_plane plane, std::s
     to.channel = NICOL_ALL_CHANNELS;
     to.pixels = data.data();
     to.byte_size = floats * sizeof(float);
-    must(nicol_framebuffer_read_plane(framebuffer, &to));
+    check(nicol_framebuffer_read_plane(framebuffer, &to));
     return data;
 }
 
@@ -99,7 +99,7 @@ float mean(const float* values, std::uint32_t count) {
 FloatImage observe(nicol_framebuffer framebuffer, const ImageRequest& request) {
     FloatImage image;
     std::uint32_t channels = 0;
-    must(nicol_framebuffer_get_size(framebuffer, &image.width, &image.height, &channels));
+    check(nicol_framebuffer_get_size(framebuffer, &image.width, &image.height, &channels));
     const std::size_t pixels = std::size_t{image.width} * image.height;
     const auto gain = static_cast<float>(std::exp2(request.exposure));
     const bool polar = request.observer == Observer::dolp || request.observer == Observer::aolp;

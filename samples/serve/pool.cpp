@@ -9,6 +9,8 @@
 #include <thread>
 #include <utility>
 
+#include "common/failure.hpp"
+
 namespace {
 
 using Clock = std::chrono::steady_clock;

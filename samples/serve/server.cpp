@@ -5,6 +5,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "common/failure.hpp"
+
 namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;

@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "assets.hpp"
+#include "common/failure.hpp"
 #include "digest.hpp"
 #include "json.hpp"
 #include "openapi.hpp"

@@ -9,10 +9,11 @@
 #include <fstream>
 
 #include "camera.hpp"
+#include "common/failure.hpp"
+#include "common/handles.hpp"
 #include "exr.hpp"
 #include "observe.hpp"
 #include "png.hpp"
-#include "render_error.hpp"
 #include "scene_files.hpp"
 
 namespace {
@@ -54,13 +55,13 @@ Stage::Stage(nicol_context context, const std::filesystem::path& path) : context
     info_.id = path.stem();
     info_.digest = scene_digest(path);
     nicol_scene scene = nullptr;
-    must(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
+    check(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
     scene_.reset(scene);
-    must(nicol_scene_get_camera(scene, &camera_));
-    must(nicol_scene_get_film_size(scene, &info_.width, &info_.height));
-    must(nicol_scene_get_channels(scene, &info_.channels));
+    check(nicol_scene_get_camera(scene, &camera_));
+    check(nicol_scene_get_film_size(scene, &info_.width, &info_.height));
+    check(nicol_scene_get_channels(scene, &info_.channels));
     nicol_environment environment = nullptr;
-    must(nicol_scene_get_environment(scene, &environment, light_to_world_, &light_scale_));
+    check(nicol_scene_get_environment(scene, &environment, light_to_world_, &light_scale_));
     environment_.reset(environment);
     info_.up = vertical_axis(camera_);
     info_.fov = camera_.fov > 0 ? camera_.fov : 45;
@@ -70,14 +71,14 @@ Stage::Stage(nicol_context context, const std::filesystem::path& path) : context
 /// How far the middle of the scene's own image is, or where nothing is there, half of what is to be seen.
 double Stage::centre_depth() const {
     nicol_framebuffer framebuffer = nullptr;
-    must(nicol_framebuffer_create(context_, kProbeSide, kProbeSide, info_.channels, &framebuffer));
+    check(nicol_framebuffer_create(context_, kProbeSide, kProbeSide, info_.channels, &framebuffer));
     const Framebuffer owner(framebuffer);
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.planes = NICOL_AOV_DEPTH;
-    must(nicol_render(scene_.get(), &camera_, &options, framebuffer));
+    check(nicol_render(scene_.get(), &camera_, &options, framebuffer));
     std::vector<float> depth(std::size_t{kProbeSide} * kProbeSide);
-    must(nicol_framebuffer_read(framebuffer, NICOL_PLANE_DEPTH, 0, depth.data(), 0,
-                                depth.size() * sizeof(float)));
+    check(nicol_framebuffer_read(framebuffer, NICOL_PLANE_DEPTH, 0, depth.data(), 0,
+                                 depth.size() * sizeof(float)));
     const auto middle = static_cast<double>(depth[depth.size() / 2]);
     if (std::isfinite(middle)) return middle;
     std::erase_if(depth, [](float d) { return !std::isfinite(d); });
@@ -90,7 +91,7 @@ double Stage::centre_depth() const {
 void Stage::make_framebuffer(std::uint32_t width, std::uint32_t height) {
     if (framebuffer_ && width == width_ && height == height_) return;
     nicol_framebuffer framebuffer = nullptr;
-    must(nicol_framebuffer_create(context_, width, height, info_.channels, &framebuffer));
+    check(nicol_framebuffer_create(context_, width, height, info_.channels, &framebuffer));
     framebuffer_.reset(framebuffer);
     width_ = width;
     height_ = height;
@@ -106,7 +107,7 @@ void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
     if (environment_ && (view.light != light_ || view.light_tilt != light_tilt_)) {
         double rotated[16];
         rotate_light(view, info_.up, light_to_world_, rotated);
-        must(nicol_scene_set_environment(scene_.get(), environment_.get(), rotated, light_scale_));
+        check(nicol_scene_set_environment(scene_.get(), environment_.get(), rotated, light_scale_));
         light_ = view.light;
         light_tilt_ = view.light_tilt;
     }
@@ -116,11 +117,11 @@ void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
     options.tolerance = view.tolerance;
     options.progress = progress.callback;
     options.progress_user = progress.user;
-    must(nicol_render(scene_.get(), &camera, &options, framebuffer_.get()));
+    check(nicol_render(scene_.get(), &camera, &options, framebuffer_.get()));
     view_ = view;
     has_view_ = true;
     nicol_statistics statistics = NICOL_STATISTICS_INIT;
-    must(nicol_framebuffer_get_statistics(framebuffer_.get(), &statistics));
+    check(nicol_framebuffer_get_statistics(framebuffer_.get(), &statistics));
     head.ms = {statistics.project_ms, statistics.bake_ms, statistics.relight_ms,
                statistics.shade_ms,   statistics.draw_ms, 0};
 }
@@ -143,7 +144,7 @@ std::string Stage::encode(const ImageRequest& request, const std::string& scratc
         case Format::stokes_exr: {
             // The library writes files alone.
             const std::string path = scratch + "/nicol-serve-" + std::to_string(getpid()) + ".exr";
-            must(nicol_framebuffer_write_exr(framebuffer_.get(), path.c_str()));
+            check(nicol_framebuffer_write_exr(framebuffer_.get(), path.c_str()));
             std::ifstream file(path, std::ios::binary | std::ios::ate);
             std::string content(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
             file.seekg(0);
@@ -173,7 +174,7 @@ std::string Stage::stokes(bool half) const {
         to.channel = c;
         to.pixels = content.data() + c * plane;
         to.byte_size = plane;
-        must(nicol_framebuffer_read_plane(framebuffer_.get(), &to));
+        check(nicol_framebuffer_read_plane(framebuffer_.get(), &to));
     }
     return content;
 }

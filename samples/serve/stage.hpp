@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const SceneInfo& info() const { return info_; }
 
     /// The answer's content; fills in the head but for its status. `scratch` is a folder for files that live
-    /// for this call. Throws RenderError.
+    /// for this call. Throws nicol::Error.
     std::string render(const ImageRequest& request, const Progress& progress, const std::string& scratch,
                        ResultHead& head);
 

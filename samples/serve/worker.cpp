@@ -14,8 +14,9 @@
 #include <memory>
 #include <new>
 
+#include "common/failure.hpp"
+#include "common/handles.hpp"
 #include "message.hpp"
-#include "render_error.hpp"
 #include "scene_files.hpp"
 #include "stage.hpp"
 
@@ -109,7 +110,7 @@ Context make_context(const Options& options) {
     wanted.log = log;
     wanted.cache_folder = options.cache.c_str();
     nicol_context context = nullptr;
-    must(nicol_context_create(&wanted, &context));
+    check(nicol_context_create(&wanted, &context));
     return Context(context);
 }
 
@@ -122,8 +123,8 @@ void render(const Channel& channel, std::uint64_t id, const ImageRequest& reques
         content = stages.at(request.view.scene)
                       .render(request, {.callback = Watch::poll, .user = &watch}, options.scratch, result);
         result.status = 200;
-    } catch (const RenderError& error) {
-        result.status = status_of(error.code);
+    } catch (const nicol::Error& error) {
+        result.status = status_of(error.result());
         content = error.what();
     } catch (const std::bad_alloc&) {
         result.status = 503;
@@ -140,7 +141,7 @@ void serve(const Channel& channel, const Options& options) {
     std::vector<Stage> stages;
     Hello hello;
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
-    must(nicol_context_get_info(context.get(), &info));
+    check(nicol_context_get_info(context.get(), &info));
     hello.renderer = std::string(info.renderer) + ", " + info.version;
     for (const std::filesystem::path& path : find_scenes(options.scenes)) {
         stages.emplace_back(context.get(), path);

@@ -6,15 +6,11 @@
 #include <limits>
 #include <string>
 
-#include "error.hpp"
+#include "arguments.hpp"
 #include "gl/state.hpp"
 
 namespace nicol::gl {
 namespace {
-
-[[noreturn]] void refuse(const std::string& text) {
-    throw Error(ErrorCode::invalid_argument, text);
-}
 
 const GladGLContext& prepare(const char* what, RenderTarget& target, const Program& program,
                              const DrawState& state) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "arguments.hpp"
 #include "error.hpp"
 
 namespace nicol {
@@ -233,6 +234,18 @@ StokesImage through_polarizer(const StokesImage& image, double angle) {
         result.data[i + 2] = static_cast<float>(s * passed);
     }
     return result;
+}
+
+StokesImage luminance(const StokesImage& rgb) {
+    rgb.check("luminance: image");
+    require(rgb.channels == 3, "luminance: the image must have three channels");
+    StokesImage grey(rgb.width, rgb.height, 1);
+    const std::size_t plane = grey.data.size();
+    for (std::size_t i = 0; i < plane; ++i) {
+        grey.data[i] =
+            0.2126F * rgb.data[i] + 0.7152F * rgb.data[plane + i] + 0.0722F * rgb.data[2 * plane + i];
+    }
+    return grey;
 }
 
 }  // namespace nicol

@@ -69,6 +69,11 @@ enum class AolpStyle : std::int32_t {
 /// s0' = (s0 + s1 cos 2a + s2 sin 2a) / 2, fully polarized along the axis.
 [[nodiscard]] StokesImage through_polarizer(const StokesImage& image, double angle);
 
+/// Red, green and blue of BT.709 to their luminance, of each Stokes component: Stokes vectors of incoherent
+/// light add, so this is the light that a grey sensor with the eye's sensitivity measures. The image must
+/// have three channels.
+[[nodiscard]] StokesImage luminance(const StokesImage& rgb);
+
 /// Writes a PNG with the observation's text as tEXt chunks, and an sRGB chunk if `srgb`. The file appears
 /// under its name only when complete. Throws Error(invalid_argument) if the sizes do not fit, or a keyword or
 /// text is not fit for tEXt (keyword 1 to 79 bytes); Error(write_failed) naming the path.

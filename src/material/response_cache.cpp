@@ -123,12 +123,15 @@ private:
     std::string key_;
 };
 
-}  // namespace
+// A table, and what went wrong with its file; texts are empty where nothing did.
+struct Cached {
+    ResponseTable table;
+    std::string unfit;        // why the file that was there could not serve
+    std::string not_written;  // why the table could not be kept
+};
 
-ResponseTable load_or_build(const Material& material, const LightLayout& layout, int channels,
-                            const std::filesystem::path& folder, const CacheNotice& notice) {
-    const std::string content = folder.empty() ? std::string() : material.content_key();
-    if (content.empty()) return ResponseTable(material, layout, channels);
+Cached through_cache(const Material& material, const std::string& content, const LightLayout& layout,
+                     int channels, const std::filesystem::path& folder) {
     const int table_channels = ResponseTable::channels_for(material, channels);
     const CacheFile file(folder, kMagic, kVersion, key_of(content, layout, table_channels), ".response");
     std::vector<float> data(ResponseTable::kAngles * 4 * layout.size() *
@@ -139,15 +142,32 @@ ResponseTable load_or_build(const Material& material, const LightLayout& layout,
         outcome = {CacheFile::State::unfit, "is damaged"};
     }
     if (outcome.state == CacheFile::State::complete) {
-        return ResponseTable(layout, table_channels, std::move(data));
+        return {ResponseTable(layout, table_channels, std::move(data)), {}, {}};
     }
-    if (outcome.state == CacheFile::State::unfit && notice) {
-        notice(file.path().string() + ": " + outcome.reason + "; the table is made anew");
+    Cached built{ResponseTable(material, layout, channels), {}, {}};
+    if (outcome.state == CacheFile::State::unfit) built.unfit = file.path().string() + ": " + outcome.reason;
+    built.not_written = file.write(std::array{bytes_of(built.table.data())});
+    return built;
+}
+
+}  // namespace
+
+ResponseTable load_or_build(const Material& material, const LightLayout& layout, int channels,
+                            const std::filesystem::path& folder, const CacheNotice& notice) {
+    const std::string content = folder.empty() ? std::string() : material.content_key();
+    if (content.empty()) return ResponseTable(material, layout, channels);
+    Cached cached = through_cache(material, content, layout, channels, folder);
+    if (notice) {
+        if (!cached.unfit.empty()) notice(cached.unfit + "; the table is made anew");
+        if (!cached.not_written.empty()) notice(cached.not_written);
     }
-    ResponseTable table(material, layout, channels);
-    const std::string failure = file.write(std::array{bytes_of(table.data())});
-    if (!failure.empty() && notice) notice(failure);
-    return table;
+    return std::move(cached.table);
+}
+
+void store_response_table(const Material& material, const LightLayout& layout, int channels,
+                          const std::filesystem::path& folder) {
+    const Cached cached = through_cache(material, material.content_key(), layout, channels, folder);
+    if (!cached.not_written.empty()) throw Error(ErrorCode::write_failed, cached.not_written);
 }
 
 StoredResponse read_response_table(const std::filesystem::path& file) {

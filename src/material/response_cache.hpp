@@ -26,6 +26,11 @@ using CacheNotice = std::function<void(const std::string&)>;
                                           const std::filesystem::path& folder = {},
                                           const CacheNotice& notice = {});
 
+/// Builds the table, where `folder` does not have it already, and keeps it there. Throws Error(write_failed)
+/// where it cannot be written, and what load_or_build() throws. The material must have a content key.
+void store_response_table(const Material& material, const LightLayout& layout, int channels,
+                          const std::filesystem::path& folder);
+
 /// A table in a cache file, with its parameters.
 struct StoredResponse {
     LightLayout layout;

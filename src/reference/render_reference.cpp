@@ -15,9 +15,9 @@
 #include <utility>
 
 #include "error.hpp"
+#include "progress.hpp"
 #include "reference/camera_rays.hpp"
 #include "reference/low_discrepancy.hpp"
-#include "render/progress.hpp"
 
 namespace nicol {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "error.hpp"
+#include "progress.hpp"
 #include "render/aov_layout.hpp"
-#include "render/stopwatch.hpp"
 
 namespace nicol {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harmonics/rotation.hpp"
-#include "render/stopwatch.hpp"
+#include "progress.hpp"
 
 namespace nicol {
 namespace {

@@ -5,10 +5,12 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <string>
 #include <vector>
 
-#include "harmonics/light_layout.hpp"
+#include "error.hpp"
 #include "harmonics/psh.hpp"
+#include "render/light_projection.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
 
@@ -32,10 +34,8 @@ Size size_of(const Scene& scene) {
 }
 
 LightKind kind_of(const Scene& scene, const RenderOptions& options) {
-    const Environment* light = scene.environment().get();
     if ((options.disabled_optimisations & skip_light_components) != 0) return LightKind::full;
-    if (light == nullptr || !light->polarized()) return LightKind::unpolarized;
-    return light->circular() ? LightKind::full : LightKind::linear;
+    return light_kind(scene.environment().get());
 }
 
 // Vertices come by sixteen, so what sixteen of them take tells what all do.
@@ -69,9 +69,21 @@ std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
     return bytes;
 }
 
+MemoryEstimate reference_memory(const Scene& scene) {
+    // Embree's own measure for its robust mode, corners and boxes together.
+    constexpr std::uint64_t hierarchy_of_triangle = 200;
+    MemoryEstimate estimate;
+    for (const Instance& instance : scene.instances()) {
+        estimate.transfer += instance.mesh->positions.size() * 2 * sizeof(glm::vec3) +
+                             instance.mesh->triangles.size() * (sizeof(glm::uvec3) + hierarchy_of_triangle);
+    }
+    return estimate;
+}
+
 }  // namespace
 
 MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options) {
+    if (options.method == Method::reference) return reference_memory(scene);
     const Size size = size_of(scene);
     const auto channels = static_cast<std::uint64_t>(scene.channels());
     const std::uint64_t in_world =
@@ -106,15 +118,20 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     return estimate;
 }
 
-MemoryEstimate estimate_reference_memory(const Scene& scene) {
-    // Embree's own measure for its robust mode, corners and boxes together.
-    constexpr std::uint64_t hierarchy_of_triangle = 200;
-    MemoryEstimate estimate;
-    for (const Instance& instance : scene.instances()) {
-        estimate.transfer += instance.mesh->positions.size() * 2 * sizeof(glm::vec3) +
-                             instance.mesh->triangles.size() * (sizeof(glm::uvec3) + hierarchy_of_triangle);
+void MemoryLimit::check(const Scene& scene, const RenderOptions& options) {
+    if (bytes_ == 0) return;
+    const Key key{
+        scene.geometry_revision(),  scene.channels(),       kind_of(scene, options), options.method,
+        options.order_low,          options.order_high,     options.high_orders,     options.shadows,
+        options.high_order_shadows, options.bake_directions};
+    if (fits_ == key) return;
+    const std::uint64_t needed = estimate_memory(scene, options).total();
+    if (needed > bytes_) {
+        throw Error(ErrorCode::out_of_memory, "the scene needs up to " + std::to_string(needed) +
+                                                  " bytes at run time; the context's memory_limit is " +
+                                                  std::to_string(bytes_));
     }
-    return estimate;
+    fits_ = key;
 }
 
 }  // namespace nicol

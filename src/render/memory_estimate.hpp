@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <tuple>
 
+#include "harmonics/light_layout.hpp"
 #include "render/render.hpp"
 #include "scene/scene.hpp"
 
@@ -19,10 +22,26 @@ struct MemoryEstimate {
     [[nodiscard]] std::uint64_t total() const noexcept { return visibility + transfer + buffers; }
 };
 
-/// Of the real-time methods. Takes milliseconds and allocates little, whatever the scene's size.
+/// Takes milliseconds and allocates little, whatever the scene's size. Of the reference method: the hierarchy
+/// of triangles and the triangles themselves.
 [[nodiscard]] MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options);
 
-/// Of the reference method: its hierarchy of triangles and the triangles themselves.
-[[nodiscard]] MemoryEstimate estimate_reference_memory(const Scene& scene);
+/// What a scene may take at most.
+class MemoryLimit {
+public:
+    /// 0: no limit.
+    explicit MemoryLimit(std::uint64_t bytes = 0) : bytes_(bytes) {}
+
+    /// Throws Error(out_of_memory) with both numbers where the estimate exceeds the limit. Costs nothing
+    /// where nothing has changed since the last call that the estimate depends on.
+    void check(const Scene& scene, const RenderOptions& options);
+
+private:
+    /// Revision of the geometry, channels, components of the light, and the options that matter.
+    using Key = std::tuple<std::uint64_t, int, LightKind, Method, int, int, HighOrders, bool, bool, int>;
+
+    std::uint64_t bytes_;
+    std::optional<Key> fits_;
+};
 
 }  // namespace nicol

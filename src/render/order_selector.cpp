@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "harmonics/energy.hpp"
 #include "render/light_projection.hpp"
 #include "specular/split_fit.hpp"
 
@@ -29,18 +30,11 @@ double cost(int low, bool split) {
 // with a response are real.
 std::array<std::vector<double>, ResponsePower::kParts> energies(const PshVector& light, int channel) {
     std::array<std::vector<double>, ResponsePower::kParts> out;
-    out.fill(std::vector<double>(static_cast<std::size_t>(light.order()) + 1));
-    for (int l = 0; l <= light.order(); ++l) {
-        const auto k = static_cast<std::size_t>(l);
-        for (int m = -l; m <= l; ++m) {
-            const auto square = [&](int p) {
-                const double value = light.at(channel, l, m, p);
-                return value * value / (2 * l + 1);
-            };
-            out[0][k] += square(0);
-            out[1][k] += (square(1) + square(2)) / 2;
-            out[2][k] += square(3);
-        }
+    for (const Stokes& energy : energy_per_order(light, channel)) {
+        const double degrees = 2.0 * static_cast<double>(out[0].size()) + 1;
+        out[0].push_back(energy[0] / degrees);
+        out[1].push_back((energy[1] + energy[2]) / 2 / degrees);
+        out[2].push_back(energy[3] / degrees);
     }
     return out;
 }

@@ -14,8 +14,9 @@ inline constexpr int kMaxRenderOrder = 32;
 
 /// How light becomes reflected light.
 enum class Method {
-    factored,  ///< light in each vertex's frame times response tables
-    dense,     ///< a transfer matrix a vertex, as the paper has it: the baseline of comparisons
+    factored,   ///< light in each vertex's frame times response tables
+    dense,      ///< a transfer matrix a vertex, as the paper has it: the baseline of comparisons
+    reference,  ///< rays, without harmonics: what errors are measured against
 };
 
 /// How orders of light above order_low become reflected light: filtered beforehand, looked up at the mirrored
@@ -52,6 +53,7 @@ enum Skip : std::uint32_t {
     skip_all = 127,
 };
 
+/// The reference method uses shadows, planes, samples, seed and progress alone.
 struct RenderOptions {
     Method method = Method::factored;
     Executor executor = Executor::automatic;
@@ -80,6 +82,10 @@ struct RenderOptions {
     std::uint32_t planes = 0;
     /// Skips not to make use of, to measure what they save.
     std::uint32_t disabled_optimisations = 0;
+    /// Of the reference method: camera rays a pixel, 1 to 2^20. Powers of two are stratified best.
+    int samples = 256;
+    /// Of the reference method: the same seed gives the same image whatever the number of threads.
+    std::uint64_t seed = 0;
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
     /// false stops the render with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;

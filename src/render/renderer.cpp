@@ -6,16 +6,16 @@
 #include <tuple>
 #include <utility>
 
+#include "arguments.hpp"
 #include "error.hpp"
+#include "image/observer.hpp"
+#include "render/reference_method.hpp"
 
 namespace nicol {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorCode::invalid_argument, message);
-}
-
 void check(const RenderOptions& options) {
+    if (options.method == Method::reference) return;  // which checks its own
     if (options.order_low < 0 || options.order_low > kMaxRenderOrder) {
         refuse("order_low is " + std::to_string(options.order_low) + "; it must lie in 0 to " +
                std::to_string(kMaxRenderOrder));
@@ -53,13 +53,14 @@ void check(const RenderOptions& options) {
 auto values(const RenderOptions& o) {
     return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
                     o.high_orders, o.high_orders_at, o.high_order_shadows, o.tolerance, o.dering, o.physical,
-                    o.components, o.planes, o.disabled_optimisations);
+                    o.components, o.planes, o.samples, o.seed, o.disabled_optimisations);
 }
 
 }  // namespace
 
 Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
     : context_(context),
+      threads_(threads),
       transfer_(threads),
       buffers_(context),
       textures_(context),
@@ -85,25 +86,64 @@ bool Renderer::holds(const Framebuffer& target, const Scene& scene, const Camera
 
 void Renderer::render(const Scene& scene, const Camera& camera, const RenderOptions& options,
                       Framebuffer& target) {
-    check(options);
     if (target.context() != context_) refuse("the framebuffer is of another context than the scene");
-    if (target.channels() != scene.channels()) {
+    const bool grey = target.channels() == 1 && scene.channels() == 3;
+    if (target.channels() != scene.channels() && !grey) {
         refuse("the framebuffer has " + std::to_string(target.channels()) +
-               " colour channels and the scene " + std::to_string(scene.channels()) + "; they must agree");
+               " colour channels and the scene " + std::to_string(scene.channels()) +
+               "; they must agree, or be 1 and 3 for the luminance");
     }
+    check(options);
+    memory_limit_.check(scene, options);
+    if (!grey) return render_channels(scene, camera, options, target);
+
+    // Lights and materials of three channels multiply before the luminance is taken, so the image is drawn in
+    // three channels first.
+    if (!colours_ || colours_->width() != target.width() || colours_->height() != target.height()) {
+        colours_.reset();
+        colours_ = std::make_unique<Framebuffer>(context_, target.width(), target.height(), 3);
+    }
+    render_channels(scene, camera, options, *colours_);
+    const StokesImage& image = colours_->image();
+    const Aovs& surfaces = colours_->surfaces();
+    const Stopwatch watch;
+    const Statistics statistics = colours_->statistics();
+    target.show(luminance(image), statistics, surfaces);
+    target.statistics().observe_ms = 0;
+    target.statistics().draw_ms += statistics.observe_ms + watch.milliseconds();
+}
+
+void Renderer::render_channels(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                               Framebuffer& target) {
     if ((options.disabled_optimisations & skip_unchanged) == 0 && holds(target, scene, camera, options)) {
         Statistics& kept = target.statistics();
         for (double* ms : {&kept.project_ms, &kept.bake_ms, &kept.bake_trace_ms, &kept.relight_ms,
-                           &kept.shade_ms, &kept.draw_ms, &kept.observe_ms}) {
+                           &kept.shade_ms, &kept.draw_ms, &kept.observe_ms, &kept.trace_ms}) {
             *ms = 0;
         }
-        for (std::uint64_t* made :
-             {&kept.bake_rays, &kept.lights_projected, &kept.materials_projected, &kept.vertices_traced,
-              &kept.matrices_baked, &kept.vertices_relit, &kept.vertices_shaded}) {
+        for (std::uint64_t* made : {&kept.bake_rays, &kept.lights_projected, &kept.materials_projected,
+                                    &kept.vertices_traced, &kept.matrices_baked, &kept.vertices_relit,
+                                    &kept.vertices_shaded, &kept.camera_rays, &kept.shadow_rays}) {
             *made = 0;
         }
         return;
     }
+    if (options.method == Method::reference) {
+        render_by_reference(scene, camera, options, threads_, target);
+    } else {
+        draw(scene, camera, options, target);
+    }
+    made_ = {.content = target.content(),
+             .geometry = scene.geometry_revision(),
+             .materials = scene.material_revision(),
+             .light = scene.light_revision(),
+             .camera = camera,
+             .options = options};
+    made_->options.progress = nullptr;
+}
+
+void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                    Framebuffer& target) {
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
@@ -140,13 +180,6 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
                               memory.of(gl::MemoryKind::storage);
     statistics.texture_bytes = memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
     target.rendered(statistics);
-    made_ = {.content = target.content(),
-             .geometry = scene.geometry_revision(),
-             .materials = scene.material_revision(),
-             .light = scene.light_revision(),
-             .camera = camera,
-             .options = options};
-    made_->options.progress = nullptr;
 }
 
 }  // namespace nicol

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "render/gpu/compute_executor.hpp"
+#include "render/memory_estimate.hpp"
 #include "render/painter.hpp"
 #include "render/transfer_cache.hpp"
 
@@ -23,14 +24,22 @@ public:
         transfer_.set_cache(folder, notice);
     }
 
-    /// The same scene every time. Throws Error(invalid_argument) for options or a camera out of range, a
-    /// framebuffer of another context or with other channels than the scene; Error(unsupported) where the
-    /// driver lacks what the compute shaders asked for need; Error(cancelled); Error(out_of_memory). Then the
-    /// framebuffer still holds what it held. Where nothing has changed since the last call it is left alone,
-    /// and no verb takes any time.
+    /// See MemoryLimit.
+    void set_memory_limit(std::uint64_t bytes) { memory_limit_ = MemoryLimit(bytes); }
+
+    /// The same scene every time. A framebuffer of one channel gets the luminance of a scene of three. Throws
+    /// Error(invalid_argument) for options or a camera out of range, a framebuffer of another context or with
+    /// channels that do not fit the scene; Error(unsupported) where the driver lacks what the compute shaders
+    /// asked for need; Error(cancelled); Error(out_of_memory), also of the limit. Then the framebuffer still
+    /// holds what it held. Where nothing has changed since the last call it is left alone, and no verb takes
+    /// any time.
     void render(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
 
 private:
+    // Into a framebuffer of the scene's channels.
+    void render_channels(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                         Framebuffer& target);
+    void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
     // Null for threads.
     [[nodiscard]] ComputeExecutor* device_for(Executor executor);
 
@@ -48,6 +57,9 @@ private:
 
     std::optional<Made> made_;  // last
     std::shared_ptr<gl::Context> context_;
+    int threads_;
+    MemoryLimit memory_limit_;
+    std::unique_ptr<Framebuffer> colours_;  // drawn into where the luminance is asked for
     TransferCache transfer_;
     VertexBuffers buffers_;
     HighOrderTextures textures_;

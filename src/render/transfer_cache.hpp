@@ -6,13 +6,13 @@
 #include <optional>
 #include <vector>
 
+#include "progress.hpp"
 #include "render/dense_method.hpp"
 #include "render/factored_method.hpp"
 #include "render/gpu/compute_executor.hpp"
 #include "render/high_orders.hpp"
 #include "render/light_projection.hpp"
 #include "render/order_selector.hpp"
-#include "render/progress.hpp"
 #include "render/render.hpp"
 #include "render/scene_geometry.hpp"
 #include "render/shaded_vertices.hpp"

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "render/progress.hpp"
+#include "progress.hpp"
 
 namespace nicol {
 

@@ -7,35 +7,36 @@
 #include <numbers>
 #include <string>
 
-#include "error.hpp"
+#include "arguments.hpp"
 
 namespace nicol {
 namespace {
 
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorCode::invalid_argument, "camera: " + message);
+[[noreturn]] void refuse_camera(const std::string& message) {
+    refuse("camera: " + message);
 }
 
 void check_axes(const glm::dmat4& m) {
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
-            if (!std::isfinite(m[column][row])) refuse("to_world has an element that is not finite");
+            if (!std::isfinite(m[column][row])) refuse_camera("to_world has an element that is not finite");
         }
     }
     if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1) {
-        refuse("the last row of to_world must be 0 0 0 1");
+        refuse_camera("the last row of to_world must be 0 0 0 1");
     }
     const glm::dmat3 axes(m);
     for (int i = 0; i < 3; ++i) {
         const double length = glm::length(axes[i]);
-        if (!(length > 1e-12) || !std::isfinite(length)) refuse("to_world has an axis without length");
+        if (!(length > 1e-12) || !std::isfinite(length)) refuse_camera("to_world has an axis without length");
     }
     for (int i = 0; i < 3; ++i) {
         const glm::dvec3 a = glm::normalize(axes[i]);
         const glm::dvec3 b = glm::normalize(axes[(i + 1) % 3]);
-        if (std::abs(glm::dot(a, b)) > 1e-4) refuse("the axes of to_world must be at right angles");
+        if (std::abs(glm::dot(a, b)) > 1e-4) refuse_camera("the axes of to_world must be at right angles");
     }
-    if (glm::determinant(axes) < 0) refuse("to_world mirrors; it must keep right-handed axes right-handed");
+    if (glm::determinant(axes) < 0)
+        refuse_camera("to_world mirrors; it must keep right-handed axes right-handed");
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ glm::dmat4 look_at(const glm::dvec3& origin, const glm::dvec3& target, const glm
     const glm::dvec3 left = glm::cross(up, forward);
     const double scale = glm::length(up) * glm::length(forward);
     if (!(glm::length(left) > 1e-9 * scale) || !std::isfinite(scale)) {
-        refuse("look_at needs a target apart from the origin and an up that is not along the view");
+        refuse_camera("look_at needs a target apart from the origin and an up that is not along the view");
     }
     const glm::dvec3 z = glm::normalize(forward);
     const glm::dvec3 x = glm::normalize(left);
@@ -57,8 +58,8 @@ Projection project(const Camera& camera, int width, int height) {
     const double near = camera.near_clip;
     const double far = camera.far_clip;
     if (!(near > 0 && far > near && std::isfinite(far))) {
-        refuse("near_clip is " + std::to_string(near) + " and far_clip " + std::to_string(far) +
-               "; they must satisfy 0 < near_clip < far_clip");
+        refuse_camera("near_clip is " + std::to_string(near) + " and far_clip " + std::to_string(far) +
+                      "; they must satisfy 0 < near_clip < far_clip");
     }
     const glm::dmat3 axes(camera.to_world);
     const double aspect = static_cast<double>(width) / height;
@@ -86,7 +87,7 @@ Projection project(const Camera& camera, int width, int height) {
         clip[3][3] = 1;
     } else {
         if (!(camera.fov > 0 && camera.fov < 180)) {
-            refuse("fov is " + std::to_string(camera.fov) + "; it must lie between 0 and 180 degrees");
+            refuse_camera("fov is " + std::to_string(camera.fov) + "; it must lie between 0 and 180 degrees");
         }
         p.half_width = std::tan(camera.fov * std::numbers::pi / 360);
         p.half_height = p.half_width / aspect;

@@ -8,14 +8,10 @@
 #include <string>
 #include <utility>
 
-#include "error.hpp"
+#include "arguments.hpp"
 
 namespace nicol {
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorCode::invalid_argument, message);
-}
 
 void check_transform(const glm::dmat4& m) {
     for (int column = 0; column < 4; ++column) {

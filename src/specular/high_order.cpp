@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 #include <string>
 
-#include "error.hpp"
+#include "arguments.hpp"
 #include "simd/lane_transpose.hpp"
 #include "simd/work_space.hpp"
 #include "specular/high_order_kernel.hpp"
@@ -18,10 +18,6 @@ namespace nicol {
 namespace {
 
 constexpr int most_channels = 16;
-
-void require(bool condition, const std::string& what) {
-    if (!condition) throw Error(ErrorCode::invalid_argument, what);
-}
 
 // A direction rotated by an angle towards another, orthogonal one.
 LaneVectors rotated(const LaneVectors& from, const LaneVectors& towards, float cosine, float sine) {

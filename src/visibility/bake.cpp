@@ -8,15 +8,15 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "error.hpp"
+#include "arguments.hpp"
 #include "geometry/ray_scene.hpp"
+#include "progress.hpp"
 #include "simd/simd.hpp"
 #include "visibility/bake_origins.hpp"
 #include "visibility/bundle_cones.hpp"
@@ -30,14 +30,6 @@ constexpr std::size_t rays_at_a_time = std::size_t{1} << 21;
 // Below this sine of elevation a ray could meet the plane that it starts from: far away the plane is known to
 // a few units in the last place of its distance. Hardly any direction lies there, and it counts as free.
 constexpr float grazing = 0x1p-17F;
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorCode::invalid_argument, message);
-}
 
 std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
     std::vector<glm::vec3> out;
@@ -140,7 +132,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     };
 
     tell(0);
-    const auto building = std::chrono::steady_clock::now();
+    const Stopwatch building;
     const RaySurface surface{.positions = geometry.positions, .triangles = geometry.triangles};
     const RayScene scene({&surface, 1});
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
@@ -150,9 +142,9 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
         before = places_before(*former, vertices);
         cones.emplace(directions);
     }
-    const double build_milliseconds = milliseconds_since(building);
+    const double build_milliseconds = building.milliseconds();
 
-    const auto tracing = std::chrono::steady_clock::now();
+    const Stopwatch tracing;
     Visibility visibility(directions.size(), vertices);
     std::atomic<std::uint64_t> rays = 0;
     std::atomic<std::uint64_t> from = 0;
@@ -185,7 +177,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     if (statistics != nullptr) {
         *statistics = {.rays = rays,
                        .vertices = from,
-                       .milliseconds = milliseconds_since(tracing),
+                       .milliseconds = tracing.milliseconds(),
                        .build_milliseconds = build_milliseconds,
                        .unoccluded = visibility.unoccluded_count(),
                        .from_cache = false};

@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "nicol.h"
+#include "nicol_files.h"
+#include "nicol_psh.h"
 
 #define OK(call)                               \
     do {                                       \

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# nicol.h compiles without a warning in every dialect of C and C++ that its users may choose.
-# usage: header_test.sh FOLDER_OF_NICOL_H HEADER_USE_C COMPILER...
+# The C headers compile without a warning in every dialect of C and C++ that its users may choose.
+# usage: header_test.sh INCLUDE_FOLDER HEADER_USE_C COMPILER...
 set -eu
 include=$1
 source=$2
@@ -9,7 +9,7 @@ shift 2
 
 compiled=0
 failed=0
-for macro in $(sed -n 's/^#define \(NICOL_[A-Z_]*_INIT\).*/\1/p' "$include/nicol.h"); do
+for macro in $(sed -n 's/^#define \(NICOL_[A-Z_]*_INIT\).*/\1/p' "$include"/*.h); do
     grep -q "= $macro;" "$source" && continue
     echo "$source does not use $macro" >&2
     failed=1

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * Every NICOL_..._INIT macro and callback type, as any dialect of C and C++ must take them. */
 #include "nicol.h"
+#include "nicol_files.h"
+#include "nicol_psh.h"
 
 static void log_nothing(void* user, uint32_t severity, nicol_result code, const char* message) {
     (void)user;

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# libnicol exports the functions that nicol.h declares and capi/symbols.txt lists, and nothing else.
-# usage: symbols_test.sh LIBNICOL NICOL_H SYMBOLS_TXT
+# libnicol exports the functions that the C headers declare and capi/symbols.txt lists, and nothing else.
+# usage: symbols_test.sh LIBNICOL INCLUDE_FOLDER SYMBOLS_TXT
 set -eu
 LC_ALL=C
 export LC_ALL
@@ -11,11 +11,11 @@ trap 'rm -rf "$folder"' EXIT
 # The version node NICOL_0 is a symbol of kind A.
 nm -D --defined-only "$1" | awk '$2 != "A" { sub(/@.*/, "", $3); print $3 }' | sort >"$folder/exported"
 # A declaration starts with NICOL_API and names the function before the first parenthesis.
-sed -n 's/^NICOL_API [^(]*\(nicol_[a-z0-9_]*\)(.*/\1/p' "$2" | sort >"$folder/declared"
+sed -n 's/^NICOL_API [^(]*\(nicol_[a-z0-9_]*\)(.*/\1/p' "$2"/*.h | sort >"$folder/declared"
 sort "$3" >"$folder/listed"
 
 [ -s "$folder/declared" ]
 diff -u "$folder/listed" "$folder/exported"
 diff -u "$folder/listed" "$folder/declared"
 # Every line that starts a declaration was understood.
-[ "$(grep -c '^NICOL_API ' "$2")" = "$(wc -l <"$folder/declared")" ]
+[ "$(cat "$2"/*.h | grep -c '^NICOL_API ')" = "$(wc -l <"$folder/declared")" ]

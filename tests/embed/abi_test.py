@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""nicol.h keeps what capi/nicol.abi promised, and what would break a promise is noticed.
+"""The C headers keep what capi/nicol.abi promised, and what would break a promise is noticed.
 
-usage: abi_test.py NICOL_H NICOL_ABI, with PYTHONPATH naming the folder of abi.py
+usage: abi_test.py INCLUDE_FOLDER NICOL_ABI, with PYTHONPATH naming the folder of abi.py
 """
 
 import sys
@@ -10,7 +10,7 @@ import unittest
 import abi
 import reader
 
-NICOL_H, NICOL_ABI = sys.argv[1:]
+INCLUDE, NICOL_ABI = sys.argv[1:]
 
 OLD = """
 #define NICOL_RED 1
@@ -64,7 +64,7 @@ class AbiTest(unittest.TestCase):
         with open(NICOL_ABI, encoding="utf-8") as file:
             old = abi.parse(file)
         self.assertGreater(sum(kind == "function" for kind, _ in old), 80)
-        self.assertEqual(list(abi.breaks(old, abi.parse(abi.interface(reader.read(NICOL_H))))), [])
+        self.assertEqual(list(abi.breaks(old, abi.parse(abi.interface(reader.read(INCLUDE))))), [])
 
     def test_additions(self):
         for change in ADDITIONS:

@@ -2,7 +2,7 @@
 """abidiff sees whatever abi.py calls a break in libraries that a compiler makes of the interfaces. It sees more: to it
 the growth of a struct is a change too, and its suppressions for that hide other changes of the same struct.
 
-usage: abi_tool_test.py C_COMPILER NICOL_H NICOL_ABI, with PYTHONPATH naming the folders of abi.py and abi_test.py
+usage: abi_tool_test.py C_COMPILER INCLUDE_FOLDER NICOL_ABI, with PYTHONPATH naming the folders of abi.py and abi_test.py
 """
 
 import os
@@ -12,7 +12,7 @@ import sys
 import tempfile
 import unittest
 
-COMPILER, (NICOL_H, NICOL_ABI) = sys.argv.pop(1), sys.argv[1:]
+COMPILER, (INCLUDE, NICOL_ABI) = sys.argv.pop(1), sys.argv[1:]
 
 import abi  # noqa: E402
 import abi_test  # noqa: E402
@@ -41,7 +41,7 @@ class AbiToolTest(unittest.TestCase):
         with open(NICOL_ABI, encoding="utf-8") as file:
             old = abi.parse(file)
         self.assertEqual(changes(old, old), 0)
-        self.assertEqual(changes(old, abi.parse(abi.interface(reader.read(NICOL_H)))) & INCOMPATIBLE, 0)
+        self.assertEqual(changes(old, abi.parse(abi.interface(reader.read(INCLUDE)))) & INCOMPATIBLE, 0)
 
     def test_breaks(self):
         for change, _ in abi_test.BREAKS:

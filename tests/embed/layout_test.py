@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The bindings are what nicol.h makes them, and a C compiler sees the header as they do.
+"""The bindings are what the C headers make them, and a C compiler reads the headers as they do.
 
-usage: layout_test.py BINDINGS_FOLDER NICOL_H C_COMPILER
+usage: layout_test.py BINDINGS_FOLDER INCLUDE_FOLDER C_COMPILER
 """
 
 import os
@@ -10,7 +10,7 @@ import sys
 import tempfile
 import unittest
 
-BINDINGS, NICOL_H = (os.path.abspath(sys.argv.pop(1)) for _ in range(2))
+BINDINGS, INCLUDE = (os.path.abspath(sys.argv.pop(1)) for _ in range(2))
 COMPILER = sys.argv.pop(1)
 sys.path.insert(0, BINDINGS)
 sys.dont_write_bytecode = True
@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 import reader  # noqa: E402
 from header import HeaderError  # noqa: E402
 
-MODEL = reader.read(NICOL_H)
+MODEL = reader.read(INCLUDE)
 
 
 def parse(text):
@@ -36,9 +36,10 @@ class LayoutTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "layout.c")
             with open(path, "w") as file:
-                file.write('#include <stddef.h>\n#include "nicol.h"\n' + "\n".join(lines) + "\n")
+                includes = [f'#include "{name}"' for name in reader.HEADERS]
+                file.write("\n".join(["#include <stddef.h>", *includes, *lines]) + "\n")
             command = [COMPILER, "-std=c11", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"]
-            ended = subprocess.run([*command, "-I", os.path.dirname(NICOL_H), path], capture_output=True, text=True)
+            ended = subprocess.run([*command, "-I", INCLUDE, path], capture_output=True, text=True)
             return ended.returncode == 0, ended.stderr
 
     @staticmethod
@@ -67,8 +68,10 @@ class LayoutTest(unittest.TestCase):
         self.assertFalse(self.compiles(['_Static_assert(sizeof(nicol_spectrum) == 64, "");'])[0])
 
     def test_everything_was_read(self):
-        with open(NICOL_H, encoding="utf-8") as file:
-            lines = file.read().split("\n")
+        lines = []
+        for name in reader.HEADERS:
+            with open(os.path.join(INCLUDE, name), encoding="utf-8") as file:
+                lines += file.read().split("\n")
         self.assertEqual(len(MODEL.functions), sum(line.startswith("NICOL_API ") for line in lines))
         types = sum(line.startswith("typedef ") for line in lines)
         unnamed = sum("(*release)(" in line for line in lines) > 0

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""LuaJIT sees every size, place and value of nicol.h as the header's reader does, and takes the header itself once it is
-preprocessed.
+"""LuaJIT finds every size, place and value of the C headers where their reader does, and takes the headers themselves
+once they are preprocessed.
 
-usage: lua_layout.py LUAJIT C_COMPILER, with LUA_PATH, PYTHONPATH and NICOL_H set
+usage: lua_layout.py LUAJIT C_COMPILER, with LUA_PATH, PYTHONPATH and NICOL_INCLUDE set
 """
 
 import os
@@ -25,22 +25,23 @@ def assertions(model):
         yield f"assert(nicol.C.{name})"
 
 
-def preprocessed(compiler, path):
-    """The header alone: LuaJIT knows what <stdint.h> declares."""
+def preprocessed(compiler, include):
+    """The headers alone: LuaJIT knows what <stdint.h> declares."""
     with tempfile.TemporaryDirectory() as folder:
         with open(os.path.join(folder, "stdint.h"), "w"):
             pass
-        command = [compiler, "-E", "-P", "-I", folder, path]
-        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        command = [compiler, "-E", "-P", "-x", "c", "-I", folder, "-I", include, "-"]
+        source = "".join(f'#include "{name}"\n' for name in reader.HEADERS)
+        return subprocess.run(command, input=source, check=True, capture_output=True, text=True).stdout
 
 
 def main():
     luajit, compiler = sys.argv[1:]
-    path = os.environ["NICOL_H"]
-    checks = list(assertions(reader.read(path)))
+    include = os.environ["NICOL_INCLUDE"]
+    checks = list(assertions(reader.read(include)))
     module = 'local ffi, nicol = require("ffi"), require("nicol")\n' + "\n".join(checks)
     sizes = "\n".join(check for check in checks if "ffi." in check)
-    plain = f'local ffi = require("ffi")\nffi.cdef[[\n{preprocessed(compiler, path)}\n]]\n' + sizes
+    plain = f'local ffi = require("ffi")\nffi.cdef[[\n{preprocessed(compiler, include)}\n]]\n' + sizes
     for script in [module, plain]:
         subprocess.run([luajit, "-"], input=script, text=True, check=True)
 

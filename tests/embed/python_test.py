@@ -20,7 +20,7 @@ try:
 except ImportError:
     numpy = None
 
-MODEL = reader.read(os.environ["NICOL_H"])
+MODEL = reader.read(os.environ["NICOL_INCLUDE"])
 GREY = 0.25
 
 

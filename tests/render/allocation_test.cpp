@@ -3,7 +3,7 @@
 #include <atomic>
 #include <new>
 
-#include "render/progress.hpp"
+#include "progress.hpp"
 #include "render/scenes.hpp"
 #include "render/transfer_cache.hpp"
 #include "scene/projection.hpp"

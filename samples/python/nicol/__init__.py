@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Nicol: polarized light in real time.
 
-Every function of nicol.h is here without its prefix, as a method where it begins with the name of a handle or struct:
+Every function of the C headers is here without its prefix, as a method where it begins with the name of a handle or struct:
 nicol_scene_load is Scene.load, nicol_render is render. What C returns through pointers is returned, failures raise Error.
 """
 

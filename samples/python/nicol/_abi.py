@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""nicol.h 0.1.0 for Python. Made by samples/bindings/generate.py: change the header, not this file."""
+"""Nicol 0.1.0 for Python. Made of the C headers by samples/bindings/generate.py: change those, not this file."""
 
 from ctypes import POINTER, byref, c_char_p, c_double, c_float, c_int32, c_uint32, c_uint64, c_void_p
 
@@ -618,7 +618,7 @@ class Environment(Handle):
     @classmethod
     def create_psh(cls, context, order, channels, coefficients):
         """Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
-        as "mathematics" below says; order up to NICOL_PSH_MAX_ORDER, channels 1 to NICOL_MAX_CHANNELS, count =
+        as nicol_psh.h says; order up to NICOL_PSH_MAX_ORDER (4096), channels 1 to NICOL_MAX_CHANNELS, count =
         channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
         below 0 and more polarization than light."""
         coefficients = Buffer(coefficients, c_double)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-//! nicol.h 0.1.0 for Rust. Made by samples/bindings/generate.py: change the header, not this file.
+//! Nicol 0.1.0 for Rust. Made of the C headers by samples/bindings/generate.py: change those, not this file.
 #![allow(non_camel_case_types)]
 use std::ffi::{c_char, c_void};
 use std::mem::{offset_of, size_of};
@@ -1230,7 +1230,7 @@ extern "C" {
     /// A clear sky, without its sun.
     pub fn nicol_environment_create_sky(context: nicol_context, sky: *const nicol_sky, environment: *mut nicol_environment) -> nicol_result;
     /// Light given by PSH coefficients over PROPAGATION directions in the world's axes, [channel][l*l + l + m][4]
-    /// as "mathematics" below says; order up to NICOL_PSH_MAX_ORDER, channels 1 to NICOL_MAX_CHANNELS, count =
+    /// as nicol_psh.h says; order up to NICOL_PSH_MAX_ORDER (4096), channels 1 to NICOL_MAX_CHANNELS, count =
     /// channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
     /// below 0 and more polarization than light.
     pub fn nicol_environment_create_psh(context: nicol_context, order: u32, channels: u32, coefficients: *const f64, count: u64, environment: *mut nicol_environment) -> nicol_result;

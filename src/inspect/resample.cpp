@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "inspect_image.hpp"
+#include "inspect/resample.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "light/equirect.hpp"
 
-namespace nicol::capi {
+namespace nicol {
 
 EquirectImage resample_image(const Environment& light, const glm::dmat3& rotation, int source_width,
                              int width, int height) {
@@ -23,7 +23,7 @@ EquirectImage resample_image(const Environment& light, const glm::dmat3& rotatio
             double area = 0;
             for (int j = 0; j < steps; ++j) {
                 const double v = (y + (j + 0.5) / steps - 0.5) / (height - 1);
-                // Beyond a pole the other side follows, with the frame it has seen from here.
+                // Beyond a pole lies the opposite meridian; its frame is the one continued across the pole.
                 const double weight = steps == 1 ? 1 : std::abs(std::sin(std::numbers::pi * v));
                 for (int i = 0; i < steps; ++i) {
                     const double u = (x + (i + 0.5) / steps) / width;
@@ -45,4 +45,4 @@ EquirectImage resample_image(const Environment& light, const glm::dmat3& rotatio
     return image;
 }
 
-}  // namespace nicol::capi
+}  // namespace nicol

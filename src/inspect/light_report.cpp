@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "light/light_report.hpp"
+#include "inspect/light_report.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "harmonics/energy.hpp"
+#include "light/equirect.hpp"
+
 namespace nicol {
 namespace {
-
-std::vector<Stokes> energy_of(const PshVector& field, int channel) {
-    std::vector<Stokes> energy;
-    for (int l = 0; l <= field.order(); ++l) {
-        Stokes sum(0);
-        for (int m = -l; m <= l; ++m)
-            for (int p = 0; p < 4; ++p) sum[p] += std::pow(field.at(channel, l, m, p), 2);
-        energy.push_back(sum);
-    }
-    return energy;
-}
 
 void describe_pixels(const EquirectImage& image, int channel, LightChannelReport& report) {
     constexpr double rounding = 1e-5;
@@ -46,6 +38,8 @@ void describe_pixels(const EquirectImage& image, int channel, LightChannelReport
             if (s[0] < 0) report.negative += weight;
             if (s[0] < 0 || degree > (1 + rounding) * s[0]) report.unphysical += weight;
             if (s[0] <= 0) continue;
+            report.direction +=
+                weight * s[0] * equirect_direction((x + 0.5) / image.width, y / (image.height - 1.0));
             positive += weight * s[0];
             polarized += weight * linear;
             report.largest_dolp = std::max(report.largest_dolp, linear / s[0]);
@@ -55,25 +49,26 @@ void describe_pixels(const EquirectImage& image, int channel, LightChannelReport
     report.mean /= area;
     report.negative /= area;
     report.unphysical /= area;
-    if (positive > 0) report.mean_dolp = polarized / positive;
+    if (positive > 0) {
+        report.mean_dolp = polarized / positive;
+        report.direction /= positive;
+    }
     if (excess > 0 && report.unphysical > 0 && report.mean > 0) report.largest_excess = excess / report.mean;
 }
 
 }  // namespace
 
-LightReport describe(const Environment& environment, int order) {
-    const PshVector field = environment.project(order);
-    const EquirectImage image = environment.image();
+LightReport describe(const Environment& light, const PshVector& coefficients) {
+    const EquirectImage image = light.image();
     LightReport report;
     report.width = image.width;
     report.height = image.height;
-    report.order = order;
-    report.polarized = environment.polarized();
-    report.circular = environment.circular();
-    report.wavelengths = environment.wavelengths();
-    for (int c = 0; c < environment.channels(); ++c) {
+    report.polarized = light.polarized();
+    report.circular = light.circular();
+    report.wavelengths = light.wavelengths();
+    for (int c = 0; c < light.channels(); ++c) {
         LightChannelReport& channel = report.channels.emplace_back();
-        channel.energy = energy_of(field, c);
+        if (c < coefficients.channels()) channel.energy = energy_per_order(coefficients, c);
         describe_pixels(image, c, channel);
     }
     return report;

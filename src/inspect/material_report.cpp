@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Numbers of a material's coefficient matrix, and of its Mueller matrices.
+#include "inspect/material_report.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "harmonics/spin_harmonics.hpp"
-#include "inspect_material.hpp"
 
-namespace nicol::capi {
+namespace nicol {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -86,9 +86,9 @@ std::vector<Stokes> polarizations() {
 
 }  // namespace
 
-MatrixNumbers describe_matrix(const IsotropicMatrix& matrix) {
+MatrixReport describe(const IsotropicMatrix& matrix) {
     constexpr std::array<std::size_t, 4> group{0, 2, 1, 1};  // of a lane
-    MatrixNumbers out;
+    MatrixReport out;
     out.energy.assign(static_cast<std::size_t>(std::max(matrix.order_out(), matrix.order_in())) + 1, 0.0);
     double wrong = 0;
     double all = 0;
@@ -122,7 +122,7 @@ MatrixNumbers describe_matrix(const IsotropicMatrix& matrix) {
     return out;
 }
 
-MuellerNumbers describe_mueller(const Material& material, int channel) {
+MuellerReport describe(const Material& material, int channel) {
     constexpr int pairs = 4096;
     constexpr double tolerance = 1e-3;
     static const std::vector<Stokes> states = polarizations();
@@ -146,7 +146,7 @@ MuellerNumbers describe_mueller(const Material& material, int channel) {
         }
         excess.push_back(most);
     }
-    MuellerNumbers out;
+    MuellerReport out;
     if (mean <= 0) return out;
     for (const double e : excess) {
         if (e > tolerance * mean) out.unphysical += 1.0 / pairs;
@@ -155,4 +155,4 @@ MuellerNumbers describe_mueller(const Material& material, int channel) {
     return out;
 }
 
-}  // namespace nicol::capi
+}  // namespace nicol

@@ -1,36 +1,23 @@
 // SPDX-License-Identifier: MIT
-// From a scene file's description to the things it describes.
+#include "scene/load_scene.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <complex>
-#include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 #include <tuple>
 
-#include "handles.hpp"
+#include "arguments.hpp"
 #include "light/psh_file.hpp"
 #include "material/conductor.hpp"
 #include "material/measured.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "scene/scene_color.hpp"
-#include "scene/scene_description.hpp"
 
-namespace nicol::capi {
+namespace nicol {
 namespace {
-
-SceneParameters parse(const char* const* definitions, std::uint32_t count) {
-    if (count > 0) require(definitions, "definitions");
-    SceneParameters parameters;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        require(definitions[i], "definitions[...]");
-        const std::string text = definitions[i];
-        const std::size_t equals = text.find('=');
-        if (equals == 0 || equals == std::string::npos) {
-            refuse("the definition \"" + text + "\" must have the form name=value");
-        }
-        parameters[text.substr(0, equals)] = text.substr(equals + 1);
-    }
-    return parameters;
-}
 
 EnvironmentPtr make(const EmitterDescription& d) {
     const SceneChannels rgb;
@@ -172,31 +159,46 @@ Camera make(const SensorDescription& d) {
 
 }  // namespace
 
-std::shared_ptr<SceneState> load_scene(const SessionPtr& session, const char* path,
-                                       const char* const* definitions, std::uint32_t count) {
-    require(path, "path");
-    const SceneDescription description = read_mitsuba_scene(path, parse(definitions, count));
-    for (const std::string& notice : description.notices) session->notice(notice);
-    auto state = std::make_shared<SceneState>(session);
+LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters) {
+    const SceneDescription description = read_mitsuba_scene(file, parameters);
+    LoadedScene out;
+    out.notices = description.notices;
     if (description.emitter) {
-        state->scene.set_environment(make(*description.emitter),
-                                     rotation_of(description.emitter->to_world, "emitter"),
-                                     description.emitter->scale);
+        out.scene.set_environment(make(*description.emitter),
+                                  rotation_of(description.emitter->to_world, "emitter"),
+                                  description.emitter->scale);
     }
-    const SceneChannels channels = channels_under(state->scene.environment());
+    const SceneChannels channels = channels_under(out.scene.environment());
     std::vector<MaterialPtr> materials;
     for (const MaterialDescription& material : description.materials)
         materials.push_back(make(material, channels));
     Meshes meshes;
     for (const ShapeDescription& shape : description.shapes) {
-        state->scene.add(
+        out.scene.add(
             {.mesh = meshes.of(shape), .material = materials.at(shape.material), .to_world = shape.to_world});
     }
-    state->camera = make(description.sensor);
-    state->luminance = description.sensor.luminance;
-    state->width = static_cast<std::uint32_t>(description.sensor.width);
-    state->height = static_cast<std::uint32_t>(description.sensor.height);
-    return state;
+    out.camera = make(description.sensor);
+    out.width = description.sensor.width;
+    out.height = description.sensor.height;
+    out.luminance = description.sensor.luminance;
+    return out;
 }
 
-}  // namespace nicol::capi
+glm::dmat3 rotation_of(const glm::dmat4& to_world, const char* what) {
+    glm::dmat3 axes(to_world);
+    for (int i = 0; i < 3; ++i) {
+        const double length = glm::length(axes[i]);
+        if (!(length > 0) || !std::isfinite(length)) {
+            refuse(std::string(what) + ": to_world has an axis without length or that is not finite");
+        }
+        axes[i] /= length;
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > 1e-5 || glm::determinant(axes) < 0) {
+            refuse(std::string(what) + ": to_world must rotate without shearing or mirroring");
+        }
+    }
+    return axes;
+}
+
+}  // namespace nicol

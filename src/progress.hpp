@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Progress and cancellation of long work.
+// Time taken, progress and cancellation of long work.
 #pragma once
 
+#include <chrono>
 #include <functional>
 
 #include "error.hpp"
-#include "render/stopwatch.hpp"
 
 namespace nicol {
+
+/// Time since construction.
+class Stopwatch {
+public:
+    [[nodiscard]] double milliseconds() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 /// Passes progress on at most ten times a second.
 class Progress {

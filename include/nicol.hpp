@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Nicol for C++20: handles that release themselves, and failures as exceptions. The functions are those of
+// the C headers.
+//
+//     auto context = nicol::create<nicol::Context>(nicol_context_create, nullptr);
+//     auto scene = nicol::create<nicol::Scene>(nicol_scene_load, context.get(), "a.xml", nullptr, 0);
+//     nicol::check(nicol_render(scene.get(), &camera, nullptr, framebuffer.get()));
+#ifndef NICOL_HPP
+#define NICOL_HPP
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "nicol.h"
+#include "nicol_files.h"
+#include "nicol_psh.h"
+
+namespace nicol {
+
+/// A function that failed: its result, and nicol_last_error() as what().
+class Error : public std::runtime_error {
+public:
+    Error(nicol_result result, const char* message) : std::runtime_error(message), result_(result) {}
+    [[nodiscard]] nicol_result result() const noexcept { return result_; }
+
+private:
+    nicol_result result_;
+};
+
+/// Throws Error unless the function succeeded. To be called on its thread, before the next function fails
+/// there.
+inline void check(nicol_result result) {
+    if (result != NICOL_OK) throw Error(result, nicol_last_error());
+}
+
+template <auto release>
+struct Release {
+    template <class Impl>
+    void operator()(Impl* handle) const noexcept {
+        release(handle);
+    }
+};
+
+/// One reference to an object: moves, does not copy; get() is the C handle, release() gives the reference
+/// away.
+template <class Handle, auto release>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<release>>;
+
+using Context = Owned<nicol_context, nicol_context_release>;
+using Environment = Owned<nicol_environment, nicol_environment_release>;
+using Material = Owned<nicol_material, nicol_material_release>;
+using Mesh = Owned<nicol_mesh, nicol_mesh_release>;
+using Scene = Owned<nicol_scene, nicol_scene_release>;
+using Framebuffer = Owned<nicol_framebuffer, nicol_framebuffer_release>;
+using Job = Owned<nicol_job, nicol_job_release>;
+using PshTransform = Owned<nicol_psh_transform, nicol_psh_transform_release>;
+
+/// Calls a function whose last parameter receives a new handle. Throws Error.
+template <class Object, class... Parameters, class... Arguments>
+[[nodiscard]] Object create(nicol_result (*function)(Parameters...), Arguments&&... arguments) {
+    typename Object::pointer handle = nullptr;
+    check(function(std::forward<Arguments>(arguments)..., &handle));
+    return Object(handle);
+}
+
+}  // namespace nicol
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// From a scene file to the things it describes.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_description.hpp"
+
+namespace nicol {
+
+struct LoadedScene {
+    Scene scene;
+    Camera camera;
+    int width = 0;  ///< of the film, pixels
+    int height = 0;
+    bool luminance = false;            ///< the film asks for one channel
+    std::vector<std::string> notices;  ///< what the file says that has no effect, one line each
+};
+
+/// Reads a scene file and everything it names. The light says what the channels of colours are; grey light
+/// and none mean red, green and blue. Shapes of the same file share a mesh. Throws what read_mitsuba_scene()
+/// and the readers of images, meshes and materials throw.
+[[nodiscard]] LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters);
+
+/// The rotation of an affine matrix whose axes are at right angles. Throws Error(invalid_argument) naming
+/// `what` for any other.
+[[nodiscard]] glm::dmat3 rotation_of(const glm::dmat4& to_world, const char* what);
+
+}  // namespace nicol
