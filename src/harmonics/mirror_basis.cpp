@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -158,12 +157,10 @@ template <class Number>
     }
 }
 
-NICOL_MULTIVERSION
 void MirrorBasis::split(const Lanes* packed, Lanes* out) const {
     split_numbers(reinterpret_cast<const LaneVector*>(packed), reinterpret_cast<LaneVector*>(out));
 }
 
-NICOL_MULTIVERSION
 void MirrorBasis::join(const Lanes* in, Lanes* packed) const {
     join_numbers(reinterpret_cast<const LaneVector*>(in), reinterpret_cast<LaneVector*>(packed));
 }

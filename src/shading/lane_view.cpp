@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "polarization/lane_camera.hpp"
+#include "simd/dispatch.hpp"
 #include "simd/lane_angle.hpp"
 #include "simd/lane_phases.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -30,8 +30,8 @@ struct Sight {
 }
 
 // Double precision where a difference or the direction of something tiny is at stake.
-NICOL_MULTIVERSION
-void find_sight(const LaneCamera& camera, const LanePoints& position, const LanePoints& normal, Sight& out) {
+[[gnu::always_inline]] inline void find_sight(const LaneCamera& camera, const LanePoints& position,
+                                              const LanePoints& normal, Sight& out) {
     struct Floats {
         alignas(64) std::array<float, kLanes> x, y, z;
     };
@@ -126,7 +126,7 @@ LaneView::LaneView(int order)
 void LaneView::look(const Viewpoint& view, std::span<const glm::vec3> positions,
                     std::span<const glm::vec3> normals) {
     Sight sight;
-    find_sight(lane_camera(view), lane_points(positions), lane_points(normals), sight);
+    dispatch<find_sight>(lane_camera(view), lane_points(positions), lane_points(normals), sight);
     raise_phases(sight.azimuth_cosine, sight.azimuth_sine, cosines_.size(), cosines_.data(), sines_.data());
     zenith_ = sight.zenith;
     frame_cosine_ = sight.frame_cosine;

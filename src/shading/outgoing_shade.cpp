@@ -7,18 +7,18 @@
 
 #include "harmonics/spin_harmonics.hpp"
 #include "shading/lane_view.hpp"
+#include "simd/dispatch.hpp"
 #include "simd/lane_transpose.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 #include "simd/work_space.hpp"
 
 namespace nicol {
 namespace {
 
 // parts[p] = the sum over the entries of part p of row z exp(i k phi).
-NICOL_MULTIVERSION
-void evaluate(const std::vector<OutgoingShade::Run>& runs, const Lanes* row, const Lanes* z_re,
-              const Lanes* z_im, const Lanes* cosine, const Lanes* sine, Lanes* re_out, Lanes* im_out) {
+[[gnu::always_inline]] inline void evaluate(const std::vector<OutgoingShade::Run>& runs, const Lanes* row,
+                                            const Lanes* z_re, const Lanes* z_im, const Lanes* cosine,
+                                            const Lanes* sine, Lanes* re_out, Lanes* im_out) {
     LaneVector re[3] = {};
     LaneVector im[3] = {};
     for (const OutgoingShade::Run& run : runs) {
@@ -112,8 +112,8 @@ void OutgoingShade::run(const OutgoingLight& light, const Viewpoint& view,
                     from[i] = light.at(begin + (i < count ? i : 0), static_cast<int>(channel)).data();
                 }
                 to_lanes(from, light.stride(), z.data());
-                evaluate(runs_, row.data(), z.data(), z.data() + n, seen.cosines(), seen.sines(), re.data(),
-                         im.data());
+                dispatch<evaluate>(runs_, row.data(), z.data(), z.data() + n, seen.cosines(), seen.sines(),
+                                   re.data(), im.data());
             }
             for (std::size_t i = 0; i < count; ++i) {
                 if (visible[begin + i] == 0) continue;

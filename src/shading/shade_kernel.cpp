@@ -3,8 +3,8 @@
 
 #include <numbers>
 
+#include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -116,18 +116,10 @@ std::vector<ShadeTerms::Run> runs(const std::vector<Pair>& pairs, int order) {
     return out;
 }
 
-}  // namespace
-
-ShadeTerms::ShadeTerms(const LightLayout& layout)
-    : basis(layout),
-      scalars(runs(basis.scalar_pairs(), layout.order())),
-      spins(runs(basis.spin_pairs(), layout.order())),
-      circular(layout.kind() == LightKind::full) {}
-
 // In place of the rows r of z = E + i O at m and of z' at -m, sign z' = conj E + i conj O, those of E and O:
 // r Re z + r' Re z' = (r + sign r') Re E + (sign r' - r) Im O, and likewise for Im. join() halves E and O.
-NICOL_MULTIVERSION
-void prepare_rows(const ShadeTerms& terms, std::size_t row_size, std::size_t rows, Lanes* table) {
+[[gnu::always_inline]] inline void prepare_all(const ShadeTerms& terms, std::size_t row_size,
+                                               std::size_t rows, Lanes* table) {
     for (const MirrorBasis::SpinPair& pair : terms.basis.spin_pairs()) {
         const float sign = pair.l % 2 == 0 ? 0.5F : -0.5F;
         for (std::size_t p = 0; p < rows; ++p) {
@@ -145,9 +137,9 @@ void prepare_rows(const ShadeTerms& terms, std::size_t row_size, std::size_t row
     }
 }
 
-NICOL_MULTIVERSION
-void respond(const ShadeTerms& terms, std::size_t row_size, std::size_t rows, const Lanes* table,
-             const Lanes* light, const Lanes* cosine, const Lanes* sine, Lanes* stokes) {
+[[gnu::always_inline]] inline void respond_all(const ShadeTerms& terms, std::size_t row_size,
+                                               std::size_t rows, const Lanes* table, const Lanes* light,
+                                               const Lanes* cosine, const Lanes* sine, Lanes* stokes) {
     if (rows == 1) {
         respond_rows<1>(terms, row_size, table, light, cosine, sine, stokes);
     } else if (rows == 3) {
@@ -155,6 +147,23 @@ void respond(const ShadeTerms& terms, std::size_t row_size, std::size_t rows, co
     } else {
         respond_rows<4>(terms, row_size, table, light, cosine, sine, stokes);
     }
+}
+
+}  // namespace
+
+ShadeTerms::ShadeTerms(const LightLayout& layout)
+    : basis(layout),
+      scalars(runs(basis.scalar_pairs(), layout.order())),
+      spins(runs(basis.spin_pairs(), layout.order())),
+      circular(layout.kind() == LightKind::full) {}
+
+void prepare_rows(const ShadeTerms& terms, std::size_t row_size, std::size_t rows, Lanes* table) {
+    dispatch<prepare_all>(terms, row_size, rows, table);
+}
+
+void respond(const ShadeTerms& terms, std::size_t row_size, std::size_t rows, const Lanes* table,
+             const Lanes* light, const Lanes* cosine, const Lanes* sine, Lanes* stokes) {
+    dispatch<respond_all>(terms, row_size, rows, table, light, cosine, sine, stokes);
 }
 
 }  // namespace nicol

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "simd/lane_phases.hpp"
 
+#include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
+namespace {
 
-using DoubleVector [[gnu::vector_size(sizeof(DoubleLanes)), gnu::may_alias]] = double;
+// DoubleLanes promise less alignment than a vector of their size would.
+using DoubleVector
+    [[gnu::vector_size(sizeof(DoubleLanes)), gnu::may_alias, gnu::aligned(alignof(DoubleLanes))]] = double;
 
-NICOL_MULTIVERSION
-void raise_phases(const DoubleLanes& cosine, const DoubleLanes& sine, std::size_t count, Lanes* cosines,
-                  Lanes* sines) {
+[[gnu::always_inline]] inline void raise_all(const DoubleLanes& cosine, const DoubleLanes& sine,
+                                             std::size_t count, Lanes* cosines, Lanes* sines) {
     const DoubleVector c = *reinterpret_cast<const DoubleVector*>(&cosine);
     const DoubleVector s = *reinterpret_cast<const DoubleVector*>(&sine);
     DoubleVector re = DoubleVector{} + 1.0;
@@ -22,6 +24,13 @@ void raise_phases(const DoubleLanes& cosine, const DoubleLanes& sine, std::size_
         im = im * c + re * s;
         re = next;
     }
+}
+
+}  // namespace
+
+void raise_phases(const DoubleLanes& cosine, const DoubleLanes& sine, std::size_t count, Lanes* cosines,
+                  Lanes* sines) {
+    dispatch<raise_all>(cosine, sine, count, cosines, sines);
 }
 
 }  // namespace nicol

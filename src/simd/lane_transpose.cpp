@@ -5,8 +5,8 @@
 #include <cstring>
 #include <utility>
 
+#include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -34,8 +34,7 @@ template <int Step, int... K>
 }
 
 // The last square overlaps the one before where the count is no multiple of its side.
-NICOL_MULTIVERSION
-void gather(const float* const* rows, std::size_t count, Lanes* lanes) {
+[[gnu::always_inline]] inline void gather(const float* const* rows, std::size_t count, Lanes* lanes) {
     for (std::size_t at = 0; at < count; at += kLanes) {
         const std::size_t j = std::min(at, count - kLanes);
         LaneVector square[kLanes];
@@ -45,9 +44,8 @@ void gather(const float* const* rows, std::size_t count, Lanes* lanes) {
     }
 }
 
-NICOL_MULTIVERSION
-void gather_between(const float* const* rows, std::size_t step, const float* fraction, std::size_t count,
-                    Lanes* lanes) {
+[[gnu::always_inline]] inline void gather_between(const float* const* rows, std::size_t step,
+                                                  const float* fraction, std::size_t count, Lanes* lanes) {
     for (std::size_t at = 0; at < count; at += kLanes) {
         const std::size_t j = std::min(at, count - kLanes);
         LaneVector square[kLanes];
@@ -97,29 +95,29 @@ template <bool Add>
     }
 }
 
-NICOL_MULTIVERSION
-void put(const Lanes* lanes, const std::uint8_t* show, std::size_t count, float* out) {
+[[gnu::always_inline]] inline void put(const Lanes* lanes, const std::uint8_t* show, std::size_t count,
+                                       float* out) {
     give_fours<false>(lanes, show, count, out);
 }
 
-NICOL_MULTIVERSION
-void add(const Lanes* lanes, const std::uint8_t* show, std::size_t count, float* out) {
+[[gnu::always_inline]] inline void add(const Lanes* lanes, const std::uint8_t* show, std::size_t count,
+                                       float* out) {
     give_fours<true>(lanes, show, count, out);
 }
 
 }  // namespace
 
 void put_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out) {
-    put(lanes, show, count, &out->x);
+    dispatch<put>(lanes, show, count, &out->x);
 }
 
 void add_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out) {
-    add(lanes, show, count, &out->x);
+    dispatch<add>(lanes, show, count, &out->x);
 }
 
 void to_lanes(const std::array<const float*, kLanes>& rows, std::size_t count, Lanes* lanes) {
     if (count >= kLanes) {
-        gather(rows.data(), count, lanes);
+        dispatch<gather>(rows.data(), count, lanes);
         return;
     }
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -130,7 +128,7 @@ void to_lanes(const std::array<const float*, kLanes>& rows, std::size_t count, L
 void to_lanes_between(const std::array<const float*, kLanes>& rows, std::size_t step, const Lanes& fraction,
                       std::size_t count, Lanes* lanes) {
     if (count >= kLanes) {
-        gather_between(rows.data(), step, fraction.value.data(), count, lanes);
+        dispatch<gather_between>(rows.data(), step, fraction.value.data(), count, lanes);
         return;
     }
     for (std::size_t i = 0; i < kLanes; ++i) {

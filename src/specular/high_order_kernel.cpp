@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "specular/high_order_kernel.hpp"
 
+#include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 #include "specular/high_order_factors.hpp"
 
 namespace nicol {
@@ -81,23 +81,15 @@ template <bool Polarized>
     store(stokes + 3, sum[3]);
 }
 
-NICOL_MULTIVERSION
-void reflect_plain(const ProbedChannel& probed, const Lanes* factors, const LaneMirror& mirror,
-                   const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
-    reflect<false>(probed, factors, mirror, lobe, hemisphere, stokes);
-}
-
-NICOL_MULTIVERSION
-void reflect_polarized(const ProbedChannel& probed, const Lanes* factors, const LaneMirror& mirror,
-                       const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
-    reflect<true>(probed, factors, mirror, lobe, hemisphere, stokes);
-}
-
 }  // namespace
 
 void reflect_probes(const ProbedChannel& probed, bool polarized, const Lanes* factors,
                     const LaneMirror& mirror, const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
-    (polarized ? reflect_polarized : reflect_plain)(probed, factors, mirror, lobe, hemisphere, stokes);
+    if (polarized) {
+        dispatch<reflect<true>>(probed, factors, mirror, lobe, hemisphere, stokes);
+    } else {
+        dispatch<reflect<false>>(probed, factors, mirror, lobe, hemisphere, stokes);
+    }
 }
 
 }  // namespace nicol

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "error.hpp"
+#include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 #include "specular/high_order_gains.hpp"
 
 namespace nicol {
@@ -92,17 +92,6 @@ template <bool Mirrored>
     store_fraction(base_seen * (1 / one), LaneVector{} + base_all, fractions + 1);
 }
 
-NICOL_MULTIVERSION
-void look_mirrored(const Tables& tables, const std::int16_t* visibility, const LaneVectors& d,
-                   Lanes* fractions) {
-    look<true>(tables, visibility, d, fractions);
-}
-
-NICOL_MULTIVERSION
-void look_dark(const Tables& tables, const std::int16_t* visibility, const LaneVectors& d, Lanes* fractions) {
-    look<false>(tables, visibility, d, fractions);
-}
-
 }  // namespace
 
 HighOrderVisibility::HighOrderVisibility(int order, double width, HorizonExtension extension)
@@ -182,8 +171,11 @@ void HighOrderVisibility::look(const LaneMirror& mirror, const std::int16_t* blo
                         .cosine = cosine_.data(),
                         .everything = everything_.data(),
                         .climb = climb_.data()};
-    (extension_ == HorizonExtension::mirrored ? look_mirrored : look_dark)(tables, block, mirror.local,
-                                                                           fractions.data());
+    if (extension_ == HorizonExtension::mirrored) {
+        dispatch<nicol::look<true>>(tables, block, mirror.local, fractions.data());
+    } else {
+        dispatch<nicol::look<false>>(tables, block, mirror.local, fractions.data());
+    }
 }
 
 }  // namespace nicol

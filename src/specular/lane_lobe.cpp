@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <numbers>
 
+#include "simd/dispatch.hpp"
 #include "simd/lane_angle.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -108,8 +108,7 @@ template <int Layers>
     for (int layer = 0; layer < Layers; ++layer) spread_fours(fours[layer], out[layer]);
 }
 
-NICOL_MULTIVERSION
-void probe_plain(const Grid& grid, const LaneVectors& d, Lanes* out) {
+[[gnu::always_inline]] inline void probe_plain(const Grid& grid, const LaneVectors& d, Lanes* out) {
     Positions at;
     find_texels(grid, d, at);
     for (std::int32_t layer = 0; layer < grid.layers; ++layer) {
@@ -120,8 +119,8 @@ void probe_plain(const Grid& grid, const LaneVectors& d, Lanes* out) {
 }
 
 // s1 = (x T x - y T y) / 2 and s2 = x T y by the five elements of T.
-NICOL_MULTIVERSION
-void probe_polarized(const Grid& grid, const LaneVectors& d, const LaneVectors& x, Lanes* out) {
+[[gnu::always_inline]] inline void probe_polarized(const Grid& grid, const LaneVectors& d,
+                                                   const LaneVectors& x, Lanes* out) {
     Positions at;
     find_texels(grid, d, at);
     LaneVector dx;
@@ -168,9 +167,9 @@ void probe_lobe(const LobeMap& map, const LaneVectors& direction, const LaneVect
     const Grid grid{
         .texels = map.texels().data(), .rows = map.rows(), .columns = map.columns(), .layers = map.layers()};
     if (map.polarized()) {
-        probe_polarized(grid, direction, x, out);
+        dispatch<probe_polarized>(grid, direction, x, out);
     } else {
-        probe_plain(grid, direction, out);
+        dispatch<probe_plain>(grid, direction, out);
     }
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "polarization/lane_camera.hpp"
-#include "simd/simd.hpp"
+#include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
@@ -154,9 +154,8 @@ struct Camera : LaneCamera {
     store_half(number, out.local.z, first);
 }
 
-NICOL_MULTIVERSION
-void find_mirrors(const Camera& camera, const LanePoints& positions, const LanePoints& normals,
-                  LaneMirror& out) {
+[[gnu::always_inline]] inline void find_mirrors(const Camera& camera, const LanePoints& positions,
+                                                const LanePoints& normals, LaneMirror& out) {
     for (std::size_t first = 0; first < kLanes; first += half) {
         const auto at = [first](const DoubleLanes& lanes) -> const HalfLanes& {
             return *reinterpret_cast<const HalfLanes*>(lanes.value.data() + first);
@@ -177,7 +176,7 @@ LaneMirror mirror_views(const Viewpoint& view, const glm::dmat3& world_to_light,
             camera.to_light[static_cast<std::size_t>(3 * row + column)] = world_to_light[column][row];
     }
     LaneMirror out;
-    find_mirrors(camera, lane_points(positions), lane_points(normals), out);
+    dispatch<find_mirrors>(camera, lane_points(positions), lane_points(normals), out);
     return out;
 }
 

@@ -7,7 +7,7 @@
 #include "error.hpp"
 #include "harmonics/rotation.hpp"
 #include "polarization/stokes.hpp"
-#include "simd/simd.hpp"
+#include "simd/dispatch.hpp"
 #include "simd/work_space.hpp"
 
 namespace nicol {
@@ -70,8 +70,8 @@ LightKind kind_out(std::span<const IsotropicMatrix> channels, LightKind kind_in)
 }
 
 // out += a matrix of `columns` columns of `rows` numbers each, times x.
-NICOL_MULTIVERSION
-void multiply(std::size_t rows, std::size_t columns, const float* matrix, const float* x, float* out) {
+[[gnu::always_inline]] inline void multiply(std::size_t rows, std::size_t columns, const float* matrix,
+                                            const float* x, float* out) {
     std::size_t j = 0;
     for (; j + 4 <= columns; j += 4) {
         const float* m = matrix + j * rows;
@@ -90,8 +90,7 @@ void multiply(std::size_t rows, std::size_t columns, const float* matrix, const 
     }
 }
 
-NICOL_MULTIVERSION
-void add_scaled(std::size_t n, float factor, const float* from, float* to) {
+[[gnu::always_inline]] inline void add_scaled(std::size_t n, float factor, const float* from, float* to) {
 #pragma omp simd
     for (std::size_t i = 0; i < n; ++i) to[i] += factor * from[i];
 }
@@ -146,9 +145,10 @@ void DenseTransfer::apply(const PshVector& light, std::size_t first, std::size_t
             const std::span<float> to = out.at(out_first + v, c);
             std::ranges::fill(to, 0.0F);
             const std::size_t channel = material_->channels() == 1 ? 0 : static_cast<std::size_t>(c);
-            multiply(row_stride_, columns.size(), matrices + channel * matrix_size,
-                     x.data() + (light.channels() == 1 ? 0 : static_cast<std::size_t>(c)) * columns.size(),
-                     to.data());
+            dispatch<multiply>(
+                row_stride_, columns.size(), matrices + channel * matrix_size,
+                x.data() + (light.channels() == 1 ? 0 : static_cast<std::size_t>(c)) * columns.size(),
+                to.data());
         }
     }
 }
@@ -186,7 +186,7 @@ void DenseBuilder::build(const glm::vec3& normal, std::span<const double> visibi
     for (std::size_t c = 0; c < material_->entries_.size(); ++c) {
         std::ranges::fill(products_, 0.0F);
         for (const DenseMaterial::Entry& e : material_->entries_[c]) {
-            add_scaled(n, e.value, rows_.data() + e.column * n, products_.data() + e.row * n);
+            dispatch<add_scaled>(n, e.value, rows_.data() + e.column * n, products_.data() + e.row * n);
         }
         const std::span<float> matrix = out.subspan(c * n * stride, n * stride);
         for (std::size_t row = 0; row < rows; ++row) {

@@ -6,9 +6,9 @@
 
 #include "harmonics/psh.hpp"
 #include "harmonics/wigner.hpp"
+#include "simd/dispatch.hpp"
 #include "simd/lane_phases.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -194,16 +194,14 @@ template <int Fields>
     }
 }
 
-NICOL_MULTIVERSION
-void rotate_some_real(const Rotation& t, std::size_t fields) {
+[[gnu::always_inline]] inline void rotate_some_real(const Rotation& t, std::size_t fields) {
     static_assert(LaneRotation::kMostFields == 3);
     if (fields == 1) rotate_real_fields<1>(t);
     if (fields == 2) rotate_real_fields<2>(t);
     if (fields == 3) rotate_real_fields<3>(t);
 }
 
-NICOL_MULTIVERSION
-void rotate_some_complex(const Rotation& t, std::size_t fields) {
+[[gnu::always_inline]] inline void rotate_some_complex(const Rotation& t, std::size_t fields) {
     if (fields == 1) rotate_complex_fields<1>(t);
     if (fields == 2) rotate_complex_fields<2>(t);
     if (fields == 3) rotate_complex_fields<3>(t);
@@ -217,8 +215,8 @@ struct Rotations {
     DoubleLanes zenith_sine;
 };
 
-NICOL_MULTIVERSION
-void find_rotations(const DoubleLanes& x, const DoubleLanes& y, const DoubleLanes& z, Rotations& out) {
+[[gnu::always_inline]] inline void find_rotations(const DoubleLanes& x, const DoubleLanes& y,
+                                                  const DoubleLanes& z, Rotations& out) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const double rho = std::sqrt(x.value[i] * x.value[i] + y.value[i] * y.value[i]);
         // At a pole theta_phi_frame takes phi as 0, and so must this. The quarter turn is i exp(i phi).
@@ -275,7 +273,7 @@ void LaneRotation::set_normals(std::span<const glm::vec3> normals, Work& work) c
         z.value[i] = n.z;
     }
     Rotations turns;
-    find_rotations(x, y, z, turns);
+    dispatch<find_rotations>(x, y, z, turns);
     const auto count = static_cast<std::size_t>(order_) + 1;
     raise_phases(turns.azimuth_cosine, turns.azimuth_sine, count, work.azimuth_.cosine.data(),
                  work.azimuth_.sine.data());
@@ -299,11 +297,13 @@ void LaneRotation::rotate_by(const Quarters& quarters, std::span<const std::comp
 }
 
 void LaneRotation::rotate_real(std::span<const std::complex<float>* const> in, Work& work) const {
-    rotate_by(real_, in, work, rotate_some_real);
+    rotate_by(real_, in, work,
+              [](const Rotation& t, std::size_t fields) { dispatch<rotate_some_real>(t, fields); });
 }
 
 void LaneRotation::rotate_complex(std::span<const std::complex<float>* const> in, Work& work) const {
-    rotate_by(complex_, in, work, rotate_some_complex);
+    rotate_by(complex_, in, work,
+              [](const Rotation& t, std::size_t fields) { dispatch<rotate_some_complex>(t, fields); });
 }
 
 }  // namespace nicol

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -122,9 +122,8 @@ std::vector<Relight::Term> spin_terms(const MirrorBasis& basis, const std::vecto
     return terms;
 }
 
-NICOL_MULTIVERSION
-void add_up(const std::vector<Relight::Term>& terms, const Lanes* results, std::size_t fields,
-            std::size_t field, Lanes* out) {
+[[gnu::always_inline]] inline void add_up(const std::vector<Relight::Term>& terms, const Lanes* results,
+                                          std::size_t fields, std::size_t field, Lanes* out) {
     results += field;
     for (const Relight::Term& term : terms) {
         LaneVector first;
@@ -213,8 +212,8 @@ void Relight::run_part(const Part& part, LaneRotation::Work& work, std::size_t b
             rotation_.rotate_real(std::span(fields).first(count), work);
         }
         for (std::size_t f = 0; f < count; ++f) {
-            add_up(part.terms, work.results(), count, f,
-                   out.block(block, static_cast<int>(first + f)).data() + part.begin);
+            dispatch<add_up>(part.terms, work.results(), count, f,
+                             out.block(block, static_cast<int>(first + f)).data() + part.begin);
         }
     }
 }

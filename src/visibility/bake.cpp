@@ -17,7 +17,7 @@
 #include "arguments.hpp"
 #include "geometry/ray_scene.hpp"
 #include "progress.hpp"
-#include "simd/simd.hpp"
+#include "simd/dispatch.hpp"
 #include "visibility/bake_origins.hpp"
 #include "visibility/bundle_cones.hpp"
 
@@ -49,8 +49,8 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
 }
 
 // Bit i is set where direction i of the bundle stands higher than `least` over the plane of the normal.
-NICOL_MULTIVERSION
-std::uint16_t above(const RayBundle& bundle, const glm::vec3& normal, float least) {
+[[gnu::always_inline]] inline std::uint16_t above(const RayBundle& bundle, const glm::vec3& normal,
+                                                  float least) {
     std::array<std::uint16_t, RayBundle::kRays> bit{};
     for (std::size_t i = 0; i < RayBundle::kRays; ++i) {
         const float sine = normal.x * bundle.x[i] + normal.y * bundle.y[i] + normal.z * bundle.z[i];
@@ -79,13 +79,13 @@ std::uint64_t look_around(const RayScene& scene, const DirectionSet& directions,
     for (std::size_t b = 0; b <= last; ++b) {
         const RayBundle& bundle = directions.bundles()[b];
         const unsigned real = b < last || rest == RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
-        const auto up = static_cast<std::uint16_t>(above(bundle, normal, 0) & real);
+        const auto up = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, 0.0F) & real);
         if (up == 0) continue;
         std::uint16_t blocked = 0;
         if (former && former->disturbed[b] == 0) {
             blocked = static_cast<std::uint16_t>(up & ~(former->bits[b / 4] >> (16 * (b % 4))));
         } else {
-            const auto asked = static_cast<std::uint16_t>(above(bundle, normal, grazing) & real);
+            const auto asked = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, grazing) & real);
             if (asked != 0) blocked = scene.occluded(origin, bundle, asked);
             rays += static_cast<std::uint64_t>(std::popcount(asked));
         }

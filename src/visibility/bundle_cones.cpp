@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "simd/simd.hpp"
+#include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
@@ -15,10 +15,10 @@ constexpr float slack = 1e-4F;
 
 // disturbed[b] = 1 where the angle between an axis and the unit vector is at most the sum of half the opening
 // angle and an angle of this cosine and sine, which is below a quarter turn.
-NICOL_MULTIVERSION
-void mark_near(std::size_t count, const float* x, const float* y, const float* z, const float* cosine,
-               const float* sine, const glm::vec3& to, float ball_cosine, float ball_sine,
-               std::uint8_t* disturbed) {
+[[gnu::always_inline]] inline void mark_near(std::size_t count, const float* x, const float* y,
+                                             const float* z, const float* cosine, const float* sine,
+                                             const glm::vec3& to, float ball_cosine, float ball_sine,
+                                             std::uint8_t* disturbed) {
     for (std::size_t b = 0; b < count; ++b) {
         const float along = x[b] * to.x + y[b] * to.y + z[b] * to.z;
         const bool near = along >= cosine[b] * ball_cosine - sine[b] * ball_sine - slack;
@@ -60,8 +60,8 @@ void BundleCones::mark(const glm::vec3& origin, const glm::vec3& normal, const B
         return;
     }
     const float sine = radius / distance;
-    mark_near(x_.size(), x_.data(), y_.data(), z_.data(), cosine_.data(), sine_.data(), to / distance,
-              std::sqrt(1 - sine * sine), sine, disturbed.data());
+    dispatch<mark_near>(x_.size(), x_.data(), y_.data(), z_.data(), cosine_.data(), sine_.data(),
+                        to / distance, std::sqrt(1 - sine * sine), sine, disturbed.data());
 }
 
 }  // namespace nicol

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/shadow_grid_kernel.hpp"
 
+#include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -174,10 +174,10 @@ template <bool Dark, class Number>
     }
 }
 
-NICOL_MULTIVERSION
-void multiply_floats(const Pair& from, const Slots& slots_in, const Pair& to, const Slots& slots_out,
-                     std::size_t rows, std::size_t quarter, const float* even, const float* odd,
-                     const Lanes* in, Lanes* out) {
+[[gnu::always_inline]] inline void multiply_floats(const Pair& from, const Slots& slots_in, const Pair& to,
+                                                   const Slots& slots_out, std::size_t rows,
+                                                   std::size_t quarter, const float* even, const float* odd,
+                                                   const Lanes* in, Lanes* out) {
     if (odd != nullptr) {
         multiply_rows<true>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
     } else {
@@ -185,10 +185,10 @@ void multiply_floats(const Pair& from, const Slots& slots_in, const Pair& to, co
     }
 }
 
-NICOL_MULTIVERSION
-void multiply_fixed(const Pair& from, const Slots& slots_in, const Pair& to, const Slots& slots_out,
-                    std::size_t rows, std::size_t quarter, const std::int16_t* even, const std::int16_t* odd,
-                    const Lanes* in, Lanes* out) {
+[[gnu::always_inline]] inline void multiply_fixed(const Pair& from, const Slots& slots_in, const Pair& to,
+                                                  const Slots& slots_out, std::size_t rows,
+                                                  std::size_t quarter, const std::int16_t* even,
+                                                  const std::int16_t* odd, const Lanes* in, Lanes* out) {
     if (odd != nullptr) {
         multiply_rows<true>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
     } else {
@@ -214,13 +214,13 @@ void synthesize_row(const Component& component, const Slots& slots, std::size_t 
 void multiply_pair(const Pair& from, const Slots& slots_in, const Pair& to, const Slots& slots_out,
                    std::size_t rows, std::size_t quarter, const float* even, const float* odd,
                    const Lanes* in, Lanes* out) {
-    multiply_floats(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
+    dispatch<multiply_floats>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
 }
 
 void multiply_pair(const Pair& from, const Slots& slots_in, const Pair& to, const Slots& slots_out,
                    std::size_t rows, std::size_t quarter, const std::int16_t* even, const std::int16_t* odd,
                    const Lanes* in, Lanes* out) {
-    multiply_fixed(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
+    dispatch<multiply_fixed>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
 }
 
 }  // namespace nicol

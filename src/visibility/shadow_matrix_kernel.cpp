@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -104,15 +104,15 @@ template <class Number>
     }
 }
 
-NICOL_MULTIVERSION
-void multiply_floats(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
-                     std::size_t count) {
+[[gnu::always_inline]] inline void multiply_floats(const float* matrix, std::size_t size,
+                                                   const Lanes* const* in, Lanes* const* out,
+                                                   std::size_t count) {
     multiply_groups(matrix, size, in, out, count, 1.0F);
 }
 
-NICOL_MULTIVERSION
-void multiply_fixed(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
-                    std::size_t count) {
+[[gnu::always_inline]] inline void multiply_fixed(const std::int16_t* matrix, std::size_t size,
+                                                  const Lanes* const* in, Lanes* const* out,
+                                                  std::size_t count) {
     multiply_groups(matrix, size, in, out, count, 1.0F / kPairedOne);
 }
 
@@ -132,12 +132,12 @@ std::vector<ShadowElement> shadow_elements(std::size_t size) {
 
 void multiply_shadows(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
                       std::size_t count) {
-    multiply_floats(matrix, size, in, out, count);
+    dispatch<multiply_floats>(matrix, size, in, out, count);
 }
 
 void multiply_shadows(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
                       std::size_t count) {
-    multiply_fixed(matrix, size, in, out, count);
+    dispatch<multiply_fixed>(matrix, size, in, out, count);
 }
 
 }  // namespace nicol

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "harmonics/mirror_harmonics.hpp"
-#include "simd/simd.hpp"
+#include "simd/dispatch.hpp"
 #include "visibility/shadow_matrix_kernel.hpp"
 
 namespace nicol {
@@ -37,9 +37,9 @@ double phi_integral(int a, int b, int c) {
     return (meet(x + y, z) + other) / 2;
 }
 
-NICOL_MULTIVERSION
-void sum_terms(const std::uint32_t* first, std::size_t elements, const std::uint32_t* coefficient,
-               const float* value, const Lanes* visibility, Lanes* matrix) {
+[[gnu::always_inline]] inline void sum_terms(const std::uint32_t* first, std::size_t elements,
+                                             const std::uint32_t* coefficient, const float* value,
+                                             const Lanes* visibility, Lanes* matrix) {
     for (std::size_t e = 0; e < elements; ++e) {
         Lanes sum{};
         for (std::uint32_t t = first[e]; t < first[e + 1]; ++t) {
@@ -106,7 +106,7 @@ TripleProductTensor::TripleProductTensor(Group group, const MirrorBasis& basis, 
 }
 
 void TripleProductTensor::make(const Lanes* visibility, Lanes* matrix) const {
-    sum_terms(first_.data(), elements(), coefficient_.data(), value_.data(), visibility, matrix);
+    dispatch<sum_terms>(first_.data(), elements(), coefficient_.data(), value_.data(), visibility, matrix);
 }
 
 }  // namespace nicol

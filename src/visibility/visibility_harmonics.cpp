@@ -14,8 +14,8 @@
 #include "error.hpp"
 #include "harmonics/psh.hpp"
 #include "polarization/stokes.hpp"
+#include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
-#include "simd/simd.hpp"
 
 namespace nicol {
 namespace {
@@ -86,8 +86,7 @@ struct Group {
 
 // sum[psh_index(l, m)] += weight Y_lm. The harmonics are (x + i y)^m times a polynomial q_lm(z), with
 // q_lm = a z q_{l-1,m} - b q_{l-2,m}; `climb` holds a and b at 2 psh_index(l, m), and q_mm for l = m.
-NICOL_MULTIVERSION
-void add(const Samples* at, const float* climb, int order, Lanes* sum) {
+[[gnu::always_inline]] inline void add(const Samples* at, const float* climb, int order, Lanes* sum) {
     Group g;
     begin_group(at, g);
     for (int m = 0; m <= order; ++m) {
@@ -113,8 +112,7 @@ void add(const Samples* at, const float* climb, int order, Lanes* sum) {
 
 // The same for even l + m alone: q_lm = (a z^2 + b) q_{l-2,m} - c q_{l-4,m}; `leap` holds a, b and c at
 // 3 psh_index(l, m), and q_mm for l = m.
-NICOL_MULTIVERSION
-void add_even(const Samples* at, const float* leap, int order, Lanes* sum) {
+[[gnu::always_inline]] inline void add_even(const Samples* at, const float* leap, int order, Lanes* sum) {
     Group g;
     begin_group(at, g);
     LaneVector z2[group];
@@ -142,8 +140,7 @@ void add_even(const Samples* at, const float* leap, int order, Lanes* sum) {
 }
 
 // The sums of the lanes.
-NICOL_MULTIVERSION
-void fold(const Lanes* lanes, std::size_t count, float* out) {
+[[gnu::always_inline]] inline void fold(const Lanes* lanes, std::size_t count, float* out) {
     for (std::size_t i = 0; i < count; ++i) {
         LaneVector v;
         load(lanes + i, v);
@@ -210,9 +207,9 @@ struct Vertex {
 
 // The bundles of which any direction is above the horizon, with weights that are positive for what is seen,
 // negative for what is not and 0 below. Returns how many.
-NICOL_MULTIVERSION
-std::size_t look_around(std::span<const RayBundle> bundles, const Lanes* weights, Vertex& vertex,
-                        Samples* samples) {
+[[gnu::always_inline]] inline std::size_t look_around(std::span<const RayBundle> bundles,
+                                                      const Lanes* weights, Vertex& vertex,
+                                                      Samples* samples) {
     constexpr IntVector lane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     const std::array<float, 9> f = vertex.frame;
     DoubleVector all{};
@@ -260,7 +257,7 @@ float gather(const DirectionSet& directions, std::span<const Lanes> weights, con
             static_cast<float>(frame[static_cast<glm::length_t>(i / 3)][static_cast<glm::length_t>(i % 3)]);
     }
     samples.resize(directions.bundles().size());
-    samples.resize(look_around(directions.bundles(), weights.data(), vertex, samples.data()));
+    samples.resize(dispatch<look_around>(directions.bundles(), weights.data(), vertex, samples.data()));
     const double all = std::accumulate(vertex.all.begin(), vertex.all.end(), 0.0);
     const double part = std::accumulate(vertex.part.begin(), vertex.part.end(), 0.0);
     const auto fraction = static_cast<float>(all > 0 ? part / all : 0.0);
@@ -310,12 +307,12 @@ void VisibilityHarmonics::project(const Visibility& visibility, std::size_t vert
     samples.resize((samples.size() + group - 1) / group * group, Samples{});
     for (std::size_t first = 0; first < samples.size(); first += group) {
         if (mirrored) {
-            add_even(&samples[first], leap_.data(), order_, sum.data());
+            dispatch<add_even>(&samples[first], leap_.data(), order_, sum.data());
         } else {
-            add(&samples[first], climb_.data(), order_, sum.data());
+            dispatch<add>(&samples[first], climb_.data(), order_, sum.data());
         }
     }
-    fold(sum.data(), sum.size(), out.data());
+    dispatch<fold>(sum.data(), sum.size(), out.data());
 
     for (int l = 0; l <= order_; ++l) {
         for (int m = -l; m <= l; ++m) {
