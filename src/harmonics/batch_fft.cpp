@@ -6,14 +6,14 @@
 #include <numbers>
 #include <utility>
 
-#include "harmonics/vector_kernel.hpp"
+#include "harmonics/fft_stage.hpp"
 
 namespace nicol {
 namespace {
 
 using Complex = std::complex<double>;
 
-/// Above this prime factor the chirp is cheaper than the direct sum; at most kLargestOdd of the kernel.
+/// Above this prime factor the chirp is cheaper than the direct sum; at most what fft_stage() takes.
 constexpr int kLargestFactor = 61;
 
 /// exp(-2 pi i k / n), with k reduced first.
@@ -85,9 +85,8 @@ double* BatchFft::Factorised::run(double* a, double* b) const {
     for (std::size_t stage = 0; stage < factors.size(); ++stage) {
         const int p = factors[stage];
         left /= p;
-        vector_kernel().fft_stage(a, b, p, left, stride,
-                                  reinterpret_cast<const double*>(twiddles[stage].data()),
-                                  reinterpret_cast<const double*>(roots[stage].data()));
+        fft_stage(a, b, p, left, stride, reinterpret_cast<const double*>(twiddles[stage].data()),
+                  reinterpret_cast<const double*>(roots[stage].data()));
         stride *= p;
         std::swap(a, b);
     }

@@ -120,13 +120,13 @@ void LegendreTransform::Plan::synthesize(std::size_t c, int first, bool split) {
     const LegendreRings r = start(c, first);
     for (std::size_t k = 0; k < 8; ++k)
         std::fill_n(sums.begin() + static_cast<std::ptrdiff_t>(k * padded), from, 0.0);
-    kernel.synthesize(steps.data(), order - first + 1, r, split, sums.data() + from,
+    nicol::synthesize(steps.data(), order - first + 1, r, split, sums.data() + from,
                       static_cast<long>(padded));
 }
 
 void LegendreTransform::Plan::analyze(std::size_t c, int first, bool split) {
     const LegendreRings r = start(c, first);
-    kernel.analyze(steps.data(), order - first + 1, r, split, sums.data() + from, static_cast<long>(padded));
+    nicol::analyze(steps.data(), order - first + 1, r, split, sums.data() + from, static_cast<long>(padded));
 }
 
 }  // namespace nicol

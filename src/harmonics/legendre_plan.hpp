@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Rings of latitude and their recursions for the Legendre step: for each degree one over l for s0 and s3 and
+// Rings of latitude and their recurrences for the Legendre step: for each degree one over l for s0 and s3 and
 // two for s1 + i s2, on all rings at once.
 #pragma once
 
+#include "harmonics/legendre_recurrence.hpp"
 #include "harmonics/scaled.hpp"
 #include "harmonics/transform.hpp"
-#include "harmonics/vector_kernel.hpp"
 
 namespace nicol {
 
-/// Products of square roots that make the steps of every recursion.
+/// Products of square roots that make the steps of every recurrence.
 struct RootTables {
     explicit RootTables(int order)
         : root(2 * static_cast<std::size_t>(order) + 4), inverse_root(root.size()), inverse_ll(root.size()) {
@@ -35,7 +35,7 @@ struct RootTables {
 };
 
 /// A latitude of the northern half and the rows at it and at its mirror image; -1 where there is none.
-/// Both share their recursions, as d^l_{mn}(pi - theta) = (-1)^(l+m) d^l_{m,-n}(theta).
+/// Both share their recurrences, as d^l_{mn}(pi - theta) = (-1)^(l+m) d^l_{m,-n}(theta).
 struct LatitudeRing {
     HalfAngle half;
     int north = -1;
@@ -53,10 +53,10 @@ struct LegendreTransform::Plan {
     /// First values at degree m of the chains of s0 and s3 (`scalar`) and of s1 + i s2 (`spin`); called for
     /// m = 0, 1, 2 ... in turn.
     void start_degree(int m, bool scalar, bool spin);
-    /// Fills steps with the recursion of chain c at degree m from l = `first` on, for harmonics with their
+    /// Fills steps with the recurrence of chain c at degree m from l = `first` on, for harmonics with their
     /// norm.
     void fill_steps(std::size_t c, int m, int first);
-    /// Runs the kernel on steps from l = `first`: from f of the steps to sums, and back.
+    /// Runs the recurrence over steps from l = `first`: from f of the steps to sums, and back.
     void synthesize(std::size_t c, int first, bool split);
     void analyze(std::size_t c, int first, bool split);
 
@@ -71,7 +71,6 @@ private:
     LegendreRings start(std::size_t c, int first);
 
     RootTables tables;
-    const VectorKernel& kernel = vector_kernel();
     std::size_t padded = 0;   // rings, up to whole groups of kRingLanes
     std::size_t skipped = 0;  // rings too near the pole for this degree
     std::size_t from = 0;     // first ring of the first group that is not skipped

@@ -5,9 +5,67 @@
 #include <cmath>
 #include <numbers>
 
-#include "harmonics/vector_kernel.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/double_vectors.hpp"
 
 namespace nicol {
+namespace {
+
+using Four = DoubleVectors<4>::Unaligned;
+
+// Every second degree, `N` of them, each its cosine and its sine: 2 N chains of additions.
+template <int N>
+[[gnu::always_inline]] inline void add_degrees(const Four* cosine, const Four* sine, long count,
+                                               const double* table, double* sums) {
+    DoubleVectors<4>::Vector sum[2 * N] = {};
+    for (long i = 0; i < count; ++i) {
+        const DoubleVectors<4>::Vector c = cosine[i], s = sine[i];
+        for (int k = 0; k < N; ++k) {
+            const double* pair = table + 4 * k * count + 2 * i;
+            sum[2 * k] += pair[0] * c;
+            sum[2 * k + 1] += pair[1] * s;
+        }
+    }
+    Four* out = reinterpret_cast<Four*>(sums);
+    for (int k = 0; k < N; ++k) {
+        out[4 * k] += sum[2 * k];
+        out[4 * k + 1] += sum[2 * k + 1];
+    }
+}
+
+[[gnu::always_inline]] inline void add_all(const double* folded, int count, const double* table, int degrees,
+                                           double* sums) {
+    const Four* four = reinterpret_cast<const Four*>(folded);
+    const long n = count;
+    for (int parity = 0; parity < 2; ++parity) {
+        const Four* cosine = four + parity * n;
+        const Four* sine = four + (2 + parity) * n;
+        for (int m = parity; m < degrees;) {
+            const int left = (degrees - m + 1) / 2;
+            const double* a = table + 2 * m * n;
+            double* out = sums + 8 * m;
+            if (left == 4 || left > 5) {
+                add_degrees<4>(cosine, sine, n, a, out);
+                m += 8;
+            } else if (left >= 3) {
+                add_degrees<3>(cosine, sine, n, a, out);
+                m += 6;
+            } else if (left == 2) {
+                add_degrees<2>(cosine, sine, n, a, out);
+                m += 4;
+            } else {
+                add_degrees<1>(cosine, sine, n, a, out);
+                m += 2;
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void add_low_degrees(const double* folded, int count, const double* table, int degrees, double* sums) {
+    dispatch<add_all>(folded, count, table, degrees, sums);
+}
 
 LowDegrees::LowDegrees(int order, int columns)
     : order_(order),
@@ -52,7 +110,7 @@ std::span<const double> LowDegrees::sums(std::span<const double> samples) {
                 to[3 * set + p] = near_gap - far_gap;
             }
         }
-        vector_kernel().low_degrees(folded_.data(), count, table, order_ + 1, sums_.data());
+        add_low_degrees(folded_.data(), count, table, order_ + 1, sums_.data());
         table += 2L * count * (order_ + 1);
     }
     return sums_;

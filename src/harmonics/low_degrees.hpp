@@ -8,6 +8,11 @@
 
 namespace nicol {
 
+/// Adds to sums[2 m] and sums[2 m + 1] (groups of four), m = 0..degrees-1, the sums over i < count of
+/// table[2 (m count + i)] cosine_(m % 2)[i] and table[2 (m count + i) + 1] sine_(m % 2)[i]; `folded`
+/// holds cosine_0, cosine_1, sine_0 and sine_1, each of `count` groups of four.
+void add_low_degrees(const double* folded, int count, const double* table, int degrees, double* sums);
+
 /// The four points of a row that mirror each other in the axes share their cosines and sines, so a degree
 /// costs half a multiplication a sample and component.
 class LowDegrees {

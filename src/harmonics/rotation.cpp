@@ -5,9 +5,10 @@
 #include <array>
 #include <numbers>
 
-#include "harmonics/vector_kernel.hpp"
 #include "harmonics/wigner.hpp"
 #include "harmonics/wigner_sweep.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/double_vectors.hpp"
 
 namespace nicol {
 namespace {
@@ -62,7 +63,7 @@ std::vector<Complex> conjugate_powers(Complex z, int order) {
 }
 
 // Four lanes a degree: the complex harmonics coefficient of s0 + i s3 and that of s1 + i s2. As s0 and s3 are
-// real fields, the complex sum loses nothing, and both lanes turn by the same D (Eqs. 9 and 36).
+// real fields, the complex sum loses nothing, and both lanes rotate by the same D (Eqs. 9 and 36).
 struct Lanes {
     double v[4];
 };
@@ -115,6 +116,22 @@ void store(int l, const Lanes* in, const std::vector<Complex>& phase, double* ou
         p[2] = spin_plus.imag();
         n[1] = spin_minus.real();
         n[2] = spin_minus.imag();
+    }
+}
+
+// out[row] = sum over columns of d[row * width + column] in[column], in and out in groups of four.
+[[gnu::always_inline]] inline void multiply_fours(int width, const double* d, const double* in, double* out) {
+    using Four = DoubleVectors<4>::Vector;
+    for (int row = 0; row < width; ++row, d += width) {
+        Four even{};
+        Four odd{};
+        int column = 0;
+        for (; column + 2 <= width; column += 2) {
+            even += d[column] * at<4>(in + 4 * column);
+            odd += d[column + 1] * at<4>(in + 4 * column + 4);
+        }
+        even += d[column] * at<4>(in + 4 * column);
+        at<4>(out + 4 * row) = even + odd;
     }
 }
 
@@ -178,7 +195,7 @@ void PshRotation::apply(std::span<const double> in, std::span<double> out) const
         const std::size_t centre = 4 * psh_index(l, 0);
         for (std::size_t base = 0; base < in.size(); base += size) {
             load(l, in.data() + base + centre, gamma_, from.data() + l);
-            vector_kernel().multiply_lanes(2 * l + 1, d, from[0].v, to[0].v);
+            dispatch<multiply_fours>(2 * l + 1, d, from[0].v, to[0].v);
             store(l, to.data() + l, alpha_, out.data() + base + centre);
         }
     }

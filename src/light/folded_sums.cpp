@@ -7,7 +7,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "harmonics/vector_kernel.hpp"
+#include "harmonics/low_degrees.hpp"
 
 namespace nicol {
 namespace {
@@ -78,7 +78,7 @@ std::span<const double> FoldedSums::operator()(const FourRows& rows) {
     for (std::size_t first = 0; first < columns_ / 4; first += kBlock) {
         const std::size_t count = std::min(kBlock, columns_ / 4 - first);
         fold(rows, first, count);
-        vector_kernel().low_degrees(folded_.data(), static_cast<int>(count), table, order_ + 1, sums_.data());
+        add_low_degrees(folded_.data(), static_cast<int>(count), table, order_ + 1, sums_.data());
         table += 2 * count * (static_cast<std::size_t>(order_) + 1);
     }
     return sums_;
