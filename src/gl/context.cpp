@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <exception>
 #include <functional>
-#include <numeric>
 
 #include "error.hpp"
 #include "gl/state.hpp"
@@ -78,10 +77,6 @@ std::vector<Candidate> candidates(const ContextRequest& request, std::vector<Fai
 }
 
 }  // namespace
-
-std::size_t MemoryUse::total() const {
-    return std::accumulate(bytes.begin(), bytes.end(), std::size_t{0});
-}
 
 std::shared_ptr<Context> Context::create(const ContextRequest& asked) {
     const ContextRequest request = resolved(asked);

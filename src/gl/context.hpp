@@ -51,8 +51,7 @@ struct Limits {
     int target_size = 0;         ///< pixels a side of a RenderTarget
     int colour_attachments = 0;  ///< of one RenderTarget
     int texture_units = 0;       ///< of one program
-    int image_units = 0;
-    int storage_bindings = 0;  ///< shader storage buffers of one compute program
+    int storage_bindings = 0;    ///< shader storage buffers of one compute program
     int vertex_attributes = 0;
     std::size_t vertex_stride = 0;      ///< bytes from vertex to vertex
     std::size_t storage_bytes = 0;      ///< of one shader storage binding
@@ -66,7 +65,6 @@ enum class MemoryKind { vertex, index, storage, texture, render_target };
 struct MemoryUse {
     std::array<std::size_t, 5> bytes{};  ///< by MemoryKind
     [[nodiscard]] std::size_t of(MemoryKind kind) const { return bytes[static_cast<std::size_t>(kind)]; }
-    [[nodiscard]] std::size_t total() const;
 };
 
 /// Objects of this folder are made and used inside run() and keep their context alive; their destructors, and

@@ -104,14 +104,6 @@ void HostState::save() {
 }
 
 void HostState::save_units() {
-    fill(image_units_, state_.limits.image_units, [this](GLuint i, ImageUnit& unit) {
-        gl_.GetIntegeri_v(GL_IMAGE_BINDING_NAME, i, &unit.name);
-        gl_.GetIntegeri_v(GL_IMAGE_BINDING_LEVEL, i, &unit.level);
-        gl_.GetBooleani_v(GL_IMAGE_BINDING_LAYERED, i, &unit.layered);
-        gl_.GetIntegeri_v(GL_IMAGE_BINDING_LAYER, i, &unit.layer);
-        gl_.GetIntegeri_v(GL_IMAGE_BINDING_ACCESS, i, &unit.access);
-        gl_.GetIntegeri_v(GL_IMAGE_BINDING_FORMAT, i, &unit.format);
-    });
     storage_buffer_ = name(GL_SHADER_STORAGE_BUFFER_BINDING);
     fill(storage_, state_.limits.storage_bindings, [this](GLuint i, StorageBinding& binding) {
         gl_.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, i, &binding.name);
@@ -197,10 +189,6 @@ void HostState::put_back_pixels() const {
 }
 
 void HostState::put_back_units() const {
-    each(image_units_, [this](GLuint i, const ImageUnit& unit) {
-        gl_.BindImageTexture(i, static_cast<GLuint>(unit.name), unit.level, unit.layered, unit.layer,
-                             static_cast<GLenum>(unit.access), static_cast<GLenum>(unit.format));
-    });
     each(storage_, [this](GLuint i, const StorageBinding& binding) {
         const auto buffer = static_cast<GLuint>(binding.name);
         if (buffer == 0 || binding.size == 0) {

@@ -18,13 +18,12 @@ namespace nicol::gl {
 ///                  face, polygon mode, clip control, provoking vertex, pixel storage; of compatibility
 ///                  contexts pixel transfer and clamping of colours
 ///   bindings       program, vertex array, draw framebuffer, pixel buffers, active texture; 2D textures and
-///                  samplers of the first units, image units, storage buffers (kTextureUnits and so on)
+///                  samplers of the first units, storage buffers (kTextureUnits and so on)
 /// Everything else is used without binding it. Not saved, since OpenGL has no query for it: conditional
 /// rendering.
 class HostState {
 public:
     static constexpr int kTextureUnits = 16;
-    static constexpr int kImageUnits = 8;
     static constexpr int kStorageBindings = 16;
 
     explicit HostState(const Context::State& state);
@@ -44,10 +43,6 @@ private:
     };
     struct TextureUnit {
         GLint texture, sampler;
-    };
-    struct ImageUnit {
-        GLint name, level, layer, access, format;
-        GLboolean layered;
     };
     struct StorageBinding {
         GLint name;
@@ -73,7 +68,6 @@ private:
     std::vector<Viewport> viewports_;
     std::vector<DrawBuffer> draw_buffers_;
     std::vector<TextureUnit> texture_units_;
-    std::vector<ImageUnit> image_units_;
     std::vector<StorageBinding> storage_;
     GLboolean depth_mask_ = GL_TRUE;
     GLint depth_function_ = 0, culled_ = 0, front_ = 0, provoking_ = 0, clip_origin_ = 0, clip_depth_ = 0;

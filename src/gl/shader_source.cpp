@@ -45,10 +45,6 @@ ShaderSource embedded_shader(std::string_view file) {
                 "there is no embedded shader \"" + std::string(file) + "\"; there are " + known);
 }
 
-std::string_view shader_source(std::string_view file) {
-    return embedded_shader(file).text;
-}
-
 std::string with_defines(const ShaderSource& source, std::span<const Define> defines) {
     const std::string name(source.file);
     // #version stands at the start of a line, behind comments only.

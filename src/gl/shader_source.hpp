@@ -22,9 +22,6 @@ struct ShaderSource {
 /// The stage of that file name. Throws Error(invalid_argument) listing what there is.
 [[nodiscard]] ShaderSource embedded_shader(std::string_view file);
 
-/// Its text alone.
-[[nodiscard]] std::string_view shader_source(std::string_view file);
-
 /// A preprocessor definition, put behind the #version line.
 struct Define {
     std::string name;

@@ -80,7 +80,6 @@ void Context::State::open_in_host(HostAccess access) {
     compatibility = (integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0;
     // As many as HostState saves.
     limits.texture_units = std::min(limits.texture_units, HostState::kTextureUnits);
-    limits.image_units = std::min(limits.image_units, HostState::kImageUnits);
     limits.storage_bindings = std::min(limits.storage_bindings, HostState::kStorageBindings);
     host->mark(*this);
 }
@@ -142,7 +141,6 @@ void Context::State::read_limits() {
         std::min({limits.texture_size, integer(GL_MAX_RENDERBUFFER_SIZE), viewport[0], viewport[1]});
     limits.colour_attachments = std::min(integer(GL_MAX_COLOR_ATTACHMENTS), integer(GL_MAX_DRAW_BUFFERS));
     limits.texture_units = integer(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
-    limits.image_units = integer(GL_MAX_IMAGE_UNITS);
     limits.storage_bindings = std::min(integer(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS),
                                        integer(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS));
     limits.vertex_attributes =

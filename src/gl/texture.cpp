@@ -110,12 +110,6 @@ void Texture2D::bind(unsigned unit) const {
     gl.BindTextureUnit(unit, id());
 }
 
-void Texture2D::bind_image(unsigned unit) const {
-    const GladGLContext& gl = functions(*context(), "Texture2D::bind_image");
-    require_unit("Texture2D::bind_image", unit, context()->limits().image_units);
-    gl.BindImageTexture(unit, id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-}
-
 std::size_t Texture2D::floats() const noexcept {
     return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) * 4;
 }

@@ -36,8 +36,6 @@ public:
 
     /// For a `layout(binding = unit) uniform sampler2D`.
     void bind(unsigned unit) const;
-    /// For a `layout(rgba32f, binding = unit) uniform image2D`, read and written.
-    void bind_image(unsigned unit) const;
 
     [[nodiscard]] int width() const noexcept { return description_.width; }
     [[nodiscard]] int height() const noexcept { return description_.height; }

@@ -14,7 +14,6 @@ enum AovBit : std::uint32_t {
     aov_normals = 2,
     aov_positions = 4,
     aov_instances = 8,
-    aov_all = 15,
 };
 
 /// The value of `instances` where there is no surface.

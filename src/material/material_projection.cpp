@@ -65,8 +65,4 @@ IsotropicMatrix project_material(const Material& material, int channel, int orde
     return matrix;
 }
 
-ConvolutionKernel material_kernel(const IsotropicMatrix& matrix) {
-    return nearest_kernel(compose(reflection_matrix(matrix.order_out()), matrix).dense());
-}
-
 }  // namespace nicol

@@ -2,7 +2,6 @@
 // Materials as operators on PSH coefficients.
 #pragma once
 
-#include "harmonics/convolution.hpp"
 #include "harmonics/operator.hpp"
 #include "material/material.hpp"
 
@@ -14,11 +13,5 @@ namespace nicol {
 /// a matrix returns that matrix, truncated or padded with zeros. Throws Error(invalid_argument) for a channel
 /// the material does not have or an order out of 0..kMaxOrder.
 [[nodiscard]] IsotropicMatrix project_material(const Material& material, int channel, int order);
-
-/// The convolution that approximates such a matrix about the mirror direction (supplement E.6): the nearest
-/// kernel to the matrix with its outgoing light mirrored in the surface. Light convolved with it is looked up
-/// at the mirrored view direction. Throws Error(invalid_argument) unless both orders of the matrix agree and
-/// are at most CoefficientMatrix::kMaxDenseOrder.
-[[nodiscard]] ConvolutionKernel material_kernel(const IsotropicMatrix& matrix);
 
 }  // namespace nicol

@@ -9,8 +9,10 @@
 
 namespace nicol {
 
-/// material_kernel() of orders to kMaxDenseOrder and beyond: without a dense matrix in between, memory grows
-/// with the cube of the order instead of its fourth power.
+/// The convolution that approximates a material's matrix about the mirror direction (supplement E.6): the
+/// kernel nearest to the matrix with its outgoing light mirrored in the surface. Light convolved with it is
+/// looked up at the mirrored view direction. Throws Error(invalid_argument) unless both orders of the matrix
+/// agree.
 [[nodiscard]] ConvolutionKernel mirrored_kernel(const IsotropicMatrix& matrix);
 
 /// mirrored_kernel(project_material()) of every channel, or a single one for a material without colour.

@@ -2,6 +2,7 @@
 // For tests that need OpenGL: every backend, one context each.
 #pragma once
 
+#include <numeric>
 #include <optional>
 
 #include "gl/context.hpp"
@@ -22,6 +23,11 @@ inline const char* name_of(Backend backend) {
             break;
     }
     return "automatic";
+}
+
+/// Of all kinds together.
+inline std::size_t total_bytes(const MemoryUse& use) {
+    return std::accumulate(use.bytes.begin(), use.bytes.end(), std::size_t{0});
 }
 
 /// A fresh context of that backend; failing to make one fails the test.

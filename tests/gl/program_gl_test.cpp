@@ -70,7 +70,7 @@ TEST_CASE("a compile error names the original file and line") {
             const std::array<Define, 2> defines{{{"WIDE", "0.0"}, {"HIGH", "0.0"}}};
             CHECK_NOTHROW(Program::graphics(context, embedded_shader("fullscreen.vert"),
                                             test_shader("lines.frag"), defines));
-            CHECK(context->memory().total() == 0);
+            CHECK(total_bytes(context->memory()) == 0);
         });
     });
 }

@@ -71,7 +71,7 @@ TEST_CASE("buffers of impossible sizes are refused and cost nothing") {
             CHECK(make(std::numeric_limits<std::size_t>::max()) == ErrorCode::out_of_memory);
             CHECK(code_of([&] { Buffer(context, BufferUse::vertex, std::span<const std::byte>{}); }) ==
                   ErrorCode::invalid_argument);
-            CHECK(context->memory().total() == 0);
+            CHECK(total_bytes(context->memory()) == 0);
         });
     });
 }
@@ -129,11 +129,8 @@ TEST_CASE("textures outside the limits are refused") {
             const Texture2D texture(context, {1, 1});
             CHECK(code_of([&] { texture.bind(static_cast<unsigned>(context->limits().texture_units)); }) ==
                   ErrorCode::invalid_argument);
-            CHECK(code_of([&] {
-                      texture.bind_image(static_cast<unsigned>(context->limits().image_units));
-                  }) == ErrorCode::invalid_argument);
         });
-        CHECK(context->memory().total() == 0);
+        CHECK(total_bytes(context->memory()) == 0);
     });
 }
 
@@ -183,7 +180,7 @@ TEST_CASE("render targets outside the limits are refused") {
             CHECK(make(1, 1, limits.colour_attachments + 1) == ErrorCode::invalid_argument);
             if (context->info().software && limits.target_size >= 16384)
                 CHECK(make(limits.target_size, limits.target_size, 1) == ErrorCode::out_of_memory);
-            CHECK(context->memory().total() == 0);
+            CHECK(total_bytes(context->memory()) == 0);
 
             RenderTarget target(context, {3, 2, limits.colour_attachments, false});
             std::vector<float> pixels(3 * 2 * 4);
@@ -268,8 +265,8 @@ TEST_CASE("the memory account knows every kind") {
             CHECK(use.of(MemoryKind::storage) == 1000);
             CHECK(use.of(MemoryKind::texture) == 8 * 4 * 16);
             CHECK(use.of(MemoryKind::render_target) == 16 * 10 * (2 * 16 + 4));
-            CHECK(use.total() == 100 + 12 + 1000 + 8 * 4 * 16 + 16 * 10 * 36);
+            CHECK(total_bytes(use) == 100 + 12 + 1000 + 8 * 4 * 16 + 16 * 10 * 36);
         });
-        CHECK(context->memory().total() == 0);
+        CHECK(total_bytes(context->memory()) == 0);
     });
 }

@@ -25,9 +25,9 @@ std::size_t occurrences(std::string_view text, std::string_view part) {
 }  // namespace
 
 TEST_CASE("the shaders of the library are found by name") {
-    CHECK(shader_source("fullscreen.vert").find("gl_VertexID") != std::string_view::npos);
+    CHECK(embedded_shader("fullscreen.vert").text.find("gl_VertexID") != std::string_view::npos);
     try {
-        static_cast<void>(shader_source("nothing.frag"));
+        static_cast<void>(embedded_shader("nothing.frag"));
         FAIL("found nothing.frag");
     } catch (const Error& error) {
         const std::string text = error.what();

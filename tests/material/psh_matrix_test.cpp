@@ -145,29 +145,6 @@ TEST_CASE("a material of a matrix: its table, its directions and its light agree
     CHECK(largest > 0.1);
 }
 
-TEST_CASE("the kernel of a mirrored convolution is that convolution") {
-    ConvolutionKernel kernel(6);
-    std::mt19937 random(1);
-    std::normal_distribution<double> normal;
-    for (std::size_t l = 0; l < kernel.size(); ++l) {
-        KernelBand& k = kernel[l];
-        k.k00 = normal(random);
-        k.k33 = normal(random);
-        if (l < 2) continue;
-        k.p0 = k.from_p0 = normal(random);
-        k.iso = normal(random);
-        k.conj = normal(random);
-    }
-    const IsotropicMatrix mirrored = compose(reflection_matrix(5), kernel_matrix(kernel));
-    const ConvolutionKernel found = material_kernel(mirrored);
-    CHECK(difference(kernel_matrix(found), kernel_matrix(kernel)) < 1e-12);
-    // A glossy lobe seen about the mirror direction keeps most of its energy in the kernel.
-    const IsotropicMatrix gloss = project_material(*rough_gold(0.1), 0, 5);
-    const ConvolutionKernel about_mirror = material_kernel(gloss);
-    const ConvolutionKernel about_normal = nearest_kernel(gloss.dense());
-    CHECK(about_mirror[4].k00 > 5 * std::abs(about_normal[4].k00));
-}
-
 TEST_CASE("matrices survive a file, whose entries are those of the dense matrix") {
     const TemporaryFolder folder;
     const auto path = folder / "matrix.npz";

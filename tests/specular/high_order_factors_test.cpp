@@ -64,10 +64,37 @@ TEST_CASE("gains are the Legendre coefficients of their lobes") {
     CHECK_THROWS_AS(cosine_gains(0, kMaxOrder + 1), Error);
 }
 
+TEST_CASE("the kernel of a mirrored convolution is that convolution") {
+    ConvolutionKernel kernel(6);
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    for (std::size_t l = 0; l < kernel.size(); ++l) {
+        KernelBand& k = kernel[l];
+        k.k00 = normal(random);
+        k.k33 = normal(random);
+        if (l < 2) continue;
+        k.p0 = k.from_p0 = normal(random);
+        k.iso = normal(random);
+        k.conj = normal(random);
+    }
+    const IsotropicMatrix matrix = kernel_matrix(kernel);
+    const IsotropicMatrix found = kernel_matrix(mirrored_kernel(compose(reflection_matrix(5), matrix)));
+    const CoefficientMatrix actual = found.dense();
+    const CoefficientMatrix expected = matrix.dense();
+    double largest = 0;
+    for (std::size_t i = 0; i < expected.data().size(); ++i)
+        largest = std::max(largest, std::abs(actual.data()[i] - expected.data()[i]));
+    CHECK(largest < 1e-12);
+    // A glossy lobe about the mirror direction keeps most of its energy in the kernel.
+    const MaterialPtr gold = rough_conductor({.eta = metal_index("Au"), .alpha = 0.1});
+    const IsotropicMatrix gloss = project_material(*gold, 0, 5);
+    CHECK(mirrored_kernel(gloss)[4].k00 > 5 * std::abs(nearest_kernel(gloss.dense())[4].k00));
+}
+
 TEST_CASE("the kernel without a dense matrix is the kernel") {
     const MaterialPtr material = rough_conductor({.eta = metal_index("Cu"), .alpha = 0.4});
     const IsotropicMatrix matrix = project_material(*material, 1, 7);
-    const ConvolutionKernel expected = material_kernel(matrix);
+    const ConvolutionKernel expected = nearest_kernel(compose(reflection_matrix(7), matrix).dense());
     const std::vector<ConvolutionKernel> found = mirrored_kernels(*material, 7, 3);
     REQUIRE(found.size() == 3);
     REQUIRE(found[1].size() == expected.size());
