@@ -83,7 +83,7 @@ struct Help {
     const char* text;
 };
 const Help option_help[] = {
-    {"SCENE.xml", "SCENE.xml       a scene for nicol-render; default the bunny of samples/assets"},
+    {"SCENE.xml", "SCENE.xml       a scene for nicol-render; default the snail of samples/assets"},
     {"-D", "-D NAME=VALUE   replaces a default of the scene; may be repeated"},
     {"--light", "--light FILE    replaces the scene's light"},
     {"--backend", "--backend NAME  egl or osmesa; default as the library chooses"},

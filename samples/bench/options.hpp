@@ -11,7 +11,7 @@
 
 /// Defaults of the command line; 0 or -1 means the sub-command's own default.
 struct Options {
-    std::string scene;  ///< empty: the bunny of samples/assets
+    std::string scene;  ///< empty: the snail of samples/assets
     std::vector<std::string> definitions;
     std::string light;  ///< empty: the scene's own
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;

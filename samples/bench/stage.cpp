@@ -41,7 +41,7 @@ Context make_context(nicol_backend backend, const std::string& cache_folder) {
 SceneSource::SceneSource(const Options& options) : path_(options.scene), definitions_(options.definitions) {
     if (options.cache.empty()) folder_.emplace();
     context_ = make_context(options.backend, folder_ ? folder_->path().string() : options.cache);
-    if (path_.empty()) path_ = NICOL_BENCH_ASSETS "/bunny_hdr.xml";
+    if (path_.empty()) path_ = NICOL_BENCH_ASSETS "/snail_hdr.xml";
     if (!options.light.empty()) light_ = load_light(context_.get(), options.light);
 }
 

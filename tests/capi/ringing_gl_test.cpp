@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ringing of truncated light in the scene of the demonstration, and what takes it away.
+// Ringing of truncated light under the light of the demonstration, and what removes it.
 #include <algorithm>
 
 #include "capi.hpp"
@@ -9,7 +9,15 @@ using namespace capi_test;
 TEST_CASE("de-ringing removes the negative light of the demonstration") {
     const nicol_context context = make_context(NICOL_BACKEND_EGL);
     nicol_scene scene = nullptr;
-    OK(nicol_scene_load(context, NICOL_TEST_ASSETS "/bunny_hdr.xml", nullptr, 0, &scene));
+    OK(nicol_scene_load(context, NICOL_TEST_ASSETS "/snail_hdr.xml", nullptr, 0, &scene));
+    // A sphere in place of the snail, whose grooves are darker than truncated shadows can hold.
+    nicol_instance sphere = NICOL_INSTANCE_INIT;
+    OK(nicol_scene_get_instance(scene, 0, nullptr, &sphere.material, nullptr));
+    OK(nicol_mesh_create_sphere(context, &sphere.mesh));
+    for (int i = 0; i < 4; ++i) sphere.to_world[5 * i] = 1;
+    sphere.to_world[7] = 1;  // standing on y = 0
+    OK(nicol_scene_remove_instance(scene, 0));
+    OK(nicol_scene_add_instance(scene, &sphere, nullptr));
     nicol_camera camera = NICOL_CAMERA_INIT;
     OK(nicol_scene_get_camera(scene, &camera));
     nicol_framebuffer framebuffer = nullptr;
@@ -46,6 +54,8 @@ TEST_CASE("de-ringing removes the negative light of the demonstration") {
     CHECK(least() >= 0);
 
     OK(nicol_framebuffer_release(framebuffer));
+    OK(nicol_mesh_release(sphere.mesh));
+    OK(nicol_material_release(sphere.material));
     OK(nicol_scene_release(scene));
     OK(nicol_context_release(context));
 }

@@ -37,13 +37,13 @@ inside 'apt-get update && apt-get install -y --no-install-recommends /try/*.deb 
     >"$folder/log" 2>&1 || { tail -20 "$folder/log"; fail "installing"; }
 
 # Without a driver the programs say what is missing.
-if inside 'nicol-render /try/assets/bunny_sky.xml -o /try/a.exr' >"$folder/log" 2>&1; then fail "rendered without OpenGL"; fi
+if inside 'nicol-render /try/assets/snail_sky.xml -o /try/a.exr' >"$folder/log" 2>&1; then fail "rendered without OpenGL"; fi
 grep -qi 'osmesa' "$folder/log" || { cat "$folder/log"; fail "the message does not name what to install"; }
 inside 'apt-get install -y --no-install-recommends libosmesa6' >"$folder/log" 2>&1 || { tail "$folder/log"; fail "libosmesa6"; }
 
 inside 'cd /try && gcc -std=c99 -Wall -Werror embed_c/hello_stokes.c $(pkg-config --cflags --libs nicol) -o hello && ./hello'
 inside 'cd /try && cmake -S embed_cmake -B viewer >/dev/null && cmake --build viewer' >"$folder/log" 2>&1 ||
     { tail -20 "$folder/log"; fail "the CMake package"; }
-inside 'nicol-render /try/assets/bunny_sky.xml -o /try/a.exr && test -s /try/a.exr && nicol-convert --info /try/assets/forest.exr'
+inside 'nicol-render /try/assets/snail_sky.xml -o /try/a.exr && test -s /try/a.exr && nicol-convert --info /try/assets/forest.exr'
 inside 'apt-get remove -y libnicol0 && ! command -v nicol-render && ! ls /usr/include/nicol.h' >"$folder/log" 2>&1 ||
     { tail "$folder/log"; fail "removing"; }

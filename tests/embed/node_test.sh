@@ -19,4 +19,4 @@ fi
 LAYOUT=$("$python" -B "$samples/bindings/abi.py")
 export LAYOUT
 "$node" node_test.js
-"$python" "$tests/bunny_test.py" "$7" "$samples/assets" "$node" "$6/bunny.js"
+"$python" "$tests/save_stokes_test.py" "$7" "$samples/assets" "$node" "$6/save_stokes.js"

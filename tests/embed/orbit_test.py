@@ -19,7 +19,7 @@ class OrbitTest(unittest.TestCase):
     def test_plot(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "orbit.svg")
-            command = [sys.executable, ORBIT, os.path.join(SCENES, "bunny_sky.xml"), path, "--views", "6", "--size", "48x36"]
+            command = [sys.executable, ORBIT, os.path.join(SCENES, "snail_sky.xml"), path, "--views", "6", "--size", "48x36"]
             ended = subprocess.run(command, capture_output=True, text=True, timeout=120)
             self.assertEqual(ended.returncode, 0, ended.stderr)
             line = xml.etree.ElementTree.parse(path).find(".//{*}polyline").get("points")

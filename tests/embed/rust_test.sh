@@ -12,4 +12,4 @@ LD_LIBRARY_PATH=$3
 RUSTFLAGS="-D warnings"
 export NICOL_LIB_DIR LD_LIBRARY_PATH RUSTFLAGS
 "$1" test --offline --quiet --target-dir ../target
-"$1" build --offline --quiet --target-dir ../target --example bunny
+"$1" build --offline --quiet --target-dir ../target --example save_stokes

@@ -13,7 +13,7 @@ namespace {
 
 SceneInfo scene() {
     SceneInfo info;
-    info.id = "bunny";
+    info.id = "snail";
     info.digest = "00";
     info.channels = 3;
     info.width = 1024;

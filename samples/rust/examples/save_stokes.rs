@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //! Renders a scene and saves the Stokes vectors of its green channel for numpy.
-//! usage: bunny SCENE.xml OUT.npy [name=value...]
+//! usage: save_stokes SCENE.xml OUT.npy [name=value...]
 use nicol::{abi, Context, Framebuffer, Scene};
 use std::{env, error::Error, fs::File, io::Write};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let [scene_file, output, definitions @ ..] = arguments.as_slice() else {
-        return Err("usage: bunny SCENE.xml OUT.npy [name=value...]".into());
+        return Err("usage: save_stokes SCENE.xml OUT.npy [name=value...]".into());
     };
 
     let context = Context::new()?;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Renders a scene and saves the Stokes vectors of its green channel for numpy.
-// usage: node bunny.js SCENE.xml OUT.npy [name=value...]
+// usage: node save_stokes.js SCENE.xml OUT.npy [name=value...]
 import { writeFileSync } from "node:fs";
 import nicol from "./nicol.js";
 

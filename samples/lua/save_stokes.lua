@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Renders a scene and saves the Stokes vectors of its green channel for numpy.
--- usage: luajit bunny.lua SCENE.xml OUT.npy [name=value...]
+-- usage: luajit save_stokes.lua SCENE.xml OUT.npy [name=value...]
 package.path = (arg[0]:match("^(.*/)") or "./") .. "?.lua;" .. package.path
 local ffi = require("ffi")
 local nicol = require("nicol")

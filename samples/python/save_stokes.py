@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Renders a scene and saves the Stokes vectors of its green channel. usage: bunny.py SCENE.xml OUT.npy [name=value...]"""
+"""Renders a scene and saves the Stokes vectors of its green channel. usage: save_stokes.py SCENE.xml OUT.npy [name=value...]"""
 
 import sys
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * What the example `bunny` of each language does, for their results to be compared with.
- * usage: embed_bunny SCENE.xml OUT.npy [name=value...] */
+ * What the example `save_stokes` of each language does, for their results to be compared with.
+ * usage: embed_save_stokes SCENE.xml OUT.npy [name=value...] */
 #include <nicol.h>
 #include <stdio.h>
 #include <stdlib.h>

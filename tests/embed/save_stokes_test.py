@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The example of another language gives the image that C gets, and says clearly what is wrong with a bad scene.
 
-usage: bunny_test.py C_PROGRAM SCENES command of the example...
+usage: save_stokes_test.py C_PROGRAM SCENES command of the example...
 """
 
 import os
@@ -38,13 +38,13 @@ def read_npy(path):
     return head["shape"], struct.unpack(f"<{len(numbers) // 4}f", numbers)
 
 
-class BunnyTest(unittest.TestCase):
+class SaveStokesTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
 
-    def image(self, command, name, scene="bunny_sky.xml"):
+    def image(self, command, name, scene="snail_sky.xml"):
         path = os.path.join(self.folder, name)
         ended = run(command, self.folder, os.path.join(SCENES, scene), path, *SIZE)
         self.assertEqual(ended.returncode, 0, ended.stderr)
