@@ -8,7 +8,7 @@
 
 namespace nicol::capi {
 
-/// Makes an immutable asset on the caller's thread; nothing of the context is touched, so no turn is taken.
+/// Makes an immutable asset on the caller's thread; the context is not locked, since nothing of it is used.
 template <class Impl, class Make>
 nicol_result create(nicol_context context, Impl** out, const char* name, Make&& make) {
     return guarded([&] {

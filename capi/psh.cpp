@@ -121,8 +121,8 @@ nicol_result nicol_psh_rotate(uint32_t order, uint64_t vectors, const double* in
         const auto from = read_array(in, in_count, vectors, vector_size(highest), "in");
         const auto to = write_array(out, out_count, vectors, vector_size(highest), "out");
         require_same_or_apart(from, to, "in and out");
-        const PshRotation turn(highest, read_rotation(rotation));
-        if (!from.empty()) turn.apply(from, to);
+        const PshRotation by(highest, read_rotation(rotation));
+        if (!from.empty()) by.apply(from, to);
     });
 }
 

@@ -132,7 +132,7 @@ nicol_result nicol_psh_analyze(nicol_psh_transform transform, uint64_t vectors, 
         const auto from = read_array(samples, sample_count, vectors, grid, "samples");
         const auto to = write_array(coefficients, coefficient_count, vectors, size, "coefficients");
         require_apart(from, to, "samples and coefficients");
-        const std::lock_guard turn(self.content->mutex);
+        const std::lock_guard lock(self.content->mutex);
         for (std::uint64_t v = 0; v < vectors; ++v)
             plan.analyze(from.subspan(v * grid, grid), to.subspan(v * size, size));
     });
@@ -148,7 +148,7 @@ nicol_result nicol_psh_synthesize(nicol_psh_transform transform, uint64_t vector
         const auto from = read_array(coefficients, coefficient_count, vectors, size, "coefficients");
         const auto to = write_array(samples, sample_count, vectors, grid, "samples");
         require_apart(from, to, "coefficients and samples");
-        const std::lock_guard turn(self.content->mutex);
+        const std::lock_guard lock(self.content->mutex);
         for (std::uint64_t v = 0; v < vectors; ++v)
             plan.synthesize(from.subspan(v * size, size), to.subspan(v * grid, grid));
     });

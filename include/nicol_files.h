@@ -55,7 +55,7 @@ typedef struct nicol_file_options {
     uint32_t edge;      /* of a face of a cross to write, 2 to 4096; 0: 256 */
     uint32_t flags;     /* NICOL_FILE_BAND_LIMITED, NICOL_FILE_PHYSICAL */
     double scale;       /* multiplies radiance or reflectance; 0: 1 */
-    double rotation[9]; /* turns light with everything in it, row-major; all zeros: identity. Coefficients
+    double rotation[9]; /* rotates the light, row-major; all zeros: identity. Coefficients
                            exactly, images by bilinear interpolation. Of materials: must be zeros */
     nicol_spectrum wavelengths; /* nm, of spectral files: each channel is that of an image which is nearest,
                                    or linear between those of a material. count 0: every wavelength of a

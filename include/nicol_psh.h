@@ -68,7 +68,7 @@ typedef struct nicol_psh_sampling {
     { sizeof(nicol_psh_sampling), 0, 0, 0, 0, 0, 0 }
 
 /* Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
- * context; holds its work space: after creation no call allocates. Calls on one transform take turns. */
+ * context; holds its work space: after creation no call allocates. Calls on one transform lock it. */
 typedef struct nicol_psh_transform_impl* nicol_psh_transform;
 
 /* NICOL_ERROR_INVALID_ARGUMENT where the sampling is too coarse for the order. */
