@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: MIT
- * Nicol: polarized light in real time, offscreen. Contexts, scenes, rendering, and reading of images; nicol_psh.h has the
- * mathematics, nicol_files.h conversion and reports of files, nicol.hpp C++ classes over all of them. */
+ * Nicol: polarized light in real time, offscreen. Contexts, scenes, rendering, and reading of images;
+ * nicol_psh.h has the mathematics, nicol_files.h conversion and reports of files, nicol.hpp C++ classes over
+ * all of them. */
 
 /* clang-format off */
 /* Conventions, everywhere:
  *   Objects    are opaque, counted handles. Creation gives one reference; _retain adds one, _release drops one;
  *              releasing NULL does nothing. Objects keep what they need alive: any release order is legal.
  *   Results    Every function that can fail returns a nicol_result and, on failure, leaves its outputs untouched.
- *              nicol_last_error() then tells the story, per thread.
- *   Structs    begin with struct_size = sizeof(the struct). Zero in a field asks for its default; where zero is a
- *              value of its own, the field's comment names what stands for it. NICOL_<TYPE>_INIT makes one.
- *   Threads    Any function may be called from any thread (but see "inside a host's OpenGL"). Calls on objects of
- *              one context take turns; calls on different contexts run side by side. Callbacks come on the calling
- *              thread unless said otherwise.
+ *              nicol_last_error() then has the message, per thread.
+ *   Structs    begin with struct_size = sizeof(the struct). Zero in a field means its default; where zero is a valid
+ *              value itself, the field's comment names its substitute. NICOL_<TYPE>_INIT makes one.
+ *   Threads    Any function may be called from any thread (but see "inside a host's OpenGL"). Calls on objects of one
+ *              context lock it; calls on different contexts run in parallel. Callbacks run on the calling thread unless
+ *              stated otherwise.
  *   Strings    are UTF-8 and copied. Strings returned are owned by the library; each says for how long.
  *   Matrices   are row-major: a point's image is M * (x, y, z, 1)^T. All zeros means identity.
  *   World      right-handed, y up, units are the scene's own. Angles of the interface are degrees.
- *   Light      is radiance, linear, per colour channel. A Stokes vector (s0, s1, s2, s3) is seen by the receiver
- *              looking at the source: s1 > 0 along the frame's x, s2 > 0 at +45 degrees from x to y, s3 > 0 right
- *              circular. In an image x points to the image's right and y up, as Mitsuba 3's stokes integrator.
+ *   Light      is radiance, linear, per colour channel. A Stokes vector (s0, s1, s2, s3) is defined for a receiver that
+ *              faces the source: s1 > 0 along the frame's x, s2 > 0 at +45 degrees from x to y, s3 > 0 right circular.
+ *              In an image x points to the image's right and y up, as Mitsuba 3's stokes integrator.
  */
 /* clang-format on */
 #ifndef NICOL_H
@@ -51,7 +52,7 @@ extern "C" {
 NICOL_API uint32_t nicol_version(void);
 /* "0.1.0"; lives as long as the library. */
 NICOL_API const char* nicol_version_string(void);
-/* Facts about this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
+/* Properties of this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
  * ...; NULL past the last one. Lives as long as the library. */
 NICOL_API const char* nicol_build_info(uint32_t index);
 
@@ -66,30 +67,30 @@ typedef int32_t nicol_result;
 #define NICOL_ERROR_INVALID_FILE 5   /* truncated, malformed, or values out of range */
 #define NICOL_ERROR_WRITE_FAILED 6   /* an output could not be written; nothing half-written remains */
 #define NICOL_ERROR_UNSUPPORTED 7    /* well-formed, but not something this build can do */
-#define NICOL_ERROR_NO_BACKEND 8     /* no OpenGL context could be made; the message lists every try */
-#define NICOL_ERROR_CANCELLED 9      /* a progress callback answered 0 */
+#define NICOL_ERROR_NO_BACKEND 8     /* no OpenGL context could be made; the message lists every attempt */
+#define NICOL_ERROR_CANCELLED 9      /* a progress callback returned 0 */
 #define NICOL_ERROR_OPENGL 10        /* the driver failed after the context was made */
 #define NICOL_ERROR_INTERNAL 11      /* a defect in Nicol */
 #define NICOL_ERROR_NOT_CURRENT 12   /* the host's OpenGL context is not current on the calling thread */
-#define NICOL_ERROR_TIMEOUT 13       /* the time given for waiting is over */
+#define NICOL_ERROR_TIMEOUT 13       /* the timeout expired */
 #define NICOL_ERROR_BUSY 14          /* NICOL_MAX_JOBS jobs wait already */
 
-/* What the last failing call on this thread had to say: one line that names the file, line, field or argument
- * and what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing
- * call. */
+/* The message of the last failed call on this thread: one line that names the file, line, field or argument
+ * and what is expected. Never NULL; "" before the first failure. Valid until this thread's next failed call.
+ */
 NICOL_API const char* nicol_last_error(void);
 /* "out of memory" and the like for a code; lives as long as the library. */
 NICOL_API const char* nicol_result_name(nicol_result result);
 
 #define NICOL_LOG_INFO 0    /* what a new context opened */
-#define NICOL_LOG_NOTICE 1  /* something asked for has no effect, or a cache was rebuilt */
-#define NICOL_LOG_WARNING 2 /* it works, but worse than it should: on the CPU since a device failed */
+#define NICOL_LOG_NOTICE 1  /* a request without effect, or a cache that was rebuilt */
+#define NICOL_LOG_WARNING 2 /* a fallback, such as the CPU after a device failed */
 /* message is one line that lives as long as the call; code is NICOL_OK. It must not call Nicol with objects
  * of the context. */
 typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result code, const char* message);
 
-/* Called about ten times a second on the thread that called; fraction runs from 0 to 1. Answer 1 to go on,
- * 0 to stop: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same
+/* Called about ten times a second on the thread that called; fraction runs from 0 to 1. Return 1 to continue,
+ * 0 to cancel: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same
  * context. */
 typedef int32_t (*nicol_progress_callback)(void* user, const char* verb, double fraction);
 
@@ -124,43 +125,44 @@ typedef uint32_t nicol_backend;
 #define NICOL_BACKEND_AUTOMATIC 0
 #define NICOL_BACKEND_EGL 1
 #define NICOL_BACKEND_OSMESA 2
-#define NICOL_BACKEND_HOST 3 /* what nicol_context_get_info says of nicol_context_create_host's contexts */
+#define NICOL_BACKEND_HOST 3 /* a context of nicol_context_create_host */
 
-/* How many devices nicol_context_options.device can name: those that EGL lists, which no count of CUDA's or
- * the kernel's follows. 0 where there is no EGL. The list changes where devices and drivers come and go. */
+/* The number of devices for nicol_context_options.device: those that EGL lists, in its order, which is
+ * neither CUDA's nor the kernel's. 0 if there is no EGL. The list may change when devices or drivers are
+ * added or removed. */
 NICOL_API nicol_result nicol_device_count(uint32_t* count);
 
 typedef struct nicol_device_info {
     uint32_t struct_size;
-    uint32_t software; /* 1 where OpenGL would run on the CPU */
-    const char*
-        name; /* its driver's, or what else tells it from others; lives as long as the library, as all here */
-    const char* vendor; /* "" where EGL does not say */
-    const char* file;   /* of the kernel's, such as /dev/dri/renderD128; "" where it has none */
+    uint32_t software;  /* 1 where OpenGL would run on the CPU */
+    const char* name;   /* the driver's, or another that identifies it; valid as long as the library, like all
+                           strings here */
+    const char* vendor; /* "" if EGL does not report it */
+    const char* file;   /* device file, such as /dev/dri/renderD128; "" if none */
 } nicol_device_info;
 #define NICOL_DEVICE_INFO_INIT \
     { sizeof(nicol_device_info), 0, 0, 0, 0 }
 
-/* device from 1 to nicol_device_count's. No context is made: the driver may yet fail to make one. */
+/* device from 1 to nicol_device_count's. No context is made, so that making one may still fail. */
 NICOL_API nicol_result nicol_device_get_info(uint32_t device, nicol_device_info* info);
 
 typedef struct nicol_context_options {
     uint32_t struct_size;
     nicol_backend backend;  /* an explicit choice never falls back to another */
     uint32_t device;        /* 0: choose; n: that of nicol_device_get_info, EGL's n - 1; at most 1024 */
-    uint32_t threads;       /* 0: one a core, which is also the most that are used; at most 1024 */
+    uint32_t threads;       /* 0: one per core, which is also the maximum; at most 1024 */
     nicol_log_callback log; /* NULL: silent. May be called on any thread. */
     void* log_user;
-    /* Where tables of materials and bakes of shadows are kept between runs; made where missing. Processes may
-     * share it, and it may be emptied at any time. NULL or "": the environment variable NICOL_CACHE, and
-     * where that is not set or is empty, no cache. A folder that cannot be used is a notice to the log, never
-     * an error. */
+    /* The folder in which material tables and baked visibility are kept between runs; created if missing.
+     * Processes may share it, and it may be emptied at any time. NULL or "": that of the environment variable
+     * NICOL_CACHE, or if it is not set or empty, no cache. A folder that cannot be used is a notice to the
+     * log, not an error. */
     const char* cache_folder;
-    /* Bytes that each scene may keep at run time, on the device too: what the statistics call
-     * visibility_bytes and transfer_bytes, and OpenGL's buffers of its vertices without what compute shaders
-     * work on; by the reference method, its triangles. They are predicted, never too low, before a render
-     * bakes or allocates; where they exceed the limit it fails with NICOL_ERROR_OUT_OF_MEMORY, and the
-     * message has both numbers. With a tolerance, as for the orders that the options name. 0: no limit */
+    /* Limit of the bytes that each scene keeps at run time, on the device too: the statistics'
+     * visibility_bytes and transfer_bytes, and the OpenGL buffers of its vertices without compute shaders'
+     * work space; by the reference method, its triangles. An upper bound is computed before a render bakes or
+     * allocates; if it exceeds the limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY, and the message
+     * has both numbers. With a tolerance, the bound is for the orders in the options. 0: no limit */
     uint64_t memory_limit;
 } nicol_context_options;
 #define NICOL_CONTEXT_OPTIONS_INIT \
@@ -178,7 +180,7 @@ typedef struct nicol_context_info {
 #define NICOL_CONTEXT_INFO_INIT \
     { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0 }
 
-/* options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND where OpenGL cannot be opened as asked. */
+/* options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND if no such OpenGL context can be made. */
 NICOL_API nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
 NICOL_API nicol_result nicol_context_retain(nicol_context context);
 NICOL_API nicol_result nicol_context_release(nicol_context context);
@@ -214,9 +216,8 @@ typedef struct nicol_image {
  * horizon too.
  *
  * With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
- * formula, mean luminance over the upper half 1, times radiance. Below the horizon lies an unpolarized
- * ground, alike all over, that reflects ground_albedo of the irradiance of each channel. The sun must not
- * stand below the horizon. */
+ * formula, mean luminance over the upper half 1, times radiance. Below the horizon is an unpolarized, uniform
+ * ground that reflects ground_albedo of each channel's irradiance. The sun must not be below the horizon. */
 typedef struct nicol_sky {
     uint32_t struct_size;
     float dop_max;           /* 0: 0.8; negative: an unpolarized sky; at most 1 */
@@ -232,7 +233,7 @@ typedef struct nicol_environment_load_options {
     uint32_t struct_size;
     uint32_t reserved;          /* 0 */
     double scale;               /* multiplies the radiance, 0: 1; finite and not negative */
-    nicol_spectrum wavelengths; /* of spectral OpenEXR files alone: the channels nearest to these, nm, in this
+    nicol_spectrum wavelengths; /* for spectral OpenEXR files: the channels nearest to these, nm, in this
                                    order; within the file's range. count 0: all channels of the file */
 } nicol_environment_load_options;
 #define NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT \
@@ -254,7 +255,7 @@ NICOL_API nicol_result nicol_environment_load(nicol_context context, const char*
 /* From memory. */
 NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                                       nicol_environment* environment);
-/* Unpolarized and the same from everywhere; radiance NULL or of count 0: 1 in one channel; finite, not
+/* Unpolarized and the same from all directions; radiance NULL or of count 0: 1 in one channel; finite, not
  * negative. */
 NICOL_API nicol_result nicol_environment_create_constant(nicol_context context,
                                                          const nicol_spectrum* radiance,
@@ -284,7 +285,7 @@ typedef struct nicol_environment_info {
     { sizeof(nicol_environment_info), 0, 0, 0, 0, 0, {0} }
 /* clang-format on */
 
-/* What the light is made of. */
+/* Properties of the light. */
 NICOL_API nicol_result nicol_environment_get_info(nicol_environment environment,
                                                   nicol_environment_info* info);
 NICOL_API nicol_result nicol_environment_retain(nicol_environment environment);
@@ -376,9 +377,9 @@ NICOL_API nicol_result nicol_material_create_twosided(nicol_context context, nic
  * light from the direction `towards_light` into the direction `towards_viewer`: unit vectors in the surface's
  * frame, whose normal is z; both have z > 0. Both Stokes frames have x along the s-axis towards_light x
  * towards_viewer and z along the propagation, y = z cross x, as Fresnel's matrices do (where the directions
- * agree, x is any direction across them, the same for both). Answer 1 to go on, 0 to stop the call that needs
- * it with NICOL_ERROR_CANCELLED. It is called by nicol_material_create_callback and nicol_render, on several
- * threads at once, and must not call Nicol with objects of the material's context. */
+ * are equal, x is any perpendicular direction, the same for both). Return 1 to continue, 0 to end the call
+ * that needs it with NICOL_ERROR_CANCELLED. It is called by nicol_material_create_callback and nicol_render,
+ * on several threads at once, and must not call Nicol with objects of the material's context. */
 typedef int32_t (*nicol_mueller_callback)(void* user, uint32_t channel, const double towards_light[3],
                                           const double towards_viewer[3], double mueller[16]);
 
@@ -387,11 +388,11 @@ typedef struct nicol_callback_material {
     uint32_t channels; /* 0: 1; at most NICOL_MAX_CHANNELS */
     nicol_mueller_callback mueller;
     void* user;
-    /* NULL, or called once, when nothing needs `user` any more: on failure before the call returns, else when
-     * the material and all that use it are gone, on the thread that drops the last of them. */
+    /* NULL, or called once, when `user` is no longer needed: on failure before the call returns, else when
+     * the material and all its users are released, on the thread of the last release. */
     void (*release)(void* user);
-    /* Angular radius in radians of the narrowest feature about the mirror direction, 0.001 to 1; 0: 1. Too
-     * large a value loses highlights, too small a one costs time. */
+    /* Angular radius in radians of the narrowest feature about the mirror direction, 0.001 to 1; 0: 1. A
+     * value that is too large loses highlights, one that is too small costs time. */
     float lobe_width;
     uint32_t reserved; /* 0 */
 } nicol_callback_material;
@@ -399,7 +400,7 @@ typedef struct nicol_callback_material {
     { sizeof(nicol_callback_material), 0, 0, 0, 0, 0, 0 }
 
 /* The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
- * probed at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT where it is not. Front only. */
+ * tested at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT otherwise. Front side only. */
 NICOL_API nicol_result nicol_material_create_callback(nicol_context context,
                                                       const nicol_callback_material* parameters,
                                                       nicol_material* material);
@@ -408,24 +409,23 @@ NICOL_API nicol_result nicol_material_release(nicol_material material);
 
 /* ---------------------------------------------------------------- mesh */
 
-/* Positions and normals must be finite. A triangle needs three vertices that are there and an area. */
+/* Positions and normals must be finite. A triangle needs valid indices and an area. */
 typedef struct nicol_mesh_data {
     uint32_t struct_size;
     uint32_t vertex_count;   /* 1 or more */
     uint32_t triangle_count; /* 1 or more */
     uint32_t reserved;       /* 0 */
     const float* positions;  /* 3 a vertex */
-    const float* normals; /* 3 a vertex, of any length but 0, which asks for the smooth one; NULL: made from
-                             the triangles, smooth across edges whose faces share vertices */
+    const float* normals;    /* 3 a vertex, of any length; 0 means the smooth normal. NULL: made from the
+                                triangles, smooth across edges whose faces share vertices */
     const uint32_t* indices; /* 3 a triangle, counter-clockwise from the front */
 } nicol_mesh_data;
 #define NICOL_MESH_DATA_INIT \
     { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0 }
 
-/* OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face that is
- * at fault. */
+/* OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
-/* Copies the arrays. Shading and shadows are per vertex: detail comes from vertices. */
+/* Copies the arrays. Shading and shadows are per vertex: finer meshes show more detail. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,
                                          nicol_mesh* mesh);
 /* The unit sphere, finely enough divided for per-vertex shading. */
@@ -487,33 +487,34 @@ NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
  * have one colour channel or the same number of them, here and in nicol_scene_set_environment. */
 NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance,
                                                 uint32_t* id);
-/* id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again what the
- * instance may hide from the light, before or now; what turns and shifts as a whole is lit anew alone. */
+/* id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again the
+ * vertices that the instance may shadow, before or now; a scene that rotates and moves as a whole is only
+ * relit. */
 NICOL_API nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const double to_world[16]);
-/* The next render projects the material, where it is new to the scene, and shades its instance. */
+/* The next render projects the material, if it is new to the scene, and shades its instance. */
 NICOL_API nicol_result nicol_scene_set_material(nicol_scene scene, uint32_t id, nicol_material material);
-/* Its id is never given again; the others keep theirs. */
+/* Its id is not used again; the others keep theirs. */
 NICOL_API nicol_result nicol_scene_remove_instance(nicol_scene scene, uint32_t id);
-/* What an instance is made of: mesh and material as handles to release. Each of the three may be NULL. */
+/* The parts of an instance: mesh and material as handles to release. Each of the three may be NULL. */
 NICOL_API nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, nicol_mesh* mesh,
                                                 nicol_material* material, double to_world[16]);
 NICOL_API nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instances);
 /* The ids of all instances, ascending; count: of the instances. */
 NICOL_API nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
-/* environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
- * one), scale multiplies (0: 1; finite, not negative). */
+/* environment NULL: darkness. to_world rotates it (NULL or all zeros: identity; must be a proper rotation),
+ * scale multiplies (0: 1; finite, not negative). */
 NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
                                                    const double to_world[16], double scale);
-/* What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is
- * rotated and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0,
- * *environment is NULL, to_world the identity and scale 1. */
+/* The arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation and
+ * scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment is NULL,
+ * to_world the identity and scale 1. */
 NICOL_API nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment,
                                                    double to_world[16], double* scale);
-/* What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED. */
+/* The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
-/* Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 where the film of a
- * loaded file asks for luminance. */
+/* Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 if the film of a
+ * loaded file is luminance. */
 NICOL_API nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
 NICOL_API nicol_result nicol_scene_retain(nicol_scene scene);
 NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
@@ -521,50 +522,47 @@ NICOL_API nicol_result nicol_scene_release(nicol_scene scene);
 /* ---------------------------------------------------------------- render */
 
 typedef uint32_t nicol_method;
-/* Real time. Light up to order_low is kept in each vertex's frame and meets a table of what the material
- * makes of it at each view angle. */
+/* Real time. Light up to order_low is kept in each vertex's frame and multiplied by a table of the material's
+ * response at each view angle. */
 #define NICOL_METHOD_FACTORED 0
-/* Real time: a matrix of transfer for each vertex, as the paper has it, which baking computes from shadow
- * and material. What leaves a vertex is truncated at order_low too. Slower and larger, for comparison. */
+/* Real time: the paper's transfer matrix for each vertex, baked from shadow and material. Outgoing light is
+ * truncated at order_low too. Slower and larger, for comparison. */
 #define NICOL_METHOD_DENSE 1
-/* No harmonics: for each pixel rays and the integral of the light over directions, with shadows, by random
- * sampling. Slow and noisy, right in the mean: what the other methods are measured against. */
+/* Monte Carlo integration of the light at each pixel, with shadows, without harmonics. Slow, noisy and
+ * unbiased: the reference for the other methods. */
 #define NICOL_METHOD_REFERENCE 2
 
-/* How the light's orders above order_low become reflected light: filtered by lobes beforehand and looked up
- * at the mirrored view direction, dimmed by what the lobe's directions see of the light. */
+/* How the light's orders above order_low become reflected light: prefiltered by lobes and looked up at the
+ * mirrored view direction, times the visible fraction of the lobe. */
 typedef uint32_t nicol_high_orders;
 #define NICOL_HIGH_ORDERS_SPLIT 0       /* lobes times Mueller matrices of the view angle */
 #define NICOL_HIGH_ORDERS_CONVOLUTION 1 /* a kernel a material (Eq. 68): no polarization by reflection */
 #define NICOL_HIGH_ORDERS_NONE 2        /* left out */
 
-/* Where these orders are looked up; at pixels with the normal and what shadows leave of the lobe, both
- * interpolated. */
+/* Where these orders are looked up; at pixels with interpolated normals and visible fractions of the lobe. */
 typedef uint32_t nicol_high_orders_at;
 #define NICOL_HIGH_ORDERS_AT_AUTOMATIC 0 /* pixels, or vertices where OpenGL runs on the CPU */
 #define NICOL_HIGH_ORDERS_AT_VERTICES 1  /* and interpolated in between, as all else */
 #define NICOL_HIGH_ORDERS_AT_PIXELS 2    /* smooth highlights on coarse meshes too */
 
-/* Where light meets shadows and materials: relight and shade. The images agree to 1e-5 of their largest
- * value. */
+/* What runs relight and shade. The images agree to 1e-5 of their largest value. */
 typedef uint32_t nicol_executor;
-#define NICOL_EXECUTOR_AUTOMATIC 0 /* compute, unless OpenGL runs on the CPU or lacks what it takes */
+#define NICOL_EXECUTOR_AUTOMATIC 0 /* compute, unless OpenGL runs on the CPU or lacks features */
 #define NICOL_EXECUTOR_CPU 1       /* threads */
 #define NICOL_EXECUTOR_COMPUTE 2   /* compute shaders, also where OpenGL runs on the CPU and is slow at it */
 
-/* What a render leaves out because the image is the same without it; by default all of them. */
+/* Work that a render skips because the image is the same without it; all enabled by default. */
 #define NICOL_OPTIMISATION_UNCHANGED 1u        /* everything, where nothing changed */
 #define NICOL_OPTIMISATION_LIGHT_COMPONENTS 2u /* Stokes components that the light lacks */
 #define NICOL_OPTIMISATION_CHANNELS 4u         /* colour channels of light that equal another */
 #define NICOL_OPTIMISATION_ORDERS 8u           /* orders that the light lacks */
-#define NICOL_OPTIMISATION_RESPONSE_ROWS 16u   /* Stokes components that a material cannot make */
+#define NICOL_OPTIMISATION_RESPONSE_ROWS 16u   /* Stokes components that a material never reflects */
 #define NICOL_OPTIMISATION_HIDDEN 32u          /* vertices that face away or lie outside the view */
-#define NICOL_OPTIMISATION_UNOCCLUDED 64u      /* shadows of vertices that see all above their horizon */
+#define NICOL_OPTIMISATION_UNOCCLUDED 64u      /* shadows of vertices with nothing above their horizon */
 #define NICOL_OPTIMISATION_ALL 127u
 
-/* Planes that a render makes beside the image, whatever its method: NICOL_PLANE_DEPTH, _NORMAL, _POSITION
- * and _INSTANCE tell what each holds. They are of the surface that the ray through a pixel's centre meets
- * first. */
+/* AOVs that a render makes beside the image, by any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION and
+ * _INSTANCE. They are of the first surface on the ray through a pixel's centre. */
 #define NICOL_AOV_DEPTH 1u
 #define NICOL_AOV_NORMALS 2u
 #define NICOL_AOV_POSITIONS 4u
@@ -580,21 +578,20 @@ typedef uint32_t nicol_components;
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
-    /* These, but for samples and seed, are of the factored and the dense method. The reference method, whose
-     * own those are, looks at `shadows` alone. */
-    int32_t order_low;             /* light up to this order meets the material's full angular detail; 0: 4;
-                                      -1: order 0; at most NICOL_MAX_ORDER */
-    int32_t order_high;            /* light up to this order is rendered at all, what lies above order_low as
-                                      high_orders says; 0: 9, or order_low where that is larger; -1: order 0;
-                                      order_low to 64 */
+    /* Options of the factored and the dense method; the reference method uses samples, seed and `shadows`
+     * only. */
+    int32_t order_low;  /* light up to this order is shaded with the material's full response; 0: 4;
+                           -1: order 0; at most NICOL_MAX_ORDER */
+    int32_t order_high; /* light up to this order is rendered, above order_low by high_orders; 0: 9, or
+                           order_low where that is larger; -1: order 0; order_low to 64 */
     nicol_high_orders high_orders; /* 0: split */
-    int32_t shadows;          /* whether surfaces hide the environment from each other and themselves. 0: the
-                                 default, which is on; 1: on; -1: off */
-    uint32_t bake_directions; /* that each vertex looks for the environment in; 0: 2048; 256 to 65536. Time
-                                 and memory of baking grow with it, noise in the shadows falls */
+    int32_t shadows;               /* whether surfaces shadow each other and themselves. 0: the
+                                      default, which is on; 1: on; -1: off */
+    uint32_t bake_directions; /* directions of rays at each vertex; 0: 2048; 256 to 65536. More take more time
+                                 and memory to bake and leave less noise in the shadows */
     uint32_t physical;        /* 1: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0 and no
-                                 more polarized than s0, which truncated light may leave: those of vertices,
-                                 or of pixels where high orders are looked up there; 0: not */
+                                 more polarized than s0, which truncated light may violate: at vertices, or at pixels
+                                 if high orders are looked up there; 0: no */
     double dering;            /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
                                  1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
     nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
@@ -602,21 +599,20 @@ typedef struct nicol_render_options {
     void* progress_user;
     int32_t samples;   /* reference: camera rays a pixel, 0: 256; up to 2^20. Powers of two are spread best */
     uint32_t reserved; /* 0 */
-    uint64_t seed; /* reference: the same gives the same image whatever the threads, another other noise */
+    uint64_t seed;     /* reference: equal seeds give equal images, whatever the threads */
     nicol_executor executor;             /* 0: automatic */
     nicol_high_orders_at high_orders_at; /* 0: automatic */
-    double tolerance; /* above 0: the largest error that orders left out may be predicted to cause, as the
-                         relative RMSE of s0, s1 and s2 over the RMS of s0; order_low and order_high are then
-                         chosen for it and those above are not looked at. Only of the factored method with
-                         high orders split or left out. 0: orders as given; finite, not negative */
+    double tolerance; /* above 0: the largest predicted error of omitted orders, as RMSE of s0, s1 and s2
+                         relative to the RMS of s0; it chooses order_low and order_high, whose fields are
+                         ignored. Only for the factored method with high orders split or none. 0: orders as
+                         given; finite, not negative */
     nicol_components components; /* 0: all */
     uint32_t
-        disabled_optimisations; /* sum of NICOL_OPTIMISATION_... that are not to be made use of: to measure
-                      what they save. Compute shaders shade all vertices and rows in any case. 0: none */
-    int32_t
-        high_order_shadows; /* whether shadows dim the high orders by the part of their lobe that they leave
-                               visible; 0: the default, which is on; 1: on; -1: off: unshadowed highlights */
-    uint32_t planes;        /* sum of NICOL_AOV_... that are to be made; none costs nothing. 0: none */
+        disabled_optimisations; /* sum of NICOL_OPTIMISATION_... to disable, in order to measure what they
+                                   save. Compute shaders shade all vertices and rows in any case. 0: none */
+    int32_t high_order_shadows; /* whether high orders are multiplied by the visible fraction of their lobe;
+                                   0: the default, which is on; 1: on; -1: off: unshadowed highlights */
+    uint32_t planes;            /* sum of NICOL_AOV_... to make. 0: none */
 } nicol_render_options;
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
@@ -631,29 +627,27 @@ NICOL_API nicol_result nicol_framebuffer_get_size(nicol_framebuffer framebuffer,
 NICOL_API nicol_result nicol_framebuffer_retain(nicol_framebuffer framebuffer);
 NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 
-/* options may be NULL: all defaults. What a change of the scene, the camera or the options does not touch is
- * kept from the scene's last render; where nothing changed, nothing runs. On failure or cancellation the
- * framebuffer's content is that of the render before, and its statistics too. NICOL_ERROR_INVALID_ARGUMENT
- * for options and cameras out of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown
- * method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
- * NICOL_ERROR_OUT_OF_MEMORY. */
+/* options may be NULL: all defaults. Results that a change of the scene, the camera or the options does not
+ * affect are kept from the scene's last render; if nothing changed, nothing runs. On failure or cancellation
+ * the framebuffer keeps its content and statistics. NICOL_ERROR_INVALID_ARGUMENT for options and cameras out
+ * of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method and for compute
+ * shaders if the driver lacks features, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY. */
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
 
-/* A render that goes on while its caller does other things. Jobs of one context run one after another, in the
- * order in which they came, on a thread that the context keeps for them. Each takes its turn with the calls
- * that render, make, read and write framebuffers of the context: these wait for the job that runs, not for
- * those that wait. What changes and asks scenes or makes lights, materials and meshes does not wait. May be
- * used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too. */
+/* An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
+ * of the context. A running job locks the context: calls that render, create, read and write its framebuffers
+ * wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
+ * meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too. */
 typedef struct nicol_job_impl* nicol_job;
 
-#define NICOL_MAX_JOBS 256 /* that wait in one context */
+#define NICOL_MAX_JOBS 256 /* queued in one context */
 
-/* nicol_render, later. All is copied at once: the scene's changes after this call concern later renders
- * alone. The framebuffer holds what it held until the job has run. Scene, framebuffer and all they need stay
- * alive; the caller may release them, and the job too: it is done all the same. The progress callback comes
- * on the context's thread, and progress_user must live until the job is done. What this call can tell of its
- * arguments it refuses, all else is the job's result. NICOL_ERROR_BUSY where NICOL_MAX_JOBS wait;
+/* nicol_render as a job. Copies the scene's state: later changes affect later renders only. The framebuffer
+ * keeps its content until the job has run. Scene, framebuffer and all they need are kept alive; the caller
+ * may release them, and the job too, which runs all the same. The progress callback runs on the context's
+ * thread, and progress_user must live until the job is done. Invalid arguments are refused at once where
+ * possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued;
  * NICOL_ERROR_UNSUPPORTED in a host's OpenGL context. A process that exits cancels its jobs. */
 NICOL_API nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
                                           const nicol_render_options* options, nicol_framebuffer framebuffer,
@@ -669,29 +663,29 @@ typedef struct nicol_job_status {
     nicol_job_state state;
     nicol_result result; /* of a job that is done: what nicol_render would have returned. Else NICOL_OK */
     uint32_t reserved;   /* 0 */
-    double fraction;     /* done of the verb at work, 0 to 1; 1 after success */
+    double fraction;     /* of the current verb, 0 to 1; 1 after success */
     const char* verb; /* as a progress callback's; "" while it waits and once it is done. Lives as long as the
                          library */
 } nicol_job_status;
 #define NICOL_JOB_STATUS_INIT \
     { sizeof(nicol_job_status), 0, 0, 0, 0, 0 }
 
-/* How far it is; never waits. */
+/* The job's progress; never waits. */
 NICOL_API nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status);
 
 #define NICOL_WAIT_FOREVER 0xffffffffu
-/* Waits until the job is done, at most this long (0: not at all), and returns its result; nicol_last_error()
- * has the message of one that failed, on every thread that asks. NICOL_ERROR_TIMEOUT where it is not done by
- * then. Inside a callback of the context it is NICOL_ERROR_INVALID_ARGUMENT: that would wait for itself. */
+/* Waits until the job is done, at most this long (0: not at all), and returns its result; after a failure
+ * nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then.
+ * NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, which would be a deadlock. */
 NICOL_API nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms);
-/* Ends a job that waits at once, and one that runs where it would next call a progress callback; its result
- * is NICOL_ERROR_CANCELLED. Does nothing to a job that is done, or about to be. Does not wait. */
+/* Cancels a queued job at once, and a running one where it would next call a progress callback; its result is
+ * NICOL_ERROR_CANCELLED. No effect on a job that is done or almost done. Does not wait. */
 NICOL_API nicol_result nicol_job_cancel(nicol_job job);
 NICOL_API nicol_result nicol_job_retain(nicol_job job);
 NICOL_API nicol_result nicol_job_release(nicol_job job);
 
 /* clang-format off */
-/* What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run. */
+/* Statistics of the last render into a framebuffer. Milliseconds are 0 for verbs that did not run. */
 typedef struct nicol_statistics {
     uint32_t struct_size;
     uint32_t order;                 /* highest order of the light that was rendered: order_high, or less where the light
@@ -699,7 +693,7 @@ typedef struct nicol_statistics {
     uint64_t vertices;              /* of all instances */
     uint64_t triangles;             /* likewise */
     double project_ms;              /* light and materials to coefficients, tables and lobes */
-    double bake_ms;                 /* what each vertex sees of the environment, and by the dense method its matrices; of the
+    double bake_ms;                 /* visibility at the vertices, and the dense method's matrices; of the
                                        reference method its hierarchy of triangles and table of light */
     double relight_ms;              /* light, times shadows, into the vertices' frames */
     double shade_ms;                /* light times response, at the view, high orders included */
@@ -708,13 +702,13 @@ typedef struct nicol_statistics {
     double bake_trace_ms;           /* of bake_ms, tracing rays; 0 where the bake came from the cache */
     uint64_t bake_rays;             /* traced by the bake; 0 likewise */
     uint64_t vertices_skipped;      /* not shaded: facing away or outside the view */
-    uint64_t vertices_unoccluded;   /* that nothing hides the environment from: no shadow to compute */
+    uint64_t vertices_unoccluded;   /* nothing above their horizon: no shadow to compute */
     uint64_t vertices_unphysical;   /* that `physical` moved into the physical range, times channels; pixels are not counted */
     uint64_t light_columns_skipped; /* Stokes components of the light that are zero everywhere, times channels */
-    uint64_t response_rows_skipped; /* Stokes components that no material can make, times channels */
+    uint64_t response_rows_skipped; /* Stokes components that no material reflects, times channels */
     uint64_t channels_shared;       /* colour channels of light that equal another and are not computed again */
     uint64_t response_bytes;        /* material tables */
-    uint64_t visibility_bytes;      /* what the bake found: directions in which each vertex sees the environment */
+    uint64_t visibility_bytes;      /* visibility by direction at each vertex */
     uint64_t transfer_bytes;        /* per-vertex light, shadows, matrices and geometry kept for relight and shade */
     uint64_t buffer_bytes;          /* OpenGL buffers: vertices and triangles, and what compute shaders work on */
     uint64_t texture_bytes;         /* OpenGL textures, framebuffer included */
@@ -727,7 +721,7 @@ typedef struct nicol_statistics {
     uint32_t reserved;              /* 0 */
     double predicted_error;         /* where a tolerance was given: of the orders left out; may exceed it where no orders
                                        reach it. Interpolation between vertices is not in it */
-    /* What this render made anew; 0 where all could be kept from the one before. */
+    /* What this render recomputed; 0 if all was kept from the one before. */
     uint64_t lights_projected;      /* environments to coefficients */
     uint64_t materials_projected;   /* tables, matrices and sets of lobes of materials, from the cache folder too */
     uint64_t vertices_traced;       /* that the bake traced rays from */
@@ -757,8 +751,8 @@ typedef uint32_t nicol_plane;
 #define NICOL_PLANE_DOLP 5   /* degree of linear polarization; 0 where s0 <= 0 */
 /* Angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right. */
 #define NICOL_PLANE_AOLP 6
-/* The following are there only where the last render into the framebuffer was asked for them
- * (NICOL_AOV_...), and have no colour channels. */
+/* The following exist only if the last render into the framebuffer made them (NICOL_AOV_...), and have no
+ * colour channels. */
 #define NICOL_PLANE_DEPTH 7 /* distance along the camera's +z; +infinity where there is no surface */
 #define NICOL_PLANE_NORMAL                                                                  \
     8 /* three numbers a pixel: the unit shading normal in the world, of a surface with two \
@@ -797,7 +791,7 @@ typedef struct nicol_plane_buffer {
 #define NICOL_PLANE_BUFFER_INIT \
     { sizeof(nicol_plane_buffer), 0, 0, 0, 0, 0, 0 }
 
-/* Copies a plane in the format and of the channels that `to` asks for; only the rows are written. A call that
+/* Copies a plane in the format and with the channels of `to`; bytes between rows are not written. A call that
  * fails writes nothing. */
 NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer,
                                                     const nicol_plane_buffer* to);
@@ -806,7 +800,7 @@ NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffe
  *   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
  *   1             Y (which is s0) and S0.Y to S3.Y
  *   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
- * and of the planes that the last render was asked for Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned). */
+ * and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned). */
 /* clang-format on */
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 
@@ -817,7 +811,7 @@ typedef uint32_t nicol_observation_kind;
 #define NICOL_OBSERVATION_S3 3        /* likewise */
 #define NICOL_OBSERVATION_DOLP 4      /* black 0, white 1 */
 #define NICOL_OBSERVATION_AOLP 5      /* hue = angle / 180 degrees, value = DoLP */
-#define NICOL_OBSERVATION_POLARIZER 6 /* through an ideal linear polarizer, tone-mapped like s0 */
+#define NICOL_OBSERVATION_POLARIZER 6 /* behind an ideal linear polarizer, tone-mapped like s0 */
 
 typedef struct nicol_observation {
     uint32_t struct_size;
@@ -838,35 +832,38 @@ NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer
 /* ---------------------------------------------------------------- inside a host's OpenGL */
 
 /* clang-format off */
-/* A context can be the caller's own, so that images stay on the device: nothing is made current, no thread of OpenGL's is
- * started, and nicol_framebuffer_get_texture and nicol_framebuffer_draw_... hand the images over.
+/* A context can be the caller's own, so that images stay on the device: no context is made current, no OpenGL thread
+ * is started, and nicol_framebuffer_get_texture and nicol_framebuffer_draw_... give access to the images.
  *
- *   Current       That OpenGL context, and no other, must be current on the calling thread in nicol_context_create_host and in
- *                 every call that uses OpenGL: nicol_framebuffer_create, nicol_render, and what reads, writes and draws images.
- *                 Else they fail with NICOL_ERROR_NOT_CURRENT and touch nothing. It may move from thread to thread.
- *   State         All of the host's OpenGL state is as before when a call returns: what Nicol changes it saves and restores, and
- *                 what it depends on (scissor, masks, pixel storage, ...) it sets and restores. Objects are made with new names
- *                 and others are left alone. Three things cannot be restored: calls must not be made while transform feedback
- *                 runs unpaused or while a program that is deleted is still in use, which is NICOL_ERROR_UNSUPPORTED, nor within
- *                 conditional rendering, which OpenGL does not tell. Queries of the host that are active count what is drawn. An
- *                 error that waits in glGetError when a call begins is cleared and told to the log.
+ *   Current       That OpenGL context, and no other, must be current on the calling thread in nicol_context_create_host
+ *                 and in every call that uses OpenGL: nicol_framebuffer_create, nicol_render, and what reads, writes
+ *                 and draws images. Else they fail with NICOL_ERROR_NOT_CURRENT and touch nothing. It may move from
+ *                 thread to thread.
+ *   State         All of the host's OpenGL state is as before when a call returns: what Nicol changes it saves and
+ *                 restores, and what it depends on (scissor, masks, pixel storage, ...) it sets and restores. Objects
+ *                 are made with new names and others are left alone. Three things cannot be restored: calls must not be
+ *                 made while transform feedback runs unpaused or while a program that is deleted is still in use, which
+ *                 is NICOL_ERROR_UNSUPPORTED, nor within conditional rendering, which cannot be queried. Active queries
+ *                 of the host count what is drawn. An error pending in glGetError when a call begins is cleared and
+ *                 logged.
  *   Callbacks     that come while Nicol renders must not call OpenGL.
- *   Release       where the context is current deletes its OpenGL objects at once. Elsewhere they wait for the next call that
- *                 finds it current, or go with the host's context. Release everything before the OpenGL library is unloaded.
+ *   Release       where the context is current deletes its OpenGL objects at once. Elsewhere they are deleted by the
+ *                 next call while it is current, or with the host's context. Release everything before the OpenGL
+ *                 library is unloaded.
  */
 /* clang-format on */
-/* The address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and others
- * answer. */
+/* The address of an OpenGL function by its name, as from SDL_GL_GetProcAddress, eglGetProcAddress and others.
+ */
 typedef void* (*nicol_get_proc_address_callback)(void* user, const char* name);
-/* Answer 1 where the host's context is current on the calling thread, else 0. */
+/* Returns 1 if the host's context is current on the calling thread, else 0. */
 typedef int32_t (*nicol_is_current_callback)(void* user);
 
 typedef struct nicol_host {
     uint32_t struct_size;
     uint32_t reserved; /* 0 */
     nicol_get_proc_address_callback get_proc_address;
-    /* NULL: OpenGL is asked itself, which needs OpenGL functions that may be called without a context, as
-     * those of libglvnd and Mesa may. */
+    /* NULL: OpenGL is queried, which needs OpenGL functions that may be called without a context, as with
+     * libglvnd and Mesa. */
     nicol_is_current_callback is_current;
     void* user; /* of both; used until the last object of the context is released */
 } nicol_host;
@@ -874,8 +871,8 @@ typedef struct nicol_host {
     { sizeof(nicol_host), 0, 0, 0, 0 }
 
 /* A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
- * options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT where is_current answers
- * 0, NICOL_ERROR_NO_BACKEND where there is no such OpenGL. */
+ * options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT if is_current returns 0,
+ * NICOL_ERROR_NO_BACKEND where there is no such OpenGL. */
 NICOL_API nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options,
                                                  nicol_context* context);
 

@@ -197,9 +197,8 @@ class Sky(Struct):
     horizon too.
 
     With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
-    formula, mean luminance over the upper half 1, times radiance. Below the horizon lies an unpolarized
-    ground, alike all over, that reflects ground_albedo of the irradiance of each channel. The sun must not
-    stand below the horizon."""
+    formula, mean luminance over the upper half 1, times radiance. Below the horizon is an unpolarized, uniform
+    ground that reflects ground_albedo of each channel's irradiance. The sun must not be below the horizon."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("dop_max", c_float),
@@ -282,7 +281,7 @@ class CallbackMaterial(Struct):
 
 
 class MeshData(Struct):
-    """Positions and normals must be finite. A triangle needs three vertices that are there and an area."""
+    """Positions and normals must be finite. A triangle needs valid indices and an area."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("vertex_count", c_uint32),
@@ -358,7 +357,7 @@ class JobStatus(Struct):
 
 
 class Statistics(Struct):
-    """What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run."""
+    """Statistics of the last render into a framebuffer. Milliseconds are 0 for verbs that did not run."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("order", c_uint32),
@@ -550,7 +549,7 @@ class Context(Handle):
 
     @classmethod
     def create(cls, options=None):
-        """options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND where OpenGL cannot be opened as asked."""
+        """options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND if no such OpenGL context can be made."""
         options = lend(options)
         context = cls()
         check(_context_create(byref(options) if options is not None else None, byref(context)))
@@ -565,8 +564,8 @@ class Context(Handle):
     @classmethod
     def create_host(cls, host, options=None):
         """A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
-        options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT where is_current answers
-        0, NICOL_ERROR_NO_BACKEND where there is no such OpenGL."""
+        options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT if is_current returns 0,
+        NICOL_ERROR_NO_BACKEND where there is no such OpenGL."""
         host = lend(host)
         options = lend(options)
         context = cls()
@@ -601,7 +600,7 @@ class Environment(Handle):
 
     @classmethod
     def create_constant(cls, context, radiance):
-        """Unpolarized and the same from everywhere; radiance NULL or of count 0: 1 in one channel; finite, not
+        """Unpolarized and the same from all directions; radiance NULL or of count 0: 1 in one channel; finite, not
         negative."""
         radiance = radiance if radiance is None or isinstance(radiance, Spectrum) else Spectrum.of(radiance)
         environment = cls()
@@ -627,7 +626,7 @@ class Environment(Handle):
         return environment
 
     def get_info(self):
-        """What the light is made of."""
+        """Properties of the light."""
         info = EnvironmentInfo()
         check(_environment_get_info(self, byref(info)))
         return info
@@ -691,7 +690,7 @@ class Material(Handle):
     @classmethod
     def create_callback(cls, context, parameters):
         """The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
-        probed at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT where it is not. Front only."""
+        tested at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT otherwise. Front side only."""
         parameters = lend(parameters)
         material = cls()
         check(_material_create_callback(context, byref(parameters) if parameters is not None else None, byref(material)))
@@ -706,15 +705,14 @@ class Mesh(Handle):
 
     @classmethod
     def load(cls, context, path):
-        """OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face that is
-        at fault."""
+        """OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
         mesh = cls()
         check(_mesh_load(context, text(path), byref(mesh)))
         return mesh
 
     @classmethod
     def create(cls, context, data):
-        """Copies the arrays. Shading and shadows are per vertex: detail comes from vertices."""
+        """Copies the arrays. Shading and shadows are per vertex: finer meshes show more detail."""
         mesh = cls()
         check(_mesh_create(context, byref(data) if data is not None else None, byref(mesh)))
         return mesh
@@ -775,20 +773,21 @@ class Scene(Handle):
         return id.value
 
     def set_transform(self, id, to_world):
-        """id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again what the
-        instance may hide from the light, before or now; what turns and shifts as a whole is lit anew alone."""
+        """id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again the
+        vertices that the instance may shadow, before or now; a scene that rotates and moves as a whole is only
+        relit."""
         check(_scene_set_transform(self, id, array(to_world, c_double, 16)))
 
     def set_material(self, id, material):
-        """The next render projects the material, where it is new to the scene, and shades its instance."""
+        """The next render projects the material, if it is new to the scene, and shades its instance."""
         check(_scene_set_material(self, id, material))
 
     def remove_instance(self, id):
-        """Its id is never given again; the others keep theirs."""
+        """Its id is not used again; the others keep theirs."""
         check(_scene_remove_instance(self, id))
 
     def get_instance(self, id):
-        """What an instance is made of: mesh and material as handles to release. Each of the three may be NULL."""
+        """The parts of an instance: mesh and material as handles to release. Each of the three may be NULL."""
         mesh = Mesh()
         material = Material()
         to_world = (c_double * 16)()
@@ -806,14 +805,14 @@ class Scene(Handle):
         check(_scene_get_instance_ids(self, ids.pointer, ids.count))
 
     def set_environment(self, environment, to_world, scale):
-        """environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
-        one), scale multiplies (0: 1; finite, not negative)."""
+        """environment NULL: darkness. to_world rotates it (NULL or all zeros: identity; must be a proper rotation),
+        scale multiplies (0: 1; finite, not negative)."""
         check(_scene_set_environment(self, environment, array(to_world, c_double, 16), scale))
 
     def get_environment(self):
-        """What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is
-        rotated and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0,
-        *environment is NULL, to_world the identity and scale 1."""
+        """The arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation and
+        scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment is NULL,
+        to_world the identity and scale 1."""
         environment = Environment()
         to_world = (c_double * 16)()
         scale = c_double()
@@ -821,7 +820,7 @@ class Scene(Handle):
         return environment if environment.value else None, tuple(to_world), scale.value
 
     def get_camera(self):
-        """What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED."""
+        """The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
         camera = Camera()
         check(_scene_get_camera(self, byref(camera)))
         return camera
@@ -833,8 +832,8 @@ class Scene(Handle):
         return width.value, height.value
 
     def get_channels(self):
-        """Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 where the film of a
-        loaded file asks for luminance."""
+        """Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 if the film of a
+        loaded file is luminance."""
         channels = c_uint32()
         check(_scene_get_channels(self, byref(channels)))
         return channels.value
@@ -873,7 +872,7 @@ class Framebuffer(Handle):
         check(_framebuffer_read(self, plane, channel, pixels.pointer, pixels.stride, pixels.nbytes))
 
     def read_plane(self, to):
-        """Copies a plane in the format and of the channels that `to` asks for; only the rows are written. A call that
+        """Copies a plane in the format and with the channels of `to`; bytes between rows are not written. A call that
         fails writes nothing."""
         check(_framebuffer_read_plane(self, byref(to) if to is not None else None))
 
@@ -882,7 +881,7 @@ class Framebuffer(Handle):
           3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
           1             Y (which is s0) and S0.Y to S3.Y
           2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
-        and of the planes that the last render was asked for Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned)."""
+        and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned)."""
         check(_framebuffer_write_exr(self, text(path)))
 
     def write_png(self, image, path):
@@ -910,33 +909,32 @@ class Framebuffer(Handle):
 
 
 class Job(Handle):
-    """A render that goes on while its caller does other things. Jobs of one context run one after another, in the
-    order in which they came, on a thread that the context keeps for them. Each takes its turn with the calls
-    that render, make, read and write framebuffers of the context: these wait for the job that runs, not for
-    those that wait. What changes and asks scenes or makes lights, materials and meshes does not wait. May be
-    used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too."""
+    """An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
+    of the context. A running job locks the context: calls that render, create, read and write its framebuffers
+    wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
+    meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too."""
 
     def poll(self):
-        """How far it is; never waits."""
+        """The job's progress; never waits."""
         status = JobStatus()
         check(_job_poll(self, byref(status)))
         return status
 
     def wait(self, timeout_ms):
-        """Waits until the job is done, at most this long (0: not at all), and returns its result; nicol_last_error()
-        has the message of one that failed, on every thread that asks. NICOL_ERROR_TIMEOUT where it is not done by
-        then. Inside a callback of the context it is NICOL_ERROR_INVALID_ARGUMENT: that would wait for itself."""
+        """Waits until the job is done, at most this long (0: not at all), and returns its result; after a failure
+        nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then.
+        NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, which would be a deadlock."""
         check(_job_wait(self, timeout_ms))
 
     def cancel(self):
-        """Ends a job that waits at once, and one that runs where it would next call a progress callback; its result
-        is NICOL_ERROR_CANCELLED. Does nothing to a job that is done, or about to be. Does not wait."""
+        """Cancels a queued job at once, and a running one where it would next call a progress callback; its result is
+        NICOL_ERROR_CANCELLED. No effect on a job that is done or almost done. Does not wait."""
         check(_job_cancel(self))
 
 
 class PshTransform(Handle):
     """Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
-    context; holds its work space: after creation no call allocates. Calls on one transform take turns."""
+    context; holds its work space: after creation no call allocates. Calls on one transform lock it."""
 
     @classmethod
     def create(cls, sampling):
@@ -969,15 +967,14 @@ def version_string():
 
 
 def build_info(index):
-    """Facts about this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
+    """Properties of this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
     ...; NULL past the last one. Lives as long as the library."""
     return decoded(_build_info(index))
 
 
 def last_error():
-    """What the last failing call on this thread had to say: one line that names the file, line, field or argument
-    and what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing
-    call."""
+    """The message of the last failed call on this thread: one line that names the file, line, field or argument
+    and what is expected. Never NULL; "" before the first failure. Valid until this thread's next failed call."""
     return decoded(_last_error())
 
 
@@ -987,36 +984,36 @@ def result_name(result):
 
 
 def device_count():
-    """How many devices nicol_context_options.device can name: those that EGL lists, which no count of CUDA's or
-    the kernel's follows. 0 where there is no EGL. The list changes where devices and drivers come and go."""
+    """The number of devices for nicol_context_options.device: those that EGL lists, in its order, which is
+    neither CUDA's nor the kernel's. 0 if there is no EGL. The list may change when devices or drivers are
+    added or removed."""
     count = c_uint32()
     check(_device_count(byref(count)))
     return count.value
 
 
 def device_get_info(device):
-    """device from 1 to nicol_device_count's. No context is made: the driver may yet fail to make one."""
+    """device from 1 to nicol_device_count's. No context is made, so that making one may still fail."""
     info = DeviceInfo()
     check(_device_get_info(device, byref(info)))
     return info
 
 
 def render(scene, camera, options, framebuffer):
-    """options may be NULL: all defaults. What a change of the scene, the camera or the options does not touch is
-    kept from the scene's last render; where nothing changed, nothing runs. On failure or cancellation the
-    framebuffer's content is that of the render before, and its statistics too. NICOL_ERROR_INVALID_ARGUMENT
-    for options and cameras out of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown
-    method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
-    NICOL_ERROR_OUT_OF_MEMORY."""
+    """options may be NULL: all defaults. Results that a change of the scene, the camera or the options does not
+    affect are kept from the scene's last render; if nothing changed, nothing runs. On failure or cancellation
+    the framebuffer keeps its content and statistics. NICOL_ERROR_INVALID_ARGUMENT for options and cameras out
+    of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method and for compute
+    shaders if the driver lacks features, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY."""
     check(_render(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer))
 
 
 def render_async(scene, camera, options, framebuffer):
-    """nicol_render, later. All is copied at once: the scene's changes after this call concern later renders
-    alone. The framebuffer holds what it held until the job has run. Scene, framebuffer and all they need stay
-    alive; the caller may release them, and the job too: it is done all the same. The progress callback comes
-    on the context's thread, and progress_user must live until the job is done. What this call can tell of its
-    arguments it refuses, all else is the job's result. NICOL_ERROR_BUSY where NICOL_MAX_JOBS wait;
+    """nicol_render as a job. Copies the scene's state: later changes affect later renders only. The framebuffer
+    keeps its content until the job has run. Scene, framebuffer and all they need are kept alive; the caller
+    may release them, and the job too, which runs all the same. The progress callback runs on the context's
+    thread, and progress_user must live until the job is done. Invalid arguments are refused at once where
+    possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued;
     NICOL_ERROR_UNSUPPORTED in a host's OpenGL context. A process that exits cancels its jobs."""
     options = lend(options)
     job = Job()

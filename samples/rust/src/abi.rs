@@ -119,8 +119,8 @@ pub type nicol_result = i32;
 /// of the context.
 pub type nicol_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, severity: u32, code: nicol_result, message: *const c_char)>;
 
-/// Called about ten times a second on the thread that called; fraction runs from 0 to 1. Answer 1 to go on,
-/// 0 to stop: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same
+/// Called about ten times a second on the thread that called; fraction runs from 0 to 1. Return 1 to continue,
+/// 0 to cancel: the call then returns NICOL_ERROR_CANCELLED. It must not call Nicol with objects of the same
 /// context.
 pub type nicol_progress_callback = Option<unsafe extern "C" fn(user: *mut c_void, verb: *const c_char, fraction: f64) -> i32>;
 
@@ -322,9 +322,8 @@ const _: () = {
 /// horizon too.
 ///
 /// With a turbidity of 1.7 (very clear) to 10 (hazy) brightness and, in three channels, colour follow Perez's
-/// formula, mean luminance over the upper half 1, times radiance. Below the horizon lies an unpolarized
-/// ground, alike all over, that reflects ground_albedo of the irradiance of each channel. The sun must not
-/// stand below the horizon.
+/// formula, mean luminance over the upper half 1, times radiance. Below the horizon is an unpolarized, uniform
+/// ground that reflects ground_albedo of each channel's irradiance. The sun must not be below the horizon.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_sky {
@@ -502,9 +501,9 @@ const _: () = {
 /// light from the direction `towards_light` into the direction `towards_viewer`: unit vectors in the surface's
 /// frame, whose normal is z; both have z > 0. Both Stokes frames have x along the s-axis towards_light x
 /// towards_viewer and z along the propagation, y = z cross x, as Fresnel's matrices do (where the directions
-/// agree, x is any direction across them, the same for both). Answer 1 to go on, 0 to stop the call that needs
-/// it with NICOL_ERROR_CANCELLED. It is called by nicol_material_create_callback and nicol_render, on several
-/// threads at once, and must not call Nicol with objects of the material's context.
+/// are equal, x is any perpendicular direction, the same for both). Return 1 to continue, 0 to end the call
+/// that needs it with NICOL_ERROR_CANCELLED. It is called by nicol_material_create_callback and nicol_render,
+/// on several threads at once, and must not call Nicol with objects of the material's context.
 pub type nicol_mueller_callback = Option<unsafe extern "C" fn(user: *mut c_void, channel: u32, towards_light: *const [f64; 3], towards_viewer: *const [f64; 3], mueller: *mut [f64; 16]) -> i32>;
 
 #[repr(C)]
@@ -537,7 +536,7 @@ const _: () = {
     assert!(offset_of!(nicol_callback_material, reserved) == 36);
 };
 
-/// Positions and normals must be finite. A triangle needs three vertices that are there and an area.
+/// Positions and normals must be finite. A triangle needs valid indices and an area.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_mesh_data {
@@ -690,11 +689,10 @@ const _: () = {
 pub struct nicol_job_impl {
     _private: [u8; 0],
 }
-/// A render that goes on while its caller does other things. Jobs of one context run one after another, in the
-/// order in which they came, on a thread that the context keeps for them. Each takes its turn with the calls
-/// that render, make, read and write framebuffers of the context: these wait for the job that runs, not for
-/// those that wait. What changes and asks scenes or makes lights, materials and meshes does not wait. May be
-/// used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too.
+/// An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
+/// of the context. A running job locks the context: calls that render, create, read and write its framebuffers
+/// wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
+/// meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too.
 pub type nicol_job = *mut nicol_job_impl;
 pub type nicol_job_state = u32;
 
@@ -726,7 +724,7 @@ const _: () = {
     assert!(offset_of!(nicol_job_status, verb) == 24);
 };
 
-/// What the last render into a framebuffer did. Milliseconds are 0 for verbs that did not have to run.
+/// Statistics of the last render into a framebuffer. Milliseconds are 0 for verbs that did not run.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_statistics {
@@ -876,11 +874,10 @@ const _: () = {
     assert!(offset_of!(nicol_observation, polarizer_angle) == 16);
 };
 
-/// The address of an OpenGL function by its name, as SDL_GL_GetProcAddress, eglGetProcAddress and others
-/// answer.
+/// The address of an OpenGL function by its name, as from SDL_GL_GetProcAddress, eglGetProcAddress and others.
 pub type nicol_get_proc_address_callback = Option<unsafe extern "C" fn(user: *mut c_void, name: *const c_char) -> *mut c_void>;
 
-/// Answer 1 where the host's context is current on the calling thread, else 0.
+/// Returns 1 if the host's context is current on the calling thread, else 0.
 pub type nicol_is_current_callback = Option<unsafe extern "C" fn(user: *mut c_void) -> i32>;
 
 #[repr(C)]
@@ -1000,7 +997,7 @@ pub struct nicol_psh_transform_impl {
     _private: [u8; 0],
 }
 /// Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
-/// context; holds its work space: after creation no call allocates. Calls on one transform take turns.
+/// context; holds its work space: after creation no call allocates. Calls on one transform lock it.
 pub type nicol_psh_transform = *mut nicol_psh_transform_impl;
 
 /// Writes the Mueller matrix from the theta-phi frame of the propagation direction `in` to that of `out`,
@@ -1193,21 +1190,21 @@ extern "C" {
     pub fn nicol_version() -> u32;
     /// "0.1.0"; lives as long as the library.
     pub fn nicol_version_string() -> *const c_char;
-    /// Facts about this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
+    /// Properties of this build as "key=value" (source, compiler, backends, methods, max_order, ...), index 0, 1,
     /// ...; NULL past the last one. Lives as long as the library.
     pub fn nicol_build_info(index: u32) -> *const c_char;
-    /// What the last failing call on this thread had to say: one line that names the file, line, field or argument
-    /// and what would be right. Never NULL; "" before the first failure. Lives until this thread's next failing
-    /// call.
+    /// The message of the last failed call on this thread: one line that names the file, line, field or argument
+    /// and what is expected. Never NULL; "" before the first failure. Valid until this thread's next failed call.
     pub fn nicol_last_error() -> *const c_char;
     /// "out of memory" and the like for a code; lives as long as the library.
     pub fn nicol_result_name(result: nicol_result) -> *const c_char;
-    /// How many devices nicol_context_options.device can name: those that EGL lists, which no count of CUDA's or
-    /// the kernel's follows. 0 where there is no EGL. The list changes where devices and drivers come and go.
+    /// The number of devices for nicol_context_options.device: those that EGL lists, in its order, which is
+    /// neither CUDA's nor the kernel's. 0 if there is no EGL. The list may change when devices or drivers are
+    /// added or removed.
     pub fn nicol_device_count(count: *mut u32) -> nicol_result;
-    /// device from 1 to nicol_device_count's. No context is made: the driver may yet fail to make one.
+    /// device from 1 to nicol_device_count's. No context is made, so that making one may still fail.
     pub fn nicol_device_get_info(device: u32, info: *mut nicol_device_info) -> nicol_result;
-    /// options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND where OpenGL cannot be opened as asked.
+    /// options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND if no such OpenGL context can be made.
     pub fn nicol_context_create(options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
     pub fn nicol_context_retain(context: nicol_context) -> nicol_result;
     pub fn nicol_context_release(context: nicol_context) -> nicol_result;
@@ -1224,7 +1221,7 @@ extern "C" {
     pub fn nicol_environment_load(context: nicol_context, path: *const c_char, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
     /// From memory.
     pub fn nicol_environment_create_image(context: nicol_context, image: *const nicol_image, environment: *mut nicol_environment) -> nicol_result;
-    /// Unpolarized and the same from everywhere; radiance NULL or of count 0: 1 in one channel; finite, not
+    /// Unpolarized and the same from all directions; radiance NULL or of count 0: 1 in one channel; finite, not
     /// negative.
     pub fn nicol_environment_create_constant(context: nicol_context, radiance: *const nicol_spectrum, environment: *mut nicol_environment) -> nicol_result;
     /// A clear sky, without its sun.
@@ -1234,7 +1231,7 @@ extern "C" {
     /// channels * 4 (order+1)^2. p = 1, 2 below l = 2 must be 0. The light is band-limited: it may ring, with s0
     /// below 0 and more polarization than light.
     pub fn nicol_environment_create_psh(context: nicol_context, order: u32, channels: u32, coefficients: *const f64, count: u64, environment: *mut nicol_environment) -> nicol_result;
-    /// What the light is made of.
+    /// Properties of the light.
     pub fn nicol_environment_get_info(environment: nicol_environment, info: *mut nicol_environment_info) -> nicol_result;
     pub fn nicol_environment_retain(environment: nicol_environment) -> nicol_result;
     pub fn nicol_environment_release(environment: nicol_environment) -> nicol_result;
@@ -1255,14 +1252,13 @@ extern "C" {
     /// The back of a surface reflects as its front. `front` may be released afterwards.
     pub fn nicol_material_create_twosided(context: nicol_context, front: nicol_material, material: *mut nicol_material) -> nicol_result;
     /// The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
-    /// probed at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT where it is not. Front only.
+    /// tested at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT otherwise. Front side only.
     pub fn nicol_material_create_callback(context: nicol_context, parameters: *const nicol_callback_material, material: *mut nicol_material) -> nicol_result;
     pub fn nicol_material_retain(material: nicol_material) -> nicol_result;
     pub fn nicol_material_release(material: nicol_material) -> nicol_result;
-    /// OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face that is
-    /// at fault.
+    /// OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face.
     pub fn nicol_mesh_load(context: nicol_context, path: *const c_char, mesh: *mut nicol_mesh) -> nicol_result;
-    /// Copies the arrays. Shading and shadows are per vertex: detail comes from vertices.
+    /// Copies the arrays. Shading and shadows are per vertex: finer meshes show more detail.
     pub fn nicol_mesh_create(context: nicol_context, data: *const nicol_mesh_data, mesh: *mut nicol_mesh) -> nicol_result;
     /// The unit sphere, finely enough divided for per-vertex shading.
     pub fn nicol_mesh_create_sphere(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
@@ -1284,30 +1280,31 @@ extern "C" {
     /// id may be NULL; ids count up from 0, past those of removed instances too. Materials and environment must
     /// have one colour channel or the same number of them, here and in nicol_scene_set_environment.
     pub fn nicol_scene_add_instance(scene: nicol_scene, instance: *const nicol_instance, id: *mut u32) -> nicol_result;
-    /// id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again what the
-    /// instance may hide from the light, before or now; what turns and shifts as a whole is lit anew alone.
+    /// id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again the
+    /// vertices that the instance may shadow, before or now; a scene that rotates and moves as a whole is only
+    /// relit.
     pub fn nicol_scene_set_transform(scene: nicol_scene, id: u32, to_world: *const [f64; 16]) -> nicol_result;
-    /// The next render projects the material, where it is new to the scene, and shades its instance.
+    /// The next render projects the material, if it is new to the scene, and shades its instance.
     pub fn nicol_scene_set_material(scene: nicol_scene, id: u32, material: nicol_material) -> nicol_result;
-    /// Its id is never given again; the others keep theirs.
+    /// Its id is not used again; the others keep theirs.
     pub fn nicol_scene_remove_instance(scene: nicol_scene, id: u32) -> nicol_result;
-    /// What an instance is made of: mesh and material as handles to release. Each of the three may be NULL.
+    /// The parts of an instance: mesh and material as handles to release. Each of the three may be NULL.
     pub fn nicol_scene_get_instance(scene: nicol_scene, id: u32, mesh: *mut nicol_mesh, material: *mut nicol_material, to_world: *mut [f64; 16]) -> nicol_result;
     pub fn nicol_scene_get_instance_count(scene: nicol_scene, instances: *mut u32) -> nicol_result;
     /// The ids of all instances, ascending; count: of the instances.
     pub fn nicol_scene_get_instance_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
-    /// environment NULL: darkness. to_world turns it (NULL or all zeros: identity; its rotation must be a proper
-    /// one), scale multiplies (0: 1; finite, not negative).
+    /// environment NULL: darkness. to_world rotates it (NULL or all zeros: identity; must be a proper rotation),
+    /// scale multiplies (0: 1; finite, not negative).
     pub fn nicol_scene_set_environment(scene: nicol_scene, environment: nicol_environment, to_world: *const [f64; 16], scale: f64) -> nicol_result;
-    /// What nicol_scene_set_environment would set again: the environment, as a handle to release, how it is
-    /// rotated and its scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0,
-    /// *environment is NULL, to_world the identity and scale 1.
+    /// The arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation and
+    /// scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment is NULL,
+    /// to_world the identity and scale 1.
     pub fn nicol_scene_get_environment(scene: nicol_scene, environment: *mut nicol_environment, to_world: *mut [f64; 16], scale: *mut f64) -> nicol_result;
-    /// What a loaded file asks for; of a scene made by hand NICOL_ERROR_UNSUPPORTED.
+    /// The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
     pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
-    /// Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 where the film of a
-    /// loaded file asks for luminance.
+    /// Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 if the film of a
+    /// loaded file is luminance.
     pub fn nicol_scene_get_channels(scene: nicol_scene, channels: *mut u32) -> nicol_result;
     pub fn nicol_scene_retain(scene: nicol_scene) -> nicol_result;
     pub fn nicol_scene_release(scene: nicol_scene) -> nicol_result;
@@ -1318,28 +1315,27 @@ extern "C" {
     pub fn nicol_framebuffer_get_size(framebuffer: nicol_framebuffer, width: *mut u32, height: *mut u32, channels: *mut u32) -> nicol_result;
     pub fn nicol_framebuffer_retain(framebuffer: nicol_framebuffer) -> nicol_result;
     pub fn nicol_framebuffer_release(framebuffer: nicol_framebuffer) -> nicol_result;
-    /// options may be NULL: all defaults. What a change of the scene, the camera or the options does not touch is
-    /// kept from the scene's last render; where nothing changed, nothing runs. On failure or cancellation the
-    /// framebuffer's content is that of the render before, and its statistics too. NICOL_ERROR_INVALID_ARGUMENT
-    /// for options and cameras out of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown
-    /// method and for compute shaders where the driver lacks what they take, NICOL_ERROR_CANCELLED,
-    /// NICOL_ERROR_OUT_OF_MEMORY.
+    /// options may be NULL: all defaults. Results that a change of the scene, the camera or the options does not
+    /// affect are kept from the scene's last render; if nothing changed, nothing runs. On failure or cancellation
+    /// the framebuffer keeps its content and statistics. NICOL_ERROR_INVALID_ARGUMENT for options and cameras out
+    /// of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method and for compute
+    /// shaders if the driver lacks features, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY.
     pub fn nicol_render(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer) -> nicol_result;
-    /// nicol_render, later. All is copied at once: the scene's changes after this call concern later renders
-    /// alone. The framebuffer holds what it held until the job has run. Scene, framebuffer and all they need stay
-    /// alive; the caller may release them, and the job too: it is done all the same. The progress callback comes
-    /// on the context's thread, and progress_user must live until the job is done. What this call can tell of its
-    /// arguments it refuses, all else is the job's result. NICOL_ERROR_BUSY where NICOL_MAX_JOBS wait;
+    /// nicol_render as a job. Copies the scene's state: later changes affect later renders only. The framebuffer
+    /// keeps its content until the job has run. Scene, framebuffer and all they need are kept alive; the caller
+    /// may release them, and the job too, which runs all the same. The progress callback runs on the context's
+    /// thread, and progress_user must live until the job is done. Invalid arguments are refused at once where
+    /// possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued;
     /// NICOL_ERROR_UNSUPPORTED in a host's OpenGL context. A process that exits cancels its jobs.
     pub fn nicol_render_async(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer, job: *mut nicol_job) -> nicol_result;
-    /// How far it is; never waits.
+    /// The job's progress; never waits.
     pub fn nicol_job_poll(job: nicol_job, status: *mut nicol_job_status) -> nicol_result;
-    /// Waits until the job is done, at most this long (0: not at all), and returns its result; nicol_last_error()
-    /// has the message of one that failed, on every thread that asks. NICOL_ERROR_TIMEOUT where it is not done by
-    /// then. Inside a callback of the context it is NICOL_ERROR_INVALID_ARGUMENT: that would wait for itself.
+    /// Waits until the job is done, at most this long (0: not at all), and returns its result; after a failure
+    /// nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then.
+    /// NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, which would be a deadlock.
     pub fn nicol_job_wait(job: nicol_job, timeout_ms: u32) -> nicol_result;
-    /// Ends a job that waits at once, and one that runs where it would next call a progress callback; its result
-    /// is NICOL_ERROR_CANCELLED. Does nothing to a job that is done, or about to be. Does not wait.
+    /// Cancels a queued job at once, and a running one where it would next call a progress callback; its result is
+    /// NICOL_ERROR_CANCELLED. No effect on a job that is done or almost done. Does not wait.
     pub fn nicol_job_cancel(job: nicol_job) -> nicol_result;
     pub fn nicol_job_retain(job: nicol_job) -> nicol_result;
     pub fn nicol_job_release(job: nicol_job) -> nicol_result;
@@ -1349,21 +1345,21 @@ extern "C" {
     /// byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
     /// NICOL_PLANE_INSTANCE, which holds no floats.
     pub fn nicol_framebuffer_read(framebuffer: nicol_framebuffer, plane: nicol_plane, channel: u32, pixels: *mut f32, row_stride: u64, byte_size: u64) -> nicol_result;
-    /// Copies a plane in the format and of the channels that `to` asks for; only the rows are written. A call that
+    /// Copies a plane in the format and with the channels of `to`; bytes between rows are not written. A call that
     /// fails writes nothing.
     pub fn nicol_framebuffer_read_plane(framebuffer: nicol_framebuffer, to: *const nicol_plane_buffer) -> nicol_result;
     /// Channels of 32-bit floats, named by the number of colour channels:
     ///   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
     ///   1             Y (which is s0) and S0.Y to S3.Y
     ///   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
-    /// and of the planes that the last render was asked for Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned).
+    /// and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned).
     pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
     /// 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
     /// channels.
     pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, image: *const nicol_observation, path: *const c_char) -> nicol_result;
     /// A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
-    /// options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT where is_current answers
-    /// 0, NICOL_ERROR_NO_BACKEND where there is no such OpenGL.
+    /// options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT if is_current returns 0,
+    /// NICOL_ERROR_NO_BACKEND where there is no such OpenGL.
     pub fn nicol_context_create_host(host: *const nicol_host, options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
     /// The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
     /// The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
