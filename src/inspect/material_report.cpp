@@ -11,7 +11,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Integrals of max(cos theta, 0) Y_l0 over the sphere.
 std::vector<double> cosine_lobe(int order) {

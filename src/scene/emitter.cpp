@@ -10,7 +10,7 @@ namespace nicol::scene {
 
 namespace {
 
-constexpr double no_limit = std::numeric_limits<double>::max();
+constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 void read_sky(Plugin& plugin, EmitterDescription& emitter) {
     emitter.kind = EmitterDescription::Kind::sky;
@@ -38,7 +38,7 @@ EmitterDescription read_emitter(const XmlDocument& document, pugi::xml_node node
     if (plugin.type() == "envmap" || plugin.type() == "psh") {
         emitter.kind = plugin.type() == "psh" ? Kind::psh : Kind::envmap;
         emitter.filename = plugin.filename("filename");
-        emitter.scale = plugin.number("scale", 1.0, 0.0, no_limit);
+        emitter.scale = plugin.number("scale", 1.0, 0.0, kNoLimit);
     } else if (plugin.type() == "constant") {
         emitter.kind = Kind::constant;
         emitter.radiance = plugin.color("radiance", 1.0);

@@ -10,7 +10,7 @@
 namespace nicol::scene {
 namespace {
 
-constexpr double no_limit = std::numeric_limits<double>::max();
+constexpr double kNoLimit = std::numeric_limits<double>::max();
 
 struct NamedIor {
     std::string_view name;
@@ -18,7 +18,7 @@ struct NamedIor {
 };
 
 // The names Mitsuba 3 knows and its values, at the sodium line.
-constexpr std::array<NamedIor, 23> named_iors = {
+constexpr std::array<NamedIor, 23> kNamedIors = {
     {{"vacuum", 1.0},      {"helium", 1.000036},        {"hydrogen", 1.000132},
      {"air", 1.000277},    {"carbon dioxide", 1.00045}, {"water", 1.3330},
      {"acetone", 1.36},    {"ethanol", 1.361},          {"carbon tetrachloride", 1.461},
@@ -29,12 +29,12 @@ constexpr std::array<NamedIor, 23> named_iors = {
      {"pet", 1.5750},      {"diamond", 2.419}}};
 
 double refractive_index(Plugin& plugin, const std::string& name, double otherwise) {
-    if (!plugin.has_tag(name, "string")) return plugin.number(name, otherwise, 0.0, no_limit, true);
+    if (!plugin.has_tag(name, "string")) return plugin.number(name, otherwise, 0.0, kNoLimit, true);
     const std::string text = lower_case(plugin.string(name, ""));
-    const auto found = std::ranges::find(named_iors, std::string_view(text), &NamedIor::name);
-    if (found != named_iors.end()) return found->ior;
+    const auto found = std::ranges::find(kNamedIors, std::string_view(text), &NamedIor::name);
+    if (found != kNamedIors.end()) return found->ior;
     std::string list;
-    for (const NamedIor& entry : named_iors) list.append(list.empty() ? "" : ", ").append(entry.name);
+    for (const NamedIor& entry : kNamedIors) list.append(list.empty() ? "" : ", ").append(entry.name);
     plugin.fail(name, "is " + in_quotes(text) + "; expected a number or one of " + list);
 }
 
@@ -81,7 +81,7 @@ struct NamedMetal {
 };
 
 // Mitsuba's names, and the words.
-constexpr std::array<NamedMetal, 10> named_metals = {{{"none", ""},
+constexpr std::array<NamedMetal, 10> kNamedMetals = {{{"none", ""},
                                                       {"au", "Au"},
                                                       {"gold", "Au"},
                                                       {"ag", "Ag"},
@@ -96,8 +96,8 @@ void read_conductor(Plugin& plugin, MaterialDescription& material) {
     const bool rough = plugin.type() == "roughconductor";
     material.kind = rough ? MaterialDescription::Kind::roughconductor : MaterialDescription::Kind::conductor;
     const std::string name = lower_case(plugin.string("material", "none"));
-    const auto found = std::ranges::find(named_metals, std::string_view(name), &NamedMetal::name);
-    if (found == named_metals.end())
+    const auto found = std::ranges::find(kNamedMetals, std::string_view(name), &NamedMetal::name);
+    if (found == kNamedMetals.end())
         plugin.fail("material",
                     "is " + in_quotes(name) + "; expected one of Au, Ag, Cu, Al, none, or eta and k instead");
     material.metal = found->metal;
@@ -118,7 +118,7 @@ void read_measured(Plugin& plugin, MaterialDescription& material) {
     material.kind = MaterialDescription::Kind::measured_polarized;
     material.filename = plugin.filename("filename");
     const double wavelength = plugin.number("wavelength", -1.0);
-    if (wavelength != -1.0) material.wavelength = plugin.number("wavelength", 0.0, 0.0, no_limit, true);
+    if (wavelength != -1.0) material.wavelength = plugin.number("wavelength", 0.0, 0.0, kNoLimit, true);
     plugin.pass_over({"alpha_sample"});
 }
 

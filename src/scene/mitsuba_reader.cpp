@@ -10,7 +10,7 @@ namespace scene {
 namespace {
 
 /// Memory for instances is not bounded by the size of the files.
-constexpr std::size_t max_shapes = 100000;
+constexpr std::size_t kMaxShapes = 100000;
 
 /// One scene. Materials are numbered in the order in which its shapes use them.
 class Reader {
@@ -93,8 +93,8 @@ private:
     }
 
     void add(pugi::xml_node place, ShapeDescription description) {
-        if (scene_.shapes.size() == max_shapes)
-            document_.fail(place, "more than " + std::to_string(max_shapes) + " shapes, instances counted",
+        if (scene_.shapes.size() == kMaxShapes)
+            document_.fail(place, "more than " + std::to_string(kMaxShapes) + " shapes, instances counted",
                            ErrorCode::unsupported);
         scene_.shapes.push_back(std::move(description));
     }

@@ -11,7 +11,7 @@
 namespace nicol::scene {
 namespace {
 
-constexpr std::size_t max_length = 65536;
+constexpr std::size_t kMaxLength = 65536;
 
 }  // namespace
 
@@ -52,8 +52,8 @@ std::string Parameters::replaced(std::string_view text) {
                                         names());
         best->second.used = true;
         out.append(best->second.text);
-        if (out.size() > max_length)
-            throw std::invalid_argument("a value longer than " + std::to_string(max_length) +
+        if (out.size() > kMaxLength)
+            throw std::invalid_argument("a value longer than " + std::to_string(kMaxLength) +
                                         " characters once its parameters are replaced");
         at = dollar + 1 + best->first.size();
     }

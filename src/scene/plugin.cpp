@@ -11,12 +11,12 @@
 namespace nicol::scene {
 namespace {
 
-constexpr std::array<std::string_view, 9> parameter_tags = {
+constexpr std::array<std::string_view, 9> kParameterTags = {
     "float", "integer", "string", "boolean", "rgb", "spectrum", "point", "vector", "transform"};
 
 bool is_parameter(pugi::xml_node node) {
     // <spectrum type="..."> is an object, as a texture is.
-    return std::ranges::find(parameter_tags, std::string_view(node.name())) != parameter_tags.end() &&
+    return std::ranges::find(kParameterTags, std::string_view(node.name())) != kParameterTags.end() &&
            !node.attribute("type");
 }
 

@@ -13,8 +13,8 @@ namespace nicol {
 namespace scene {
 namespace {
 
-constexpr double no_limit = std::numeric_limits<double>::max();
-constexpr int max_size = 32768;
+constexpr double kNoLimit = std::numeric_limits<double>::max();
+constexpr int kMaxSize = 32768;
 
 /// The part to render must be the whole.
 void check_crop(Plugin& film, const SensorDescription& sensor) {
@@ -24,7 +24,7 @@ void check_crop(Plugin& film, const SensorDescription& sensor) {
     };
     for (const auto& [name, whole] : {Crop{"crop_offset_x", 0}, Crop{"crop_offset_y", 0},
                                       Crop{"crop_width", sensor.width}, Crop{"crop_height", sensor.height}})
-        if (film.integer(name, whole, 0, max_size) != whole)
+        if (film.integer(name, whole, 0, kMaxSize) != whole)
             film.fail(name, "is not " + std::to_string(whole) + "; a part of the image is not supported",
                       ErrorCode::unsupported);
 }
@@ -52,8 +52,8 @@ void read_film(const XmlDocument& document, pugi::xml_node node, SensorDescripti
                Notices& notices) {
     Plugin film(document, node);
     if (film.type() != "hdrfilm") film.fail_type("hdrfilm");
-    sensor.width = film.integer("width", sensor.width, 1, max_size);
-    sensor.height = film.integer("height", sensor.height, 1, max_size);
+    sensor.width = film.integer("width", sensor.width, 1, kMaxSize);
+    sensor.height = film.integer("height", sensor.height, 1, kMaxSize);
     check_crop(film, sensor);
     read_format(film, node, sensor, notices);
     if (film.boolean("sample_border", false)) notices.add_unfollowed(node, "sample_border");
@@ -112,8 +112,8 @@ SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node, 
     }
     if (glm::determinant(glm::dmat3(sensor.to_world)) < 0.0)
         plugin.fail("to_world", "mirrors; a sensor may not", ErrorCode::unsupported);
-    sensor.near_clip = plugin.number("near_clip", sensor.near_clip, 0.0, no_limit, true);
-    sensor.far_clip = plugin.number("far_clip", sensor.far_clip, 0.0, no_limit, true);
+    sensor.near_clip = plugin.number("near_clip", sensor.near_clip, 0.0, kNoLimit, true);
+    sensor.far_clip = plugin.number("far_clip", sensor.far_clip, 0.0, kNoLimit, true);
     if (sensor.near_clip >= sensor.far_clip) plugin.fail("near_clip", "must be smaller than far_clip");
     // Nothing is out of focus or moves.
     plugin.pass_over({"focus_distance", "shutter_open", "shutter_close"});

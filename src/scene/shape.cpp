@@ -12,7 +12,7 @@ namespace {
 
 using Kind = ShapeDescription::Kind;
 
-constexpr std::array<std::string_view, 7> kind_names = {"obj",    "ply",       "off", "stl",
+constexpr std::array<std::string_view, 7> kKindNames = {"obj",    "ply",       "off", "stl",
                                                         "sphere", "rectangle", "cube"};
 
 void read_mesh(Plugin& plugin, ShapeDescription& shape) {
@@ -29,11 +29,11 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
 
 ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, pugi::xml_node& bsdf) {
     Plugin plugin(document, node);
-    const auto kind = std::ranges::find(kind_names, std::string_view(plugin.type()));
-    if (kind == kind_names.end())
+    const auto kind = std::ranges::find(kKindNames, std::string_view(plugin.type()));
+    if (kind == kKindNames.end())
         plugin.fail_type("obj, ply, off, stl, sphere, rectangle, cube, shapegroup, instance");
     ShapeDescription shape;
-    shape.kind = static_cast<Kind>(kind - kind_names.begin());
+    shape.kind = static_cast<Kind>(kind - kKindNames.begin());
     shape.id = plugin.id();
     if (shape.kind <= Kind::stl) {
         read_mesh(plugin, shape);

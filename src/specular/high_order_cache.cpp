@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view magic("NICOLHO\0", 8);
 // Raise it whenever the numbers of any fit change.
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t kVersion = 1;
 
 std::string key_of(const std::string& content, int l_low, int l_high, int channels) {
     return Key(content)
@@ -34,7 +34,7 @@ HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, in
     const std::string content = folder.empty() ? std::string() : material.content_key();
     if (content.empty()) return HighOrderFactors(material, l_low, l_high, channels);
     const int factor_channels = ResponseTable::channels_for(material, channels);
-    const CacheFile file(folder, magic, version, key_of(content, l_low, l_high, factor_channels), ".lobes");
+    const CacheFile file(folder, magic, kVersion, key_of(content, l_low, l_high, factor_channels), ".lobes");
     std::array<std::int32_t, 3> probes{};  // centre, around, normal
     std::vector<float> data(std::size_t{HighOrderFactors::kElements} * HighOrderFactors::kAngles *
                             static_cast<std::size_t>(factor_channels));

@@ -17,14 +17,14 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Of the energy that is caught in s0: two percent of it in amplitude.
 constexpr double kNegligible = 4e-4;
-constexpr auto angles = static_cast<std::size_t>(HighOrderFactors::kAngles);
+constexpr auto kAngleCount = static_cast<std::size_t>(HighOrderFactors::kAngles);
 
 double zenith(std::size_t angle) {
     // At 90 degrees the factors have a limit but the formulas of most materials are 0/0.
-    return std::min(std::acos(static_cast<double>(angle) / (angles - 1)), pi / 2 - 1e-3);
+    return std::min(std::acos(static_cast<double>(angle) / (kAngleCount - 1)), pi / 2 - 1e-3);
 }
 
 // The elements in their stored order, from the factors of each probe.
@@ -112,8 +112,8 @@ SplitProbes best_probes(const SplitFit& fit) {
 
 HighOrderFactors HighOrderFactors::mirror() {
     HighOrderFactors out;
-    out.data_.resize(kElements * angles);
-    for (std::size_t angle = 0; angle < angles; ++angle) {
+    out.data_.resize(kElements * kAngleCount);
+    for (std::size_t angle = 0; angle < kAngleCount; ++angle) {
         float* f = &out.data_[angle * kElements];
         f[0] = f[kUnpolarized + 1] = 1;
         f[kUnpolarized + 2] = f[kUnpolarized + 5] = -1;
@@ -125,7 +125,7 @@ std::optional<HighOrderFactors> HighOrderFactors::stored(int channels, int centr
                                                          std::vector<float> data) {
     constexpr int lobes = static_cast<int>(kLobeWidths.size());
     const bool fits = channels >= 1 && centre >= 0 && centre <= around && around < lobes &&
-                      data.size() == kElements * angles * static_cast<std::size_t>(channels) &&
+                      data.size() == kElements * kAngleCount * static_cast<std::size_t>(channels) &&
                       std::ranges::all_of(data, [](float value) { return std::isfinite(value); });
     if (!fits) return std::nullopt;
     HighOrderFactors out;
@@ -152,8 +152,8 @@ HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_hi
     spread_ = probes.spread;
     normal_ = probes.normal;
     const auto count = static_cast<std::size_t>(channels_);
-    data_.resize(kElements * angles * count);
-    tbb::parallel_for(std::size_t{0}, angles, [&](std::size_t angle) {
+    data_.resize(kElements * kAngleCount * count);
+    tbb::parallel_for(std::size_t{0}, kAngleCount, [&](std::size_t angle) {
         const std::vector<SplitFactors> factors = fit.at(zenith(angle), probes);
         for (std::size_t c = 0; c < count; ++c) {
             const auto elements = elements_of(factors[c]);
@@ -165,12 +165,12 @@ HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_hi
 
 std::vector<float> HighOrderFactors::texels(int first_channel, int count, bool polarized) const {
     const auto elements = static_cast<std::size_t>(polarized ? kElements : kUnpolarized);
-    std::vector<float> out(4 * elements * angles);
-    for (std::size_t angle = 0; angle < angles; ++angle) {
+    std::vector<float> out(4 * elements * kAngleCount);
+    for (std::size_t angle = 0; angle < kAngleCount; ++angle) {
         for (int i = 0; i < count; ++i) {
             const float* from = row(angle, channels_ == 1 ? 0 : static_cast<std::size_t>(first_channel + i));
             for (std::size_t e = 0; e < elements; ++e)
-                out[4 * (e * angles + angle) + static_cast<std::size_t>(i)] = from[e];
+                out[4 * (e * kAngleCount + angle) + static_cast<std::size_t>(i)] = from[e];
         }
     }
     return out;

@@ -12,7 +12,7 @@ namespace {
     return *reinterpret_cast<const LaneVector*>(from);
 }
 
-constexpr std::size_t rest = HighOrderFactors::kUnpolarized;
+constexpr std::size_t kRest = HighOrderFactors::kUnpolarized;
 
 // The blocks (0,0) (1,0) (0,1) (1,1) and (2,2) (3,2) (2,3) (3,3) of a mirror-symmetric factor.
 template <bool Polarized>
@@ -54,18 +54,18 @@ template <bool Polarized>
         for (int p = 0; p < components; ++p) s[p] = at(from + p);
     };
     take(probed.centre);
-    add_even<Polarized>(f, f + rest, s, sum);
+    add_even<Polarized>(f, f + kRest, s, sum);
     if (probed.up != nullptr) {
         take(probed.up);
-        add_even<Polarized>(f + 2, f + rest + 6, s, sum);
+        add_even<Polarized>(f + 2, f + kRest + 6, s, sum);
         take(probed.down);
-        add_even<Polarized>(f + 4, f + rest + 12, s, sum);
+        add_even<Polarized>(f + 4, f + kRest + 12, s, sum);
         for (int p = 0; p < components; ++p) {
             s[p] = at(probed.right + p) + at(probed.left + p);
             difference[p] = at(probed.right + p) - at(probed.left + p);
         }
-        add_even<Polarized>(f + 6, f + rest + 18, s, sum);
-        add_odd<Polarized>(f + 8, f + rest + 24, difference, sum);
+        add_even<Polarized>(f + 6, f + kRest + 18, s, sum);
+        add_odd<Polarized>(f + 8, f + kRest + 24, difference, sum);
     }
     for (LaneVector& component : sum) component *= at(&lobe);
     if (probed.normal != nullptr) {

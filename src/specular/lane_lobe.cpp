@@ -13,7 +13,7 @@
 namespace nicol {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float kPi = std::numbers::pi_v<float>;
 
 // Where the bilinear interpolation of sixteen directions starts, and the weights of its four texels.
 struct Positions {
@@ -36,22 +36,22 @@ struct Grid {
     const float large = steep ? along : across;
     const float ratio = (steep ? across : along) / (large > 0 ? large : 1.0F);
     float angle = arctangent_rest(ratio);
-    angle += beyond_eighth(ratio) ? pi / 4 : 0.0F;
-    angle = steep ? pi / 2 - angle : angle;
-    angle = x < 0 ? pi - angle : angle;
+    angle += beyond_eighth(ratio) ? kPi / 4 : 0.0F;
+    angle = steep ? kPi / 2 - angle : angle;
+    angle = x < 0 ? kPi - angle : angle;
     return y < 0 ? -angle : angle;
 }
 
 [[gnu::always_inline]] inline void find_texels(const Grid& grid, const LaneVectors& d, Positions& out) {
     const std::int32_t texel = 4 * grid.layers;
     const std::int32_t row = texel * (grid.columns + 1);
-    const float across = static_cast<float>(grid.columns) / (2 * pi);
-    const float down = static_cast<float>(grid.rows - 1) / pi;
+    const float across = static_cast<float>(grid.columns) / (2 * kPi);
+    const float down = static_cast<float>(grid.rows - 1) / kPi;
     for (std::size_t i = 0; i < kLanes; ++i) {
         const float x = d.x.value[i];
         const float y = d.y.value[i];
         const float azimuth = angle_of(y, x);
-        const float u = (azimuth < 0 ? azimuth + 2 * pi : azimuth) * across;
+        const float u = (azimuth < 0 ? azimuth + 2 * kPi : azimuth) * across;
         const float v = angle_of(std::sqrt(x * x + y * y), d.z.value[i]) * down;
         // Comparisons fail for what is not a number.
         std::int32_t left = static_cast<std::int32_t>(u > 0 ? u : 0.0F);

@@ -16,7 +16,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The filtered light up to its last order that matters.
 PshVector filtered(const PshVector& light, std::span<const double> gains) {

@@ -9,7 +9,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // exp(2 i c) for the angle c that turns `from` into `to` after it went along the great circle to there.
 std::complex<double> transport(const Frame& from, const Frame& to) {
