@@ -40,7 +40,7 @@ class ReadmeTest(unittest.TestCase):
             environment = {name: value for name, value in os.environ.items() if name not in ("NICOL_LIBRARY", "LD_LIBRARY_PATH")}
             environment["PATH"] = folder + os.pathsep + environment["PATH"]
             for commands in (text for language, text in blocks() if language == "sh"):
-                ended = subprocess.run(["sh", "-e", "-c", commands], cwd=folder, env=environment, capture_output=True, text=True)
+                ended = subprocess.run(["sh", "-e", "-c", commands], cwd=folder, env=environment, capture_output=True, encoding="utf-8", errors="replace")
                 self.assertEqual(ended.returncode, 0, ended.stderr)
                 self.assertIn("(480, 640, 4)", ended.stdout)
             for name in ("first.exr", "first_python.exr"):
