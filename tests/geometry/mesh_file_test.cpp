@@ -180,7 +180,7 @@ TEST_CASE("normals of PLY and OFF vertices are kept and made unit") {
 
 TEST_CASE("faces that a half-edge mesh would refuse are kept") {
     const TemporaryFolder folder;
-    // Three faces on one edge, two of which a manifold would have to turn over.
+    // Three faces on one edge, two of which a manifold would have to flip.
     const Mesh mesh = load_mesh(
         folder.write("fan.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n"));
     CHECK(mesh.triangles.size() == 3);

@@ -113,10 +113,10 @@ TEST_CASE("face normals make every edge hard") {
 
 TEST_CASE("transformed normals stay perpendicular and outside, mirrored or not") {
     const Mesh sphere = nicol::make_sphere();
-    const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, 3)));
+    const glm::dmat4 rotation = glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, 3)));
     const glm::dmat4 move = glm::translate(glm::dmat4(1.0), glm::dvec3(4, 5, 6));
     for (const glm::dvec3 scale : {glm::dvec3(1, 2, 0.5), glm::dvec3(-1, 2, 0.5), glm::dvec3(-1, -1, -1)}) {
-        const glm::dmat4 m = move * turn * glm::scale(glm::dmat4(1.0), scale);
+        const glm::dmat4 m = move * rotation * glm::scale(glm::dmat4(1.0), scale);
         const Mesh out = nicol::transformed(sphere, m);
         for (std::size_t i = 0; i < out.triangles.size(); i += 97) {
             const glm::uvec3 t = out.triangles[i];

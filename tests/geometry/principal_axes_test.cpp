@@ -35,7 +35,7 @@ std::vector<glm::vec3> cloud(double scale) {
 
 }  // namespace
 
-TEST_CASE("axes lie along the points and turn with them") {
+TEST_CASE("axes lie along the points and rotate with them") {
     for (const double scale : {1e-7, 1.0, 1e7}) {
         const std::vector<glm::vec3> points = cloud(scale);
         const glm::dmat3 axes = principal_axes(points);
@@ -45,11 +45,11 @@ TEST_CASE("axes lie along the points and turn with them") {
         std::mt19937 random(7);
         std::normal_distribution<double> normal;
         for (int i = 0; i < 20; ++i) {
-            const glm::dmat3 turn = glm::mat3_cast(
+            const glm::dmat3 rotation = glm::mat3_cast(
                 glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random))));
             std::vector<glm::vec3> rotated;
-            for (const glm::vec3& point : points) rotated.emplace_back(turn * glm::dvec3(point));
-            CHECK(largest(principal_axes(rotated) - turn * axes) < 1e-5);
+            for (const glm::vec3& point : points) rotated.emplace_back(rotation * glm::dvec3(point));
+            CHECK(largest(principal_axes(rotated) - rotation * axes) < 1e-5);
         }
     }
 }

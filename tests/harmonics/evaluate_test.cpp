@@ -44,8 +44,8 @@ TEST_CASE("a field is continuous across the pole once its frames are compared") 
         for (const double phi : {0.0, 1.0, 2.5, -2.0}) {
             const Stokes near = evaluate(f, 0, {1e-9 * std::cos(phi), 1e-9 * std::sin(phi), z});
             // At the pole x is along phi = 0; the frame beside it is rotated by phi (by -phi in the south).
-            const auto turn = std::polar(1.0, -2 * z * phi);
-            CHECK(std::abs(std::complex(at[1], at[2]) * turn - std::complex(near[1], near[2])) < 1e-6);
+            const auto phase = std::polar(1.0, -2 * z * phi);
+            CHECK(std::abs(std::complex(at[1], at[2]) * phase - std::complex(near[1], near[2])) < 1e-6);
             CHECK(std::abs(at[0] - near[0]) < 1e-6);
         }
     }

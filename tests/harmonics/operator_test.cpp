@@ -124,16 +124,17 @@ TEST_CASE("isotropic and dense storage are the same operator") {
 }
 
 TEST_CASE(
-    "isotropic operators commute with turns about z, and their dense form is zero where Eqs. 52 and 53 say") {
+    "isotropic operators commute with rotations about z, and their dense form is zero where Eqs. 52 and 53 "
+    "say") {
     std::mt19937_64 random(4);
     const IsotropicMatrix a = reference::random_isotropic(random, 4, 4);
     const PshVector f = reference::random_field(random, 4);
     PshVector left(4, 1);
     PshVector right(4, 1);
-    const glm::dmat3 turn = reference::about_z(.7);
-    a.apply(rotated(f, turn).channel(0), left.channel(0));
+    const glm::dmat3 rotation = reference::about_z(.7);
+    a.apply(rotated(f, rotation).channel(0), left.channel(0));
     a.apply(f.channel(0), right.channel(0));
-    CHECK(reference::max_difference(left.data(), rotated(right, turn).data()) < 1e-12);
+    CHECK(reference::max_difference(left.data(), rotated(right, rotation).data()) < 1e-12);
     const CoefficientMatrix d = a.dense();
     for (int l = 0; l <= 4; ++l)
         for (int m = -l; m <= l; ++m)
@@ -206,7 +207,7 @@ TEST_CASE("a matrix transposed or composed in the wrong order is another operato
     CHECK(reference::max_difference(compose(a, b).dense().data(), compose(b, a).dense().data()) > .1);
 }
 
-TEST_CASE("the isotropic part keeps isotropic operators, and is the mean over turns of others") {
+TEST_CASE("the isotropic part keeps isotropic operators, and is the mean over rotations of others") {
     std::mt19937_64 random(8);
     std::normal_distribution<double> normal;
     const IsotropicMatrix a = reference::random_isotropic(random, 4, 3);
@@ -214,12 +215,12 @@ TEST_CASE("the isotropic part keeps isotropic operators, and is the mean over tu
     CoefficientMatrix any(3, 3);
     for (double& value : any.data()) value = normal(random);
     CoefficientMatrix mean(3, 3);
-    const int turns = 8;  // more than twice the order
-    for (int k = 0; k < turns; ++k) {
-        const CoefficientMatrix there = rotation_matrix(3, reference::about_z(2 * pi * k / turns));
-        const CoefficientMatrix back = rotation_matrix(3, reference::about_z(-2 * pi * k / turns));
+    const int rotations = 8;  // more than twice the order
+    for (int k = 0; k < rotations; ++k) {
+        const CoefficientMatrix there = rotation_matrix(3, reference::about_z(2 * pi * k / rotations));
+        const CoefficientMatrix back = rotation_matrix(3, reference::about_z(-2 * pi * k / rotations));
         const CoefficientMatrix rotated = compose(back, compose(any, there));
-        for (std::size_t i = 0; i < mean.data().size(); ++i) mean.data()[i] += rotated.data()[i] / turns;
+        for (std::size_t i = 0; i < mean.data().size(); ++i) mean.data()[i] += rotated.data()[i] / rotations;
     }
     CHECK(reference::max_difference(isotropic_part(any).dense().data(), mean.data()) < 1e-13);
 }

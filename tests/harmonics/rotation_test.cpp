@@ -21,10 +21,10 @@ double deviation(const PshVector& f, const PshVector& g, const glm::dmat3& rotat
         const glm::dvec3 from = glm::transpose(rotation) * to;
         const Stokes in = evaluate(f, 0, from);
         const Stokes out = evaluate(g, 0, to);
-        const auto turn =
+        const auto phase =
             reference::frame_change(rotation * reference::theta_phi(from), reference::theta_phi(to));
         worst = std::max({worst, std::abs(in[0] - out[0]), std::abs(in[3] - out[3]),
-                          std::abs(std::complex(in[1], in[2]) * turn - std::complex(out[1], out[2]))});
+                          std::abs(std::complex(in[1], in[2]) * phase - std::complex(out[1], out[2]))});
     }
     return worst;
 }
@@ -58,7 +58,7 @@ TEST_CASE("rotating the other way round, or with the frames rotated backwards, i
     CHECK(deviation(f, wrong, r, random) > .1);
 }
 
-TEST_CASE("there and back") {
+TEST_CASE("a rotation and its inverse leave the field as it was") {
     std::mt19937_64 random(3);
     for (const auto& [order, bound] : {std::pair(9, 1e-14), std::pair(100, 2e-13), std::pair(300, 1e-12)}) {
         const PshVector f = reference::random_field(random, order);
@@ -67,7 +67,7 @@ TEST_CASE("there and back") {
     }
 }
 
-TEST_CASE("high orders about y by a quarter turn, where whole degrees start below the range of double") {
+TEST_CASE("high orders about y by 90 degrees, where whole degrees m start below the range of double") {
     std::mt19937_64 random(9);
     const int order = 450;
     const PshVector f = reference::random_field(random, order);

@@ -41,7 +41,7 @@ TEST_CASE("the convention: d^1_{10} = -sin(beta)/sqrt2") {
     CHECK(entry(d, 1, 1, -1) == doctest::Approx((1 - std::cos(.5)) / 2));
 }
 
-TEST_CASE("d is orthogonal up to the highest order, from tiny angles to half a turn") {
+TEST_CASE("d is orthogonal up to the highest order, from tiny angles to 180 degrees") {
     for (const double beta : {1e-9, .01, .3, pi / 2, 3.1}) {
         const int order = kMaxWignerOrder;
         const auto d = wigner_d(order, beta);
@@ -55,7 +55,7 @@ TEST_CASE("d is orthogonal up to the highest order, from tiny angles to half a t
     }
 }
 
-TEST_CASE("angles add up, also backwards and beyond a turn") {
+TEST_CASE("angles add up, negative ones and those beyond 360 degrees too") {
     const int order = 12;
     const auto a = wigner_d(order, -2.2);
     const auto b = wigner_d(order, 5.9);

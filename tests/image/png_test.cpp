@@ -105,7 +105,7 @@ TEST_CASE("only tone-mapped images claim a transfer curve") {
     }
 }
 
-TEST_CASE("in the file the AoLP wheel turns counter-clockwise: y is up") {
+TEST_CASE("in the file the AoLP wheel runs counter-clockwise: y is up") {
     const TemporaryFolder folder;
     constexpr int size = 9;
     write_png(folder / "a.png", aolp_image(radial_light(size)));

@@ -68,9 +68,9 @@ TEST_CASE("a Rayleigh sky agrees with brute-force quadrature, evaluation and the
         CHECK(std::hypot(s[1], s[2]) / s[0] ==
               doctest::Approx(0.8 * (1 - cosine * cosine) / (1 + cosine * cosine)));
     }
-    const glm::dmat3 turn = some_rotation(7);
-    const auto rotated_light = rayleigh_sky({.sun_direction = turn * sun, .radiance = {1, 0.25, 3}});
-    CHECK(largest_difference(rotated_light->project(6), rotated(f, turn)) < 1e-13);
+    const glm::dmat3 rotation = some_rotation(7);
+    const auto rotated_light = rayleigh_sky({.sun_direction = rotation * sun, .radiance = {1, 0.25, 3}});
+    CHECK(largest_difference(rotated_light->project(6), rotated(f, rotation)) < 1e-13);
     CHECK(light->project(0).at(2, 0, 0, 0) == doctest::Approx(3 * std::sqrt(4 * pi)));
     CHECK(light->project(1).at(1, 1, 0, 0) == doctest::Approx(0));
 }

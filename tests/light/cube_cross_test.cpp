@@ -115,7 +115,7 @@ TEST_CASE("a field of known coefficients comes back from its cube, the better th
 }
 
 TEST_CASE("the frame is continuous across the edges of faces") {
-    // Between pixels of two faces the components of one face would differ by the turn between them.
+    // Between pixels of two faces the components of one face would differ by the rotation between them.
     const PshVector field = random_field(3, 1, 5);
     const EquirectImage image = equirect_from_cross(cross_of(field, 32));
     const auto light = image_environment(image);

@@ -110,20 +110,21 @@ TEST_CASE("light from above travels down: it lies at theta = pi about y") {
     CHECK(evaluate(f, 0, {0, -1, 0})[0] > 5 * std::abs(evaluate(f, 0, {0, 1, 0})[0]));
 }
 
-TEST_CASE("turning the image about its axis turns the light about y") {
+TEST_CASE("rotating the image about its axis rotates the light about y") {
     const EquirectImage image = random_image(12, 7, 1, 3);
     EquirectImage moved(12, 7, 1);
-    // Three of twelve columns to larger u: from -z towards +x, a turn by -90 degrees about y.
+    // Three of twelve columns to larger u: from -z towards +x, a rotation by -90 degrees about y.
     for (int y = 0; y < 7; ++y)
         for (int x = 0; x < 12; ++x)
             std::ranges::copy(image.at(0, y, x), moved.at(0, y, (x + 3) % 12).begin());
-    const glm::dmat3 turn(glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0));
+    const glm::dmat3 rotation(glm::dvec3(0, 0, 1), glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0));
     const auto a = image_environment(image)->project(6);
     const auto b = image_environment(moved)->project(6);
     for (const glm::dvec3& d : random_directions(10, 8)) {
         const Stokes before = evaluate(a, 0, d);
-        const Stokes after = rotated(evaluate(b, 0, turn * d),
-                                     angle_between(theta_phi_frame(turn * d), turn * theta_phi_frame(d)));
+        const Stokes after =
+            rotated(evaluate(b, 0, rotation * d),
+                    angle_between(theta_phi_frame(rotation * d), rotation * theta_phi_frame(d)));
         CHECK(glm::length(before - after) < 1e-12);
     }
 }

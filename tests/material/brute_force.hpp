@@ -39,10 +39,10 @@ inline Stokes reflected(const Material& material, int channel, const PshVector& 
             }
             // From the world's theta-phi frame of the propagation into the surface's.
             const glm::dvec3 propagation = -(frame * incident);
-            const double turn =
+            const double angle =
                 angle_between(theta_phi_frame(propagation), frame * theta_phi_frame(-incident));
             directions.push_back(propagation);
-            responses.push_back(weight * m * frame_rotation(turn));
+            responses.push_back(weight * m * frame_rotation(angle));
         }
     }
     std::vector<Stokes> radiance(directions.size());

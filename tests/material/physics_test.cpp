@@ -248,7 +248,7 @@ TEST_CASE("callbacks that are no isotropic, mirror symmetric, finite material ar
     CHECK(message({.reflect = [](int, const glm::dvec3&, const glm::dvec3&) {
               return std::nan("") * retarder(0);
           }}).find("finite") != std::string::npos);
-    // Not where it was probed: found when it happens.
+    // Not where it is checked: found when it is evaluated.
     const MaterialPtr late = callback_material({.reflect = [](int, const glm::dvec3& i, const glm::dvec3&) {
         return (i.z > 0.99 ? HUGE_VAL : 1.0) * retarder(0);
     }});

@@ -103,7 +103,7 @@ TEST_CASE("reciprocity: exchanging light and viewer transposes, with s2 mirrored
     const MaterialPtr material = pplastic(rough(Distribution::beckmann, 0.3));
     const glm::dvec3 a = direction(0.7, 0.4);
     const glm::dvec3 b = direction(1.2, 2.9);
-    // Reversing a ray keeps x = theta-hat up to sign and turns y: (s0, s1, -s2, s3).
+    // Reversing a ray keeps x = theta-hat up to sign and reverses y: (s0, s1, -s2, s3).
     const Mueller forth = total(*material, a, b);
     const Mueller back = total(*material, b, a);
     const double flip[4] = {1, 1, -1, 1};

@@ -210,7 +210,7 @@ TEST_CASE("measured gold: check values, isotropy, and light from above leaves up
     CHECK(evaluate(*material, 0, {0, 0, 1}, {0, 0, 1})(0, 0) == Approx(up).epsilon(1e-3));
 
     // What breaks mirror symmetry is what tables leave out: little of s0, but a third of the polarization of
-    // unpolarized light, most of it a bias of s2 that does not turn with the plane of incidence.
+    // unpolarized light, most of it a bias of s2 that does not rotate with the plane of incidence.
     const auto asymmetry = [&](std::size_t element) {
         double kept = 0;
         double dropped = 0;

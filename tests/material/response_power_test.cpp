@@ -29,15 +29,15 @@ double energy(const PshVector& light) {
     return sum;
 }
 
-// Mean squares of s0 and of s1 and s2 over turns of the light and over outgoing angles by projected area.
+// Mean squares of s0 and of s1 and s2 over rotations of the light and over outgoing angles by projected area.
 std::array<double, 2> mean_squares(const ResponseTable& table, const LightLayout& layout,
                                    const PshVector& light) {
-    constexpr int turns = 4000;
+    constexpr int rotations = 4000;
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform;
     std::array<double, 2> sum{};
-    for (int i = 0; i < turns; ++i) {
+    for (int i = 0; i < rotations; ++i) {
         const glm::dquat q =
             glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random)));
         const auto z = layout.pack(rotated(light, glm::mat3_cast(q)).channel(0));
@@ -48,7 +48,7 @@ std::array<double, 2> mean_squares(const ResponseTable& table, const LightLayout
             double s = 0;
             for (std::size_t j = 0; j < z.size(); ++j)
                 s += static_cast<double>(rows[p * z.size() + j]) * (p < 2 ? z[j].real() : z[j].imag());
-            sum[p == 0 ? 0 : 1] += s * s / turns;
+            sum[p == 0 ? 0 : 1] += s * s / rotations;
         }
     }
     return sum;

@@ -42,7 +42,7 @@ TEST_CASE("quadrature around a lobe integrates peaks and plain functions") {
     }
 }
 
-TEST_CASE("packing keeps every coefficient, and turning the viewer is a phase") {
+TEST_CASE("packing keeps every coefficient, and rotating the viewer is a phase") {
     const PshVector light = test::random_light(5, 1, 4, 7);
     for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
         const LightLayout layout(5, kind);

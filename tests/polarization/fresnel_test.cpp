@@ -37,13 +37,13 @@ TEST_CASE("unpolarized light at Brewster's angle comes back fully polarized alon
     const double brewster = std::atan(1.5);
     const Stokes out = fresnel_reflection(std::cos(brewster), 1.5) * Stokes(1, 0, 0, 0);
     CHECK(dolp(out) == Approx(1));
-    CHECK(out[1] > 0);  // along x = s-axis; an s2-p mix-up would turn the sign
+    CHECK(out[1] > 0);  // along x = s-axis; an s2-p mix-up would change the sign
     // The sign of the s2-to-s2 element changes there.
     CHECK(fresnel_reflection(std::cos(brewster - .1), 1.5)(2, 2) < 0);
     CHECK(fresnel_reflection(std::cos(brewster + .1), 1.5)(2, 2) > 0);
 }
 
-TEST_CASE("a mirror at normal incidence turns the handedness of circular light") {
+TEST_CASE("a mirror at normal incidence changes the handedness of circular light") {
     const Mueller m = fresnel_reflection(1, {0.2, -3.4});
     CHECK(m(3, 3) < 0);
     CHECK(m(2, 2) < 0);
@@ -51,7 +51,7 @@ TEST_CASE("a mirror at normal incidence turns the handedness of circular light")
     CHECK(m(3, 3) == Approx(-m(0, 0)));
 }
 
-TEST_CASE("a metal turns linear light at 45 degrees into circular light of the sign that n - ik gives") {
+TEST_CASE("a metal makes circular light of linear light at 45 degrees, of the sign that n - ik gives") {
     // Written out with the closed form for n - ik: rho = r_p / r_s = |rho| e^{id}.
     const std::complex<double> eta(0.2, -3.4);
     const double c = std::cos(60 * degree);

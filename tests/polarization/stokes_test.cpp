@@ -17,7 +17,7 @@ Stokes linear_light(double angle) {
 
 }  // namespace
 
-TEST_CASE("turning the frame by psi subtracts psi from the angle of polarization") {
+TEST_CASE("rotating the frame by psi subtracts psi from the angle of polarization") {
     for (const double angle : {0.0, 0.3, 1.2, -0.7}) {
         for (const double psi : {0.0, 0.5, -1.1, pi / 2}) {
             const Stokes expected = linear_light(angle - psi);
@@ -28,7 +28,7 @@ TEST_CASE("turning the frame by psi subtracts psi from the angle of polarization
     CHECK(rotated({1, .2, .3, .4}, .8)[0] == 1);
 }
 
-TEST_CASE("angle_between recovers the turn with its sign") {
+TEST_CASE("angle_between recovers the rotation with its sign") {
     const Frame frame = theta_phi_frame(glm::normalize(glm::dvec3(1, 2, -3)));
     for (const double psi : {0.0, 0.4, -0.4, 2.0, -3.0}) {
         const Frame to(std::cos(psi) * frame[0] + std::sin(psi) * frame[1],

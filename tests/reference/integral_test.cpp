@@ -93,7 +93,7 @@ TEST_CASE("together the strategies are less noisy than the worse of them, and mo
     CHECK(noise(Strategy::both, 2048) < both / 4);
 }
 
-TEST_CASE("a material seen from behind is black, and the light turned away gives nothing") {
+TEST_CASE("a material seen from behind is black, and so is everything without light") {
     Scene scene;
     scene.add(square(pplastic({})));
     scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
@@ -143,8 +143,8 @@ TEST_CASE("normals are interpolated over a triangle") {
         for (int x = 0; x < 8; ++x)
             image.at(0, y, x)[0] = static_cast<float>(1 + std::cos(3.14159265358979 * y / 180));
     // The light's y is the world's x.
-    const glm::dmat3 turn(glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0));
-    scene.set_environment(image_environment(image), turn, 1);
+    const glm::dmat3 rotation(glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0));
+    scene.set_environment(image_environment(image), rotation, 1);
     for (const double x : {-0.9, -0.3, 0.0, 0.6}) {
         const glm::dvec3 normal = glm::normalize(glm::dvec3(0.5 * x, 0, 1));
         // Where the shading normal leans, a sliver of its hemisphere is below the flat square and in its

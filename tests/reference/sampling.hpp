@@ -55,8 +55,9 @@ inline double chi_square_excess(const Sampler& sampler, const std::vector<double
         const double theta = std::atan2(std::hypot(d.x, d.y), d.z);
         const double phi = std::atan2(d.y, d.x);
         const int row = std::min(static_cast<int>(theta / std::numbers::pi * theta_bins), theta_bins - 1);
-        const double turn = phi / (2 * std::numbers::pi);
-        const int column = std::min(static_cast<int>((turn < 0 ? turn + 1 : turn) * phi_bins), phi_bins - 1);
+        const double share = phi / (2 * std::numbers::pi);
+        const int column =
+            std::min(static_cast<int>((share < 0 ? share + 1 : share) * phi_bins), phi_bins - 1);
         ++observed[static_cast<std::size_t>(row * phi_bins + column)];
     }
     double statistic = 0, few_observed = 0, few_expected = 0;

@@ -22,7 +22,7 @@ std::vector<glm::vec3> test_normals() {
 
 }  // namespace
 
-TEST_CASE("relight turns the light into each vertex's frame, poles and odd block sizes included") {
+TEST_CASE("relight rotates the light into each vertex's frame, poles and odd block sizes included") {
     const auto normals = test_normals();
     for (const int order : {0, 1, 4, 9, 32}) {
         for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
@@ -95,9 +95,9 @@ TEST_CASE("relight and shade equal the reflection integral in the angular domain
     }
 }
 
-TEST_CASE("turning light, object and camera together leaves the shading unchanged") {
+TEST_CASE("rotating light, object and camera together leaves the shading unchanged") {
     const auto normals = test_normals();
-    const glm::dmat3 turn = some_rotation();
+    const glm::dmat3 rotated_by = some_rotation();
     const LightLayout layout(9, LightKind::full);
     const PshVector light = test::random_light(9, 1, 4, 21);
     const ResponseTable table(*pplastic({.alpha = 0.2}), layout, 1);
@@ -129,7 +129,7 @@ TEST_CASE("turning light, object and camera together leaves the shading unchange
     };
 
     const auto before = shade(glm::dmat3(1.0));
-    const auto after = shade(turn);
+    const auto after = shade(rotated_by);
     float largest = 0;
     float difference = 0;
     for (std::size_t v = 0; v < before.size(); ++v) {

@@ -123,7 +123,7 @@ TEST_CASE("the factors of a mirror that blurs by one of the lobes are the mirror
     Elements f{};
     for (const float cosine : {1.0F, 0.77F, 0.3F}) {
         f = elements_at(factors, cosine, 0);
-        // A probe beside the centre counts for the part of light that it has in common with it.
+        // A tap beside the centre counts for the part of light that it has in common with it.
         const auto sum = [&](std::size_t first, std::size_t stride) {
             return f[first] + f[first + stride] + f[first + 2 * stride] + 2 * f[first + 3 * stride];
         };
@@ -186,7 +186,7 @@ TEST_CASE("factors are linear between angles, by channel, and laid out for a tex
     CHECK(mirror[14] == -1);
 }
 
-TEST_CASE("lobes follow the roughness, and a base is probed where there is one") {
+TEST_CASE("lobes follow the roughness, and the base has a tap where there is one") {
     const HighOrderFactors sharp(*rough_conductor({.alpha = 0.05}), 4, 32, 1);
     const HighOrderFactors blunt(*rough_conductor({.alpha = 0.25}), 4, 32, 1);
     CHECK(sharp.around() < blunt.around());
@@ -195,7 +195,7 @@ TEST_CASE("lobes follow the roughness, and a base is probed where there is one")
     CHECK(HighOrderFactors(*pplastic({.alpha = 0.1}), 4, 9, 1).normal());
 }
 
-TEST_CASE("few orders, which some probes are blind to, leave factors finite") {
+TEST_CASE("few orders, which some taps do not contain, leave factors finite") {
     const MaterialPtr material = pplastic({.alpha = 0.2});
     for (const auto& [low, high] : {std::array{4, 5}, std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
         const HighOrderFactors factors(*material, low, high, 1);

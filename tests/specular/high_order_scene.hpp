@@ -98,7 +98,7 @@ struct SphereView {
             const Frame frame = surface(normals[v]);
             const glm::dvec3 towards(0, 0, 1);
             const Frame from = frame * theta_phi_frame(glm::transpose(frame) * towards);
-            const double turn = angle_between(from, view.frame(towards));
+            const double angle_to_camera = angle_between(from, view.frame(towards));
             for (std::size_t c = 0; c < channels; ++c) {
                 const auto& z = light.packed[v * channels + c];
                 const double* row = rows[ring[v]].data() + 4 * z.size() * c;
@@ -110,7 +110,7 @@ struct SphereView {
                             sum[static_cast<int>(p)] +=
                                 row[p * z.size() + j] * (p < 2 ? z[j].real() : z[j].imag());
                     }
-                    out[i][c][v] = glm::vec4(rotated(sum, turn));
+                    out[i][c][v] = glm::vec4(rotated(sum, angle_to_camera));
                 }
             }
         }

@@ -18,17 +18,17 @@ constexpr int l_low = 4;
 
 }  // namespace
 
-TEST_CASE("turning the light turns the look-up") {
+TEST_CASE("rotating the light rotates what is looked up") {
     const PshVector light = test::random_light(12, 1, 4, 8);
     const test::SphereView sphere(4, 9);
-    const glm::dmat3 turn = some_rotation();
+    const glm::dmat3 rotation = some_rotation();
     const HighOrderFactors factors(*plastic(0.2), l_low, 12, 1 + 2);
     HighOrderLight still(light, l_low, 12, true);
-    HighOrderLight rotated_light(rotated(light, turn), l_low, 12, true);
+    HighOrderLight rotated_light(rotated(light, rotation), l_low, 12, true);
     const auto black = sphere.black(3);
     const auto expected =
         sphere.with(black, HighOrder(factors, rotated_light.maps(factors), glm::dmat3(1.0)));
-    const auto found = sphere.with(black, HighOrder(factors, still.maps(factors), turn));
+    const auto found = sphere.with(black, HighOrder(factors, still.maps(factors), rotation));
     for (const double e : test::relative_error(found, expected)) CHECK(e < 3e-3);
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("shadows dim the lobe and the base, vertices that are not visible are 
     CHECK(out[2] == glm::vec4(5));
 }
 
-TEST_CASE("seen head-on and from behind there is an answer") {
+TEST_CASE("views along the normal and from behind give finite values") {
     const PshVector light = test::random_light(12, 1, 4, 4);
     const HighOrderFactors factors(*plastic(0.2), l_low, 12, 3);
     HighOrderLight filtered(light, l_low, 12, true);
