@@ -66,7 +66,7 @@ Report bench_start(const Options& options) {
                    "read back"});
     report.add("empty cache folder", medians(cold));
     report.add("warm cache folder", medians(warm));
-    report.note("Medians of " + std::to_string(repetitions) + " processes each, taking turns; " +
+    report.note("Medians of " + std::to_string(repetitions) + " processes each, alternating; " +
                 std::to_string(size) + " x " + std::to_string(size) +
                 ". What the OpenGL driver keeps on disk is warm in both.");
     return report;

@@ -29,7 +29,7 @@ const char* const usage =
     "      --edge N                pixels along a face of the cube map to write; default 256\n"
     "      --wavelengths A,B,...   channels to make of a spectral image or a measured material, in nm\n"
     "      --scale S               multiplies the light or the material\n"
-    "      --rotate X,Y,Z,DEGREES  turns the light about this axis; may be repeated, the first turn first\n"
+    "      --rotate X,Y,Z,DEGREES  rotates the light about this axis; may be repeated, in order\n"
     "      --band-limited          takes pixels as samples of light without orders above --order\n"
     "      --physical              makes s0 >= |(s1, s2, s3)| >= 0 in every pixel written\n"
     "      --help                  shows this text\n"
@@ -97,7 +97,7 @@ void parse_scale(nicol_file_options& file, std::string_view text) {
     file.scale = values[0];
 }
 
-// This turn after those that are there (Rodrigues' formula).
+// This rotation after the earlier ones (Rodrigues' formula).
 void add_rotation(nicol_file_options& file, std::string_view text) {
     const std::vector<double> values = parse_list("--rotate", text);
     if (values.size() != 4) throw Failure("--rotate: '" + std::string(text) + "' is not X,Y,Z,DEGREES");
@@ -106,16 +106,16 @@ void add_rotation(nicol_file_options& file, std::string_view text) {
         throw Failure("--rotate: the axis of '" + std::string(text) + "' has no length");
     const std::array<double, 3> axis{values[0] / length, values[1] / length, values[2] / length};
     const double angle = values[3] * std::acos(-1.0) / 180;
-    std::array<double, 9> turn{};
+    std::array<double, 9> rotation{};
     for (std::size_t row = 0; row < 3; ++row) {
         for (std::size_t column = 0; column < 3; ++column) {
-            turn[3 * row + column] = (1 - std::cos(angle)) * axis[row] * axis[column];
-            if (row == column) turn[3 * row + column] += std::cos(angle);
+            rotation[3 * row + column] = (1 - std::cos(angle)) * axis[row] * axis[column];
+            if (row == column) rotation[3 * row + column] += std::cos(angle);
         }
         const std::size_t next = (row + 1) % 3;
         const std::size_t last = (row + 2) % 3;
-        turn[3 * row + next] -= std::sin(angle) * axis[last];
-        turn[3 * row + last] += std::sin(angle) * axis[next];
+        rotation[3 * row + next] -= std::sin(angle) * axis[last];
+        rotation[3 * row + last] += std::sin(angle) * axis[next];
     }
     std::array<double, 9> before{1, 0, 0, 0, 1, 0, 0, 0, 1};
     if (std::any_of(std::begin(file.rotation), std::end(file.rotation), [](double v) { return v != 0; }))
@@ -124,7 +124,7 @@ void add_rotation(nicol_file_options& file, std::string_view text) {
         for (std::size_t column = 0; column < 3; ++column) {
             file.rotation[3 * row + column] = 0;
             for (std::size_t i = 0; i < 3; ++i)
-                file.rotation[3 * row + column] += turn[3 * row + i] * before[3 * i + column];
+                file.rotation[3 * row + column] += rotation[3 * row + i] * before[3 * i + column];
         }
 }
 

@@ -34,7 +34,7 @@ Rotation transposed(const Rotation& r);
 /// By |v| radians about v.
 Rotation rotation_about(const Vec3& v);
 
-/// exp(2 i angle) for the angle that turns the theta-phi frame at w into the frame with x axis `x`.
+/// exp(2 i angle) for the angle that rotates the theta-phi frame at w into the frame with x axis `x`.
 std::complex<double> frame_phase(const Vec3& x, const Vec3& w);
 
 /// A grid with its transform.

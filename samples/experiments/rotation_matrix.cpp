@@ -37,7 +37,7 @@ Summary summary(const Panel& matrix) {
 }
 
 /// Magnitudes of the responses, read from components a and b of coefficient vectors, to unit vectors that
-/// `turn` maps to coefficients.
+/// `rotate_field` maps to coefficients.
 template <class Rotate>
 Panel matrix_of(std::size_t first, std::size_t input, std::size_t a, std::size_t b, Rotate rotate_field) {
     Panel panel{kCount, kCount, std::vector<double>(kCount * kCount)};

@@ -16,7 +16,7 @@ constexpr std::uint32_t kOrder = 9;
 
 using Field = std::function<Doubles(const std::vector<Vec3>&)>;
 
-/// s1 + i s2 at (theta, phi) in a frame that does not turn with phi at the pole theta = 0.
+/// s1 + i s2 at (theta, phi) in a frame that does not rotate with phi at the pole theta = 0.
 std::complex<double> steady(const Doubles& stokes, std::size_t i, double phi) {
     return std::complex(stokes[4 * i + 1], stokes[4 * i + 2]) * std::polar(1.0, 2 * phi);
 }
