@@ -6,7 +6,6 @@
 
 #include "gl/program_cache.hpp"
 #include "handles.hpp"
-#include "host.hpp"
 #include "material/response_table.hpp"
 
 namespace nicol::capi {
@@ -44,13 +43,14 @@ nicol_backend backend_of(gl::Backend backend) {
     return NICOL_BACKEND_AUTOMATIC;
 }
 
-void tell_what_opened(const Session& session) {
+void log_what_opened(const Session& session) {
     const gl::ContextInfo& info = session.gl->info();
-    session.tell(NICOL_LOG_INFO,
-                 info.device + ": OpenGL " + info.version + ", " + info.renderer + ", " + info.vendor);
+    session.log_message(NICOL_LOG_INFO,
+                        info.device + ": OpenGL " + info.version + ", " + info.renderer + ", " + info.vendor);
     if (!info.software) return;
     for (const gl::FailedAttempt& attempt : session.gl->failed_attempts())
-        session.tell(NICOL_LOG_WARNING, attempt.what + " failed, OpenGL runs on the CPU: " + attempt.reason);
+        session.log_message(NICOL_LOG_WARNING,
+                            attempt.what + " failed, OpenGL runs on the CPU: " + attempt.reason);
 }
 
 const char* cache_folder(const char* chosen) {
@@ -80,7 +80,7 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     session->memory_limit = options.memory_limit;
     session->cache = cache_folder(options.cache_folder);
     session->gl->run([&] { gl::keep_programs(*session->gl, session->cache); });
-    tell_what_opened(*session);
+    log_what_opened(*session);
     // The information lives as long as the context whose part it is.
     std::shared_ptr<const gl::ContextInfo> info(session->gl, &session->gl->info());
     return make_handle<nicol_context_impl>(session, info);

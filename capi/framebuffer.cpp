@@ -11,24 +11,24 @@ using namespace nicol::capi;
 
 namespace {
 
-Observation image_of(const StokesImage& image, const nicol_observation& wanted) {
-    switch (wanted.kind) {
+Observation observe(const StokesImage& image, const nicol_observation& given) {
+    switch (given.kind) {
         case NICOL_OBSERVATION_S0:
-            return tone_mapped(image, static_cast<double>(wanted.exposure));
+            return tone_mapped(image, static_cast<double>(given.exposure));
         case NICOL_OBSERVATION_S1:
         case NICOL_OBSERVATION_S2:
         case NICOL_OBSERVATION_S3:
-            return signed_component(image, static_cast<int>(wanted.kind), static_cast<double>(wanted.scale));
+            return signed_component(image, static_cast<int>(given.kind), static_cast<double>(given.scale));
         case NICOL_OBSERVATION_DOLP:
             return dolp_image(image);
         case NICOL_OBSERVATION_AOLP:
             return aolp_image(image, AolpStyle::dark);
         case NICOL_OBSERVATION_POLARIZER: {
-            const double angle = static_cast<double>(wanted.polarizer_angle) * std::numbers::pi / 180;
-            return tone_mapped(through_polarizer(image, angle), static_cast<double>(wanted.exposure));
+            const double angle = static_cast<double>(given.polarizer_angle) * std::numbers::pi / 180;
+            return tone_mapped(through_polarizer(image, angle), static_cast<double>(given.exposure));
         }
         default:
-            refuse("image->kind is " + std::to_string(wanted.kind) +
+            refuse("observation->kind is " + std::to_string(given.kind) +
                    "; it must be one of NICOL_OBSERVATION_...");
     }
 }
@@ -88,16 +88,16 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
     });
 }
 
-nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* image,
+nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* observation,
                                          const char* path) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        const nicol_observation wanted = read_struct(image, "image");
+        const nicol_observation given = read_struct(observation, "observation");
         require(path, "path");
         const SessionLock lock(self.session);
         const StokesImage& image = self.content->image();
         const Stopwatch watch;
-        write_png(path, image_of(image, wanted));
+        write_png(path, observe(image, given));
         self.content->statistics().observe_ms += watch.milliseconds();
     });
 }

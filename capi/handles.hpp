@@ -45,11 +45,11 @@ struct Session {
     std::mutex jobs_mutex;
     std::unique_ptr<JobQueue> jobs;
 
-    void tell(std::uint32_t severity, std::string message) const {
+    void log_message(std::uint32_t severity, std::string message) const {
         std::ranges::replace(message, '\n', ' ');  // whatever a path or a driver says
         if (log != nullptr) log(log_user, severity, NICOL_OK, message.c_str());
     }
-    void notice(const std::string& message) const { tell(NICOL_LOG_NOTICE, message); }
+    void notice(const std::string& message) const { log_message(NICOL_LOG_NOTICE, message); }
 };
 
 using SessionPtr = std::shared_ptr<Session>;
@@ -240,6 +240,12 @@ nicol_result release(Impl* handle) noexcept {
         last.reset(handle);
     });
 }
+
+/// The caller's options, or the defaults for NULL. Throws Error(invalid_argument) naming what is out of
+/// range.
+nicol_context_options context_options(const nicol_context_options* options);
+/// A handle with one reference.
+nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_context_options& options);
 
 /// A spectrum of the interface as values; `fallback` where it is empty. Throws Error(invalid_argument).
 std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std::size_t fallback_channels,

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Contexts of the caller's.
-#include "host.hpp"
-
 #include "handles.hpp"
 #include "host_image.hpp"
 
@@ -76,21 +74,22 @@ nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         static_cast<void>(of_host(self));
-        const nicol_texture_target wanted = read_struct(target, "target");
+        const nicol_texture_target to = read_struct(target, "target");
         require_channel(*self.content, channel);
         const SessionLock lock(self.session);
-        draw_stokes(*self.session, *self.content, static_cast<int>(channel), wanted);
+        draw_stokes(*self.session, *self.content, static_cast<int>(channel), to);
     });
 }
 
-nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, const nicol_observation* image,
+nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
+                                                const nicol_observation* observation,
                                                 const nicol_texture_target* target) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         static_cast<void>(of_host(self));
-        const nicol_observation seen = read_struct(image, "image");
-        const nicol_texture_target wanted = read_struct(target, "target");
+        const nicol_observation shown = read_struct(observation, "observation");
+        const nicol_texture_target to = read_struct(target, "target");
         const SessionLock lock(self.session);
-        draw_image(*self.session, *self.content, seen, wanted);
+        draw_observation(*self.session, *self.content, shown, to);
     });
 }

@@ -13,10 +13,10 @@ namespace nicol::capi {
 namespace {
 
 /// As glsl/observe.frag numbers them.
-enum class Seen { stokes, radiance, signed_component, dolp, aolp };
+enum class Observer { stokes, radiance, signed_component, dolp, aolp };
 
-struct Observation {
-    Seen seen = Seen::stokes;
+struct Observed {
+    Observer observer = Observer::stokes;
     glm::vec4 analyzer{0.0F};
     int first = 0;  // channel
     int channels = 1;
@@ -24,46 +24,46 @@ struct Observation {
 
 float stops(float exposure) {
     if (!(std::abs(exposure) <= 100)) {
-        refuse("image->exposure is " + std::to_string(exposure) + "; it must lie in -100 to 100 stops");
+        refuse("observation->exposure is " + std::to_string(exposure) + "; it must lie in -100 to 100 stops");
     }
     return std::exp2(exposure);
 }
 
-Observation observation(const nicol_observation& image, int channels) {
-    Observation o{.channels = channels};
-    switch (image.kind) {
+Observed observe(const nicol_observation& given, int channels) {
+    Observed o{.channels = channels};
+    switch (given.kind) {
         case NICOL_OBSERVATION_S0:
-            o.seen = Seen::radiance;
-            o.analyzer.x = stops(image.exposure);
+            o.observer = Observer::radiance;
+            o.analyzer.x = stops(given.exposure);
             break;
         case NICOL_OBSERVATION_POLARIZER: {
-            if (!std::isfinite(image.polarizer_angle)) refuse("image->polarizer_angle must be finite");
-            const double twice = static_cast<double>(image.polarizer_angle) * std::numbers::pi / 90;
-            o.seen = Seen::radiance;
-            o.analyzer = 0.5F * stops(image.exposure) * glm::vec4(1, std::cos(twice), std::sin(twice), 0);
+            if (!std::isfinite(given.polarizer_angle)) refuse("observation->polarizer_angle must be finite");
+            const double twice = static_cast<double>(given.polarizer_angle) * std::numbers::pi / 90;
+            o.observer = Observer::radiance;
+            o.analyzer = 0.5F * stops(given.exposure) * glm::vec4(1, std::cos(twice), std::sin(twice), 0);
             break;
         }
         case NICOL_OBSERVATION_S1:
         case NICOL_OBSERVATION_S2:
         case NICOL_OBSERVATION_S3:
-            if (!(image.scale >= 0) || !std::isfinite(image.scale)) {
-                refuse("image->scale is " + std::to_string(image.scale) +
+            if (!(given.scale >= 0) || !std::isfinite(given.scale)) {
+                refuse("observation->scale is " + std::to_string(given.scale) +
                        "; it must be finite and not negative");
             }
-            o.seen = Seen::signed_component;
-            o.analyzer[static_cast<int>(image.kind)] = 1 / (image.scale == 0 ? 1.0F : image.scale);
+            o.observer = Observer::signed_component;
+            o.analyzer[static_cast<int>(given.kind)] = 1 / (given.scale == 0 ? 1.0F : given.scale);
             break;
         case NICOL_OBSERVATION_DOLP:
-            o.seen = Seen::dolp;
+            o.observer = Observer::dolp;
             break;
         case NICOL_OBSERVATION_AOLP:
-            o.seen = Seen::aolp;
+            o.observer = Observer::aolp;
             break;
         default:
-            refuse("image->kind is " + std::to_string(image.kind) +
+            refuse("observation->kind is " + std::to_string(given.kind) +
                    "; it must be one of NICOL_OBSERVATION_S0 to NICOL_OBSERVATION_POLARIZER");
     }
-    if (o.seen == Seen::radiance && channels != 1 && channels != 3) {
+    if (o.observer == Observer::radiance && channels != 1 && channels != 3) {
         refuse("the framebuffer has " + std::to_string(channels) +
                " channels; s0 and polarizer need 1 (grey) or 3 (R G B)");
     }
@@ -84,7 +84,7 @@ gl::Program& program(Session& session, int channels) {
     return found->second;
 }
 
-void draw(Session& session, Framebuffer& framebuffer, const Observation& observation,
+void draw(Session& session, Framebuffer& framebuffer, const Observed& observed,
           const nicol_texture_target& target) {
     if (target.bottom_up > 1) refuse("target->bottom_up must be 0 or 1");
     if (target.encoding > NICOL_ENCODING_SRGB) {
@@ -105,16 +105,16 @@ void draw(Session& session, Framebuffer& framebuffer, const Observation& observa
                 refuse("target->texture is the framebuffer's own");
             }
         }
-        gl::Program& observe = program(session, observation.channels);
+        gl::Program& observe = program(session, observed.channels);
         const auto set = [&observe](const char* name, const auto& value) {
             if (observe.uses(name)) observe.set(name, value);
         };
-        set("kind", static_cast<int>(observation.seen));
-        set("analyzer", observation.analyzer);
+        set("kind", static_cast<int>(observed.observer));
+        set("analyzer", observed.analyzer);
         set("encode", target.encoding == NICOL_ENCODING_SRGB ? 1 : 0);
         set("bottom_up", static_cast<int>(target.bottom_up));
-        for (int c = 0; c < observation.channels; ++c) {
-            channel_texture(framebuffer, observation.first + c).bind(static_cast<unsigned>(c));
+        for (int c = 0; c < observed.channels; ++c) {
+            channel_texture(framebuffer, observed.first + c).bind(static_cast<unsigned>(c));
         }
         gl::draw_fullscreen(image, observe);
     });
@@ -140,9 +140,9 @@ void draw_stokes(Session& session, Framebuffer& framebuffer, int channel,
     draw(session, framebuffer, {.first = channel}, target);
 }
 
-void draw_image(Session& session, Framebuffer& framebuffer, const nicol_observation& image,
-                const nicol_texture_target& target) {
-    draw(session, framebuffer, observation(image, framebuffer.channels()), target);
+void draw_observation(Session& session, Framebuffer& framebuffer, const nicol_observation& given,
+                      const nicol_texture_target& target) {
+    draw(session, framebuffer, observe(given, framebuffer.channels()), target);
 }
 
 }  // namespace nicol::capi

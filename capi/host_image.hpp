@@ -22,7 +22,7 @@ const gl::Texture2D& channel_texture(Framebuffer& framebuffer, int channel);
 /// Both throw Error(invalid_argument) for a target that cannot be drawn into or is of another size, and
 /// Error(not_current).
 void draw_stokes(Session& session, Framebuffer& framebuffer, int channel, const nicol_texture_target& target);
-void draw_image(Session& session, Framebuffer& framebuffer, const nicol_observation& image,
-                const nicol_texture_target& target);
+void draw_observation(Session& session, Framebuffer& framebuffer, const nicol_observation& observation,
+                      const nicol_texture_target& target);
 
 }  // namespace nicol::capi

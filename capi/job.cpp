@@ -116,7 +116,7 @@ struct JobQueue::Shared {
         }
     }
 
-    /// Cancels everything and waits for what runs.
+    /// Cancels all jobs and waits for the one that runs.
     void drain() {
         std::unique_lock lock(mutex);
         stopped = true;

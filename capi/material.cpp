@@ -84,7 +84,7 @@ public:
         std::array<double, 16> m{};
         const CallbackScope scope(session_);
         if (function_(user_, static_cast<std::uint32_t>(channel), light, viewer, m.data()) == 0)
-            throw Error(ErrorCode::cancelled, "the callback of a material answered 0");
+            throw Error(ErrorCode::cancelled, "the callback of a material returned 0");
         return Mueller(m);
     }
 

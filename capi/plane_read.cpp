@@ -195,9 +195,9 @@ void read(Framebuffer& from, const nicol_plane_buffer& to) {
 nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        const nicol_plane_buffer wanted = read_struct(to, "to");
+        const nicol_plane_buffer buffer = read_struct(to, "to");
         const SessionLock lock(self.session);
-        read(*self.content, wanted);
+        read(*self.content, buffer);
     });
 }
 
@@ -205,15 +205,15 @@ nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane p
                                     float* pixels, uint64_t row_stride, uint64_t byte_size) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        nicol_plane_buffer wanted = NICOL_PLANE_BUFFER_INIT;
-        wanted.plane = plane;
-        wanted.format = NICOL_FORMAT_FLOAT32;
-        wanted.channel = channel;
-        wanted.pixels = pixels;
-        wanted.row_stride = row_stride;
-        wanted.byte_size = byte_size;
+        nicol_plane_buffer buffer = NICOL_PLANE_BUFFER_INIT;
+        buffer.plane = plane;
+        buffer.format = NICOL_FORMAT_FLOAT32;
+        buffer.channel = channel;
+        buffer.pixels = pixels;
+        buffer.row_stride = row_stride;
+        buffer.byte_size = byte_size;
         const SessionLock lock(self.session);
         if (channel == NICOL_ALL_CHANNELS) refuse("channel must be one of the framebuffer's");
-        read(*self.content, wanted);
+        read(*self.content, buffer);
     });
 }

@@ -59,7 +59,7 @@ nicol_result nicol_psh_project_kernel(nicol_psh_kernel_callback callback, void* 
         const auto at = [&](double theta) {
             std::array<double, 16> m{};
             if (callback(user, theta, m.data()) == 0)
-                throw Error(ErrorCode::cancelled, "callback answered 0");
+                throw Error(ErrorCode::cancelled, "callback returned 0");
             if (!std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); })) {
                 refuse("callback gave a Mueller matrix that is not finite at theta = " +
                        std::to_string(theta));

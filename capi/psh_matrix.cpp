@@ -50,7 +50,7 @@ Mueller value(const nicol_psh_mueller_field& field, const glm::dvec3& in, const 
     const double from[3] = {in.x, in.y, in.z};
     const double to[3] = {out.x, out.y, out.z};
     if (field.callback(field.user, from, to, m.data()) == 0)
-        throw Error(ErrorCode::cancelled, "field->callback answered 0");
+        throw Error(ErrorCode::cancelled, "field->callback returned 0");
     if (!std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); })) {
         refuse("field->callback gave a Mueller matrix that is not finite for the directions (" +
                std::to_string(in.x) + ", " + std::to_string(in.y) + ", " + std::to_string(in.z) + ") to (" +

@@ -827,7 +827,7 @@ typedef struct nicol_observation {
 /* 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
  * channels. */
 NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer,
-                                                   const nicol_observation* image, const char* path);
+                                                   const nicol_observation* observation, const char* path);
 
 /* ---------------------------------------------------------------- inside a host's OpenGL */
 
@@ -915,7 +915,7 @@ NICOL_API nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuff
 /* The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
  * 1 here, since nothing is read back. */
 NICOL_API nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
-                                                          const nicol_observation* image,
+                                                          const nicol_observation* observation,
                                                           const nicol_texture_target* target);
 
 #ifdef __cplusplus

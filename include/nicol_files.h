@@ -39,14 +39,15 @@ typedef uint32_t nicol_file_kind;
  * and rows. */
 #define NICOL_FILE_BAND_LIMITED 1
 /* Images are made physical (Eq. 70): s0 below 0 becomes black, polarization beyond s0 is cut to s0.
- * Truncated light needs it where others shall take it as a light. */
+ * Truncated light needs it for other programs to accept it as a light. */
 #define NICOL_FILE_PHYSICAL 2
 
 typedef struct nicol_file_options {
     uint32_t struct_size;
     int32_t order; /* highest order of coefficients and tables, also of an image where it is given. 0: the
                       file's own where it has one, else 32 for light and 16 for materials; -1: order 0. At
-                      most 4096 for light and 64 for materials (NICOL_PSH_MAX_ORDER, NICOL_PSH_MAX_MATRIX_ORDER) */
+                      most 4096 for light and 64 for materials (NICOL_PSH_MAX_ORDER,
+                      NICOL_PSH_MAX_MATRIX_ORDER) */
     uint32_t width,
         height;         /* of an image to write, both or none; height at least 2. 0: an image keeps its
                            size, a cross of edge e gets 8 e columns (4 e above 256); coefficients 512 x
@@ -55,7 +56,7 @@ typedef struct nicol_file_options {
     uint32_t edge;      /* of a face of a cross to write, 2 to 4096; 0: 256 */
     uint32_t flags;     /* NICOL_FILE_BAND_LIMITED, NICOL_FILE_PHYSICAL */
     double scale;       /* multiplies radiance or reflectance; 0: 1 */
-    double rotation[9]; /* rotates the light, row-major; all zeros: identity. Coefficients
+    double rotation[9]; /* of light, row-major; all zeros: identity. Coefficients
                            exactly, images by bilinear interpolation. Of materials: must be zeros */
     nicol_spectrum wavelengths; /* nm, of spectral files: each channel is that of an image which is nearest,
                                    or linear between those of a material. count 0: every wavelength of a
@@ -95,12 +96,12 @@ typedef struct nicol_light_report {
         }                                                                                               \
     }
 
-/* What a material is, by channel, as far as coefficients up to `order` tell. */
+/* What a material is, by channel, as far as coefficients up to `order` describe it. */
 typedef struct nicol_material_report {
     uint32_t struct_size;
     nicol_file_kind kind;
     uint32_t channels;
-    uint32_t order;                /* of everything below */
+    uint32_t order;                /* of the values below */
     uint32_t file_order;           /* of the file's own coefficients or table; 0 of measured ones */
     uint32_t stokes_columns;       /* 4; of a table for unpolarized light 1, for linearly polarized light 3 */
     uint32_t measured_wavelengths; /* of a measured material, else 0 */
@@ -127,7 +128,7 @@ typedef struct nicol_material_report {
         }                                                                                        \
     }
 
-/* Looks at suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
+/* By suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
  * the file may yet prove damaged. */
 NICOL_API nicol_result nicol_file_identify(const char* path, nicol_file_kind* kind);
 /* options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets

@@ -45,7 +45,7 @@ NICOL_API nicol_result nicol_psh_project_image(const nicol_image* image, uint32_
 NICOL_API nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order,
                                                      double* coefficients, uint64_t count);
 /* A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
- * asks for the number of channels alone. */
+ * gets the number of channels alone. */
 NICOL_API nicol_result nicol_psh_project_file(const char* path, uint32_t order, uint32_t* channels,
                                               double* coefficients, uint64_t count);
 
@@ -68,7 +68,7 @@ typedef struct nicol_psh_sampling {
     { sizeof(nicol_psh_sampling), 0, 0, 0, 0, 0, 0 }
 
 /* Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
- * context; holds its work space: after creation no call allocates. Calls on one transform lock it. */
+ * context; holds its work space: after creation no call allocates. Calls on one transform are serialised. */
 typedef struct nicol_psh_transform_impl* nicol_psh_transform;
 
 /* NICOL_ERROR_INVALID_ARGUMENT where the sampling is too coarse for the order. */
@@ -96,7 +96,7 @@ NICOL_API nicol_result nicol_psh_evaluate(uint32_t order, uint64_t vectors, cons
                                           uint64_t coefficient_count, const double* directions,
                                           uint64_t direction_count, double* stokes, uint64_t stokes_count);
 
-/* The fields rotated with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
+/* The rotated fields: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
  * orthonormal to 1e-5 and right-handed. out may be in. */
 NICOL_API nicol_result nicol_psh_rotate(uint32_t order, uint64_t vectors, const double* in, uint64_t in_count,
                                         const double rotation[9], double* out, uint64_t out_count);
@@ -118,7 +118,7 @@ NICOL_API nicol_result nicol_psh_shadow_matrix(uint32_t scalar_order, const doub
                                                double* matrix, uint64_t matrix_count);
 
 /* Writes the Mueller matrix from the theta-phi frame of the propagation direction `in` to that of `out`,
- * cosine factors included (Eq. 38). Answer 1 to go on, 0 to stop with NICOL_ERROR_CANCELLED. Called on the
+ * cosine factors included (Eq. 38). Return 1 to continue, 0 to stop with NICOL_ERROR_CANCELLED. Called on the
  * calling thread. It may call Nicol. */
 typedef int32_t (*nicol_psh_mueller_callback)(void* user, const double in[3], const double out[3],
                                               double mueller[16]);
@@ -158,7 +158,7 @@ NICOL_API nicol_result nicol_psh_compose_matrix(uint32_t order_out, uint32_t ord
 #define NICOL_PSH_BAND_SIZE 16
 
 /* Writes the Mueller matrix at the angle theta between input and output direction, frames with x along the
- * great circle, from input to output at both ends (Eq. 62). Answers as nicol_psh_mueller_callback. */
+ * great circle, from input to output at both ends (Eq. 62). Returns as nicol_psh_mueller_callback. */
 typedef int32_t (*nicol_psh_kernel_callback)(void* user, double theta, double mueller[16]);
 
 /* Bands by quadrature on this many Gauss-Legendre rows, 0: 2 order + 2, at most 16384 (Eq. 68). */

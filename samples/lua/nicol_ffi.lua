@@ -405,11 +405,11 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
 nicol_result nicol_framebuffer_read(nicol_framebuffer framebuffer, nicol_plane plane, uint32_t channel, float* pixels, uint64_t row_stride, uint64_t byte_size);
 nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to);
 nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
-nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* image, const char* path);
+nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* observation, const char* path);
 nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options, nicol_context* context);
 nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel, nicol_texture* texture);
 nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel, const nicol_texture_target* target);
-nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, const nicol_observation* image, const nicol_texture_target* target);
+nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, const nicol_observation* observation, const nicol_texture_target* target);
 nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients, uint64_t count);
 nicol_result nicol_psh_project_environment(nicol_environment environment, uint32_t order, double* coefficients, uint64_t count);
 nicol_result nicol_psh_project_file(const char* path, uint32_t order, uint32_t* channels, double* coefficients, uint64_t count);

@@ -9,6 +9,7 @@
 
 #include "arguments.hpp"
 #include "error.hpp"
+#include "image/color.hpp"
 
 namespace nicol {
 namespace {
@@ -242,8 +243,8 @@ StokesImage luminance(const StokesImage& rgb) {
     StokesImage grey(rgb.width, rgb.height, 1);
     const std::size_t plane = grey.data.size();
     for (std::size_t i = 0; i < plane; ++i) {
-        grey.data[i] =
-            0.2126F * rgb.data[i] + 0.7152F * rgb.data[plane + i] + 0.0722F * rgb.data[2 * plane + i];
+        grey.data[i] = kLuminance[0] * rgb.data[i] + kLuminance[1] * rgb.data[plane + i] +
+                       kLuminance[2] * rgb.data[2 * plane + i];
     }
     return grey;
 }

@@ -5,14 +5,14 @@
 #include "error.hpp"
 #include "files/npy.hpp"
 #include "files/zip.hpp"
-#include "light/cube_names.hpp"
+#include "light/cube_cross.hpp"
 
 namespace nicol {
 namespace {
 
 using std::filesystem::path;
 
-// Light and materials share the suffix: the shape of the coefficients tells.
+// Light and materials share the suffix; the shape of the coefficients distinguishes them.
 FileKind kind_of_archive(const path& file) {
     for (const ZipEntry& entry : read_zip_directory(file)) {
         if (entry.name != "coeff.npy") continue;

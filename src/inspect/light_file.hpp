@@ -17,11 +17,11 @@ struct LightFile {
     int width = 0;  ///< of the image
 
     [[nodiscard]] int channels() const { return image ? image->channels() : coefficients.channels(); }
-    /// That the options ask for.
+    /// Of the options, or the default for the kind of file.
     [[nodiscard]] int order(const FileOptions& options) const;
     /// Rotated coefficients of that order.
     [[nodiscard]] PshVector project(const FileOptions& options) const;
-    /// The rotated image, in the size that the options ask for.
+    /// The rotated image, in the size of the options, or its own.
     [[nodiscard]] EquirectImage draw(const FileOptions& options, int least_width = 512) const;
 };
 

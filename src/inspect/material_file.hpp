@@ -18,7 +18,7 @@ struct MaterialFile {
     LightKind light = LightKind::full;         ///< what a table answers to
     std::vector<double> measured_wavelengths;  ///< nm
 
-    /// That the options ask for.
+    /// Of the options, or the default for the kind of file.
     [[nodiscard]] int order(const FileOptions& options) const;
 };
 

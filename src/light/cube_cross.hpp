@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "light/environment.hpp"
 
@@ -35,6 +36,12 @@ struct CubePoint {
     Frame frame;
 };
 [[nodiscard]] CubePoint cube_point(int edge, double x, double y);
+
+/// "NAME" of "NAME_s0.exr" .. "NAME_s3.exr"; none for other paths.
+[[nodiscard]] std::optional<std::filesystem::path> cube_cross_stem(const std::filesystem::path& file);
+
+/// "NAME_s<component>.exr".
+[[nodiscard]] std::filesystem::path cube_cross_file(const std::filesystem::path& stem, int component);
 
 /// The four files, given the path of one of them, `NAME_s0.exr` .. `NAME_s3.exr`, or `NAME`. Each has R G B,
 /// Y or S0 channels. Throws what read_exr() throws; Error(file_not_found) naming the file that is missing;

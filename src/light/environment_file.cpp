@@ -5,7 +5,6 @@
 
 #include "error.hpp"
 #include "light/cube_cross.hpp"
-#include "light/cube_names.hpp"
 #include "light/environment_checks.hpp"
 #include "light/psh_file.hpp"
 

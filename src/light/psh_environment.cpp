@@ -8,7 +8,7 @@
 #include "error.hpp"
 #include "harmonics/evaluate.hpp"
 #include "light/environment_checks.hpp"
-#include "light/image_grid.hpp"
+#include "light/equirect_projection.hpp"
 #include "light/image_light.hpp"
 
 namespace nicol {

@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: MIT
-// The sky of RayleighSky with turbidity.
+// A clear sky with haze: Perez's formula with the coefficients of Preetham et al. (1999).
 #pragma once
+
+#include <array>
 
 #include "light/environment.hpp"
 
 namespace nicol {
+
+/// The sky of a turbidity (1.7 clear to 10 hazy) and an angle of the sun from the zenith (0..pi/2).
+class PerezSky {
+public:
+    PerezSky(double turbidity, double sun_zenith);
+
+    /// Luminance (in kcd/m^2) and CIE chromaticity {Y, x, y} at a cosine > 0 of the zenith angle and an angle
+    /// `gamma` from the sun.
+    [[nodiscard]] std::array<double, 3> at(double cos_zenith, double gamma) const;
+
+private:
+    using Coefficients = std::array<double, 5>;
+
+    std::array<Coefficients, 3> shape_;  // of Y, x, y
+    std::array<double, 3> factor_;       // zenith value over its shape there
+};
+
+/// Linear sRGB of a luminance and chromaticity; may be negative outside the gamut.
+[[nodiscard]] std::array<double, 3> linear_srgb(const std::array<double, 3>& luminance_x_y);
 
 /// The image for a unit vector `sun` that is not below the horizon and members of `sky` that are in range,
 /// turbidity > 0.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "error.hpp"
+#include "image/color.hpp"
 
 namespace nicol {
 namespace {
@@ -38,11 +39,6 @@ constexpr std::array<Tristimulus, 41> kObserver{{
     {.000166, .000060, 0, 46.4182},        {.000083, .000030, 0, 66.8054},
     {.000042, .000015, 0, 63.3828},
 }};
-
-// XYZ to linear BT.709.
-constexpr double kToRgb[3][3] = {{3.2404542, -1.5371385, -0.4985314},
-                                 {-0.9692660, 1.8760108, 0.0415560},
-                                 {0.0556434, -0.2040259, 1.0572252}};
 
 void require_increasing(std::span<const double> wavelengths) {
     bool good = !wavelengths.empty() && std::isfinite(wavelengths.front());
@@ -77,7 +73,7 @@ Tristimulus observer_at(int nm) {
 }
 
 double response(std::size_t channel, const Tristimulus& t) {
-    return kToRgb[channel][0] * t.x + kToRgb[channel][1] * t.y + kToRgb[channel][2] * t.z;
+    return linear_rgb(t.x, t.y, t.z)[channel];
 }
 
 }  // namespace

@@ -41,11 +41,11 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     rays_ = std::make_unique<RayScene>(triangles);
 }
 
-std::optional<DirectLight::Seen> DirectLight::look(const Ray& ray) const {
+std::optional<DirectLight::Surfel> DirectLight::first_surface(const Ray& ray) const {
     const std::optional<RayHit> found = rays_->intersect(ray);
     if (!found) return std::nullopt;
     const Hit hit = hit_at(*found, -ray.direction);
-    return Seen{.instance = ids_[found->surface], .position = hit.position, .normal = hit.frame[2]};
+    return Surfel{.instance = ids_[found->surface], .position = hit.position, .normal = hit.frame[2]};
 }
 
 void DirectLight::add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
@@ -102,9 +102,9 @@ DirectLight::Hit DirectLight::hit_at(const RayHit& hit, const glm::dvec3& toward
 void DirectLight::add_background(const glm::dvec3& direction, const Frame& received,
                                  std::span<Stokes> sum) const {
     const glm::dvec3 towards_light = glm::normalize(direction * light_to_world_);
-    const double turn = angle_between(light_to_world_ * theta_phi_frame(-towards_light), received);
+    const double angle = angle_between(light_to_world_ * theta_phi_frame(-towards_light), received);
     for (int c = 0; c < channels_; ++c)
-        sum[static_cast<std::size_t>(c)] += rotated(radiance(c, towards_light), turn);
+        sum[static_cast<std::size_t>(c)] += rotated(radiance(c, towards_light), angle);
 }
 
 void DirectLight::add_reflected(const Hit& hit, const glm::dvec3& towards_light, double pdf,

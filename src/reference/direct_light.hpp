@@ -34,13 +34,13 @@ public:
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] std::uint64_t triangles() const noexcept { return triangles_; }
 
-    /// What a ray meets first.
-    struct Seen {
+    /// The point where a ray first meets a surface.
+    struct Surfel {
         std::uint32_t instance;  ///< id
         glm::dvec3 position;
-        glm::dvec3 normal;  ///< shading, unit; of a two-sided material on the side that is seen
+        glm::dvec3 normal;  ///< shading, unit; of a two-sided material on the viewer's side
     };
-    [[nodiscard]] std::optional<Seen> look(const Ray& ray) const;
+    [[nodiscard]] std::optional<Surfel> first_surface(const Ray& ray) const;
 
     /// Adds, for each channel, an estimate of the Stokes vector of the light that travels against the ray, in
     /// `received`, whose z is -ray.direction. The points in [0, 1)^2 choose the directions towards the light.

@@ -22,9 +22,9 @@
 namespace nicol {
 namespace {
 
-constexpr int tile_side = 8;
-// Samples between two looks at the progress callback.
-constexpr int samples_a_look = 512;
+constexpr int kTileSide = 8;
+// Samples between two calls of the progress callback.
+constexpr int kSamplesPerReport = 512;
 
 void check(const ReferenceOptions& options) {
     if (options.samples < 1 || options.samples > kMaxReferenceSamples) {
@@ -99,8 +99,8 @@ private:
         // Every pixel has points of its own, so neither tiles nor threads show.
         const std::uint64_t pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
         const LowDiscrepancy points(mixed(mixed(options_.seed, 0), pixel));
-        for (int first = 0; first < options_.samples; first += samples_a_look) {
-            const int last = std::min(first + samples_a_look, options_.samples);
+        for (int first = 0; first < options_.samples; first += kSamplesPerReport) {
+            const int last = std::min(first + kSamplesPerReport, options_.samples);
             for (int i = first; i < last; ++i) {
                 const auto index = static_cast<std::uint32_t>(i);
                 const glm::dvec2 position = points.point(index, 0);
@@ -115,18 +115,21 @@ private:
     }
 
     void look_through(int x, int y) {
-        const std::optional<DirectLight::Seen> seen = light_.look(rays_.through(x + 0.5, y + 0.5));
-        if (!seen) return;
+        const std::optional<DirectLight::Surfel> surfel =
+            light_.first_surface(rays_.through(x + 0.5, y + 0.5));
+        if (!surfel) return;
         const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(surfaces_.width) +
                            static_cast<std::size_t>(x);
         if (!surfaces_.depth.empty()) {
-            surfaces_.depth[pixel] = static_cast<float>(glm::dot(view_.forward, seen->position - view_.eye));
+            surfaces_.depth[pixel] =
+                static_cast<float>(glm::dot(view_.forward, surfel->position - view_.eye));
         }
-        if (!surfaces_.instances.empty()) surfaces_.instances[pixel] = seen->instance;
+        if (!surfaces_.instances.empty()) surfaces_.instances[pixel] = surfel->instance;
         for (glm::length_t i = 0; i < 3; ++i) {
             const std::size_t at = 3 * pixel + static_cast<std::size_t>(i);
-            if (!surfaces_.normals.empty()) surfaces_.normals[at] = static_cast<float>(seen->normal[i]);
-            if (!surfaces_.positions.empty()) surfaces_.positions[at] = static_cast<float>(seen->position[i]);
+            if (!surfaces_.normals.empty()) surfaces_.normals[at] = static_cast<float>(surfel->normal[i]);
+            if (!surfaces_.positions.empty())
+                surfaces_.positions[at] = static_cast<float>(surfel->position[i]);
         }
     }
 
@@ -163,7 +166,7 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
     tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
     arena.execute([&] {
         tbb::parallel_for(
-            tbb::blocked_range2d<int>(0, height, tile_side, 0, width, tile_side),
+            tbb::blocked_range2d<int>(0, height, kTileSide, 0, width, kTileSide),
             [&](const tbb::blocked_range2d<int>& tile) { tracer.trace(tile); }, tbb::simple_partitioner(),
             group);
     });

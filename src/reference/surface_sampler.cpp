@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 
 // Narrower lobes than this are sampled as if they had this width.
-constexpr double narrowest = 1e-3;
+constexpr double kNarrowest = 1e-3;
 
 glm::dvec3 cosine_sample(const glm::dvec2& point) {
     const double radius = std::sqrt(point.x);
@@ -22,7 +22,7 @@ glm::dvec3 cosine_sample(const glm::dvec2& point) {
     return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1 - point.x)};
 }
 
-/// The normal of a facet of those that the viewer sees, after Dupuy and Benyoub 2023: stretched until the
+/// The normal of a facet that is visible to the viewer, after Dupuy and Benyoub 2023: stretched until the
 /// roughness is 1, the facets are a hemisphere, whose reflections of the viewer fill a cap of the sphere
 /// evenly.
 glm::dvec3 visible_facet(double roughness, const glm::dvec3& viewer, const glm::dvec2& point) {
@@ -50,7 +50,7 @@ SurfaceSampler::SurfaceSampler(const Material& material) {
     for (int t = 0; t < material.terms(); ++t) {
         const double width = material.lobe_width(t);
         wide = wide || !(width < 1);
-        const double roughness = std::max(width, narrowest);
+        const double roughness = std::max(width, kNarrowest);
         const auto same = [&](const Lobe& lobe) { return lobe.roughness == roughness; };
         if (width < 1 && std::ranges::none_of(lobes_, same)) lobes_.push_back({roughness, 0});
     }

@@ -11,7 +11,7 @@
 namespace nicol {
 
 /// A mixture of the cosine-weighted hemisphere and, for each lobe width of the material below 1, reflection
-/// off the facets of a GGX surface of that roughness that the viewer sees. All directions are in the
+/// off the visible facets of a GGX surface of that roughness. All directions are in the
 /// surface's frame with the normal along z.
 class SurfaceSampler {
 public:

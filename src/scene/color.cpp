@@ -37,7 +37,7 @@ Table table_of(const ColorDescription& color) {
     return table;
 }
 
-// With a step to 0 at either end, narrower than any sampling sees.
+// With a step to 0 at either end, narrower than any sampling resolves.
 Table ending_in_zeros(const ColorDescription& color) {
     constexpr double step = 1e-6;
     Table table;

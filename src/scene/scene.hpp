@@ -34,7 +34,7 @@ public:
     void set_material(std::uint32_t id, MaterialPtr material);
     [[nodiscard]] const Instance& at(std::uint32_t id) const { return instances_[index_of(id)]; }
 
-    /// Null is darkness. `rotation` turns the light's axes into the world's; it must be a proper rotation.
+    /// Null is darkness. `rotation` takes the light's axes to the world's; it must be a proper rotation.
     /// `scale` multiplies the radiance and must be finite and not negative.
     void set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale);
 

@@ -19,8 +19,10 @@ struct SceneChannels {
 
 /// The values of a colour, three for red, green and blue; else one for grey, or one a wavelength. A table is
 /// linear between its wavelengths and, as in Mitsuba, 0 beyond them. As red, green and blue
-/// - a reflectance is seen under D65 (rgb_weights()), so that a constant table is grey, and clipped to 0..1;
-/// - light is seen as it is (rgb_emission_weights()), as Mitsuba's modes without spectra do it: a constant
+/// - a reflectance is observed under D65 (rgb_weights()), so that a constant table is grey, and clipped to
+/// 0..1;
+/// - light is observed as it is (rgb_emission_weights()), as Mitsuba's modes without spectra do it: a
+/// constant
 ///   table is white of equal energy, a little redder than D65; clipped below 0;
 /// - an index has its values at the wavelengths that stand for red, green and blue (kRgbWavelengths), as
 /// those

@@ -124,7 +124,7 @@ glm::dvec3 perpendicular(const glm::dvec3& n) {
     return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
 }
 
-/// +z towards the target, +x to the left seen from behind, +y as near to `up` as can be.
+/// +z towards the target, +x to the left for a viewer behind it, +y as near to `up` as can be.
 glm::dmat4 look_at(const XmlDocument& document, pugi::xml_node node) {
     check_attributes(document, node, {"origin", "target", "up"});
     const glm::dvec3 origin = triple_attribute(document, node, "origin");

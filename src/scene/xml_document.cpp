@@ -10,7 +10,7 @@ namespace nicol::scene {
 namespace {
 
 constexpr std::size_t max_bytes = std::size_t{16} << 20;
-/// A scene with everything nested has 6 levels.
+/// A scene with all elements nested has 6 levels.
 constexpr int max_depth = 32;
 /// Mitsuba's limit.
 constexpr std::size_t max_include_depth = 15;

@@ -259,7 +259,7 @@ TEST_CASE("scene and render descriptors of any version") {
         const Folder folder;
         const nicol_observation image = NICOL_OBSERVATION_INIT;
         const std::string path = folder.file("image.png");
-        check_input(image, offsetof(nicol_observation, exposure), "image",
+        check_input(image, offsetof(nicol_observation, exposure), "observation",
                     [&](const nicol_observation* given) {
                         return nicol_framebuffer_write_png(stage.framebuffer, given, path.c_str());
                     });

@@ -225,7 +225,7 @@ TEST_CASE("targets that cannot be drawn into are refused by name") {
     FAILS(nicol_framebuffer_get_texture(framebuffer, 3, &own), NICOL_ERROR_INVALID_ARGUMENT, "channel");
     FAILS(nicol_framebuffer_get_texture(framebuffer, 0, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "texture");
     FAILS(nicol_framebuffer_draw_observation(framebuffer, nullptr, &target), NICOL_ERROR_INVALID_ARGUMENT,
-          "image");
+          "observation");
     FAILS(nicol_framebuffer_draw_observation(framebuffer, &seen, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
           "target");
     target.bottom_up = 2;

@@ -523,7 +523,7 @@ class LightReport(Struct):
 
 
 class MaterialReport(Struct):
-    """What a material is, by channel, as far as coefficients up to `order` tell."""
+    """What a material is, by channel, as far as coefficients up to `order` describe it."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("kind", c_uint32),
@@ -884,10 +884,10 @@ class Framebuffer(Handle):
         and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned)."""
         check(_framebuffer_write_exr(self, text(path)))
 
-    def write_png(self, image, path):
+    def write_png(self, observation, path):
         """8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
         channels."""
-        check(_framebuffer_write_png(self, byref(image) if image is not None else None, text(path)))
+        check(_framebuffer_write_png(self, byref(observation) if observation is not None else None, text(path)))
 
     def get_texture(self, channel):
         """The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
@@ -902,10 +902,10 @@ class Framebuffer(Handle):
         """Copies the Stokes vectors of a channel. Nothing is read back."""
         check(_framebuffer_draw_stokes(self, channel, byref(target) if target is not None else None))
 
-    def draw_observation(self, image, target):
+    def draw_observation(self, observation, target):
         """The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
         1 here, since nothing is read back."""
-        check(_framebuffer_draw_observation(self, byref(image) if image is not None else None, byref(target) if target is not None else None))
+        check(_framebuffer_draw_observation(self, byref(observation) if observation is not None else None, byref(target) if target is not None else None))
 
 
 class Job(Handle):
@@ -934,7 +934,7 @@ class Job(Handle):
 
 class PshTransform(Handle):
     """Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
-    context; holds its work space: after creation no call allocates. Calls on one transform lock it."""
+    context; holds its work space: after creation no call allocates. Calls on one transform are serialised."""
 
     @classmethod
     def create(cls, sampling):
@@ -1037,7 +1037,7 @@ def psh_project_environment(environment, order, coefficients):
 
 def psh_project_file(path, order, coefficients=None):
     """A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
-    asks for the number of channels alone."""
+    gets the number of channels alone."""
     channels = c_uint32()
     coefficients = Buffer(coefficients, c_double, writable=True)
     check(_psh_project_file(text(path), order, byref(channels), coefficients.pointer, coefficients.count))
@@ -1067,7 +1067,7 @@ def psh_evaluate(order, vectors, coefficients, directions, stokes):
 
 
 def psh_rotate(order, vectors, in_, rotation, out):
-    """The fields rotated with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
+    """The rotated fields: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
     orthonormal to 1e-5 and right-handed. out may be in."""
     in_ = Buffer(in_, c_double)
     out = Buffer(out, c_double, writable=True)
@@ -1157,7 +1157,7 @@ def psh_nearest_kernel(order, matrix, bands):
 
 
 def file_identify(path):
-    """Looks at suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
+    """By suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
     the file may yet prove damaged."""
     kind = c_uint32()
     check(_file_identify(text(path), byref(kind)))

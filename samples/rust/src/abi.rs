@@ -997,11 +997,11 @@ pub struct nicol_psh_transform_impl {
     _private: [u8; 0],
 }
 /// Between samples [vector][row][column][4], north to south, and coefficients, in O(order^3). Needs no
-/// context; holds its work space: after creation no call allocates. Calls on one transform lock it.
+/// context; holds its work space: after creation no call allocates. Calls on one transform are serialised.
 pub type nicol_psh_transform = *mut nicol_psh_transform_impl;
 
 /// Writes the Mueller matrix from the theta-phi frame of the propagation direction `in` to that of `out`,
-/// cosine factors included (Eq. 38). Answer 1 to go on, 0 to stop with NICOL_ERROR_CANCELLED. Called on the
+/// cosine factors included (Eq. 38). Return 1 to continue, 0 to stop with NICOL_ERROR_CANCELLED. Called on the
 /// calling thread. It may call Nicol.
 pub type nicol_psh_mueller_callback = Option<unsafe extern "C" fn(user: *mut c_void, r#in: *const [f64; 3], out: *const [f64; 3], mueller: *mut [f64; 16]) -> i32>;
 
@@ -1042,7 +1042,7 @@ const _: () = {
 };
 
 /// Writes the Mueller matrix at the angle theta between input and output direction, frames with x along the
-/// great circle, from input to output at both ends (Eq. 62). Answers as nicol_psh_mueller_callback.
+/// great circle, from input to output at both ends (Eq. 62). Returns as nicol_psh_mueller_callback.
 pub type nicol_psh_kernel_callback = Option<unsafe extern "C" fn(user: *mut c_void, theta: f64, mueller: *mut [f64; 16]) -> i32>;
 pub type nicol_file_kind = u32;
 
@@ -1136,7 +1136,7 @@ const _: () = {
     assert!(offset_of!(nicol_light_report, largest_excess) == 1440);
 };
 
-/// What a material is, by channel, as far as coefficients up to `order` tell.
+/// What a material is, by channel, as far as coefficients up to `order` describe it.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_material_report {
@@ -1356,7 +1356,7 @@ extern "C" {
     pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
     /// 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
     /// channels.
-    pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, image: *const nicol_observation, path: *const c_char) -> nicol_result;
+    pub fn nicol_framebuffer_write_png(framebuffer: nicol_framebuffer, observation: *const nicol_observation, path: *const c_char) -> nicol_result;
     /// A context inside the one that is current: OpenGL 4.5 or newer, of the core or the compatibility profile.
     /// options as of nicol_context_create, backend and device 0. NICOL_ERROR_NOT_CURRENT if is_current returns 0,
     /// NICOL_ERROR_NO_BACKEND where there is no such OpenGL.
@@ -1370,14 +1370,14 @@ extern "C" {
     pub fn nicol_framebuffer_draw_stokes(framebuffer: nicol_framebuffer, channel: u32, target: *const nicol_texture_target) -> nicol_result;
     /// The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
     /// 1 here, since nothing is read back.
-    pub fn nicol_framebuffer_draw_observation(framebuffer: nicol_framebuffer, image: *const nicol_observation, target: *const nicol_texture_target) -> nicol_result;
+    pub fn nicol_framebuffer_draw_observation(framebuffer: nicol_framebuffer, observation: *const nicol_observation, target: *const nicol_texture_target) -> nicol_result;
     /// Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
     /// is channels * 4 (order+1)^2. An image counts as the bilinear function between its pixels. As an
     /// environment, it must be physical: polarization up to s0.
     pub fn nicol_psh_project_image(image: *const nicol_image, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
     pub fn nicol_psh_project_environment(environment: nicol_environment, order: u32, coefficients: *mut f64, count: u64) -> nicol_result;
     /// A file as nicol_environment_load reads it. channels may be NULL; coefficients NULL with count 0
-    /// asks for the number of channels alone.
+    /// gets the number of channels alone.
     pub fn nicol_psh_project_file(path: *const c_char, order: u32, channels: *mut u32, coefficients: *mut f64, count: u64) -> nicol_result;
     /// NICOL_ERROR_INVALID_ARGUMENT where the sampling is too coarse for the order.
     pub fn nicol_psh_transform_create(sampling: *const nicol_psh_sampling, transform: *mut nicol_psh_transform) -> nicol_result;
@@ -1393,7 +1393,7 @@ extern "C" {
     pub fn nicol_psh_synthesize(transform: nicol_psh_transform, vectors: u64, coefficients: *const f64, coefficient_count: u64, samples: *mut f64, sample_count: u64) -> nicol_result;
     /// Stokes vectors [vector][direction][4] at directions [direction][3] of any length but 0.
     pub fn nicol_psh_evaluate(order: u32, vectors: u64, coefficients: *const f64, coefficient_count: u64, directions: *const f64, direction_count: u64, stokes: *mut f64, stokes_count: u64) -> nicol_result;
-    /// The fields rotated with everything in them: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
+    /// The rotated fields: (R f)(w) = R f(R^-1 w) (Eqs. 25, 36). The rotation must be
     /// orthonormal to 1e-5 and right-handed. out may be in.
     pub fn nicol_psh_rotate(order: u32, vectors: u64, r#in: *const f64, in_count: u64, rotation: *const [f64; 9], out: *mut f64, out_count: u64) -> nicol_result;
     /// The fields' mirror images in the plane z = 0 (Eq. 214, with its conjugation). out may be in.
@@ -1420,7 +1420,7 @@ extern "C" {
     /// both sides of the matrix have this order.
     pub fn nicol_psh_kernel_matrix(order: u32, bands: *const f64, band_count: u64, matrix: *mut f64, matrix_count: u64) -> nicol_result;
     pub fn nicol_psh_nearest_kernel(order: u32, matrix: *const f64, matrix_count: u64, bands: *mut f64, band_count: u64) -> nicol_result;
-    /// Looks at suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
+    /// By suffix and headers alone: NICOL_ERROR_UNSUPPORTED for a suffix or an archive of another kind, and
     /// the file may yet prove damaged.
     pub fn nicol_file_identify(path: *const c_char, kind: *mut nicol_file_kind) -> nicol_result;
     /// options may be NULL. energy, which may be NULL with count 0, has room for count doubles and gets

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "light/image_grid.hpp"
+// Pixels as samples of a band-limited field.
+#include "light/equirect_projection.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Colours of BT.709 and sRGB, white point D65.
+#pragma once
+
+#include <array>
+
+namespace nicol {
+
+/// CIE XYZ to linear red, green and blue; may be negative outside the gamut.
+[[nodiscard]] constexpr std::array<double, 3> linear_rgb(double x, double y, double z) {
+    return {3.2404542 * x - 1.5371385 * y - 0.4985314 * z, -0.9692660 * x + 1.8760108 * y + 0.0415560 * z,
+            0.0556434 * x - 0.2040259 * y + 1.0572252 * z};
+}
+
+/// Linear red, green and blue to luminance.
+inline constexpr std::array<float, 3> kLuminance{0.2126F, 0.7152F, 0.0722F};
+
+}  // namespace nicol
