@@ -5,16 +5,14 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <random>
 #include <string>
-#include <vector>
 
 #include "error.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "gl/object.hpp"
 #include "gl/test_shaders.hpp"
+#include "temporary_folder.hpp"
 
 using namespace nicol;
 using namespace nicol::gl;
@@ -22,18 +20,6 @@ using namespace nicol::gl;
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("nicol-programs-" + std::to_string(std::random_device()()));
-    ~Folder() { fs::remove_all(path); }
-
-    [[nodiscard]] std::vector<fs::path> files() const {
-        std::vector<fs::path> found;
-        if (!fs::exists(path)) return found;
-        for (const auto& entry : fs::directory_iterator(path)) found.push_back(entry.path());
-        return found;
-    }
-};
 
 Program make(const std::shared_ptr<Context>& context, const std::string& wide) {
     const std::array<Define, 2> defines{{{"WIDE", wide}, {"HIGH", "2.0"}}};
@@ -48,20 +34,11 @@ float drawn(const std::shared_ptr<Context>& context, const Program& program) {
     return pixel[2];
 }
 
-bool keep(Context& context, const Folder& folder) {
-    keep_programs(context, folder.path);
+bool keep(Context& context, const TemporaryFolder& folder) {
+    keep_programs(context, folder.path());
     if (ProgramCache(context).enabled()) return true;
     MESSAGE("skipped: the driver has no form to keep programs in");
     return false;
-}
-
-std::string content_of(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void write(const fs::path& path, const std::string& content) {
-    std::ofstream(path, std::ios::binary) << content;
 }
 
 }  // namespace
@@ -69,21 +46,21 @@ void write(const fs::path& path, const std::string& content) {
 TEST_CASE("a program is kept once and serves again") {
     on_every_backend([](const std::shared_ptr<Context>& context) {
         context->run([&] {
-            const Folder folder;
+            const TemporaryFolder folder;
             CHECK(drawn(context, make(context, "1.5")) == 1.5F);
-            CHECK(folder.files().empty());
+            CHECK(folder.names().empty());
             if (!keep(*context, folder)) return;
             CHECK(drawn(context, make(context, "1.5")) == 1.5F);
-            REQUIRE(folder.files().size() == 1);
-            const auto written = fs::last_write_time(folder.files()[0]);
+            REQUIRE(folder.names().size() == 1);
+            const auto written = fs::last_write_time(folder / *folder.names().begin());
             CHECK(drawn(context, make(context, "1.5")) == 1.5F);
-            CHECK(folder.files().size() == 1);
-            CHECK(fs::last_write_time(folder.files()[0]) == written);
+            CHECK(folder.names().size() == 1);
+            CHECK(fs::last_write_time(folder / *folder.names().begin()) == written);
             CHECK(drawn(context, make(context, "3.5")) == 3.5F);
-            CHECK(folder.files().size() == 2);
+            CHECK(folder.names().size() == 2);
             keep_programs(*context, {});
             CHECK(drawn(context, make(context, "4.5")) == 4.5F);
-            CHECK(folder.files().size() == 2);
+            CHECK(folder.names().size() == 2);
         });
     });
 }
@@ -91,7 +68,7 @@ TEST_CASE("a program is kept once and serves again") {
 TEST_CASE("what is loaded is what was kept, with its uniforms") {
     on_every_backend([](const std::shared_ptr<Context>& context) {
         context->run([&] {
-            const Folder folder;
+            const TemporaryFolder folder;
             if (!keep(*context, folder)) return;
             const ProgramCache cache(*context);
             ProgramKey key;
@@ -117,26 +94,26 @@ TEST_CASE("what is loaded is what was kept, with its uniforms") {
 TEST_CASE("stale and damaged programs are made anew, and a folder that cannot be used is no error") {
     on_every_backend([](const std::shared_ptr<Context>& context) {
         context->run([&] {
-            const Folder folder;
+            const TemporaryFolder folder;
             if (!keep(*context, folder)) return;
             static_cast<void>(make(context, "1.5"));
-            REQUIRE(folder.files().size() == 1);
-            const fs::path file = folder.files()[0];
-            const std::string good = content_of(file);
+            REQUIRE(folder.names().size() == 1);
+            const fs::path file = folder / *folder.names().begin();
+            const std::string good = file_bytes(file);
             for (const std::size_t at : {std::size_t{3}, good.size() / 2, good.size() - 1}) {
                 std::string bad = good;
                 bad[at] = static_cast<char>(bad[at] ^ 1);
                 for (const std::string& content : {bad, good.substr(0, at), std::string()}) {
-                    write(file, content);
+                    folder.write(file.filename().string(), content);
                     CHECK(drawn(context, make(context, "1.5")) == 1.5F);
-                    CHECK(content_of(file).size() == good.size());
+                    CHECK(file_bytes(file).size() == good.size());
                 }
             }
             ProgramKey key;
             key.add(1, "anything");
             const ProgramCache cache(*context);
-            fs::remove_all(folder.path);
-            write(folder.path, "a file where the folder should be");
+            fs::remove_all(folder.path());
+            std::ofstream(folder.path()) << "a file where the folder should be";
             CHECK(drawn(context, make(context, "2.5")) == 2.5F);
             cache.store(key, make(context, "2.5").id());
             const Object none(context, ObjectKind::program);

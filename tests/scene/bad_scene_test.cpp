@@ -19,13 +19,13 @@ void check_refused_text(const std::string& text, ErrorCode code, const std::vect
     CAPTURE(text.substr(0, 400));
     const SceneFile file(text);
     try {
-        static_cast<void>(read_mitsuba_scene(file.path(), parameters));
+        static_cast<void>(read_mitsuba_scene(file.scene(), parameters));
         FAIL_CHECK("read, expected a refusal");
     } catch (const Error& e) {
         const std::string message = e.what();
         CAPTURE(message);
         CHECK(e.code() == code);
-        CHECK(message.find(file.path().string()) == 0);
+        CHECK(message.find(file.scene().string()) == 0);
         CHECK(message.size() < 1000);
         for (const std::string& part : parts) {
             CAPTURE(part);
@@ -62,7 +62,7 @@ std::string film_with(const std::string& parameters) {
 
 TEST_CASE("files that cannot be read") {
     const SceneFile file("");
-    const std::string pipe = file.folder() / "pipe.xml";
+    const std::string pipe = file / "pipe.xml";
     REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);  // nobody writes: opening it would wait
     for (const std::string path : {"/no/such/scene.xml", "/tmp", "/dev/zero", pipe.c_str()}) {
         try {
@@ -281,8 +281,8 @@ TEST_CASE("$parameters") {
     check_refused_text(scene("<default name='b' value='1'/>" + shape_with("")), ErrorCode::invalid_argument,
                        {"no parameter \"$a\"", "$b"}, {{"a", "1"}});
     const SceneFile file(scene(a_sensor + a_shape));
-    CHECK_THROWS_AS(static_cast<void>(read_mitsuba_scene(file.path(), {{"", "1"}})), Error);
-    CHECK_THROWS_AS(static_cast<void>(read_mitsuba_scene(file.path(), {{"$a", "1"}})), Error);
+    CHECK_THROWS_AS(static_cast<void>(read_mitsuba_scene(file.scene(), {{"", "1"}})), Error);
+    CHECK_THROWS_AS(static_cast<void>(read_mitsuba_scene(file.scene(), {{"$a", "1"}})), Error);
 }
 
 TEST_CASE("hostile documents end soon") {
@@ -327,7 +327,7 @@ TEST_CASE("a scene cut short anywhere or with bytes changed never does worse tha
     const auto attempt = [&](const std::string& changed) {
         const SceneFile file(changed);
         try {
-            static_cast<void>(read_mitsuba_scene(file.path()));
+            static_cast<void>(read_mitsuba_scene(file.scene()));
         } catch (const Error& e) {
             CHECK(e.code() != ErrorCode::internal);
             ++failures;

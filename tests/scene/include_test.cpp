@@ -18,7 +18,7 @@ const std::string scene_end = a_sensor + an_emitter + a_shape;
 void check_refused(const SceneFile& file, ErrorCode code, const std::string& place,
                    const std::vector<std::string>& parts, const std::string& ending = "") {
     try {
-        static_cast<void>(read_mitsuba_scene(file.path()));
+        static_cast<void>(read_mitsuba_scene(file.scene()));
         FAIL_CHECK("read, expected a refusal");
     } catch (const Error& e) {
         const std::string message = e.what();
@@ -39,11 +39,11 @@ void check_refused(const SceneFile& file, ErrorCode code, const std::string& pla
 TEST_CASE("an included scene stands where it is included") {
     const SceneFile file(scene("<shape type='cube'/><include filename='parts/two.xml'/>" + a_sensor +
                                an_emitter + "<shape type='rectangle'><ref id='shared'/></shape>"));
-    file.add("parts/two.xml", scene("<shape type='sphere'><bsdf type='pplastic' id='shared'/></shape>"
-                                    "<include filename='three.xml'/><shape type='sphere'/>"));
-    file.add("parts/three.xml",
-             scene("<shape type='obj'><string name='filename' value='mesh.obj'/></shape>"));
-    const SceneDescription s = read_mitsuba_scene(file.path());
+    file.write("parts/two.xml", scene("<shape type='sphere'><bsdf type='pplastic' id='shared'/></shape>"
+                                      "<include filename='three.xml'/><shape type='sphere'/>"));
+    file.write("parts/three.xml",
+               scene("<shape type='obj'><string name='filename' value='mesh.obj'/></shape>"));
+    const SceneDescription s = read_mitsuba_scene(file.scene());
     REQUIRE(s.shapes.size() == 5);
     using Kind = ShapeDescription::Kind;
     const Kind kinds[] = {Kind::cube, Kind::sphere, Kind::obj, Kind::sphere, Kind::rectangle};
@@ -51,23 +51,23 @@ TEST_CASE("an included scene stands where it is included") {
     CHECK(s.shapes[4].material == s.shapes[1].material);
     CHECK(s.materials.at(s.shapes[4].material).kind == MaterialDescription::Kind::pplastic);
     // Relative to the file that says so.
-    CHECK(s.shapes[2].filename == file.folder() / "parts" / "mesh.obj");
+    CHECK(s.shapes[2].filename == file / "parts" / "mesh.obj");
 }
 
 TEST_CASE("the id of a <scene> names nothing") {
     const SceneFile file(scene("<include filename='a.xml'/><include filename='a.xml'/>" + scene_end));
-    file.add("a.xml", "<scene version='3.0.0' id='scene'>" + a_shape + "</scene>");
-    CHECK(read_mitsuba_scene(file.path()).shapes.size() == 3);
+    file.write("a.xml", "<scene version='3.0.0' id='scene'>" + a_shape + "</scene>");
+    CHECK(read_mitsuba_scene(file.scene()).shapes.size() == 3);
 }
 
 TEST_CASE("an included object stands where it is included") {
     const SceneFile file(scene(a_sensor + an_emitter +
                                "<shape type='sphere'><include name='surface' filename='plastic.xml'/></shape>"
                                "<shape type='cube'><include filename='many.xml'/></shape>"));
-    file.add("plastic.xml",
-             "<bsdf version='3.0.0' type='pplastic'><float name='alpha' value='0.25'/></bsdf>");
-    file.add("many.xml", scene("<bsdf type='conductor'/>"));
-    const SceneDescription s = read_mitsuba_scene(file.path());
+    file.write("plastic.xml",
+               "<bsdf version='3.0.0' type='pplastic'><float name='alpha' value='0.25'/></bsdf>");
+    file.write("many.xml", scene("<bsdf type='conductor'/>"));
+    const SceneDescription s = read_mitsuba_scene(file.scene());
     REQUIRE(s.shapes.size() == 2);
     CHECK(s.materials.at(s.shapes[0].material).alpha == 0.25);
     CHECK(s.materials.at(s.shapes[1].material).kind == MaterialDescription::Kind::conductor);
@@ -77,14 +77,14 @@ TEST_CASE("parameters and defaults cross includes, and the caller's win") {
     const SceneFile file(scene("<default name='r' value='1'/><include filename='$part.xml'/>" + a_sensor +
                                an_emitter +
                                "<shape type='sphere'><float name='radius' value='$late'/></shape>"));
-    file.add("b.xml", scene("<default name='r' value='2'/><default name='late' value='3'/>"
-                            "<default name='over' value='4'/>"
-                            "<shape type='sphere'><point name='center' value='$r,$late,$over'/></shape>"));
-    const SceneDescription s = read_mitsuba_scene(file.path(), {{"part", "b"}, {"over", "5"}});
+    file.write("b.xml", scene("<default name='r' value='2'/><default name='late' value='3'/>"
+                              "<default name='over' value='4'/>"
+                              "<shape type='sphere'><point name='center' value='$r,$late,$over'/></shape>"));
+    const SceneDescription s = read_mitsuba_scene(file.scene(), {{"part", "b"}, {"over", "5"}});
     CHECK(s.shapes.at(0).center == glm::dvec3(1, 3, 5));
     CHECK(s.shapes.at(1).radius == 3.0);
     CHECK_THROWS_WITH_AS(
-        static_cast<void>(read_mitsuba_scene(file.path(), {{"part", "b"}, {"late", "7"}, {"no", "1"}})),
+        static_cast<void>(read_mitsuba_scene(file.scene(), {{"part", "b"}, {"late", "7"}, {"no", "1"}})),
         doctest::Contains("no parameter \"$no\""), Error);
 }
 
@@ -94,29 +94,29 @@ TEST_CASE("files are looked for in <path>s, the folder of the file, and those of
     const auto obj = [](const std::string& name) {
         return "<shape type='obj'><string name='filename' value='" + name + ".obj'/></shape>";
     };
-    file.add("first/both.obj", "");
-    file.add("second/both.obj", "");
-    file.add("first/one.obj", "");
-    file.add("sub/both.obj", "");
-    file.add("root.obj", "");
-    file.add("inner/deep.obj", "");
-    file.add("sub/inner/deep.obj", "");
-    file.add("sub/a.xml",
-             scene(obj("both") + obj("one") + obj("root") + obj("none") + "<path value='inner'/>" +
-                   obj("deep") + "<path value='" + (file.folder() / "first").string() + "'/>"));
-    const SceneDescription s = read_mitsuba_scene(file.path());
+    file.write("first/both.obj", "");
+    file.write("second/both.obj", "");
+    file.write("first/one.obj", "");
+    file.write("sub/both.obj", "");
+    file.write("root.obj", "");
+    file.write("inner/deep.obj", "");
+    file.write("sub/inner/deep.obj", "");
+    file.write("sub/a.xml",
+               scene(obj("both") + obj("one") + obj("root") + obj("none") + "<path value='inner'/>" +
+                     obj("deep") + "<path value='" + (file / "first").string() + "'/>"));
+    const SceneDescription s = read_mitsuba_scene(file.scene());
     REQUIRE(s.shapes.size() == 5);
     // The <path>s of the file itself precede its folder, wherever in the file they stand.
-    CHECK(s.shapes[0].filename == file.folder() / "first" / "both.obj");
-    CHECK(s.shapes[1].filename == file.folder() / "first" / "one.obj");
-    CHECK(s.shapes[2].filename == file.folder() / "root.obj");
-    CHECK(s.shapes[3].filename == file.folder() / "sub" / "none.obj");
-    CHECK(s.shapes[4].filename == file.folder() / "sub" / "inner" / "deep.obj");
+    CHECK(s.shapes[0].filename == file / "first" / "both.obj");
+    CHECK(s.shapes[1].filename == file / "first" / "one.obj");
+    CHECK(s.shapes[2].filename == file / "root.obj");
+    CHECK(s.shapes[3].filename == file / "sub" / "none.obj");
+    CHECK(s.shapes[4].filename == file / "sub" / "inner" / "deep.obj");
 
     const SceneFile newest(scene("<path value='first'/><path value='second'/>" + obj("both") + scene_end));
-    newest.add("first/both.obj", "");
-    newest.add("second/both.obj", "");
-    CHECK(read_mitsuba_scene(newest.path()).shapes.at(0).filename == newest.folder() / "second" / "both.obj");
+    newest.write("first/both.obj", "");
+    newest.write("second/both.obj", "");
+    CHECK(read_mitsuba_scene(newest.scene()).shapes.at(0).filename == newest / "second" / "both.obj");
 }
 
 TEST_CASE("an <alias> is another name for what has an id") {
@@ -124,13 +124,13 @@ TEST_CASE("an <alias> is another name for what has an id") {
         scene(a_sensor + an_emitter +
               "<bsdf type='pplastic' id='a'/><alias id='a' as='b'/><alias id='b' as='c'/>"
               "<shape type='sphere'><ref id='a'/></shape><shape type='sphere'><ref id='c'/></shape>"));
-    const SceneDescription s = read_mitsuba_scene(file.path());
+    const SceneDescription s = read_mitsuba_scene(file.scene());
     CHECK(s.materials.size() == 1);
     CHECK(s.shapes.at(0).material == s.shapes.at(1).material);
     const std::string start = scene_end + "<bsdf type='diffuse' id='a'/>\n";
     const auto refused = [&](const std::string& alias, const std::string& part) {
         const SceneFile bad(scene(start + alias + "<bsdf type='diffuse' id='late'/>"));
-        check_refused(bad, ErrorCode::invalid_file, bad.path().string() + ":6: ", {part});
+        check_refused(bad, ErrorCode::invalid_file, bad.scene().string() + ":6: ", {part});
     };
     refused("<alias id='a' as='a'/>", "id \"a\" is taken by the element at");
     refused("<alias id='late' as='b'/>", "\"late\", an id that no element above has");
@@ -142,25 +142,25 @@ TEST_CASE("an <alias> is another name for what has an id") {
 
 TEST_CASE("errors in an included file name its line and who includes it") {
     const SceneFile file(scene("\n<include filename='a.xml'/>" + scene_end));
-    const std::string a = (file.folder() / "a.xml").string(), b = (file.folder() / "b.xml").string();
-    file.add("a.xml", scene("<include filename='b.xml'/>"));
+    const std::string a = (file / "a.xml").string(), b = (file.path() / "b.xml").string();
+    file.write("a.xml", scene("<include filename='b.xml'/>"));
     const std::string ending = " (included by a.xml:2, by scene.xml:3)";
-    file.add("b.xml", scene("\n<shape type='hair'/>"));
+    file.write("b.xml", scene("\n<shape type='hair'/>"));
     check_refused(file, ErrorCode::unsupported, b + ":3: shape \"hair\"", {}, ending);
-    file.add("b.xml", "<scene version='3.0.0'>\n<shape");
+    file.write("b.xml", "<scene version='3.0.0'>\n<shape");
     check_refused(file, ErrorCode::invalid_file, b + ":2:", {}, ending);
-    file.add("b.xml", "<scene/>");
+    file.write("b.xml", "<scene/>");
     check_refused(file, ErrorCode::invalid_file, b + ":1: <scene> has no version", {}, ending);
-    file.add("b.xml", "<scene version='0.6'/>");
+    file.write("b.xml", "<scene version='0.6'/>");
     check_refused(file, ErrorCode::unsupported, b + ":1: scene version", {}, ending);
-    file.add("b.xml", "<scene version='3.0.0' kind='x'/>");
+    file.write("b.xml", "<scene version='3.0.0' kind='x'/>");
     check_refused(file, ErrorCode::invalid_file, b + ":1: <scene> has an attribute \"kind\"", {}, ending);
-    file.add("b.xml", "<!DOCTYPE x [<!ENTITY lol 'lol'>]><scene version='3.0.0'/>");
+    file.write("b.xml", "<!DOCTYPE x [<!ENTITY lol 'lol'>]><scene version='3.0.0'/>");
     check_refused(file, ErrorCode::unsupported, b + ":1: <!DOCTYPE>", {"\"lol\""}, ending);
-    file.add("b.xml", scene("<float name='x' value='$y'/>"));
+    file.write("b.xml", scene("<float name='x' value='$y'/>"));
     check_refused(file, ErrorCode::invalid_file, b + ":2: undefined parameter", {}, ending);
-    file.add("b.xml", scene("<bsdf type='diffuse' id='x'/>"));
-    file.add("a.xml", scene("<bsdf type='diffuse' id='x'/><include filename='b.xml'/>"));
+    file.write("b.xml", scene("<bsdf type='diffuse' id='x'/>"));
+    file.write("a.xml", scene("<bsdf type='diffuse' id='x'/><include filename='b.xml'/>"));
     check_refused(file, ErrorCode::invalid_file, b + ":2: id \"x\" is taken by the element at " + a + ":2",
                   {}, ending);
 }
@@ -168,8 +168,8 @@ TEST_CASE("errors in an included file name its line and who includes it") {
 TEST_CASE("includes that cannot be") {
     const auto refused = [](const std::string& content, ErrorCode code, const std::string& part) {
         const SceneFile file(scene("\n" + content + scene_end));
-        file.add("diffuse.xml", "<bsdf version='3.0.0' type='diffuse'/>");
-        file.add("radius.xml", scene("<float name='radius' value='2'/>"));
+        file.write("diffuse.xml", "<bsdf version='3.0.0' type='diffuse'/>");
+        file.write("radius.xml", scene("<float name='radius' value='2'/>"));
         check_refused(file, code, "", {part});
     };
     refused("<include filename='none.xml'/>", ErrorCode::file_not_found, "scene.xml:3: <include> of");
@@ -194,13 +194,12 @@ TEST_CASE("includes that cannot be") {
 
 TEST_CASE("circles of includes end") {
     const SceneFile file(scene("<include filename='a.xml'/>" + scene_end));
-    file.add("a.xml",
-             scene("\n<include filename='../" + file.folder().filename().string() + "/scene.xml'/>"));
-    check_refused(file, ErrorCode::invalid_file, (file.folder() / "a.xml").string() + ":3: <include> of",
+    file.write("a.xml",
+               scene("\n<include filename='../" + file.path().filename().string() + "/scene.xml'/>"));
+    check_refused(file, ErrorCode::invalid_file, (file / "a.xml").string() + ":3: <include> of",
                   {"goes in a circle"}, " (included by scene.xml:2)");
-    file.add("a.xml", scene("<include filename='a.xml'/>"));
-    check_refused(file, ErrorCode::invalid_file,
-                  (file.folder() / "a.xml").string() + ":2: ", {"goes in a circle"},
+    file.write("a.xml", scene("<include filename='a.xml'/>"));
+    check_refused(file, ErrorCode::invalid_file, (file / "a.xml").string() + ":2: ", {"goes in a circle"},
                   " (included by scene.xml:2)");
 }
 
@@ -209,13 +208,13 @@ TEST_CASE("includes are bounded in depth, number and size") {
     const auto chain_of = [&](int depth) {
         auto file = std::make_unique<SceneFile>(scene("<include filename='1.xml'/>" + scene_end));
         for (int i = 1; i < depth; ++i)
-            file->add(number(i), scene("<include filename='" + number(i + 1) + "'/>"));
-        file->add(number(depth), scene(a_shape));
+            file->write(number(i), scene("<include filename='" + number(i + 1) + "'/>"));
+        file->write(number(depth), scene(a_shape));
         return file;
     };
-    CHECK(read_mitsuba_scene(chain_of(15)->path()).shapes.size() == 2);
+    CHECK(read_mitsuba_scene(chain_of(15)->scene()).shapes.size() == 2);
     const auto deep = chain_of(16);
-    check_refused(*deep, ErrorCode::invalid_file, (deep->folder() / "15.xml").string() + ":2: ",
+    check_refused(*deep, ErrorCode::invalid_file, (*deep / "15.xml").string() + ":2: ",
                   {"more than 15 deep", "(included by 14.xml:2, by 13.xml:2"}, ", by scene.xml:2)");
 
     // Four files a level: 4^8 of them if nobody counts.
@@ -223,13 +222,13 @@ TEST_CASE("includes are bounded in depth, number and size") {
     for (int i = 1; i < 9; ++i) {
         std::string content;
         for (int k = 0; k < 4; ++k) content += "<include filename='" + number(i + 1) + "'/>";
-        wide.add(number(i), scene(content));
+        wide.write(number(i), scene(content));
     }
-    wide.add("9.xml", scene(""));
+    wide.write("9.xml", scene(""));
     check_refused(wide, ErrorCode::unsupported, "", {"more than 1000 included files"});
 
     const SceneFile large(scene("<include filename='a.xml'/><include filename='a.xml'/>" + scene_end));
-    large.add("a.xml", scene(std::string(std::size_t{9} << 20, ' ')));
-    check_refused(large, ErrorCode::unsupported, (large.folder() / "a.xml").string(), {"16 MiB"},
+    large.write("a.xml", scene(std::string(std::size_t{9} << 20, ' ')));
+    check_refused(large, ErrorCode::unsupported, (large / "a.xml").string(), {"16 MiB"},
                   " (included by scene.xml:2)");
 }

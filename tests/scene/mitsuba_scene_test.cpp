@@ -16,7 +16,7 @@ namespace {
 
 SceneDescription read(const std::string& content, const SceneParameters& parameters = {}) {
     const SceneFile file(scene(content));
-    return read_mitsuba_scene(file.path(), parameters);
+    return read_mitsuba_scene(file.scene(), parameters);
 }
 
 /// The matrix of a <transform>, read through a sphere.
@@ -96,7 +96,7 @@ TEST_CASE("everything that can be said is heard") {
 <shape type="cube"/><shape type="off"><string name="filename" value="a.off"/></shape>
 <shape type="stl"><string name="filename" value="a.stl"/></shape><shape type="obj"><string name="filename" value="a.obj"/></shape>
 )"));
-    const SceneDescription s = read_mitsuba_scene(file.path());
+    const SceneDescription s = read_mitsuba_scene(file.scene());
     CHECK(s.sensor.kind == SensorDescription::Kind::perspective);
     CHECK(s.sensor.fov == 30.0);
     CHECK(s.sensor.fov_axis == SensorDescription::FovAxis::larger);
@@ -106,7 +106,7 @@ TEST_CASE("everything that can be said is heard") {
     CHECK(s.sensor.height == 400);
     REQUIRE(s.emitter);
     CHECK(s.emitter->kind == EmitterDescription::Kind::envmap);
-    CHECK(s.emitter->filename == file.folder() / "light" / "sky.exr");
+    CHECK(s.emitter->filename == file / "light" / "sky.exr");
     CHECK(s.emitter->scale == 2.5);
     // A quarter turn about y takes z to x.
     CHECK(glm::distance(glm::dvec3(s.emitter->to_world * glm::dvec4(0, 0, 1, 0)), glm::dvec3(1, 0, 0)) <
@@ -114,7 +114,7 @@ TEST_CASE("everything that can be said is heard") {
     REQUIRE(s.shapes.size() == 7);
     CHECK(s.shapes[0].kind == ShapeDescription::Kind::ply);
     CHECK(s.shapes[0].id == "first");
-    CHECK(s.shapes[0].filename == file.folder().parent_path() / "first.PLY");
+    CHECK(s.shapes[0].filename == file.path().parent_path() / "first.PLY");
     CHECK(s.shapes[0].face_normals);
     CHECK(s.shapes[1].center == glm::dvec3(1, 0, 3));
     CHECK(s.shapes[1].radius == 0.25);
@@ -141,7 +141,7 @@ TEST_CASE("everything that can be said is heard") {
     CHECK(plastic.alpha == doctest::Approx(0.3));
     CHECK(plastic.distribution == MaterialDescription::Distribution::ggx);
     REQUIRE(s.notices.size() == 2);
-    CHECK(s.notices[0] == file.path().string() +
+    CHECK(s.notices[0] == file.scene().string() +
                               ":4: not followed: integrator \"stokes\", integrator \"direct\", sampler "
                               "\"independent\", rfilter \"box\".");
     CHECK(s.notices[1].find("scene.xml:12: only the first") != std::string::npos);

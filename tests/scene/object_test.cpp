@@ -14,7 +14,7 @@ namespace {
 
 SceneDescription read(const std::string& content) {
     const SceneFile file(scene(content));
-    return read_mitsuba_scene(file.path());
+    return read_mitsuba_scene(file.scene());
 }
 
 MaterialDescription material(const std::string& bsdf) {
@@ -41,13 +41,13 @@ void refused(const std::string& content, ErrorCode code, int line, const std::ve
     const SceneFile file(scene(content));
     CAPTURE(content);
     try {
-        static_cast<void>(read_mitsuba_scene(file.path()));
+        static_cast<void>(read_mitsuba_scene(file.scene()));
         FAIL_CHECK("read, expected a refusal");
     } catch (const Error& e) {
         const std::string message = e.what();
         CAPTURE(message);
         CHECK(e.code() == code);
-        CHECK(message.starts_with(file.path().string() + ":" + std::to_string(line) + ": "));
+        CHECK(message.starts_with(file.scene().string() + ":" + std::to_string(line) + ": "));
         for (const std::string& part : parts) {
             CAPTURE(part);
             CHECK(message.find(part) != std::string::npos);

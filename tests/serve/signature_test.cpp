@@ -3,12 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
 #include "common/failure.hpp"
 #include "refused.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -51,17 +48,12 @@ TEST_CASE("a signed URL holds until it expires") {
 }
 
 TEST_CASE("keys come from a file") {
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("nicol-keys-" + std::to_string(std::rand()));
-    const auto read = [&](const std::string& content) {
-        std::ofstream(path) << content;
-        return read_keys(path);
-    };
+    const TemporaryFolder folder;
+    const auto read = [&](const std::string& content) { return read_keys(folder.write("keys", content)); };
     CHECK(read("# one\n\n61616161616161616161616161616161\r\n" + std::string(64, '6') + "\n") ==
           std::vector<std::string>{first, std::string(32, 'f')});
     for (const char* bad : {"", "# none\n", "6161\n", "6161616161616161616161616161616\n",
                             "zz616161616161616161616161616161\n", "6 616161616161616161616161616161616161\n"})
         CHECK_THROWS_AS(read(bad), Failure);
-    std::filesystem::remove(path);
-    CHECK_THROWS_AS(read_keys(path), Failure);
+    CHECK_THROWS_AS(read_keys(folder / "none"), Failure);
 }
