@@ -86,6 +86,17 @@ class RenderTest(ProgramTest):
         os.mkdir(self.path("out"))
         self.write("good.xml", scene())
 
+    def statistics(self):
+        with open(self.path("out/s.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    def write_ring(self, brightness):
+        """A scene of a smooth metal ball under a ring of light, whose highlight has high orders."""
+        self.write("ring.exr", exr(16, 8, brightness))
+        emitter = '<emitter type="envmap"><string name="filename" value="ring.exr"/></emitter>'
+        ball = '<shape type="sphere"><bsdf type="roughconductor"><string name="material" value="Al"/></bsdf></shape>'
+        self.write("ring.xml", scene(emitter=emitter, shape=ball))
+
     def error_lines(self, stderr):
         return [line for line in stderr.splitlines() if ": notice: " not in line]
 
@@ -125,8 +136,7 @@ class Success(RenderTest):
                 head = file.read(24)
             self.assertEqual(head[:8], b"\x89PNG\r\n\x1a\n")
             self.assertEqual(struct.unpack(">II", head[16:]), (24, 16))
-        with open(self.path("out/s.json"), encoding="utf-8") as file:
-            stats = json.load(file)
+        stats = self.statistics()
         self.assertIn(stats["backend"], ("egl", "osmesa"))
         self.assertTrue(stats["renderer"])
         self.assertEqual((stats["width"], stats["height"], stats["channels"]), (24, 16, 3))
@@ -149,8 +159,7 @@ class Success(RenderTest):
     def test_orders(self):
         for low in ("0", "4", "12", "32"):
             self.assert_succeeds("good.xml", "-o", "out/a.exr", "--order-low", low, "--stats", "out/s.json")
-            with open(self.path("out/s.json"), encoding="utf-8") as file:
-                self.assertEqual(json.load(file)["order"], int(low))
+            self.assertEqual(self.statistics()["order"], int(low))
         self.assert_succeeds("good.xml", "-o", "out/a.exr", "--order-low", "4", "--order-high", "4")
 
     def test_reference(self):
@@ -160,8 +169,7 @@ class Success(RenderTest):
 
         reference = ["--method", "reference", "--samples", "8"]
         first = image(*reference)
-        with open(self.path("out/s.json"), encoding="utf-8") as file:
-            stats = json.load(file)
+        stats = self.statistics()
         self.assertEqual(stats["rays"]["camera"], 24 * 16 * 8)
         self.assertGreater(stats["rays"]["shadow"], 0)
         self.assertGreater(stats["milliseconds"]["trace"], 0)
@@ -214,8 +222,7 @@ class Success(RenderTest):
 
         def image(*arguments):
             self.assert_succeeds("sky.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
-            with open(self.path("out/s.json"), encoding="utf-8") as file:
-                stats = json.load(file)
+            stats = self.statistics()
             return self.files()[self.path("out", "a.exr")], stats
 
         shadowed, stats = image("--cache", "kept")
@@ -248,8 +255,7 @@ class Success(RenderTest):
         orders = []
         for tolerance in ("0.5", "0.0001"):
             self.assert_succeeds("good.xml", "-o", "out/a.exr", "--stats", "out/s.json", "--tolerance", tolerance)
-            with open(self.path("out/s.json"), encoding="utf-8") as file:
-                stats = json.load(file)
+            stats = self.statistics()
             self.assertLessEqual(stats["predicted_error"], float(tolerance))
             orders.append(stats["order"])
         self.assertLessEqual(orders[0], orders[1])
@@ -286,8 +292,7 @@ class Success(RenderTest):
         images = {}
         for name in ("cpu", "compute", "automatic"):
             self.assert_succeeds("good.xml", "-o", "out/a.exr", "--stats", "out/s.json", "--executor", name)
-            with open(self.path("out/s.json"), encoding="utf-8") as file:
-                stats = json.load(file)
+            stats = self.statistics()
             if name == "automatic":
                 name = "cpu" if stats["software"] else "compute"
             self.assertEqual(stats["executor"], name)
@@ -297,16 +302,11 @@ class Success(RenderTest):
         self.assertIn(self.files()[self.path("out", "a.exr")], images.values())
 
     def test_high_orders_at(self):
-        # A ring of light on a smooth metal ball: its highlight has high orders.
-        self.write("ring.exr", exr(16, 8, 100))
-        emitter = '<emitter type="envmap"><string name="filename" value="ring.exr"/></emitter>'
-        ball = '<shape type="sphere"><bsdf type="roughconductor"><string name="material" value="Al"/></bsdf></shape>'
-        self.write("ring.xml", scene(emitter=emitter, shape=ball))
+        self.write_ring(100)
 
         def image(*arguments):
             self.assert_succeeds("ring.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
-            with open(self.path("out/s.json"), encoding="utf-8") as file:
-                stats = json.load(file)
+            stats = self.statistics()
             return self.files()[self.path("out", "a.exr")], stats
 
         vertices, stats = image("--high-orders-at", "vertices")
@@ -321,15 +321,11 @@ class Success(RenderTest):
 
     def test_physical(self):
         # The lowest orders of a bright ring are negative between the ring and its poles, and a metal shows it.
-        self.write("ring.exr", exr(16, 8, 1000))
-        emitter = '<emitter type="envmap"><string name="filename" value="ring.exr"/></emitter>'
-        ball = '<shape type="sphere"><bsdf type="roughconductor"><string name="material" value="Al"/></bsdf></shape>'
-        self.write("ring.xml", scene(emitter=emitter, shape=ball))
+        self.write_ring(1000)
 
         def moved(*arguments):
             self.assert_succeeds("ring.xml", "-o", "out/a.exr", "--stats", "out/s.json", *arguments)
-            with open(self.path("out/s.json"), encoding="utf-8") as file:
-                return json.load(file)["unphysical"]
+            return self.statistics()["unphysical"]
 
         self.assertEqual(moved(), 0)
         self.assertGreater(moved("--physical"), 0)
@@ -449,112 +445,46 @@ class BadOutput(RenderTest):
         self.assertEqual(os.listdir(self.path("out")), ["a.exr"])
 
 
-class BadScene(RenderTest):
-    def refuse(self, words, text):
-        self.write("bad.xml", text)
-        return self.assert_fails(words, "bad.xml", "-o", "out/a.exr")
+class BadFiles(RenderTest):
+    """One of each kind: what the readers refuse is tested with them."""
 
-    def test_missing_file(self):
+    ENVIRONMENT = scene(emitter='<emitter type="envmap"><string name="filename" value="light.exr"/></emitter>')
+    MESH = scene(shape='<shape type="obj"><string name="filename" value="mesh.obj"/></shape>')
+
+    def test_scene(self):
         self.assert_fails(["nowhere.xml"], "nowhere.xml", "-o", "out/a.exr")
         self.assert_fails(["out"], "out", "-o", "out/a.exr")
+        for words, text in (
+            (["bad.xml"], ""),
+            (["bad.xml"], scene()[:-20]),
+            (["bad.xml", "principled", "supported"], scene(shape=SHAPE.replace("pplastic", "principled"))),
+            (["bad.xml", "alpha"], scene(shape=SHAPE.replace("0.3", "lots"))),
+            (["alpha"], scene(shape=SHAPE.replace("0.3", "-1"))),
+            (["bad.xml", "unset"], scene(width="$unset")),
+            (["100000"], scene(width="100000")),
+            (["light.exr"], self.ENVIRONMENT),
+            (["mesh.obj"], self.MESH),
+        ):
+            with self.subTest(words=words, text=text[:40]):
+                self.write("bad.xml", text)
+                self.assert_fails(words, "bad.xml", "-o", "out/a.exr")
 
-    def test_syntax(self):
-        for text in ("", "no xml", "<scene", "<scene version='3.0.0'><sensor></scene>", scene()[:-20], "\0" * 64):
-            with self.subTest(text=text[:40]):
-                self.refuse(["bad.xml"], text)
-
-    def test_unsupported(self):
-        self.refuse(["bad.xml", "principled", "supported"], scene(shape=SHAPE.replace("pplastic", "principled")))
-        self.refuse(["bad.xml", "hair"], scene(shape='<shape type="hair"/>'))
-        self.refuse(["bad.xml", "sunsky"], scene(emitter='<emitter type="sunsky"/>'))
-        self.refuse(["bad.xml", "gloss"], scene(shape=SHAPE.replace("alpha", "gloss")))
-
-    def test_values(self):
-        self.refuse(["bad.xml", "alpha"], scene(shape=SHAPE.replace("0.3", "lots")))
-        self.refuse(["alpha"], scene(shape=SHAPE.replace("0.3", "-1")))
-        self.refuse(["alpha"], scene(shape=SHAPE.replace("0.3", "nan")))
-        self.refuse(["bad.xml", "unset"], scene(width="$unset"))
-
-    def test_film_size(self):
-        for size in ("0", "-5", "100000", "99999999999"):
-            with self.subTest(size=size):
-                self.refuse([size], scene(width=size))
-
-
-class BadEnvironment(RenderTest):
-    def refuse(self, words, content):
-        if content is not None:
-            self.write("light.exr", content)
-        emitter = '<emitter type="envmap"><string name="filename" value="light.exr"/></emitter>'
-        self.write("bad.xml", scene(emitter=emitter))
-        return self.assert_fails(["light.exr"] + words, "bad.xml", "-o", "out/a.exr")
-
-    def test_good_one(self):
-        self.refuse([], None)
-        self.write("light.exr", exr(16, 8))
-        self.assert_succeeds("bad.xml", "-o", "out/a.exr")
-
-    def test_no_image(self):
-        for content in (b"", b"v/1\x01", b"no image at all", bytes(4096)):
-            with self.subTest(content=content[:16]):
-                self.refuse([], content)
-
-    def test_truncated(self):
-        whole = exr(16, 8)
-        for length in (12, 60, 200, len(whole) // 2, len(whole) - 1):
-            with self.subTest(length=length):
-                self.refuse([], whole[:length])
-
-    def test_not_finite(self):
-        for value in (float("nan"), float("inf"), float("-inf")):
-            with self.subTest(value=value):
-                self.refuse([], exr(16, 8, value))
-
-    def test_size(self):
-        self.refuse([], exr(0, 0))
+    def test_files_of_a_scene(self):
+        image, mesh = exr(16, 8), b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
         window = struct.pack("<4i", 0, 0, 15, 7)
-        for corner in ((99999, 99999), (2147483647, 2147483647), (-100, -100)):
-            with self.subTest(corner=corner):
-                self.refuse([], exr(16, 8).replace(window, struct.pack("<4i", 0, 0, *corner)))
-
-
-class BadMesh(RenderTest):
-    def refuse(self, words, name, content):
-        self.write(name, content)
-        kind = name.rsplit(".", 1)[1]
-        self.write("bad.xml", scene(shape=f'<shape type="{kind}"><string name="filename" value="{name}"/></shape>'))
-        return self.assert_fails([name] + words, "bad.xml", "-o", "out/a.exr")
-
-    def test_index_out_of_range(self):
-        corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
-        for face in ("f 1 2 4", "f 1 2 0", "f 1 2 -9", "f 1 2 99999999999"):
-            with self.subTest(face=face):
-                self.refuse([], "mesh.obj", corners + face + "\n")
-
-    def test_empty(self):
-        self.refuse([], "mesh.obj", "")
-        self.refuse([], "mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")
-        self.refuse([], "mesh.ply", "")
-
-    def test_not_finite(self):
-        self.refuse([], "mesh.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-
-    def test_truncated(self):
-        head = "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
-        head += "property float x\nproperty float y\nproperty float z\n"
-        head += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-        whole = head.encode() + struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0) + struct.pack("<Biii", 3, 0, 1, 2)
-        self.write("mesh.ply", whole)
-        self.write("bad.xml", scene(shape='<shape type="ply"><string name="filename" value="mesh.ply"/></shape>'))
-        self.assert_succeeds("bad.xml", "-o", "out/a.exr")
-        for length in (5, len(head) - 4, len(head) + 20, len(whole) - 1):
-            with self.subTest(length=length):
-                self.refuse([], "mesh.ply", whole[:length])
-        self.refuse([], "mesh.ply", whole.replace(b"vertex 3", b"vertex 4000000000"))
-
-    def test_missing(self):
-        self.write("bad.xml", scene(shape='<shape type="obj"><string name="filename" value="nowhere.obj"/></shape>'))
-        self.assert_fails(["nowhere.obj"], "bad.xml", "-o", "out/a.exr")
+        for text, name, good, bad in (
+            (self.ENVIRONMENT, "light.exr", image,
+             [b"", b"v/1\x01", image[: len(image) // 2], exr(16, 8, float("nan")), exr(0, 0)]
+             + [image.replace(window, struct.pack("<4i", 0, 0, *corner)) for corner in ((2147483647, 2147483647), (-100, -100))]),
+            (self.MESH, "mesh.obj", mesh, [b"", mesh[:-8], mesh.replace(b"1 2 3", b"1 2 4"), mesh.replace(b"0 1 0", b"0 0 nan")]),
+        ):  # fmt: skip
+            self.write("bad.xml", text)
+            self.write(name, good)
+            self.assert_succeeds("bad.xml", "-o", "out/a.exr")
+            for content in bad:
+                with self.subTest(name=name, content=content[:16]):
+                    self.write(name, content)
+                    self.assert_fails([name], "bad.xml", "-o", "out/a.exr")
 
 
 class NoBackend(RenderTest):
