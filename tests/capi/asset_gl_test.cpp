@@ -79,7 +79,7 @@ TEST_CASE("rows may lie apart, and what lies between them is not read") {
     on_every_backend([](nicol_context context) {
         for (const std::uint32_t components : {1U, 4U}) {
             Pixels tight(components), loose(components, std::size_t{4} * 3 * components + 5);
-            nicol_environment a = nullptr, b = nullptr;
+            Owned<nicol_environment> a, b;
             OK(nicol_environment_create_image(context, &tight.image, &a));
             OK(nicol_environment_create_image(context, &loose.image, &b));
             CHECK(tight.released == 1);
@@ -91,8 +91,6 @@ TEST_CASE("rows may lie apart, and what lies between them is not read") {
             CHECK(image == image_of(context, b));
             CHECK(image[0] > 0);
             CHECK((image[1] != 0) == (components == 4));
-            OK(nicol_environment_release(a));
-            OK(nicol_environment_release(b));
         }
         Pixels quiet;
         quiet.image.release = nullptr;
@@ -148,21 +146,9 @@ TEST_CASE("an image that cannot be taken is given back") {
         CHECK(nicol_environment_create_image(context, &pixels.image, nullptr) ==
               NICOL_ERROR_INVALID_ARGUMENT);
         CHECK(pixels.released == 1);
-
-        // Of a newer version, with something set that this one does not know.
-        struct {
-            nicol_image image;
-            std::uint64_t unknown;
-        } newer = {good, 1};
-        newer.image.struct_size = sizeof newer;
-        pixels.released = 0;
-        nicol_environment environment = marker<nicol_environment>();
-        FAILS(nicol_environment_create_image(context, &newer.image, &environment),
-              NICOL_ERROR_INVALID_ARGUMENT, "image");
-        CHECK(pixels.released == 1);
         // Nothing can be said of a struct of no size.
-        newer.image.struct_size = 0;
-        CHECK(nicol_environment_create_image(context, &newer.image, &environment) ==
+        pixels.image.struct_size = 0;
+        CHECK(nicol_environment_create_image(context, &pixels.image, nullptr) ==
               NICOL_ERROR_INVALID_ARGUMENT);
         CHECK(pixels.released == 1);
     });
@@ -170,12 +156,11 @@ TEST_CASE("an image that cannot be taken is given back") {
 
 TEST_CASE("even light without a radiance is 1 in one channel") {
     on_every_backend([](nicol_context context) {
-        nicol_environment environment = nullptr;
+        Owned<nicol_environment> environment;
         OK(nicol_environment_create_constant(context, nullptr, &environment));
         std::array<double, 4> mean{};
         OK(nicol_psh_project_environment(environment, 0, mean.data(), mean.size()));
         CHECK(mean[0] == doctest::Approx(std::sqrt(4.0 * std::numbers::pi)));
-        OK(nicol_environment_release(environment));
     });
 }
 
@@ -186,7 +171,6 @@ TEST_CASE("light that cannot be is refused by name") {
             return nicol_environment_create_constant(context, radiance, out);
         };
         nicol_spectrum value = spectrum({1});
-        FAILS(constant(&value, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "environment");
         for (const std::uint32_t count : {17U, UINT32_MAX}) {
             value.count = count;
             FAILS(constant(&value, &environment), NICOL_ERROR_INVALID_ARGUMENT, "radiance.count");
@@ -196,8 +180,6 @@ TEST_CASE("light that cannot be is refused by name") {
             FAILS(constant(&value, &environment), NICOL_ERROR_INVALID_ARGUMENT, "radiance");
         }
         nicol_sky sky = NICOL_SKY_INIT;
-        FAILS(nicol_environment_create_sky(context, &sky, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
-              "environment");
         for (const float bad : {1.01F, NAN, INFINITY}) {
             sky.dop_max = bad;
             FAILS(nicol_environment_create_sky(context, &sky, &environment), NICOL_ERROR_INVALID_ARGUMENT,
@@ -279,11 +261,6 @@ TEST_CASE("materials out of range are refused by name") {
                 p.specular_reflectance = spectrum({0.5F, 0.5F, 0.5F});
             },
             "reflectance");
-        const nicol_pplastic good = NICOL_PPLASTIC_INIT;
-        FAILS(nicol_material_create_pplastic(context, &good, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
-              "material");
-        FAILS(nicol_material_create_diffuse(context, nullptr, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
-              "material");
         for (const float bad : {-0.1F, 1.1F, NAN}) {
             const nicol_spectrum value = spectrum({bad});
             FAILS(nicol_material_create_diffuse(context, &value, &material), NICOL_ERROR_INVALID_ARGUMENT,
@@ -328,11 +305,6 @@ TEST_CASE("meshes that are none are refused by name") {
         normals[0] = INFINITY;
         with([](nicol_mesh_data&) {}, "data");
         CHECK(mesh == marker<nicol_mesh>());
-        FAILS(nicol_mesh_create_sphere(context, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "mesh");
-        FAILS(nicol_mesh_create_rectangle(context, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "mesh");
-        FAILS(nicol_mesh_create_cube(context, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "mesh");
-        const nicol_mesh_data empty = NICOL_MESH_DATA_INIT;
-        FAILS(nicol_mesh_create(context, &empty, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "mesh");
     });
 }
 
@@ -350,8 +322,6 @@ TEST_CASE("a mesh tells its size and copies its arrays") {
         positions.assign(12, NAN);
         indices.assign(6, 99);
         std::uint32_t vertices = 7, triangles = 7;
-        FAILS(nicol_mesh_get_size(mesh, nullptr, &triangles), NICOL_ERROR_INVALID_ARGUMENT, "vertices");
-        FAILS(nicol_mesh_get_size(mesh, &vertices, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "triangles");
         CHECK(vertices == 7);
         CHECK(triangles == 7);
         OK(nicol_mesh_get_size(mesh, &vertices, &triangles));
@@ -371,14 +341,10 @@ TEST_CASE("a mesh tells its size and copies its arrays") {
 
 TEST_CASE("files that are not there or not what they say") {
     on_every_backend([](nicol_context context) {
-        const Folder folder;
+        const TemporaryFolder folder;
         nicol_environment environment = marker<nicol_environment>();
         nicol_mesh mesh = marker<nicol_mesh>();
         nicol_scene scene = marker<nicol_scene>();
-        FAILS(nicol_environment_load(context, nullptr, nullptr, &environment), NICOL_ERROR_INVALID_ARGUMENT,
-              "path");
-        FAILS(nicol_mesh_load(context, nullptr, &mesh), NICOL_ERROR_INVALID_ARGUMENT, "path");
-        FAILS(nicol_scene_load(context, nullptr, nullptr, 0, &scene), NICOL_ERROR_INVALID_ARGUMENT, "path");
         FAILS(nicol_environment_load(context, folder.file("absent.exr").c_str(), nullptr, &environment),
               NICOL_ERROR_FILE_NOT_FOUND, "absent.exr");
         FAILS(nicol_mesh_load(context, folder.file("absent.ply").c_str(), &mesh), NICOL_ERROR_FILE_NOT_FOUND,
@@ -399,8 +365,5 @@ TEST_CASE("files that are not there or not what they say") {
         const std::string obj = folder.write("good.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         OK(nicol_mesh_load(context, obj.c_str(), &mesh));
         OK(nicol_mesh_release(mesh));
-        FAILS(nicol_environment_load(context, obj.c_str(), nullptr, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
-              "environment");
-        FAILS(nicol_mesh_load(context, obj.c_str(), nullptr), NICOL_ERROR_INVALID_ARGUMENT, "mesh");
     });
 }

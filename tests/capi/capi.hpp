@@ -4,19 +4,18 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <random>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "nicol.h"
 #include "nicol_files.h"
 #include "nicol_psh.h"
+#include "temporary_folder.hpp"
 
 #define OK(call)                               \
     do {                                       \
@@ -36,6 +35,53 @@
     } while (false)
 
 namespace capi_test {
+
+inline nicol_result release(nicol_context handle) {
+    return nicol_context_release(handle);
+}
+inline nicol_result release(nicol_environment handle) {
+    return nicol_environment_release(handle);
+}
+inline nicol_result release(nicol_material handle) {
+    return nicol_material_release(handle);
+}
+inline nicol_result release(nicol_mesh handle) {
+    return nicol_mesh_release(handle);
+}
+inline nicol_result release(nicol_scene handle) {
+    return nicol_scene_release(handle);
+}
+inline nicol_result release(nicol_framebuffer handle) {
+    return nicol_framebuffer_release(handle);
+}
+inline nicol_result release(nicol_job handle) {
+    return nicol_job_release(handle);
+}
+inline nicol_result release(nicol_psh_transform handle) {
+    return nicol_psh_transform_release(handle);
+}
+
+/// Releases its handle with the object.
+template <class Handle>
+class Owned {
+public:
+    Owned() = default;
+    explicit Owned(Handle handle) : handle_(handle) {}
+    ~Owned() { CHECK(release(handle_) == NICOL_OK); }
+    Owned(const Owned&) = delete;
+    Owned& operator=(const Owned&) = delete;
+
+    operator Handle() const { return handle_; }  // NOLINT: it stands for the handle
+    /// Where a function stores a new handle; the one before is released.
+    Handle* operator&() {  // NOLINT: as of a handle
+        CHECK(release(handle_) == NICOL_OK);
+        handle_ = nullptr;
+        return &handle_;
+    }
+
+private:
+    Handle handle_ = nullptr;
+};
 
 inline constexpr nicol_backend every_backend[] = {NICOL_BACKEND_EGL, NICOL_BACKEND_OSMESA};
 
@@ -59,11 +105,52 @@ void on_every_backend(Test test) {
     }
 }
 
+inline nicol_mesh cube(nicol_context context) {
+    nicol_mesh mesh = nullptr;
+    OK(nicol_mesh_create_cube(context, &mesh));
+    return mesh;
+}
+inline nicol_mesh sphere(nicol_context context) {
+    nicol_mesh mesh = nullptr;
+    OK(nicol_mesh_create_sphere(context, &mesh));
+    return mesh;
+}
+inline nicol_mesh rectangle(nicol_context context) {
+    nicol_mesh mesh = nullptr;
+    OK(nicol_mesh_create_rectangle(context, &mesh));
+    return mesh;
+}
+inline nicol_scene empty_scene(nicol_context context) {
+    nicol_scene scene = nullptr;
+    OK(nicol_scene_create(context, &scene));
+    return scene;
+}
+inline nicol_framebuffer framebuffer_of(nicol_context context, std::uint32_t width, std::uint32_t height,
+                                        std::uint32_t channels) {
+    nicol_framebuffer framebuffer = nullptr;
+    OK(nicol_framebuffer_create(context, width, height, channels, &framebuffer));
+    return framebuffer;
+}
+
 inline nicol_spectrum spectrum(const std::vector<float>& values) {
     nicol_spectrum s = NICOL_SPECTRUM_INIT;
     s.count = static_cast<std::uint32_t>(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) s.values[i] = values[i];
     return s;
+}
+
+/// The same from every direction.
+inline nicol_environment constant_light(nicol_context context, const std::vector<float>& radiance) {
+    const nicol_spectrum values = spectrum(radiance);
+    nicol_environment environment = nullptr;
+    OK(nicol_environment_create_constant(context, &values, &environment));
+    return environment;
+}
+inline nicol_material diffuse(nicol_context context, const std::vector<float>& reflectance) {
+    const nicol_spectrum values = spectrum(reflectance);
+    nicol_material material = nullptr;
+    OK(nicol_material_create_diffuse(context, &values, &material));
+    return material;
 }
 
 /// A camera at (0, 0, distance) that looks at the origin; the world's x is to the image's right.
@@ -82,55 +169,53 @@ inline Matrix placed(double x, double y, double z, double scale = 1) {
     return {{scale, 0, 0, x, 0, scale, 0, y, 0, 0, scale, z, 0, 0, 0, 1}};
 }
 
-/// One mesh as it lies, under one light.
-inline nicol_scene simple_scene(nicol_context context, nicol_environment environment, nicol_mesh mesh,
-                                nicol_material material) {
-    nicol_scene scene = nullptr;
-    OK(nicol_scene_create(context, &scene));
-    OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
+/// The id of the new instance.
+inline std::uint32_t add(nicol_scene scene, nicol_mesh mesh, nicol_material material,
+                         const Matrix& to_world = {}) {
     nicol_instance instance = NICOL_INSTANCE_INIT;
     instance.mesh = mesh;
     instance.material = material;
-    OK(nicol_scene_add_instance(scene, &instance, nullptr));
+    std::copy_n(to_world.rows, 16, instance.to_world);
+    std::uint32_t id = NICOL_NO_INSTANCE;
+    OK(nicol_scene_add_instance(scene, &instance, &id));
+    return id;
+}
+
+/// One mesh as it lies, under one light.
+inline nicol_scene simple_scene(nicol_context context, nicol_environment environment, nicol_mesh mesh,
+                                nicol_material material) {
+    const nicol_scene scene = empty_scene(context);
+    OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
+    add(scene, mesh, material);
     return scene;
+}
+
+inline nicol_statistics statistics_of(nicol_framebuffer framebuffer) {
+    nicol_statistics statistics = NICOL_STATISTICS_INIT;
+    OK(nicol_framebuffer_get_statistics(framebuffer, &statistics));
+    return statistics;
 }
 
 /// A cube under a polarizing sky, and a small framebuffer: something of everything.
 struct Stage {
-    nicol_environment environment = nullptr;
-    nicol_material material = nullptr;
-    nicol_mesh mesh = nullptr;
-    nicol_scene scene = nullptr;
-    nicol_framebuffer framebuffer = nullptr;
+    Owned<nicol_environment> environment;
+    Owned<nicol_material> material;
+    Owned<nicol_mesh> mesh;
+    Owned<nicol_scene> scene;
+    Owned<nicol_framebuffer> framebuffer;
     nicol_camera camera = front_camera();
 
-    explicit Stage(nicol_context context) {
+    explicit Stage(nicol_context context)
+        : mesh(cube(context)), scene(empty_scene(context)), framebuffer(framebuffer_of(context, 24, 16, 3)) {
         nicol_sky sky = NICOL_SKY_INIT;
         sky.sun_direction[0] = 1;
         sky.sun_direction[1] = 1;
         OK(nicol_environment_create_sky(context, &sky, &environment));
         const nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
         OK(nicol_material_create_pplastic(context, &plastic, &material));
-        OK(nicol_mesh_create_cube(context, &mesh));
-        OK(nicol_scene_create(context, &scene));
         OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
-        nicol_instance instance = NICOL_INSTANCE_INIT;
-        instance.mesh = mesh;
-        instance.material = material;
-        const Matrix rotated = {{0.4, 0, 0.3, 0, 0.1, 0.5, 0, 0, -0.3, 0, 0.4, 0, 0, 0, 0, 1}};
-        std::copy_n(rotated.rows, 16, instance.to_world);
-        OK(nicol_scene_add_instance(scene, &instance, nullptr));
-        OK(nicol_framebuffer_create(context, 24, 16, 3, &framebuffer));
+        add(scene, mesh, material, {{0.4, 0, 0.3, 0, 0.1, 0.5, 0, 0, -0.3, 0, 0.4, 0, 0, 0, 0, 1}});
     }
-    ~Stage() {
-        for (const nicol_result result :
-             {nicol_framebuffer_release(framebuffer), nicol_scene_release(scene), nicol_mesh_release(mesh),
-              nicol_material_release(material), nicol_environment_release(environment)}) {
-            CHECK(result == NICOL_OK);
-        }
-    }
-    Stage(const Stage&) = delete;
-    Stage& operator=(const Stage&) = delete;
 
     void render() const { OK(nicol_render(scene, &camera, nullptr, framebuffer)); }
 };
@@ -157,41 +242,23 @@ inline std::vector<float> read_all(nicol_framebuffer framebuffer) {
     return all;
 }
 
+/// A call that must fail, with this code and a message that contains this text.
+struct Refused {
+    const char* text;
+    std::function<nicol_result()> call;
+    nicol_result code = NICOL_ERROR_INVALID_ARGUMENT;
+};
+inline void check_refused(const std::vector<Refused>& cases) {
+    for (const Refused& refused : cases) {
+        CAPTURE(refused.text);
+        FAILS(refused.call(), refused.code, refused.text);
+    }
+}
+
 /// A handle that must not be touched.
 template <class Handle>
 Handle marker() {
     return reinterpret_cast<Handle>(std::uintptr_t{0x5a5a0});
 }
-
-/// A fresh folder, removed with all that is in it.
-class Folder {
-public:
-    Folder() {
-        std::random_device random;
-        path_ = std::filesystem::temp_directory_path() / ("nicol-capi-" + std::to_string(random()));
-        std::filesystem::create_directory(path_);
-    }
-    ~Folder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-
-    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-    std::string write(const std::string& name, const std::string& text) const {
-        std::ofstream(path_ / name) << text;
-        return file(name);
-    }
-    [[nodiscard]] std::set<std::string> names() const {
-        std::set<std::string> found;
-        for (const auto& entry : std::filesystem::directory_iterator(path_))
-            found.insert(entry.path().filename().string());
-        return found;
-    }
-
-private:
-    std::filesystem::path path_;
-};
 
 }  // namespace capi_test

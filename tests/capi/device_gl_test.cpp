@@ -22,7 +22,7 @@ TEST_CASE("every device of the list has a name and opens, or says why not") {
 
         nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
         options.device = device;
-        nicol_context context = nullptr;
+        Owned<nicol_context> context;
         const nicol_result result = nicol_context_create(&options, &context);
         if (result != NICOL_OK) {
             CHECK(result == NICOL_ERROR_NO_BACKEND);
@@ -33,7 +33,6 @@ TEST_CASE("every device of the list has a name and opens, or says why not") {
         OK(nicol_context_get_info(context, &made));
         CHECK(made.software == info.software);
         CHECK(made.backend == NICOL_BACKEND_EGL);
-        OK(nicol_context_release(context));
     }
     if (count > 0) CHECK(opened > 0);
 }
@@ -41,7 +40,6 @@ TEST_CASE("every device of the list has a name and opens, or says why not") {
 TEST_CASE("devices that are not there are refused, in the list and in a context") {
     std::uint32_t count = 0;
     OK(nicol_device_count(&count));
-    FAILS(nicol_device_count(nullptr), NICOL_ERROR_INVALID_ARGUMENT, "count");
     nicol_device_info info = NICOL_DEVICE_INFO_INIT;
     info.software = 7;
     for (const std::uint32_t bad : {0U, count + 1, UINT32_MAX}) {
@@ -49,10 +47,6 @@ TEST_CASE("devices that are not there are refused, in the list and in a context"
         CHECK(info.software == 7);
     }
     if (count == 0) return;
-    FAILS(nicol_device_get_info(1, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "info");
-    nicol_device_info unsized = NICOL_DEVICE_INFO_INIT;
-    unsized.struct_size = 0;
-    FAILS(nicol_device_get_info(1, &unsized), NICOL_ERROR_INVALID_ARGUMENT, "struct_size");
     nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
     options.device = count + 1;
     nicol_context context = marker<nicol_context>();

@@ -34,7 +34,7 @@ nicol_environment make_sky(nicol_context context, float turbidity = 0, float alb
 }
 
 // 8 x 5 pixels whose radiance is the wavelength / 100 nm.
-std::string spectral_file(const Folder& folder) {
+std::string spectral_file(const TemporaryFolder& folder) {
     nicol::StokesImage image(8, 5, 4);
     image.wavelengths = {450, 500, 550, 600};
     for (int c = 0; c < 4; ++c)
@@ -57,8 +57,6 @@ TEST_CASE("what is known of light") {
         CHECK(info.polarized == 1);
         CHECK(info.circular == 0);
         CHECK(info.wavelength_count == 0);
-        FAILS(nicol_environment_get_info(nullptr, &info), NICOL_ERROR_INVALID_HANDLE, "nicol_environment");
-        FAILS(nicol_environment_get_info(environment, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "info");
         OK(nicol_environment_release(environment));
         const nicol_spectrum grey = spectrum({2});
         OK(nicol_environment_create_constant(context, &grey, &environment));
@@ -70,7 +68,7 @@ TEST_CASE("what is known of light") {
 }
 
 TEST_CASE("files are loaded at a scale and at wavelengths") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::string path = spectral_file(folder);
     on_every_backend([&](nicol_context context) {
         nicol_environment environment = nullptr;
@@ -128,14 +126,14 @@ TEST_CASE("files are loaded at a scale and at wavelengths") {
 
 TEST_CASE("light goes through its coefficients and back") {
     on_every_backend([](nicol_context context) {
-        const nicol_environment sky = make_sky(context);
+        const Owned sky(make_sky(context));
         // The sky of single scattering has no order above 2.
         std::vector<double> low = coefficients_of(sky, 2);
         for (std::size_t i = 3; i < low.size(); i += 4) {
             CHECK(std::abs(low[i]) < 1e-12);
             low[i] = 0;
         }
-        nicol_environment light = nullptr;
+        Owned<nicol_environment> light;
         OK(nicol_environment_create_psh(context, 2, 3, low.data(), low.size(), &light));
         const nicol_environment_info info = info_of(light);
         CHECK(info.channels == 3);
@@ -153,8 +151,6 @@ TEST_CASE("light goes through its coefficients and back") {
         stage.render();
         const std::vector<float> after = read_all(stage.framebuffer);
         for (std::size_t i = 0; i < before.size(); ++i) CHECK(std::abs(after[i] - before[i]) < 2e-3F);
-        OK(nicol_environment_release(light));
-        OK(nicol_environment_release(sky));
     });
 }
 
@@ -171,7 +167,6 @@ TEST_CASE("coefficients that are no light are refused by name") {
         FAILS(create(2, 17, values.data(), 72), NICOL_ERROR_INVALID_ARGUMENT, "channels");
         FAILS(create(4097, 2, values.data(), 72), NICOL_ERROR_INVALID_ARGUMENT, "order");
         FAILS(create(UINT32_MAX, 2, values.data(), 72), NICOL_ERROR_INVALID_ARGUMENT, "order");
-        FAILS(create(2, 2, nullptr, 72), NICOL_ERROR_INVALID_ARGUMENT, "coefficients");
         for (const std::uint64_t count : {std::uint64_t{0}, std::uint64_t{71}, UINT64_MAX})
             FAILS(create(2, 2, values.data(), count), NICOL_ERROR_INVALID_ARGUMENT, "coefficients");
         for (const double bad : {static_cast<double>(NAN), static_cast<double>(INFINITY)}) {

@@ -9,12 +9,6 @@
 
 using namespace capi_test;
 
-extern "C" int use_header(void);
-
-TEST_CASE("a C program can be linked to the library") {
-    CHECK(use_header() == 0);
-}
-
 TEST_CASE("the header's version is the library's") {
     CHECK(nicol_version() == NICOL_VERSION);
     CHECK(nicol_version() == NICOL_VERSION_MAJOR * 10000 + NICOL_VERSION_MINOR * 100 + NICOL_VERSION_PATCH);
@@ -142,10 +136,6 @@ TEST_CASE("a view without a direction is refused and leaves the camera alone") {
     camera.to_world[3] = 42;
     const double origin[] = {1, 2, 3}, target[] = {1, 2, -5}, up[] = {0, 1, 0}, along[] = {0, 0, 7};
     const double nowhere[] = {0, 0, NAN}, zero[] = {0, 0, 0};
-    FAILS(nicol_camera_look_at(nullptr, origin, target, up), NICOL_ERROR_INVALID_ARGUMENT, "camera");
-    FAILS(nicol_camera_look_at(&camera, nullptr, target, up), NICOL_ERROR_INVALID_ARGUMENT, "origin");
-    FAILS(nicol_camera_look_at(&camera, origin, nullptr, up), NICOL_ERROR_INVALID_ARGUMENT, "target");
-    FAILS(nicol_camera_look_at(&camera, origin, target, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "up");
     FAILS(nicol_camera_look_at(&camera, origin, origin, up), NICOL_ERROR_INVALID_ARGUMENT, "target");
     FAILS(nicol_camera_look_at(&camera, origin, target, along), NICOL_ERROR_INVALID_ARGUMENT, "up");
     FAILS(nicol_camera_look_at(&camera, origin, target, zero), NICOL_ERROR_INVALID_ARGUMENT, "up");

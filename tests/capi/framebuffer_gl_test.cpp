@@ -22,8 +22,6 @@ TEST_CASE("framebuffers have 1 to 16384 pixels a side, and not too many in all")
             FAILS(create(4, 4, bad), NICOL_ERROR_INVALID_ARGUMENT, "channels");
         FAILS(create(16384, 16384, 1), NICOL_ERROR_INVALID_ARGUMENT, "pixels");
         FAILS(create(16384, 16384, 16), NICOL_ERROR_INVALID_ARGUMENT, "pixels");
-        FAILS(nicol_framebuffer_create(context, 4, 4, 1, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
-              "framebuffer");
         CHECK(framebuffer == marker<nicol_framebuffer>());
 
         for (const auto& [width, height, channels] :
@@ -35,12 +33,6 @@ TEST_CASE("framebuffers have 1 to 16384 pixels a side, and not too many in all")
             CHECK(h == height);
             CHECK(c == channels);
             w = h = c = 9;
-            FAILS(nicol_framebuffer_get_size(framebuffer, nullptr, &h, &c), NICOL_ERROR_INVALID_ARGUMENT,
-                  "width");
-            FAILS(nicol_framebuffer_get_size(framebuffer, &w, nullptr, &c), NICOL_ERROR_INVALID_ARGUMENT,
-                  "height");
-            FAILS(nicol_framebuffer_get_size(framebuffer, &w, &h, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
-                  "channels");
             CHECK(w + h + c == 27);
             OK(nicol_framebuffer_release(framebuffer));
         }
@@ -121,8 +113,6 @@ TEST_CASE("planes that do not fit are refused and nothing is written") {
         FAILS(read(UINT32_MAX, 0, 0, 6144), NICOL_ERROR_INVALID_ARGUMENT, "plane");
         FAILS(read(NICOL_PLANE_S0, 3, 0, 6144), NICOL_ERROR_INVALID_ARGUMENT, "channel");
         FAILS(read(NICOL_PLANE_S0, UINT32_MAX, 0, 6144), NICOL_ERROR_INVALID_ARGUMENT, "channel");
-        FAILS(nicol_framebuffer_read(stage.framebuffer, NICOL_PLANE_S0, 0, nullptr, 0, 6144),
-              NICOL_ERROR_INVALID_ARGUMENT, "pixels");
         for (const float value : pixels) REQUIRE(value == -7.5F);
     });
 }
@@ -131,7 +121,7 @@ TEST_CASE("images are written in every kind and read back") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         stage.render();
-        const Folder folder;
+        const TemporaryFolder folder;
         std::set<std::string> contents;
         for (nicol_observation_kind kind = NICOL_OBSERVATION_S0; kind <= NICOL_OBSERVATION_POLARIZER;
              ++kind) {
@@ -148,9 +138,8 @@ TEST_CASE("images are written in every kind and read back") {
         OK(nicol_framebuffer_write_exr(stage.framebuffer, path.c_str()));
         CHECK(folder.names().size() == 8);
         // The file's s0 serves as light again.
-        nicol_environment environment = nullptr;
+        Owned<nicol_environment> environment;
         OK(nicol_environment_load(context, path.c_str(), nullptr, &environment));
-        OK(nicol_environment_release(environment));
     });
 }
 
@@ -158,7 +147,7 @@ TEST_CASE("files that cannot be written leave nothing behind") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         stage.render();
-        const Folder folder;
+        const TemporaryFolder folder;
         const std::string file = folder.write("file", "content");
         std::filesystem::create_directory(folder.file("folder"));
         const std::set<std::string> before = folder.names();
@@ -173,9 +162,6 @@ TEST_CASE("files that cannot be written leave nothing behind") {
             FAILS(nicol_framebuffer_write_png(stage.framebuffer, &image, path.c_str()),
                   NICOL_ERROR_WRITE_FAILED, path);
         }
-        FAILS(nicol_framebuffer_write_exr(stage.framebuffer, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "path");
-        FAILS(nicol_framebuffer_write_png(stage.framebuffer, &image, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
-              "path");
         CHECK(folder.names() == before);
         CHECK(std::filesystem::is_empty(folder.file("folder")));
         std::ifstream kept(file);
@@ -187,7 +173,7 @@ TEST_CASE("images out of range are refused by name") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         stage.render();
-        const Folder folder;
+        const TemporaryFolder folder;
         const std::string path = folder.file("image.png");
         const auto with = [&](auto change, const char* text) {
             nicol_observation image = NICOL_OBSERVATION_INIT;

@@ -117,11 +117,11 @@ std::array<double, 2> relative_rmse(const Values& ours, const Values& truth,
 }  // namespace
 
 TEST_CASE("a highlight half behind a wall is dimmed as the reference has it") {
-    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
+    const Owned context(make_context(NICOL_BACKEND_OSMESA));
     // The edge of the wall's shadow goes through the highlight; farther back, or hides nearly all of it.
     for (const double end : {2.1, 2.6}) {
         CAPTURE(end);
-        const nicol_scene scene = sphere_beside_wall(context, end);
+        const Owned scene(sphere_beside_wall(context, end));
         nicol_render_options reference = NICOL_RENDER_OPTIONS_INIT;
         reference.method = NICOL_METHOD_REFERENCE;
         reference.samples = 256;
@@ -149,7 +149,5 @@ TEST_CASE("a highlight half behind a wall is dimmed as the reference has it") {
                            << "), s1 and s2 " << with[1] << " (undimmed " << without[1] << ")");
         CHECK(with[0] < 0.75 * without[0]);
         CHECK(with[1] < 0.75 * without[1]);
-        OK(nicol_scene_release(scene));
     }
-    OK(nicol_context_release(context));
 }

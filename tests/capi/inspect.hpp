@@ -2,8 +2,6 @@
 // What the tests of files of light and materials share.
 #pragma once
 
-#include <sstream>
-
 #include "image/stokes_image.hpp"
 #include "psh_sky.hpp"
 
@@ -47,12 +45,6 @@ inline nicol_file_options of_order(std::int32_t order, std::uint32_t flags = 0) 
 
 inline void set_rotation(nicol_file_options& options, const Rotation& rotation) {
     std::copy(rotation.begin(), rotation.end(), options.rotation);
-}
-
-inline std::string bytes_of(const std::string& path) {
-    std::ostringstream out;
-    out << std::ifstream(path, std::ios::binary).rdbuf();
-    return out.str();
 }
 
 inline double largest_of(const Doubles& values) {

@@ -6,7 +6,7 @@
 using namespace capi_test;
 
 TEST_CASE("inspect: options that are wrong, or of no use") {
-    const Folder folder;
+    const TemporaryFolder folder;
     write_sky(folder.file("sky.exr"), 16, 9);
     write_light(folder.file("f.npz"), 1, Doubles(vector_size(1)));
     const std::string npz = folder.file("o.npz"), exr = folder.file("o.exr"), cube = folder.file("o_s0.exr");
@@ -57,7 +57,7 @@ TEST_CASE("inspect: options that are wrong, or of no use") {
 }
 
 TEST_CASE("inspect: files that are no light") {
-    const Folder folder;
+    const TemporaryFolder folder;
     nicol_file_kind kind = 77;
     const auto identify = [&](const std::string& name) {
         return nicol_file_identify(folder.file(name).c_str(), &kind);
@@ -74,7 +74,7 @@ TEST_CASE("inspect: files that are no light") {
     write_light(folder.file("f.npz"), 3, Doubles(vector_size(3), 0.25));
     nicol_light_report r = NICOL_LIGHT_REPORT_INIT;
     for (const char* name : {"bad.exr", "bad_s0.exr", "bad.npz"}) {
-        const std::string whole = bytes_of(folder.file("f.npz"));
+        const std::string whole = file_bytes(folder.file("f.npz"));
         for (const std::string& content : {std::string(), std::string("v/1\x01"), std::string(4096, '\0'),
                                            whole.substr(0, 200), whole.substr(0, whole.size() - 30)}) {
             folder.write(name, content);
@@ -93,7 +93,7 @@ TEST_CASE("inspect: files that are no light") {
 }
 
 TEST_CASE("inspect: a failed output leaves what was there") {
-    const Folder folder;
+    const TemporaryFolder folder;
     Doubles field(vector_size(1));
     field[0] = 1;
     write_light(folder.file("f.npz"), 1, field);

@@ -6,12 +6,12 @@
 using namespace capi_test;
 
 TEST_CASE("inspect: an environment is written in every format") {
-    const Folder folder;
-    const nicol_context context = make_context(NICOL_BACKEND_AUTOMATIC);
+    const TemporaryFolder folder;
+    const Owned context(make_context(NICOL_BACKEND_AUTOMATIC));
     nicol_sky sky = NICOL_SKY_INIT;
     sky.sun_direction[0] = 0.5F;
     sky.sun_direction[1] = 0.7F;
-    nicol_environment environment = nullptr;
+    Owned<nicol_environment> environment;
     OK(nicol_environment_create_sky(context, &sky, &environment));
     Doubles wanted(3 * vector_size(2));
     OK(nicol_psh_project_environment(environment, 2, wanted.data(), wanted.size()));
@@ -29,19 +29,12 @@ TEST_CASE("inspect: an environment is written in every format") {
           NICOL_ERROR_INVALID_ARGUMENT, "wavelengths");
     FAILS(nicol_environment_write(environment, nullptr, folder.file("b.png").c_str()),
           NICOL_ERROR_INVALID_ARGUMENT, "b.png");
-    FAILS(nicol_environment_write(environment, nullptr, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "path");
-    FAILS(nicol_environment_write(nullptr, nullptr, folder.file("b.npz").c_str()), NICOL_ERROR_INVALID_HANDLE,
-          "NULL");
-    OK(nicol_environment_release(environment));
-    OK(nicol_context_release(context));
 }
 
 TEST_CASE("inspect: a material is written as SHMat and into a cache") {
-    const Folder folder;
-    const nicol_context context = make_context(NICOL_BACKEND_AUTOMATIC);
-    nicol_spectrum reflectance = spectrum({0.25F, 0.75F});
-    nicol_material material = nullptr;
-    OK(nicol_material_create_diffuse(context, &reflectance, &material));
+    const TemporaryFolder folder;
+    const Owned context(make_context(NICOL_BACKEND_AUTOMATIC));
+    const Owned material(diffuse(context, {0.25F, 0.75F}));
     nicol_file_options options = of_order(6);
     OK(nicol_material_write(material, &options, folder.file("cache/").c_str()));
     options.scale = 2;
@@ -55,8 +48,4 @@ TEST_CASE("inspect: a material is written as SHMat and into a cache") {
     CHECK(!std::filesystem::is_empty(folder.file("cache")));
     FAILS(nicol_material_write(material, nullptr, folder.file("m.exr").c_str()), NICOL_ERROR_INVALID_ARGUMENT,
           "m.exr");
-    FAILS(nicol_material_write(nullptr, nullptr, folder.file("m.npz").c_str()), NICOL_ERROR_INVALID_HANDLE,
-          "NULL");
-    OK(nicol_material_release(material));
-    OK(nicol_context_release(context));
 }

@@ -76,7 +76,7 @@ std::string only_table(const std::string& folder) {
 }  // namespace
 
 TEST_CASE("inspect: an even surface, in closed form") {
-    const Folder folder;
+    const TemporaryFolder folder;
     write_matrix(folder.file("d.npz"), *nicol::diffuse({0.25, 0.5, 1}), 16);
     const nicol_material_report r = report_of(folder.file("d.npz"));
     CHECK(r.kind == NICOL_FILE_MATERIAL_PSH);
@@ -98,7 +98,7 @@ TEST_CASE("inspect: an even surface, in closed form") {
 }
 
 TEST_CASE("inspect: norms and asymmetry are those of the dense matrix") {
-    const Folder folder;
+    const TemporaryFolder folder;
     constexpr int order = 5;
     const IsotropicMatrix matrix = random_matrix(order);
     nicol::write_psh_matrix(folder.file("m.npz"), std::vector{matrix});
@@ -132,7 +132,7 @@ TEST_CASE("inspect: norms and asymmetry are those of the dense matrix") {
 }
 
 TEST_CASE("inspect: energy that appears and light that polarizes beyond itself are told") {
-    const Folder folder;
+    const TemporaryFolder folder;
     // A diffuse surface that reflects twice what arrives, and one whose light leaves with s1 = 1.5 s0 unless
     // s3 took part.
     const auto surface = [](double reflectance, double polarization) {
@@ -158,7 +158,7 @@ TEST_CASE("inspect: energy that appears and light that polarizes beyond itself a
 }
 
 TEST_CASE("inspect: the worst polarization counts in the largest albedo") {
-    const Folder folder;
+    const TemporaryFolder folder;
     // In the plane of light and viewer all of s1 = s0 is reflected, nothing of s1 = -s0: frames are s-frames.
     const auto polarizer = nicol::callback_material({.reflect =
                                                          [](int, const glm::dvec3&, const glm::dvec3&) {
@@ -178,7 +178,7 @@ TEST_CASE("inspect: the worst polarization counts in the largest albedo") {
 }
 
 TEST_CASE("inspect: SHMat stays as it is, and is cut") {
-    const Folder folder;
+    const TemporaryFolder folder;
     nicol::write_psh_matrix(folder.file("m.npz"), std::vector{random_matrix(4), random_matrix(4)});
     convert(folder.file("m.npz"), folder.file("same.npz"), NICOL_FILE_OPTIONS_INIT);
     CHECK(distance(folder.file("same.npz"), folder.file("m.npz"), 4) < 1e-15);
@@ -201,7 +201,7 @@ TEST_CASE("inspect: the authors' gold survives") {
         MESSAGE("skipped: no polarsh files in NICOL_TEST_DATA");
         return;
     }
-    const Folder folder;
+    const TemporaryFolder folder;
     convert(gold, folder.file("gold.npz"), NICOL_FILE_OPTIONS_INIT);
     const nicol_material_report a = report_of(gold), b = report_of(folder.file("gold.npz"));
     CHECK((a.channels == 3 && a.file_order == 19));
@@ -215,7 +215,7 @@ TEST_CASE("inspect: the authors' gold survives") {
 }
 
 TEST_CASE("inspect: tables of the cache are materials again") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const auto plastic = nicol::pplastic({.diffuse_reflectance = {0.2, 0.4, 0.6}, .alpha = 0.4});
     constexpr int order = 5;
     write_matrix(folder.file("p.npz"), *plastic, order);
@@ -254,7 +254,7 @@ TEST_CASE("inspect: tables of the cache are materials again") {
               NICOL_ERROR_UNSUPPORTED, "Stokes");
     }
     SUBCASE("damaged ones are refused") {
-        const std::string whole = bytes_of(table);
+        const std::string whole = file_bytes(table);
         const auto refuse = [&](std::string content, nicol_result code) {
             folder.write("bad.response", content);
             nicol_material_report out = NICOL_MATERIAL_REPORT_INIT;
@@ -290,9 +290,9 @@ TEST_CASE("inspect: tables of the cache are materials again") {
 }
 
 TEST_CASE("inspect: measured materials become matrices") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const auto angles = nicol::test::even_angles(19, 0, pi / 2);
-    nicol::test::write_bytes(
+    write_bytes(
         folder.file("m.pbsdf"),
         nicol::test::make_pbsdf(nicol::test::even_angles(13, -pi, pi), angles, angles, {450, 550, 650},
                                 [](std::size_t w, const glm::dvec3&, const glm::dvec3&) {
@@ -319,7 +319,7 @@ TEST_CASE("inspect: measured materials become matrices") {
     FAILS(nicol_file_convert(folder.file("m.pbsdf").c_str(), &options, (folder.file("c") + "/").c_str()),
           NICOL_ERROR_INVALID_ARGUMENT, "scale");
 
-    const std::string whole = bytes_of(folder.file("m.pbsdf"));
+    const std::string whole = file_bytes(folder.file("m.pbsdf"));
     for (const std::size_t size : {std::size_t{0}, std::size_t{13}, std::size_t{60}, whole.size() - 1}) {
         folder.write("bad.pbsdf", whole.substr(0, size));
         FAILS(nicol_file_convert(folder.file("bad.pbsdf").c_str(), nullptr, folder.file("o.npz").c_str()),
@@ -328,7 +328,7 @@ TEST_CASE("inspect: measured materials become matrices") {
 }
 
 TEST_CASE("inspect: options that materials do not take") {
-    const Folder folder;
+    const TemporaryFolder folder;
     write_matrix(folder.file("d.npz"), *nicol::diffuse({0.5}), 2);
     const auto refuse = [&](const std::string& out, const char* word, auto set) {
         CAPTURE(word);

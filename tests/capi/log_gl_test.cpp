@@ -73,16 +73,16 @@ TEST_CASE("a new context tells what it opened") {
 TEST_CASE("every notice of a scene file arrives, once, in one line") {
     for (const nicol_backend backend : every_backend) {
         Log log;
-        const nicol_context context = logging_context(backend, log, "");
+        const Owned context(logging_context(backend, log, ""));
         static_cast<void>(log.take());
-        const Folder folder;
+        const TemporaryFolder folder;
         const std::string path = folder.write("scene.xml", R"(<scene version="3.0.0">
             <integrator type="path"><integer name="max_depth" value="7"/></integrator>
             <sensor type="perspective"><float name="fov" value="50"/>
                 <film type="hdrfilm"><string name="pixel_format" value="rgba"/>
                     <string name="component_format" value="float16"/></film></sensor>
             <shape type="cube"/></scene>)");
-        nicol_scene scene = nullptr;
+        Owned<nicol_scene> scene;
         OK(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
         const std::vector<Entry> entries = log.take();
         for (const char* about : {"path", "alpha", "float32"}) CHECK(count_of(entries, about) >= 1);
@@ -94,8 +94,6 @@ TEST_CASE("every notice of a scene file arrives, once, in one line") {
             messages.insert(entry.message);
         }
         CHECK(messages.size() == entries.size());
-        OK(nicol_scene_release(scene));
-        OK(nicol_context_release(context));
     }
 }
 
@@ -103,16 +101,15 @@ TEST_CASE("caches that are damaged or cannot be kept are notices, from jobs too"
     for (const nicol_backend backend : every_backend) {
         for (const bool as_job : {false, true}) {
             Log log;
-            const Folder folder;
+            const TemporaryFolder folder;
             const auto render = [&](const std::string& cache) {
                 const nicol_context context = logging_context(backend, log, cache);
                 {
                     const Stage stage(context);
                     if (as_job) {
-                        nicol_job job = nullptr;
+                        Owned<nicol_job> job;
                         OK(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job));
                         OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
-                        OK(nicol_job_release(job));
                     } else {
                         stage.render();
                     }

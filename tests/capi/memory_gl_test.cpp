@@ -73,11 +73,7 @@ public:
         OK(nicol_scene_set_environment(scene, light_, nullptr, 0));
         const Matrix down = {{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.05, 0, 0, 0, 1}};
         for (const Matrix& to_world : {placed(0, 0, 0), down}) {
-            nicol_instance instance = NICOL_INSTANCE_INIT;
-            instance.mesh = mesh_;
-            instance.material = material_;
-            std::copy_n(to_world.rows, 16, instance.to_world);
-            OK(nicol_scene_add_instance(scene, &instance, nullptr));
+            add(scene, mesh_, material_, to_world);
         }
         const nicol_camera camera = front_camera(9);
         const nicol_result result = nicol_render(scene, &camera, &options, framebuffer_);
@@ -114,7 +110,7 @@ std::optional<std::uint64_t> bytes_needed(const Stage& stage, const nicol_render
 
 TEST_CASE("predictions are never too low, and not far too high") {
     for (const nicol_backend backend : every_backend) {
-        const nicol_context small = limited_context(backend, 1000), free = limited_context(backend, 0);
+        const Owned small(limited_context(backend, 1000)), free(limited_context(backend, 0));
         {
             const Cleft refused(small), rendered(free);
             for (const nicol_render_options& options : many_options()) {
@@ -132,8 +128,6 @@ TEST_CASE("predictions are never too low, and not far too high") {
                 CHECK(static_cast<double>(needed) < 1.9 * static_cast<double>(taken));
             }
         }
-        OK(nicol_context_release(small));
-        OK(nicol_context_release(free));
     }
 }
 
@@ -142,7 +136,7 @@ TEST_CASE("a limit refuses what exceeds it and nothing else") {
         std::uint64_t needed = 0;
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
         {
-            const nicol_context context = limited_context(backend, 1000);
+            const Owned context(limited_context(backend, 1000));
             {
                 const Stage stage(context);
                 needed = bytes_needed(stage, options).value_or(0);
@@ -154,16 +148,14 @@ TEST_CASE("a limit refuses what exceeds it and nothing else") {
                 options.samples = 1;
                 CHECK(bytes_needed(stage, options).value_or(0) > 1000);
                 // As the result of a job, too.
-                nicol_job job = nullptr;
+                Owned<nicol_job> job;
                 OK(nicol_render_async(stage.scene, &stage.camera, &options, stage.framebuffer, &job));
                 FAILS(nicol_job_wait(job, NICOL_WAIT_FOREVER), NICOL_ERROR_OUT_OF_MEMORY, "memory_limit");
-                OK(nicol_job_release(job));
             }
-            OK(nicol_context_release(context));
         }
         options = NICOL_RENDER_OPTIONS_INIT;
         for (const bool enough : {true, false}) {
-            const nicol_context context = limited_context(backend, enough ? needed : needed - 1);
+            const Owned context(limited_context(backend, enough ? needed : needed - 1));
             {
                 const Stage stage(context);
                 const nicol_result result =
@@ -171,15 +163,11 @@ TEST_CASE("a limit refuses what exceeds it and nothing else") {
                 CHECK(result == (enough ? NICOL_OK : NICOL_ERROR_OUT_OF_MEMORY));
                 if (enough) {
                     // Another cube is another cube's memory.
-                    nicol_instance instance = NICOL_INSTANCE_INIT;
-                    instance.mesh = stage.mesh;
-                    instance.material = stage.material;
-                    OK(nicol_scene_add_instance(stage.scene, &instance, nullptr));
+                    add(stage.scene, stage.mesh, stage.material);
                     FAILS(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer),
                           NICOL_ERROR_OUT_OF_MEMORY, std::to_string(needed));
                 }
             }
-            OK(nicol_context_release(context));
         }
     }
 }

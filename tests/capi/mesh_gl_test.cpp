@@ -231,7 +231,7 @@ TEST_CASE("a matrix of fewer orders than the light's reflects none of the others
         for (int l = m; l <= order; ++l)
             for (std::size_t p = 0; p < 4; ++p)
                 if (l > 1 || p == 0 || p == 3) matrix.block(m, l, l)[5 * p] = 0.5 / (1 + l);
-    const Folder folder;
+    const TemporaryFolder folder;
     nicol::write_psh_matrix(folder.file("small.npz"), std::vector{matrix});
 
     Studio studio;

@@ -43,7 +43,7 @@ std::set<std::string> channel_names(const std::string& path) {
 TEST_CASE("images have the planes that were asked for, and read as they did") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
-        const Folder folder;
+        const TemporaryFolder folder;
         const std::string bare = folder.file("bare.exr"), full = folder.file("full.exr");
         stage.render();
         OK(nicol_framebuffer_write_exr(stage.framebuffer, bare.c_str()));

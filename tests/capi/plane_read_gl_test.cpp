@@ -89,7 +89,7 @@ TEST_CASE("half precision is the nearest number, ties to even, infinite beyond i
     CHECK(nearest_half(1 + 1.0F / 2048) == 0x3c00);
     CHECK(nearest_half(1 + 3.0F / 2048) == 0x3c02);
     on_every_backend([](nicol_context context) {
-        const nicol_framebuffer framebuffer = image_of_magnitudes(context);
+        const Owned framebuffer(image_of_magnitudes(context));
         std::set<bool> infinite, small;
         for (std::uint32_t c = 0; c < 3; ++c) {
             const std::vector<float> single = read_plane(framebuffer, NICOL_PLANE_STOKES, c);
@@ -105,7 +105,6 @@ TEST_CASE("half precision is the nearest number, ties to even, infinite beyond i
         }
         CHECK(infinite.size() == 2);
         CHECK(small.size() == 2);
-        OK(nicol_framebuffer_release(framebuffer));
     });
 }
 
@@ -216,9 +215,6 @@ TEST_CASE("requests that make no sense are refused and nothing is written") {
         nicol_plane_buffer unsized = with(NICOL_PLANE_S0, 0, 0);
         unsized.struct_size = 0;
         refused(unsized, "struct_size");
-        FAILS(nicol_framebuffer_read_plane(stage.framebuffer, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "to");
-        const nicol_plane_buffer good = with(NICOL_PLANE_S0, 0, 0);
-        FAILS(nicol_framebuffer_read_plane(nullptr, &good), NICOL_ERROR_INVALID_HANDLE, "NULL");
         std::vector<float> floats(24 * 16);
         FAILS(nicol_framebuffer_read(stage.framebuffer, NICOL_PLANE_INSTANCE, 0, floats.data(), 0,
                                      4 * floats.size()),

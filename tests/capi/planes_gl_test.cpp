@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Depth, normals, positions and instances of surfaces against what geometry says.
-#include "instances.hpp"
+#include "capi.hpp"
 #include "planes.hpp"
 
 using namespace capi_test;
@@ -96,12 +96,10 @@ void check_sphere(const Surfaces& seen, double distance, const Vec& centre, doub
 TEST_CASE("a sphere has the planes of a sphere, before and after it moves, by every method") {
     on_every_backend([](nicol_context context) {
         const Assets assets(context);
-        nicol_scene scene = nullptr;
-        OK(nicol_scene_create(context, &scene));
+        const Owned scene(empty_scene(context));
         OK(nicol_scene_set_environment(scene, assets.light, nullptr, 0));
         const std::uint32_t id = add(scene, assets.sphere, assets.plain, placed(0, 0, 0));
-        nicol_framebuffer framebuffer = nullptr;
-        OK(nicol_framebuffer_create(context, width, height, 1, &framebuffer));
+        const Owned framebuffer(framebuffer_of(context, width, height, 1));
         const nicol_camera camera = front_camera(5);
         for (const nicol_render_options& options : every_method()) {
             CAPTURE(options.method);
@@ -114,8 +112,6 @@ TEST_CASE("a sphere has the planes of a sphere, before and after it moves, by ev
             OK(nicol_render(scene, &camera, &options, framebuffer));
             check_sphere(Surfaces(framebuffer), 5, {0.5, -0.25, 0.75}, 0.8, id);
         }
-        OK(nicol_framebuffer_release(framebuffer));
-        OK(nicol_scene_release(scene));
     });
 }
 
@@ -131,11 +127,9 @@ TEST_CASE("a plane seen at an angle, from its front, its back and as two sides")
                 const double side = behind ? -1 : 1;
                 const Matrix to_world = {
                     {9 * side * c, 0, side * s, 0, 0, 9, 0, 0, -9 * side * s, 0, side * c, 0, 0, 0, 0, 1}};
-                nicol_scene scene = nullptr;
-                OK(nicol_scene_create(context, &scene));
+                const Owned scene(empty_scene(context));
                 add(scene, assets.rectangle, two_sided ? assets.both : assets.plain, to_world);
-                nicol_framebuffer framebuffer = nullptr;
-                OK(nicol_framebuffer_create(context, width, height, 1, &framebuffer));
+                const Owned framebuffer(framebuffer_of(context, width, height, 1));
                 const nicol_camera camera = front_camera(4);
                 for (const nicol_render_options& options : every_method()) {
                     CAPTURE(options.method);
@@ -155,8 +149,6 @@ TEST_CASE("a plane seen at an angle, from its front, its back and as two sides")
                         CHECK(std::abs(seen.position[3 * i + 2] - (4 - depth)) < 1e-4);
                     }
                 }
-                OK(nicol_framebuffer_release(framebuffer));
-                OK(nicol_scene_release(scene));
             }
         }
     });
@@ -165,11 +157,9 @@ TEST_CASE("a plane seen at an angle, from its front, its back and as two sides")
 TEST_CASE("orthographic depth is along the camera's axis, in units of the scene") {
     on_every_backend([](nicol_context context) {
         const Assets assets(context);
-        nicol_scene scene = nullptr;
-        OK(nicol_scene_create(context, &scene));
+        const Owned scene(empty_scene(context));
         add(scene, assets.rectangle, assets.plain, placed(0, 0, 1));
-        nicol_framebuffer framebuffer = nullptr;
-        OK(nicol_framebuffer_create(context, 8, 8, 1, &framebuffer));
+        const Owned framebuffer(framebuffer_of(context, 8, 8, 1));
         nicol_camera camera = front_camera(3.5);
         camera.projection = NICOL_PROJECTION_ORTHOGRAPHIC;
         for (const std::size_t i : {0U, 1U, 4U, 5U, 8U, 9U}) camera.to_world[i] *= 2;  // twice the rectangle
@@ -184,21 +174,17 @@ TEST_CASE("orthographic depth is along the camera's axis, in units of the scene"
                 }
             }
         }
-        OK(nicol_framebuffer_release(framebuffer));
-        OK(nicol_scene_release(scene));
     });
 }
 
 TEST_CASE("three instances have their ids, the nearest of them in front") {
     on_every_backend([](nicol_context context) {
         const Assets assets(context);
-        nicol_scene scene = nullptr;
-        OK(nicol_scene_create(context, &scene));
+        const Owned scene(empty_scene(context));
         const std::uint32_t far = add(scene, assets.rectangle, assets.plain, placed(0, 0, -1, 9));
         const std::uint32_t left = add(scene, assets.sphere, assets.both, placed(-0.8, 0, 0, 0.5));
         const std::uint32_t right = add(scene, assets.sphere, assets.plain, placed(0.8, 0, 0, 0.5));
-        nicol_framebuffer framebuffer = nullptr;
-        OK(nicol_framebuffer_create(context, width, height, 1, &framebuffer));
+        const Owned framebuffer(framebuffer_of(context, width, height, 1));
         const nicol_camera camera = front_camera(4);
         for (const nicol_render_options& options : every_method()) {
             CAPTURE(options.method);
@@ -229,8 +215,6 @@ TEST_CASE("three instances have their ids, the nearest of them in front") {
             CHECK(ids[16 * width + 12] == right);
             CHECK(ids[16 * width + 24] == NICOL_NO_INSTANCE);
         }
-        OK(nicol_framebuffer_release(framebuffer));
-        OK(nicol_scene_release(scene));
     });
 }
 
@@ -307,8 +291,7 @@ TEST_CASE("a render that is stopped leaves the planes of the one before") {
 TEST_CASE("the luminance of a scene of three channels has planes too") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
-        nicol_framebuffer grey = nullptr;
-        OK(nicol_framebuffer_create(context, 24, 16, 1, &grey));
+        const Owned grey(framebuffer_of(context, 24, 16, 1));
         for (const nicol_render_options& options : every_method()) {
             OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
             OK(nicol_render(stage.scene, &stage.camera, &options, grey));
@@ -318,6 +301,5 @@ TEST_CASE("the luminance of a scene of three channels has planes too") {
             CHECK(seen.position == colours.position);
             CHECK(seen.instance == colours.instance);
         }
-        OK(nicol_framebuffer_release(grey));
     });
 }

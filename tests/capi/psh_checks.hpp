@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An argument of the mathematics, wrong in every way: the code, the argument's name, and outputs untouched.
+// Values that no argument may have, and outputs that must stay as they are.
 #pragma once
 
 #include <limits>
@@ -27,40 +27,5 @@ public:
 private:
     Doubles values_;
 };
-
-/// call(values, count) must refuse NULL, wrong lengths and, of an input, values that are not finite.
-template <class Call>
-void check_input(std::size_t count, const char* name, Call call) {
-    CAPTURE(name);
-    const Doubles good(count);
-    FAILS(call(nullptr, count), NICOL_ERROR_INVALID_ARGUMENT, std::string(name) + " is NULL");
-    for (const std::uint64_t wrong : {std::uint64_t{0}, std::uint64_t{count - 1}, std::uint64_t{count + 1},
-                                      std::uint64_t{2 * count}, huge, huge / 8 + 1})
-        FAILS(call(good.data(), wrong), NICOL_ERROR_INVALID_ARGUMENT, std::string("length of ") + name);
-    for (const double wrong : {not_a_number, infinity, -infinity})
-        for (const std::size_t at : {std::size_t{0}, count / 2, count - 1}) {
-            Doubles bad = good;
-            bad[at] = wrong;
-            FAILS(call(bad.data(), count), NICOL_ERROR_INVALID_ARGUMENT,
-                  std::string(name) + "[" + std::to_string(at) + "]");
-        }
-}
-
-template <class Call>
-void check_output(std::size_t count, const char* name, Call call) {
-    CAPTURE(name);
-    Untouched out(count);
-    FAILS(call(nullptr, count), NICOL_ERROR_INVALID_ARGUMENT, std::string(name) + " is NULL");
-    for (const std::uint64_t wrong : {std::uint64_t{0}, std::uint64_t{count - 1}, std::uint64_t{count + 1},
-                                      std::uint64_t{2 * count}, huge})
-        FAILS(call(out.data(), wrong), NICOL_ERROR_INVALID_ARGUMENT, std::string("length of ") + name);
-}
-
-template <class Call>
-void check_order(std::uint32_t highest, const char* name, Call call) {
-    CAPTURE(name);
-    for (const std::uint32_t wrong : {highest + 1, 65535U, 65536U, 0x80000000U, UINT32_MAX})
-        FAILS(call(wrong), NICOL_ERROR_INVALID_ARGUMENT, std::string(name) + " is " + std::to_string(wrong));
-}
 
 }  // namespace capi_test

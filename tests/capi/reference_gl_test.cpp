@@ -24,12 +24,6 @@ std::vector<float> traced(const Stage& stage, std::int32_t samples, std::uint64_
     return read_all(stage.framebuffer);
 }
 
-nicol_statistics statistics_of(nicol_framebuffer framebuffer) {
-    nicol_statistics statistics = NICOL_STATISTICS_INIT;
-    OK(nicol_framebuffer_get_statistics(framebuffer, &statistics));
-    return statistics;
-}
-
 double mean_difference(const std::vector<float>& a, const std::vector<float>& b) {
     double sum = 0, size = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -78,7 +72,7 @@ TEST_CASE("a seed gives one image, whatever the threads and the backend") {
             nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
             options.backend = backend;
             options.threads = threads;
-            nicol_context context = nullptr;
+            Owned<nicol_context> context;
             OK(nicol_context_create(&options, &context));
             {
                 const Stage stage(context);
@@ -86,7 +80,6 @@ TEST_CASE("a seed gives one image, whatever the threads and the backend") {
                 CHECK(traced(stage, 4, 8) != images.front());
                 CHECK(traced(stage, 4, std::uint64_t{7} << 32) != images.front());
             }
-            OK(nicol_context_release(context));
         }
     }
     for (const auto& image : images) CHECK(image == images.front());
@@ -145,31 +138,23 @@ TEST_CASE("a reference render tells its progress and can be cancelled") {
 TEST_CASE("more channels than are drawn at once") {
     on_every_backend([](nicol_context context) {
         const std::vector<float> light = {1, 2, 3, 4, 5, 6, 7};
-        nicol_environment environment = nullptr;
-        const nicol_spectrum values = spectrum(light);
-        OK(nicol_environment_create_constant(context, &values, &environment));
-        nicol_scene scene = nullptr;
-        OK(nicol_scene_create(context, &scene));
+        const Owned environment(constant_light(context, light));
+        const Owned scene(empty_scene(context));
         OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
-        nicol_framebuffer framebuffer = nullptr;
-        OK(nicol_framebuffer_create(context, 3, 2, 7, &framebuffer));
+        const Owned framebuffer(framebuffer_of(context, 3, 2, 7));
         const nicol_camera camera = front_camera();
         const nicol_render_options options = reference(1);
         OK(nicol_render(scene, &camera, &options, framebuffer));
         for (std::uint32_t c = 0; c < 7; ++c)
             for (const float s0 : read_plane(framebuffer, NICOL_PLANE_S0, c))
                 CHECK(s0 == doctest::Approx(light[c]));
-        OK(nicol_framebuffer_release(framebuffer));
-        OK(nicol_scene_release(scene));
-        OK(nicol_environment_release(environment));
     });
 }
 
 TEST_CASE("a framebuffer of one channel shows the luminance of three, by every method") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
-        nicol_framebuffer grey = nullptr;
-        OK(nicol_framebuffer_create(context, 24, 16, 1, &grey));
+        const Owned grey(framebuffer_of(context, 24, 16, 1));
         for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_REFERENCE}) {
             nicol_render_options options = reference(4);
             options.method = method;
@@ -186,6 +171,5 @@ TEST_CASE("a framebuffer of one channel shows the luminance of three, by every m
             CHECK(statistics_of(grey).camera_rays == statistics_of(stage.framebuffer).camera_rays);
             CHECK(statistics_of(grey).order == statistics_of(stage.framebuffer).order);
         }
-        OK(nicol_framebuffer_release(grey));
     });
 }

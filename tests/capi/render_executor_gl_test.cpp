@@ -9,12 +9,6 @@ using namespace capi_test;
 
 namespace {
 
-nicol_statistics statistics_of(nicol_framebuffer framebuffer) {
-    nicol_statistics statistics = NICOL_STATISTICS_INIT;
-    OK(nicol_framebuffer_get_statistics(framebuffer, &statistics));
-    return statistics;
-}
-
 std::vector<float> render_by(const Stage& stage, nicol_executor executor, nicol_render_options options) {
     options.executor = executor;
     OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
@@ -27,11 +21,7 @@ TEST_CASE("threads and compute shaders make the same image, and statistics tell 
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         // A second cube hides the sky from the first.
-        nicol_instance instance = NICOL_INSTANCE_INIT;
-        instance.mesh = stage.mesh;
-        instance.material = stage.material;
-        std::copy_n(placed(0.9, 0.3, 0.2, 0.4).rows, 16, instance.to_world);
-        OK(nicol_scene_add_instance(stage.scene, &instance, nullptr));
+        add(stage.scene, stage.mesh, stage.material, placed(0.9, 0.3, 0.2, 0.4));
         for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE}) {
             for (const std::int32_t order_low : {1, 4}) {
                 CAPTURE(method);

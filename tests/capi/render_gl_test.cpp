@@ -14,39 +14,21 @@ namespace {
 
 // A diffuse square of half the image's width in front of constant light.
 struct Square {
-    nicol_scene scene = nullptr;
-    nicol_framebuffer framebuffer = nullptr;
+    Owned<nicol_scene> scene;
+    Owned<nicol_framebuffer> framebuffer;
     nicol_camera camera = front_camera();
 
-    Square(nicol_context context, const std::vector<float>& light, const std::vector<float>& reflectance) {
-        nicol_environment environment = nullptr;
-        nicol_spectrum values = spectrum(light);
-        OK(nicol_environment_create_constant(context, &values, &environment));
-        nicol_material material = nullptr;
-        values = spectrum(reflectance);
-        OK(nicol_material_create_diffuse(context, &values, &material));
-        nicol_mesh mesh = nullptr;
-        OK(nicol_mesh_create_rectangle(context, &mesh));
-        OK(nicol_scene_create(context, &scene));
+    Square(nicol_context context, const std::vector<float>& light, const std::vector<float>& reflectance)
+        : scene(empty_scene(context)) {
+        const Owned environment(constant_light(context, light));
+        const Owned material(diffuse(context, reflectance));
+        const Owned mesh(rectangle(context));
         OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
-        nicol_instance instance = NICOL_INSTANCE_INIT;
-        instance.mesh = mesh;
-        instance.material = material;
-        std::copy_n(placed(0, 0, 0, 0.5).rows, 16, instance.to_world);
-        OK(nicol_scene_add_instance(scene, &instance, nullptr));
+        add(scene, mesh, material, placed(0, 0, 0, 0.5));
         std::uint32_t channels = 0;
         OK(nicol_scene_get_channels(scene, &channels));
         OK(nicol_framebuffer_create(context, 20, 20, channels, &framebuffer));
-        OK(nicol_environment_release(environment));
-        OK(nicol_material_release(material));
-        OK(nicol_mesh_release(mesh));
     }
-    ~Square() {
-        CHECK(nicol_framebuffer_release(framebuffer) == NICOL_OK);
-        CHECK(nicol_scene_release(scene) == NICOL_OK);
-    }
-    Square(const Square&) = delete;
-    Square& operator=(const Square&) = delete;
     void render() const { OK(nicol_render(scene, &camera, nullptr, framebuffer)); }
 };
 
@@ -124,7 +106,7 @@ TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
                     CHECK(std::abs(middle[p]) < 1e-6F);
                 }
             }
-            const Folder folder;
+            const TemporaryFolder folder;
             const std::string exr = folder.file("image.exr"), png = folder.file("image.png");
             const nicol_observation image = NICOL_OBSERVATION_INIT;
             // Files hold any number of channels; images for people need one or three.
@@ -146,31 +128,24 @@ TEST_CASE("no environment is darkness") {
         const Stage stage(context);
         stage.render();
         OK(nicol_scene_set_environment(stage.scene, nullptr, nullptr, 0));
-        nicol_framebuffer framebuffer = nullptr;
-        OK(nicol_framebuffer_create(context, 24, 16, 1, &framebuffer));
+        const Owned framebuffer(framebuffer_of(context, 24, 16, 1));
         OK(nicol_render(stage.scene, &stage.camera, nullptr, framebuffer));
         for (const float value : read_all(framebuffer)) REQUIRE(value == 0);
         for (const float value : read_plane(framebuffer, NICOL_PLANE_DOLP)) REQUIRE(value == 0);
         for (const float value : read_plane(framebuffer, NICOL_PLANE_AOLP)) REQUIRE(value == 0);
-        nicol_scene empty = nullptr;
-        OK(nicol_scene_create(context, &empty));
+        const Owned empty(empty_scene(context));
         OK(nicol_render(empty, &stage.camera, nullptr, framebuffer));
         for (const float value : read_all(framebuffer)) REQUIRE(value == 0);
-        OK(nicol_scene_release(empty));
-        OK(nicol_framebuffer_release(framebuffer));
     });
 }
 
 TEST_CASE("an empty scene shows its environment") {
     on_every_backend([](nicol_context context) {
-        const nicol_spectrum radiance = spectrum({0.25F, 2, 0});
-        nicol_environment environment = nullptr;
-        OK(nicol_environment_create_constant(context, &radiance, &environment));
-        nicol_scene scene = nullptr;
-        OK(nicol_scene_create(context, &scene));
+        const std::vector<float> radiance = {0.25F, 2, 0};
+        const Owned environment(constant_light(context, radiance));
+        const Owned scene(empty_scene(context));
         OK(nicol_scene_set_environment(scene, environment, nullptr, 3));
-        nicol_framebuffer framebuffer = nullptr;
-        OK(nicol_framebuffer_create(context, 6, 5, 3, &framebuffer));
+        const Owned framebuffer(framebuffer_of(context, 6, 5, 3));
         nicol_camera camera = front_camera();
         for (const nicol_projection projection :
              {NICOL_PROJECTION_PERSPECTIVE, NICOL_PROJECTION_ORTHOGRAPHIC}) {
@@ -179,18 +154,14 @@ TEST_CASE("an empty scene shows its environment") {
             for (std::uint32_t c = 0; c < 3; ++c) {
                 const std::vector<float> stokes = read_plane(framebuffer, NICOL_PLANE_STOKES, c);
                 for (std::size_t i = 0; i < stokes.size(); ++i) {
-                    const float expected = i % 4 == 0 ? 3 * radiance.values[c] : 0;
+                    const float expected = i % 4 == 0 ? 3 * radiance[c] : 0;
                     CHECK(stokes[i] == doctest::Approx(expected).epsilon(1e-5));
                 }
             }
         }
-        nicol_statistics statistics = NICOL_STATISTICS_INIT;
-        OK(nicol_framebuffer_get_statistics(framebuffer, &statistics));
+        const nicol_statistics statistics = statistics_of(framebuffer);
         CHECK(statistics.vertices == 0);
         CHECK(statistics.triangles == 0);
-        OK(nicol_framebuffer_release(framebuffer));
-        OK(nicol_scene_release(scene));
-        OK(nicol_environment_release(environment));
     });
 }
 
@@ -339,11 +310,9 @@ TEST_CASE("a framebuffer must have the scene's channels, or one of three") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         for (const std::uint32_t channels : {2U, 4U, 16U}) {
-            nicol_framebuffer other = nullptr;
-            OK(nicol_framebuffer_create(context, 4, 4, channels, &other));
+            const Owned other(framebuffer_of(context, 4, 4, channels));
             FAILS(nicol_render(stage.scene, &stage.camera, nullptr, other), NICOL_ERROR_INVALID_ARGUMENT,
                   "channels");
-            OK(nicol_framebuffer_release(other));
         }
     });
 }
@@ -430,7 +399,7 @@ TEST_CASE("a callback that calls back gets an error and no deadlock") {
             std::thread::id thread = std::this_thread::get_id();
             bool same_thread = true;
         };
-        const nicol_context second = make_context(NICOL_BACKEND_OSMESA);
+        const Owned second(make_context(NICOL_BACKEND_OSMESA));
         {
             const Stage stage(context), other(second);
             Caller caller{stage, other, {}, {}};
@@ -475,7 +444,6 @@ TEST_CASE("a callback that calls back gets an error and no deadlock") {
             stage.render();
             CHECK(read_all(stage.framebuffer) == watched);
         }
-        OK(nicol_context_release(second));
     });
 }
 

@@ -49,7 +49,6 @@ TEST_CASE("instances count up from 0") {
               "instance 4");
         FAILS(nicol_scene_set_transform(stage.scene, UINT32_MAX, placed(0, 0, 0).rows),
               NICOL_ERROR_INVALID_ARGUMENT, "instance");
-        FAILS(nicol_scene_set_transform(stage.scene, 0, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "to_world");
         instance.reserved = 1;
         FAILS(nicol_scene_add_instance(stage.scene, &instance, &id), NICOL_ERROR_INVALID_ARGUMENT,
               "reserved");
@@ -158,16 +157,11 @@ TEST_CASE("a scene's environment comes back as it was set") {
         OK(nicol_environment_release(light));
         stage.render();
         CHECK(read_all(stage.framebuffer) == before);
-
-        FAILS(nicol_scene_get_environment(stage.scene, nullptr, to_world, &scale),
-              NICOL_ERROR_INVALID_ARGUMENT, "environment");
-        FAILS(nicol_scene_get_environment(reinterpret_cast<nicol_scene>(stage.mesh), &none, nullptr, nullptr),
-              NICOL_ERROR_INVALID_HANDLE, "");
     });
 }
 
 TEST_CASE("a file's light comes back with its turn and scale, a scale of 0 as darkness") {
-    const Folder folder;
+    const TemporaryFolder folder;
     std::string text = scene_text;
     const std::string constant =
         R"(<emitter type="constant"><rgb name="radiance" value="1, 2, 3"/></emitter>)";
@@ -177,14 +171,12 @@ TEST_CASE("a file's light comes back with its turn and scale, a scale of 0 as da
         <transform name="to_world"><rotate y="1" angle="90"/></transform></emitter>)");
     const std::string path = folder.write("scene.xml", text);
     on_every_backend([&](nicol_context context) {
-        nicol_environment light = nullptr;
-        const nicol_spectrum one = spectrum({1});
-        OK(nicol_environment_create_constant(context, &one, &light));
+        nicol_environment light = constant_light(context, {1});
         OK(nicol_environment_write(light, nullptr, folder.file("light.exr").c_str()));
         OK(nicol_environment_release(light));
         for (const bool dark : {false, true}) {
             const char* definition = dark ? "scale=0" : "scale=2.5";
-            nicol_scene scene = nullptr;
+            Owned<nicol_scene> scene;
             OK(nicol_scene_load(context, path.c_str(), &definition, 1, &scene));
             double to_world[16] = {}, scale = 0;
             OK(nicol_scene_get_environment(scene, &light, to_world, &scale));
@@ -194,29 +186,25 @@ TEST_CASE("a file's light comes back with its turn and scale, a scale of 0 as da
             for (std::size_t i = 0; i < 16; ++i)
                 CHECK(to_world[i] == doctest::Approx(dark ? (i % 5 == 0 ? 1 : 0) : rotated[i]));
             OK(nicol_environment_release(light));
-            OK(nicol_scene_release(scene));
         }
     });
 }
 
 TEST_CASE("a scene has the channels of its parts, and they must fit") {
     on_every_backend([](nicol_context context) {
-        nicol_scene scene = nullptr;
-        OK(nicol_scene_create(context, &scene));
+        const Owned scene(empty_scene(context));
         std::uint32_t channels = 0;
         OK(nicol_scene_get_channels(scene, &channels));
         CHECK(channels == 1);
-        FAILS(nicol_scene_get_channels(scene, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "channels");
-        nicol_environment two = nullptr, three = nullptr;
+        Owned<nicol_environment> two, three;
         nicol_spectrum values = spectrum({1, 2});
         OK(nicol_environment_create_constant(context, &values, &two));
         values = spectrum({1, 2, 3});
         OK(nicol_environment_create_constant(context, &values, &three));
-        nicol_material material = nullptr;
+        Owned<nicol_material> material;
         values = spectrum({0.1F, 0.2F, 0.3F});
         OK(nicol_material_create_diffuse(context, &values, &material));
-        nicol_mesh mesh = nullptr;
-        OK(nicol_mesh_create_cube(context, &mesh));
+        const Owned mesh(cube(context));
 
         OK(nicol_scene_set_environment(scene, two, nullptr, 0));
         OK(nicol_scene_get_channels(scene, &channels));
@@ -231,30 +219,20 @@ TEST_CASE("a scene has the channels of its parts, and they must fit") {
         OK(nicol_scene_set_environment(scene, nullptr, nullptr, 0));
         OK(nicol_scene_get_channels(scene, &channels));
         CHECK(channels == 3);
-        OK(nicol_environment_release(two));
-        OK(nicol_environment_release(three));
-        OK(nicol_material_release(material));
-        OK(nicol_mesh_release(mesh));
-        OK(nicol_scene_release(scene));
     });
 }
 
 TEST_CASE("only a loaded scene has a camera and a film") {
     on_every_backend([](nicol_context context) {
-        nicol_scene scene = nullptr;
-        OK(nicol_scene_create(context, &scene));
+        const Owned scene(empty_scene(context));
         nicol_camera camera = NICOL_CAMERA_INIT;
         camera.fov = 12;
         std::uint32_t width = 5, height = 6;
         FAILS(nicol_scene_get_camera(scene, &camera), NICOL_ERROR_UNSUPPORTED, "camera");
         FAILS(nicol_scene_get_film_size(scene, &width, &height), NICOL_ERROR_UNSUPPORTED, "film");
-        FAILS(nicol_scene_get_film_size(scene, nullptr, &height), NICOL_ERROR_INVALID_ARGUMENT, "width");
-        FAILS(nicol_scene_get_film_size(scene, &width, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "height");
         CHECK(camera.fov == 12);
         CHECK(width == 5);
         CHECK(height == 6);
-        FAILS(nicol_scene_create(context, nullptr), NICOL_ERROR_INVALID_ARGUMENT, "scene");
-        OK(nicol_scene_release(scene));
     });
 }
 
@@ -265,9 +243,9 @@ TEST_CASE("a file is loaded with definitions, and notices go to the log") {
         options.backend = backend;
         options.log = write_log;
         options.log_user = &log;
-        nicol_context context = nullptr;
+        Owned<nicol_context> context;
         OK(nicol_context_create(&options, &context));
-        const Folder folder;
+        const TemporaryFolder folder;
         const std::string path = folder.write("sc\xC3\xA8ne.xml", scene_text);
         nicol_scene scene = nullptr;
         OK(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
@@ -283,8 +261,7 @@ TEST_CASE("a file is loaded with definitions, and notices go to the log") {
         CHECK(channels == 3);
         const nicol_camera made = front_camera(4);
         for (std::size_t i = 0; i < 16; ++i) CHECK(camera.to_world[i] == doctest::Approx(made.to_world[i]));
-        nicol_framebuffer framebuffer = nullptr;
-        OK(nicol_framebuffer_create(context, width, height, channels, &framebuffer));
+        const Owned framebuffer(framebuffer_of(context, width, height, channels));
         OK(nicol_render(scene, &camera, nullptr, framebuffer));
         // The corner shows the light, the middle a reflectance of 0.2, 0.4, 0.6 under it.
         for (std::uint32_t c = 0; c < 3; ++c) {
@@ -315,14 +292,12 @@ TEST_CASE("a file is loaded with definitions, and notices go to the log") {
             told = told || message.find("emitter") != std::string::npos;
         }
         CHECK(told);
-        OK(nicol_framebuffer_release(framebuffer));
-        OK(nicol_context_release(context));
     }
 }
 
 TEST_CASE("definitions that are none are refused") {
     on_every_backend([](nicol_context context) {
-        const Folder folder;
+        const TemporaryFolder folder;
         const std::string path = folder.write("scene.xml", scene_text);
         nicol_scene scene = marker<nicol_scene>();
         FAILS(nicol_scene_load(context, path.c_str(), nullptr, 1, &scene), NICOL_ERROR_INVALID_ARGUMENT,
@@ -337,8 +312,6 @@ TEST_CASE("definitions that are none are refused") {
         const char* unreadable = "fov=wide";
         FAILS(nicol_scene_load(context, path.c_str(), &unreadable, 1, &scene), NICOL_ERROR_INVALID_FILE,
               "fov");
-        FAILS(nicol_scene_load(context, path.c_str(), nullptr, 0, nullptr), NICOL_ERROR_INVALID_ARGUMENT,
-              "scene");
         CHECK(scene == marker<nicol_scene>());
     });
 }

@@ -106,8 +106,8 @@ nicol::test::SFrameMueller retarder() {
 }  // namespace
 
 TEST_CASE("materials of scene files agree with the reference method") {
-    const Folder folder;
-    nicol::test::write_bytes(
+    const TemporaryFolder folder;
+    write_bytes(
         folder.file("table.pbsdf"),
         nicol::test::make_pbsdf(nicol::test::even_angles(9, -pi, pi), nicol::test::even_angles(17, 0, pi / 2),
                                 nicol::test::even_angles(17, 0, pi / 2), {460, 550, 610}, retarder())
@@ -155,7 +155,7 @@ TEST_CASE("materials of scene files agree with the reference method") {
 }
 
 TEST_CASE("a film of luminance has one channel, the sum of the colours") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::string bsdf =
         "<bsdf type='pplastic'><rgb name='diffuse_reflectance' value='0.8,0.4,0.1'/></bsdf>";
     const std::string rgb = folder.write("rgb.xml", scene_text(bsdf));
@@ -176,7 +176,7 @@ TEST_CASE("a film of luminance has one channel, the sum of the colours") {
 }
 
 TEST_CASE("tables and colours of light and ground") {
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::string bsdf = "<bsdf type='diffuse'><float name='reflectance' value='1'/></bsdf>";
     const auto middle = [&](nicol_context context, const std::string& emitter, const std::string& turn = "") {
         const Loaded loaded(context, folder.write("light.xml", scene_text(bsdf, emitter, "", turn)));
@@ -207,7 +207,7 @@ TEST_CASE("tables and colours of light and ground") {
 }
 
 TEST_CASE("what a scene names and is not there or of the wrong colours is refused by name") {
-    const Folder folder;
+    const TemporaryFolder folder;
     nicol::StokesImage spectral(4, 3, 5);
     spectral.wavelengths = {450, 500, 550, 600, 650};
     for (std::size_t i = 0; i < spectral.data.size(); i += 4) spectral.data[i] = 1;
@@ -263,7 +263,7 @@ TEST_CASE("measured gold under measured light, from the authors' coefficients") 
         MESSAGE("skipped: NICOL_TEST_DATA holds no polarsh coefficients");
         return;
     }
-    const Folder folder;
+    const TemporaryFolder folder;
     const std::string path = folder.write(
         "gold.xml",
         "<scene version='3.0.0'><sensor type='perspective'><float name='fov' value='40'/><transform "
@@ -275,7 +275,7 @@ TEST_CASE("measured gold under measured light, from the authors' coefficients") 
             "'/></emitter><shape type='sphere'><bsdf type='psh'><string name='filename' value='" +
             gold.string() + "'/></bsdf></shape></scene>");
     for (const nicol_backend backend : every_backend) {
-        const nicol_context context = make_context(backend);
+        const Owned context(make_context(backend));
         {
             const Loaded loaded(context, path);
             CHECK(loaded.channels == 3);
@@ -314,26 +314,18 @@ TEST_CASE("measured gold under measured light, from the authors' coefficients") 
         for (const bool above : {true, false}) {
             // s0 = 1/2 (1 + cos) about the direction the light travels in: down, or up.
             lamp[8] = (above ? 1 : -1) * amplitude[1] / 1.7320508;
-            nicol_environment light = nullptr;
+            Owned<nicol_environment> light;
             OK(nicol_environment_create_psh(context, 4, 1, lamp.data(), lamp.size(), &light));
-            nicol_material material = nullptr;
+            Owned<nicol_material> material;
             OK(nicol_material_load_psh(context, gold.string().c_str(), nullptr, &material));
-            nicol_mesh mesh = nullptr;
-            OK(nicol_mesh_create_rectangle(context, &mesh));
-            nicol_scene scene = simple_scene(context, light, mesh, material);
-            nicol_framebuffer framebuffer = nullptr;
-            OK(nicol_framebuffer_create(context, 4, 4, 3, &framebuffer));
+            const Owned mesh(rectangle(context));
+            const Owned scene(simple_scene(context, light, mesh, material));
+            const Owned framebuffer(framebuffer_of(context, 4, 4, 3));
             const nicol_camera camera = front_camera(1);
             OK(nicol_render(scene, &camera, nullptr, framebuffer));
             const float s0 = read_plane(framebuffer, NICOL_PLANE_S0)[5];
             CHECK(s0 > (above ? 0.5F : -0.2F));
             CHECK(s0 < (above ? 1.5F : 0.35F));
-            OK(nicol_framebuffer_release(framebuffer));
-            OK(nicol_scene_release(scene));
-            OK(nicol_mesh_release(mesh));
-            OK(nicol_material_release(material));
-            OK(nicol_environment_release(light));
         }
-        OK(nicol_context_release(context));
     }
 }

@@ -45,9 +45,7 @@ struct Scene {
     /// 1 where a pixel and its eight neighbours show the same object. Under even light without shadows the
     /// background is 1, the plane grey and the statue coloured. Sets the scene's light to that.
     [[nodiscard]] std::vector<char> inner_pixels() const {
-        nicol_environment even = nullptr;
-        const nicol_spectrum one = spectrum({1, 1, 1});
-        OK(nicol_environment_create_constant(context, &one, &even));
+        nicol_environment even = constant_light(context, {1, 1, 1});
         OK(nicol_scene_set_environment(scene, even, nullptr, 0));
         OK(nicol_environment_release(even));
         const std::vector<float> image = render(-1, -1);
@@ -99,7 +97,7 @@ TEST_CASE("a statue on a plane, with shadows, is Mitsuba 3's, but for truncation
         MESSAGE("skipped: NICOL_TEST_DATA has no mitsuba/buddha.xml or polarsh/buddha.obj");
         return;
     }
-    const Folder folder;
+    const TemporaryFolder folder;
     for (const char* file :
          {"mitsuba/buddha.xml", "mitsuba/venice.exr", "polarsh/buddha.obj", "polarsh/plane.obj"})
         fs::create_symlink(data / file, folder.file(fs::path(file).filename().string()));

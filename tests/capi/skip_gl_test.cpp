@@ -82,8 +82,7 @@ struct Pair {
         return read_all(framebuffer);
     }
     [[nodiscard]] nicol_statistics statistics() const {
-        nicol_statistics s = NICOL_STATISTICS_INIT;
-        OK(nicol_framebuffer_get_statistics(framebuffer, &s));
+        const nicol_statistics s = statistics_of(framebuffer);
         return s;
     }
 };
@@ -93,7 +92,7 @@ struct Pair {
 TEST_CASE("skips leave the image as it is, and count") {
     on_every_backend([](nicol_context context) {
         for (const bool grey : {false, true}) {
-            const nicol_environment environment = plain_light(context, grey);
+            const Owned environment(plain_light(context, grey));
             const Pair pair(context, environment);
             nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
             options.bake_directions = 512;
@@ -125,7 +124,6 @@ TEST_CASE("skips leave the image as it is, and count") {
             CHECK(pair.render(options) == skipping);
             CHECK(pair.render(options) == skipping);
             CHECK(pair.statistics().draw_ms > 0);
-            OK(nicol_environment_release(environment));
         }
     });
 }
@@ -152,7 +150,7 @@ TEST_CASE("components that nobody asked for are 0 and the others the same") {
 }
 
 TEST_CASE("a tolerance chooses the orders and says what it expects") {
-    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
+    const Owned context(make_context(NICOL_BACKEND_OSMESA));
     const Stage stage(context);
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.order_low = 12;  // not looked at
@@ -161,8 +159,7 @@ TEST_CASE("a tolerance chooses the orders and says what it expects") {
     for (const double tolerance : {0.5, 0.02, 0.001}) {
         options.tolerance = tolerance;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
-        nicol_statistics s = NICOL_STATISTICS_INIT;
-        OK(nicol_framebuffer_get_statistics(stage.framebuffer, &s));
+        const nicol_statistics s = statistics_of(stage.framebuffer);
         CHECK(s.predicted_error <= tolerance);
         CHECK(s.order >= before);
         CHECK(s.order_low <= s.order);
@@ -170,11 +167,10 @@ TEST_CASE("a tolerance chooses the orders and says what it expects") {
         if (tolerance == 0.5) first = s.order;
     }
     CHECK(before > first);
-    OK(nicol_context_release(context));
 }
 
 TEST_CASE("options that mean nothing are refused by name") {
-    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
+    const Owned context(make_context(NICOL_BACKEND_OSMESA));
     const Stage stage(context);
     const auto refused = [&](auto&& change, const char* name) {
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
@@ -188,5 +184,4 @@ TEST_CASE("options that mean nothing are refused by name") {
     refused([](auto& o) { o.disabled_optimisations = 128; }, "disabled_optimisations");
     refused([](auto& o) { o.tolerance = 0.1, o.method = NICOL_METHOD_DENSE; }, "tolerance");
     refused([](auto& o) { o.tolerance = 0.1, o.high_orders = NICOL_HIGH_ORDERS_CONVOLUTION; }, "tolerance");
-    OK(nicol_context_release(context));
 }

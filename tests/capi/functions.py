@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""Prints what the tests of the contract need to know of the C headers.
+
+usage: functions.py table INCLUDE_FOLDER > functions.inc   (a line a function: itself and the names of its parameters)
+       functions.py use INCLUDE_FOLDER > use.c             (a C program that initialises every struct and passes every callback)
+PYTHONPATH names the folder of reader.py.
+"""
+
+import sys
+
+import reader
+
+
+def table(model):
+    for function in model.functions.values():
+        if function.result.base == "nicol_result":
+            names = ", ".join(f'"{p.name}"' for p in function.parameters)
+            yield f'{{"{function.name}", {{{names}}}, bind({function.name})}},'
+
+
+def use(model):
+    callbacks = [c for c in model.callbacks.values() if c.name != "nicol_release_callback"]  # the reader's own name
+    yield "".join(f'#include "{name}"\n' for name in reader.HEADERS)
+    for callback in callbacks:
+        parameters = ", ".join(p.type.c(p.name) for p in callback.parameters)
+        unused = " ".join(f"(void){p.name};" for p in callback.parameters)
+        result = callback.result.c("")
+        end = "" if result == "void" else " return 0;"
+        yield f"static {result} use_{callback.name}({parameters}) {{ {unused}{end} }}"
+    yield "\nint main(void) {"
+    for name in model.structs:
+        yield f"    {name} of_{name} = {name.upper()}_INIT;"
+    for callback in callbacks:
+        yield f"    {callback.name} of_{callback.name} = use_{callback.name};"
+    for name, struct in model.structs.items():
+        if struct.fields[0].name == "struct_size":
+            yield f"    if (of_{name}.struct_size != sizeof(of_{name})) return 1;"
+        else:
+            yield f"    (void)of_{name};"
+    yield from (f"    (void)of_{callback.name};" for callback in callbacks)
+    yield "    return nicol_version() == (uint32_t)NICOL_VERSION ? 0 : 2;\n}"
+
+
+if __name__ == "__main__":
+    header = reader.read(sys.argv[2])
+    print("\n".join({"table": table, "use": use}[sys.argv[1]](header)))
