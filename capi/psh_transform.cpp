@@ -2,6 +2,7 @@
 // Between samples on a grid and coefficients.
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 #include "handles.hpp"
 #include "harmonics/transform.hpp"
@@ -11,6 +12,8 @@ namespace nicol::capi {
 namespace {
 
 struct SharedTransform {
+    explicit SharedTransform(PshTransform made) : transform(std::move(made)) {}
+
     PshTransform transform;
     std::mutex mutex;  // the transform has one work space
 

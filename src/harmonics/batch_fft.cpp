@@ -93,7 +93,7 @@ double* BatchFft::Factorised::run(double* a, double* b) const {
     return a;
 }
 
-BatchFft::BatchFft(int length) : length_(length), direct_(working_length(length)) {
+BatchFft::BatchFft(int length) : direct_(working_length(length)) {
     const auto n = static_cast<std::size_t>(length);
     if (direct_.length == length) {
         other_.resize(kElement * n);

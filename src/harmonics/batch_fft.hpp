@@ -33,7 +33,6 @@ private:
         double* run(double* a, double* b) const;
     };
 
-    int length_;
     Factorised direct_;
     std::vector<double> other_;
     // Bluestein: the chirp exp(-pi i n^2 / length), and the transform of its conjugate over a longer power of

@@ -19,24 +19,24 @@ struct Element {
 template <int Width>
 [[gnu::always_inline]] inline void load(Element<Width>& e, const double* p) {
     for (int v = 0; v < Element<Width>::kParts; ++v) {
-        e.re[v] = at<Width>(p + v * Width);
-        e.im[v] = at<Width>(p + 8 + v * Width);
+        load_vector(p + v * Width, e.re[v]);
+        load_vector(p + 8 + v * Width, e.im[v]);
     }
 }
 
 template <int Width>
 [[gnu::always_inline]] inline void store(const Element<Width>& e, double* p) {
     for (int v = 0; v < Element<Width>::kParts; ++v) {
-        at<Width>(p + v * Width) = e.re[v];
-        at<Width>(p + 8 + v * Width) = e.im[v];
+        store_vector(p + v * Width, e.re[v]);
+        store_vector(p + 8 + v * Width, e.im[v]);
     }
 }
 
 template <int Width>
 [[gnu::always_inline]] inline void store_rotated(const Element<Width>& e, const double* twiddle, double* p) {
     for (int v = 0; v < Element<Width>::kParts; ++v) {
-        at<Width>(p + v * Width) = e.re[v] * twiddle[0] - e.im[v] * twiddle[1];
-        at<Width>(p + 8 + v * Width) = e.re[v] * twiddle[1] + e.im[v] * twiddle[0];
+        store_vector(p + v * Width, e.re[v] * twiddle[0] - e.im[v] * twiddle[1]);
+        store_vector(p + 8 + v * Width, e.re[v] * twiddle[1] + e.im[v] * twiddle[0]);
     }
 }
 

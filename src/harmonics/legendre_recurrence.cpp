@@ -24,8 +24,8 @@ struct State {
 
     [[gnu::always_inline]] inline void load(const LegendreRings& r, int first) {
         for (int v = 0; v < N; ++v) {
-            t[v] = at<Width>(r.t + first + v * Width);
-            y[v] = at<Width>(r.value + first + v * Width);
+            load_vector(r.t + first + v * Width, t[v]);
+            load_vector(r.value + first + v * Width, y[v]);
             before[v] = Vector{};
         }
         for (int i = 0; i < N * Width; ++i)
@@ -125,8 +125,8 @@ template <int Width, int N, bool Split>
     if (i < count) add_even(steps[i], y);
     for (int k = 0; k < 4; ++k)
         for (int v = 0; v < N; ++v) {
-            at<Width>(out + k * stride + first + v * Width) = even[k][v];
-            if constexpr (Split) at<Width>(out + (4 + k) * stride + first + v * Width) = odd[k][v];
+            store_vector(out + k * stride + first + v * Width, even[k][v]);
+            if constexpr (Split) store_vector(out + (4 + k) * stride + first + v * Width, odd[k][v]);
         }
 }
 
@@ -162,10 +162,10 @@ template <int Width, class Vector>
         Vector sums;
         sum_lanes<Width>(dots + k, sums);
         if constexpr (Width == 8) {
-            at<4>(step[0].f) += __builtin_shufflevector(sums, sums, 0, 1, 2, 3);
-            at<4>(step[1].f) += __builtin_shufflevector(sums, sums, 4, 5, 6, 7);
+            add_vector(step[0].f, __builtin_shufflevector(sums, sums, 0, 1, 2, 3));
+            add_vector(step[1].f, __builtin_shufflevector(sums, sums, 4, 5, 6, 7));
         } else {
-            at<Width>(step[k / 4].f + k % 4) += sums;
+            add_vector(step[k / 4].f + k % 4, sums);
         }
     }
 }
@@ -180,8 +180,8 @@ template <int Width, int N, bool Split>
     Vector odd[Split ? 4 : 1][Split ? N : 1];
     for (int k = 0; k < 4; ++k)
         for (int v = 0; v < N; ++v) {
-            even[k][v] = at<Width>(in + k * stride + first + v * Width);
-            if constexpr (Split) odd[k][v] = at<Width>(in + (4 + k) * stride + first + v * Width);
+            load_vector(in + k * stride + first + v * Width, even[k][v]);
+            if constexpr (Split) load_vector(in + (4 + k) * stride + first + v * Width, odd[k][v]);
         }
     const auto multiply_even = [&](const Vector* y, Vector* dots) __attribute__((always_inline)) {
         for (int k = 0; k < 4; ++k) {

@@ -31,9 +31,9 @@ Contents contents(std::span<const double> f) {
 
 // Both without a way out of the loop, which vectorises.
 bool any(const std::vector<Complex>& values) {
-    bool found = false;
-    for (const Complex& v : values) found |= (v.real() != 0) | (v.imag() != 0);
-    return found;
+    int found = 0;
+    for (const Complex& v : values) found |= (v.real() != 0 ? 1 : 0) | (v.imag() != 0 ? 1 : 0);
+    return found != 0;
 }
 
 bool all_finite(std::span<const double> values) {

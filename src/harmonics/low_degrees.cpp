@@ -11,35 +11,36 @@
 namespace nicol {
 namespace {
 
-using Four = DoubleVectors<4>::Unaligned;
+using Four = DoubleVectors<4>::Vector;
 
 // Every second degree, `N` of them, each its cosine and its sine: 2 N chains of additions.
 template <int N>
-[[gnu::always_inline]] inline void add_degrees(const Four* cosine, const Four* sine, long count,
+[[gnu::always_inline]] inline void add_degrees(const double* cosine, const double* sine, long count,
                                                const double* table, double* sums) {
-    DoubleVectors<4>::Vector sum[2 * N] = {};
+    Four sum[2 * N] = {};
     for (long i = 0; i < count; ++i) {
-        const DoubleVectors<4>::Vector c = cosine[i], s = sine[i];
+        Four c;
+        Four s;
+        load_vector(cosine + 4 * i, c);
+        load_vector(sine + 4 * i, s);
         for (int k = 0; k < N; ++k) {
             const double* pair = table + 4 * k * count + 2 * i;
             sum[2 * k] += pair[0] * c;
             sum[2 * k + 1] += pair[1] * s;
         }
     }
-    Four* out = reinterpret_cast<Four*>(sums);
     for (int k = 0; k < N; ++k) {
-        out[4 * k] += sum[2 * k];
-        out[4 * k + 1] += sum[2 * k + 1];
+        add_vector(sums + 16 * k, sum[2 * k]);
+        add_vector(sums + 16 * k + 4, sum[2 * k + 1]);
     }
 }
 
 [[gnu::always_inline]] inline void add_all(const double* folded, int count, const double* table, int degrees,
                                            double* sums) {
-    const Four* four = reinterpret_cast<const Four*>(folded);
     const long n = count;
     for (int parity = 0; parity < 2; ++parity) {
-        const Four* cosine = four + parity * n;
-        const Four* sine = four + (2 + parity) * n;
+        const double* cosine = folded + 4 * parity * n;
+        const double* sine = folded + 4 * (2 + parity) * n;
         for (int m = parity; m < degrees;) {
             const int left = (degrees - m + 1) / 2;
             const double* a = table + 2 * m * n;

@@ -123,15 +123,20 @@ void store(int l, const Lanes* in, const std::vector<Complex>& phase, double* ou
 [[gnu::always_inline]] inline void multiply_fours(int width, const double* d, const double* in, double* out) {
     using Four = DoubleVectors<4>::Vector;
     for (int row = 0; row < width; ++row, d += width) {
+        Four first;
+        Four second;
         Four even{};
         Four odd{};
         int column = 0;
         for (; column + 2 <= width; column += 2) {
-            even += d[column] * at<4>(in + 4 * column);
-            odd += d[column + 1] * at<4>(in + 4 * column + 4);
+            load_vector(in + 4 * column, first);
+            load_vector(in + 4 * column + 4, second);
+            even += d[column] * first;
+            odd += d[column + 1] * second;
         }
-        even += d[column] * at<4>(in + 4 * column);
-        at<4>(out + 4 * row) = even + odd;
+        load_vector(in + 4 * column, first);
+        even += d[column] * first;
+        store_vector(out + 4 * row, even + odd);
     }
 }
 

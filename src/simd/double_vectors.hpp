@@ -7,18 +7,25 @@ namespace nicol {
 template <int Width>
 struct DoubleVectors {
     typedef double Vector __attribute__((vector_size(8 * Width)));
-    typedef double Unaligned __attribute__((vector_size(8 * Width), aligned(8), may_alias));
     typedef long long Mask __attribute__((vector_size(8 * Width)));
 };
 
-/// Width doubles anywhere in memory.
-template <int Width>
-[[gnu::always_inline]] inline const typename DoubleVectors<Width>::Unaligned& at(const double* p) {
-    return *reinterpret_cast<const typename DoubleVectors<Width>::Unaligned*>(p);
+/// Between a vector and memory without any alignment. (Clang takes a vector's own alignment for granted in a
+/// reference that a function returns, whatever its type says.)
+template <class Vector>
+[[gnu::always_inline]] inline void load_vector(const double* from, Vector& to) {
+    __builtin_memcpy(&to, from, sizeof to);
 }
-template <int Width>
-[[gnu::always_inline]] inline typename DoubleVectors<Width>::Unaligned& at(double* p) {
-    return *reinterpret_cast<typename DoubleVectors<Width>::Unaligned*>(p);
+template <class Vector>
+[[gnu::always_inline]] inline void store_vector(double* to, const Vector& from) {
+    __builtin_memcpy(to, &from, sizeof from);
+}
+template <class Vector>
+[[gnu::always_inline]] inline void add_vector(double* to, const Vector& from) {
+    Vector sum;
+    load_vector(to, sum);
+    sum += from;
+    store_vector(to, sum);
 }
 
 }  // namespace nicol
