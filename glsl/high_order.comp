@@ -12,8 +12,8 @@ layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Normals { float normals[]; };
 layout(std430, binding = 4) buffer StokesVectors { vec4 values[]; } stokes[CHANNELS];
 layout(binding = 0) uniform sampler2D factors;
-layout(binding = 1) uniform sampler2D centre;
-layout(binding = 2) uniform sampler2D around;
+layout(binding = 1) uniform sampler2D central;
+layout(binding = 2) uniform sampler2D outer;
 layout(binding = 3) uniform sampler2D base;
 
 uniform int first;  // vertex, in the bound part of the scene
@@ -38,6 +38,6 @@ void main() {
 #endif
     if (!has_base) visible.y = 0.0;
     vec4 added[CHANNELS];
-    high_order(normal, view, camera_x(view), to_light, spread, visible, factors, centre, around, base, added);
+    high_order(normal, view, camera_x(view), to_light, spread, visible, factors, central, outer, base, added);
     for (int c = 0; c < CHANNELS; ++c) stokes[c].values[v] += added[c];
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light of high orders, looked up in filtered maps around the mirrored view direction.
+// Light of high orders, from filtered maps at the mirrored view direction and beside it.
 
 // A stage that includes this defines CHANNELS, 1 to 4, and HIGH_ORDER_POLARIZED where the maps are of polarized light.
 // Maps are textures of these channels' layers of a LobeMap, one below the other; the factors, of
@@ -13,6 +13,7 @@ const int HIGH_ORDER_LAYERS = 1;
 #endif
 
 #include "angle.glsl"
+#include "frames.glsl"
 
 #ifdef HIGH_ORDER_FILTERED
 // Where a direction lies in a map: texture coordinate of the column, row with its half, texels in height.
@@ -25,9 +26,9 @@ struct HighOrderSpot {
 HighOrderSpot high_order_spot(sampler2D map, vec3 direction) {
     ivec2 size = textureSize(map, 0);
     int rows = size.y / HIGH_ORDER_LAYERS;
-    float turn = angle_of(direction.y, direction.x) / (2.0 * PI);
+    float fraction = angle_of(direction.y, direction.x) / (2.0 * PI);
     float row = angle_of(length(direction.xy), direction.z) / PI * float(rows - 1);
-    return HighOrderSpot(turn + 0.5 / float(size.x), row + 0.5, vec2(rows, size.y));
+    return HighOrderSpot(fraction + 0.5 / float(size.x), row + 0.5, vec2(rows, size.y));
 }
 
 vec4 high_order_texel(sampler2D map, HighOrderSpot at, int layer) {
@@ -50,7 +51,7 @@ vec4 high_order_factor(sampler2D factors, HighOrderAngle at, int element) {
     return textureLod(factors, vec2(at.column, (float(element) + 0.5) * at.row), 0.0);
 }
 #else
-// Four texels of a map around a direction.
+// The four texels of a map nearest to a direction.
 struct HighOrderSpot {
     ivec2 low;
     ivec2 high;
@@ -63,8 +64,8 @@ HighOrderSpot high_order_spot(sampler2D map, vec3 direction) {
     HighOrderSpot at;
     at.rows = size.y / HIGH_ORDER_LAYERS;
     float across = length(direction.xy);
-    float turn = angle_of(direction.y, direction.x) / (2.0 * PI);
-    vec2 place = vec2((turn < 0.0 ? turn + 1.0 : turn) * float(size.x),
+    float fraction = angle_of(direction.y, direction.x) / (2.0 * PI);
+    vec2 place = vec2((fraction < 0.0 ? fraction + 1.0 : fraction) * float(size.x),
                       angle_of(across, direction.z) / PI * float(at.rows - 1));
     at.low = min(ivec2(place), ivec2(size.x - 1, at.rows - 2));
     at.part = place - vec2(at.low);
@@ -101,8 +102,8 @@ vec4 high_order_factor(sampler2D factors, HighOrderAngle at, int element) {
 }
 #endif
 
-// The directions that are looked up in `around`, and the x axes there: up, down, right, left.
-vec3[4] high_order_around(vec3 d, vec3 x, float spread) {
+// The directions of the outer taps: up, down, right, left.
+vec3[4] high_order_outer(vec3 d, vec3 x, float spread) {
     vec3 y = cross(d, x);
     float c = cos(spread);
     float s = sin(spread);
@@ -121,30 +122,30 @@ vec4 high_order_stokes(sampler2D map, HighOrderSpot at, int channel, vec3 x, vec
 
 // d, x and normal in the light's axes; the result in the frame with x along the s-axis.
 void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible, sampler2D factors,
-                           sampler2D centre, sampler2D around, sampler2D base, out vec4 stokes[CHANNELS]) {
+                           sampler2D central, sampler2D outer, sampler2D base, out vec4 stokes[CHANNELS]) {
     HighOrderAngle angle = high_order_angle(factors, cosine);
     vec4 difference[CHANNELS];
     for (int i = 0; i < CHANNELS; ++i) stokes[i] = difference[i] = vec4(0.0);
-    vec3 probes[4] = high_order_around(d, x, spread);
+    vec3 taps[4] = high_order_outer(d, x, spread);
     for (int k = 0; k < (spread > 0.0 ? 5 : 1); ++k) {
-        vec3 direction = k == 0 ? d : probes[max(k - 1, 0)];
+        vec3 direction = k == 0 ? d : taps[max(k - 1, 0)];
         vec3 axis = k < 3 ? x : cross(cross(d, x), direction);
         vec3 across = cross(direction, axis);
         HighOrderSpot at;
         if (k == 0)
-            at = high_order_spot(centre, direction);
+            at = high_order_spot(central, direction);
         else
-            at = high_order_spot(around, direction);
-        int probe = min(k, 3);
+            at = high_order_spot(outer, direction);
+        int tap = min(k, 3);
         vec4 f[8];
-        for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, 2 * probe + e);
-        for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, 12 + 6 * probe + e);
+        for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, 2 * tap + e);
+        for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, 12 + 6 * tap + e);
         for (int i = 0; i < CHANNELS; ++i) {
             vec4 s;
             if (k == 0)
-                s = high_order_stokes(centre, at, i, axis, across);
+                s = high_order_stokes(central, at, i, axis, across);
             else
-                s = high_order_stokes(around, at, i, axis, across);
+                s = high_order_stokes(outer, at, i, axis, across);
             stokes[i] += vec4(f[0][i] * s.x + f[2][i] * s.y, f[1][i] * s.x + f[3][i] * s.y,
                               f[4][i] * s.z + f[6][i] * s.w, f[5][i] * s.z + f[7][i] * s.w);
             if (k == 3) difference[i] = s;
@@ -173,17 +174,17 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
 #else
 // Components of vectors that stand for light are channels.
 void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible, sampler2D factors,
-                           sampler2D centre, sampler2D around, sampler2D base, out vec4 stokes[CHANNELS]) {
+                           sampler2D central, sampler2D outer, sampler2D base, out vec4 stokes[CHANNELS]) {
     HighOrderAngle angle = high_order_angle(factors, cosine);
-    vec4 light = high_order_texel(centre, high_order_spot(centre, d), 0);
+    vec4 light = high_order_texel(central, high_order_spot(central, d), 0);
     vec4 s0 = light * high_order_factor(factors, angle, 0);
     vec4 s1 = light * high_order_factor(factors, angle, 1);
     vec4 s2 = vec4(0.0);
     vec4 s3 = vec4(0.0);
     if (spread > 0.0) {
-        vec3 probes[4] = high_order_around(d, x, spread);
+        vec3 taps[4] = high_order_outer(d, x, spread);
         vec4 s[4];
-        for (int k = 0; k < 4; ++k) s[k] = high_order_texel(around, high_order_spot(around, probes[k]), 0);
+        for (int k = 0; k < 4; ++k) s[k] = high_order_texel(outer, high_order_spot(outer, taps[k]), 0);
         vec4 sum = s[2] + s[3];
         vec4 difference = s[2] - s[3];
         s0 += s[0] * high_order_factor(factors, angle, 2) + s[1] * high_order_factor(factors, angle, 4) +
@@ -205,31 +206,17 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
 
 // What a surface reflects of the light's high orders, in the frame with x along `camera_x`, a unit vector across
 // `view`. normal and view (the propagation direction of the reflected light) are unit vectors in the world. to_light
-// turns the world's axes into the maps'. spread: HighOrderFactors::spread(); where it is 0, `around` is not used.
-// visible: the visible fraction of the lobe about the mirror direction, and of what the normal sees; where that is 0,
+// rotates the world's axes into the maps'. spread: HighOrderFactors::spread(); where it is 0, `outer` is not used.
+// visible: the visible fraction of the lobe about the mirror direction, and of the hemisphere about the normal; where that is 0,
 // `base` is not used.
 void high_order(vec3 normal, vec3 view, vec3 camera_x, mat3 to_light, float spread, vec2 visible, sampler2D factors,
-                sampler2D centre, sampler2D around, sampler2D base, out vec4 stokes[CHANNELS]) {
-    // A normal that faces away is treated as seen at 90 degrees, from anywhere if it does so exactly.
-    float cosine = dot(normal, view);
-    vec3 seen = view;
-    if (cosine < 0.0) {
-        seen -= cosine * normal;
-        seen = dot(seen, seen) > 1e-10 ? normalize(seen) : camera_x;
-    }
-    // Seen head-on, every plane is one of incidence.
-    vec3 x = cross(normal, seen);
+                sampler2D central, sampler2D outer, sampler2D base, out vec4 stokes[CHANNELS]) {
+    // A normal that faces away is treated as viewed at 90 degrees. Viewed head-on, every plane is one of incidence.
+    vec3 facing = facing_view(normal, view, camera_x);
+    vec3 x = cross(normal, facing);
     x = dot(x, x) > 1e-10 ? normalize(x) : camera_x;
-    vec3 d = seen - 2.0 * max(cosine, 0.0) * normal;
-    high_order_in_s_frame(to_light * d, to_light * x, to_light * normal, cosine, spread, visible, factors, centre,
-                          around, base, stokes);
-
-    float c = dot(camera_x, x);
-    float s = dot(camera_x, cross(view, x));
-    float cos2 = c * c - s * s;
-    float sin2 = 2.0 * c * s;
-    for (int i = 0; i < CHANNELS; ++i) {
-        vec4 f = stokes[i];
-        stokes[i] = vec4(f.x, cos2 * f.y + sin2 * f.z, cos2 * f.z - sin2 * f.y, f.w);
-    }
+    high_order_in_s_frame(to_light * reflect(facing, normal), to_light * x, to_light * normal, dot(normal, view), spread,
+                          visible, factors, central, outer, base, stokes);
+    vec2 rotation = double_angle(vec2(dot(camera_x, x), dot(camera_x, cross(view, x))));
+    for (int i = 0; i < CHANNELS; ++i) stokes[i] = in_rotated_frame(stokes[i], rotation);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade: how much vertices see of what they reflect of light of high orders. One invocation a vertex.
+// shade: the visible fractions of what vertices reflect of light of high orders. One invocation a vertex.
 #version 450 core
 
 #include "vertex_view.glsl"
@@ -27,5 +27,6 @@ void main() {
     vertex = visibility_first + i;
     vec3 normal = vec3(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]);
     vec3 view = towards_camera(vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]));
-    fractions[v] = high_order_visible(mirrored_view(view, theta_phi_frame(normal)));
+    vec3 d = reflect(facing_view(normal, view, camera_x(view)), normal);
+    fractions[v] = high_order_visible(d * theta_phi_frame(normal));
 }

@@ -44,9 +44,9 @@ void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= count) return;
     int v = first + i;
-    VertexView seen = look(vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]),
-                           vec3(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]));
-    TablePosition at = position_in(seen, angles);
+    VertexView view = view_from_camera(vec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]),
+                                       vec3(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]));
+    TablePosition at = position_in(view, angles);
     int row = 4 * entries * at.angle;
 
     // Entries are ordered by Stokes part, then degree m, then order; linear polarization has negative degrees, too.
@@ -75,7 +75,7 @@ void main() {
             add(stokes, s3, s3 + here, phase, light_first + i, row, at.part);
             s3 += here;
         }
-        phase = complex_multiply(phase, seen.azimuth);
+        phase = complex_multiply(phase, view.azimuth);
     }
-    result[v] = in_camera_frame(seen, stokes);
+    result[v] = in_camera_frame(view, stokes);
 }

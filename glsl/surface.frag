@@ -20,8 +20,8 @@ layout(location = 6) in vec2 vertex_visible;
 #endif
 
 layout(binding = 0) uniform sampler2D factors;
-layout(binding = 1) uniform sampler2D centre;
-layout(binding = 2) uniform sampler2D around;
+layout(binding = 1) uniform sampler2D central;
+layout(binding = 2) uniform sampler2D outer;
 layout(binding = 3) uniform sampler2D base;
 
 uniform mat3 to_light;
@@ -47,7 +47,7 @@ void main() {
 #endif
     if (!has_base) visible.y = 0.0;
     vec4 high[CHANNELS];
-    high_order(normal, view, camera_x(view), to_light, spread, visible, factors, centre, around, base, high);
+    high_order(normal, view, camera_x(view), to_light, spread, visible, factors, central, outer, base, high);
     for (int c = 0; c < CHANNELS; ++c) {
         pixel[c] = vertex_stokes[c] + high[c];
         if (physical) pixel[c] = made_physical(pixel[c]);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "polarization/lane_camera.hpp"
+#include "polarization/lane_points.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/lane_angle.hpp"
 #include "simd/lane_phases.hpp"
@@ -13,8 +13,8 @@
 namespace nicol {
 namespace {
 
-// What look() finds, before powers are raised.
-struct Sight {
+// What find_view() makes, before multiples of the azimuth.
+struct ViewAngles {
     DoubleLanes azimuth_cosine, azimuth_sine;
     Lanes zenith, frame_cosine, frame_sine;
 };
@@ -29,86 +29,50 @@ struct Sight {
     return steep ? 1 - angle : angle;
 }
 
-// Double precision where a difference or the direction of something tiny is at stake.
-[[gnu::always_inline]] inline void find_sight(const LaneCamera& camera, const LanePoints& position,
-                                              const LanePoints& normal, Sight& out) {
-    struct Floats {
-        alignas(64) std::array<float, kLanes> x, y, z;
-    };
-    Floats normals;
-    Floats towards;
-    alignas(64) std::array<float, kLanes> cos_phi;
-    alignas(64) std::array<float, kLanes> sin_phi;
-    alignas(64) std::array<float, kLanes> around;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const double wx = camera.eye[0] - position.x.value[i];
-        const double wy = camera.eye[1] - position.y.value[i];
-        const double wz = camera.eye[2] - position.z.value[i];
-        // A point at the camera counts as one straight ahead, as Viewpoint::towards has it.
-        const double distance = std::sqrt(wx * wx + wy * wy + wz * wz);
-        const bool ahead = camera.orthographic || distance == 0;
-        const double nearness = 1 / (ahead ? 1 : distance);
-        towards.x[i] = static_cast<float>(ahead ? camera.backward[0] : wx * nearness);
-        towards.y[i] = static_cast<float>(ahead ? camera.backward[1] : wy * nearness);
-        towards.z[i] = static_cast<float>(ahead ? camera.backward[2] : wz * nearness);
-    }
-    // The frame of the surface, as theta_phi_frame has it.
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const double nx = normal.x.value[i];
-        const double ny = normal.y.value[i];
-        const double rho = std::sqrt(nx * nx + ny * ny);
-        const double inverse = 1 / (rho > 0 ? rho : 1);
-        cos_phi[i] = static_cast<float>(rho > 0 ? nx * inverse : 1);
-        sin_phi[i] = static_cast<float>(ny * inverse);
-        around[i] = static_cast<float>(rho);
-        normals.x[i] = static_cast<float>(nx);
-        normals.y[i] = static_cast<float>(ny);
-        normals.z[i] = static_cast<float>(normal.z.value[i]);
-    }
-    const auto up_x = static_cast<float>(camera.up[0]);
-    const auto up_y = static_cast<float>(camera.up[1]);
-    const auto up_z = static_cast<float>(camera.up[2]);
-    const auto right_x = static_cast<float>(camera.right[0]);
-    const auto right_y = static_cast<float>(camera.right[1]);
-    const auto right_z = static_cast<float>(camera.right[2]);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float wx = towards.x[i];
-        const float wy = towards.y[i];
-        const float wz = towards.z[i];
-        const float nz = normals.z[i];
-        const float x = nz * (cos_phi[i] * wx + sin_phi[i] * wy) - around[i] * wz;
-        const float y = cos_phi[i] * wy - sin_phi[i] * wx;
-        const float z = normals.x[i] * wx + normals.y[i] * wy + nz * wz;
-        const float rho = std::sqrt(x * x + y * y);
-        // What a table has at the zenith turns with the frame there, so that any azimuth will do.
-        const float inverse_rho = 1 / (rho > 0 ? rho : 1);
-        const float c = rho > 0 ? x * inverse_rho : 1;
-        const float s = y * inverse_rho;
-        out.azimuth_cosine.value[i] = static_cast<double>(c);
-        out.azimuth_sine.value[i] = static_cast<double>(s);
-        out.zenith.value[i] = quarter_of(rho > 0 ? rho : 0, z > 0 ? z : 0);
+[[gnu::always_inline]] inline Vector3<double> point(const LanePoints& from, std::size_t i) {
+    return {from.x.value[i], from.y.value[i], from.z.value[i]};
+}
 
-        // x of the camera's frame field, as Viewpoint::frame has it, but for its length.
-        float ax = up_y * wz - up_z * wy;
-        float ay = up_z * wx - up_x * wz;
-        float az = up_x * wy - up_y * wx;
-        const bool defined = ax * ax + ay * ay + az * az > 1e-12F;
-        ax = defined ? ax : right_x;
-        ay = defined ? ay : right_y;
-        az = defined ? az : right_z;
-        const float along = ax * wx + ay * wy + az * wz;
-        ax -= along * wx;
-        ay -= along * wy;
-        az -= along * wz;
-        // In the frame of the surface, then along theta-hat and phi-hat at the view direction.
-        const float bx = nz * (cos_phi[i] * ax + sin_phi[i] * ay) - around[i] * az;
-        const float by = cos_phi[i] * ay - sin_phi[i] * ax;
-        const float bz = normals.x[i] * ax + normals.y[i] * ay + nz * az;
-        const float p = z * (bx * c + by * s) - bz * rho;
-        const float q = by * c - bx * s;
-        const float inverse = 1 / (p * p + q * q);
-        out.frame_cosine.value[i] = (p * p - q * q) * inverse;
-        out.frame_sine.value[i] = 2 * p * q * inverse;
+[[gnu::always_inline]] inline Vector3<float> in_floats(const Vector3<double>& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+// Double precision where a difference or the direction of something tiny is at stake, in loops of their own,
+// which vectorise.
+[[gnu::always_inline]] inline void find_view(const CameraAxes& camera, const LanePoints& position,
+                                             const LanePoints& normal, ViewAngles& out) {
+    LaneVectors towards;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const Vector3<float> w = in_floats(towards_camera(camera, point(position, i)));
+        towards.x.value[i] = w.x;
+        towards.y.value[i] = w.y;
+        towards.z.value[i] = w.z;
+    }
+    LaneVectors surface;  // cos phi, sin phi and rho of the frame about the normal
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const ThetaPhiFrame<double> f = theta_phi_axes(point(normal, i));
+        surface.x.value[i] = static_cast<float>(f.cos_phi);
+        surface.y.value[i] = static_cast<float>(f.sin_phi);
+        surface.z.value[i] = static_cast<float>(f.rho);
+    }
+    const Vector3<float> up = in_floats(camera.up);
+    const Vector3<float> right = in_floats(camera.right);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const ThetaPhiFrame<float> about_normal{surface.x.value[i], surface.y.value[i], surface.z.value[i],
+                                                in_floats(point(normal, i))};
+        const Vector3<float> w{towards.x.value[i], towards.y.value[i], towards.z.value[i]};
+        const Vector3<float> local = in_frame(about_normal, w);
+        // What a table has at the zenith rotates with the frame there, so that any azimuth will do.
+        // Not const, or GCC 12 does not vectorise the loop.
+        ThetaPhiFrame<float> about_view = theta_phi_axes(local);
+        out.azimuth_cosine.value[i] = static_cast<double>(about_view.cos_phi);
+        out.azimuth_sine.value[i] = static_cast<double>(about_view.sin_phi);
+        out.zenith.value[i] = quarter_of(about_view.rho, local.z > 0 ? local.z : 0);
+
+        const Vector3<float> x = in_frame(about_view, in_frame(about_normal, camera_x(up, right, w)));
+        const float inverse = 1 / (x.x * x.x + x.y * x.y);
+        out.frame_cosine.value[i] = (x.x * x.x - x.y * x.y) * inverse;
+        out.frame_sine.value[i] = 2 * x.x * x.y * inverse;
     }
 }
 
@@ -123,20 +87,20 @@ LaneView& LaneView::of_thread(int order) {
 LaneView::LaneView(int order)
     : cosines_(static_cast<std::size_t>(order) + 1), sines_(static_cast<std::size_t>(order) + 1) {}
 
-void LaneView::look(const Viewpoint& view, std::span<const glm::vec3> positions,
-                    std::span<const glm::vec3> normals) {
-    Sight sight;
-    dispatch<find_sight>(lane_camera(view), lane_points(positions), lane_points(normals), sight);
-    raise_phases(sight.azimuth_cosine, sight.azimuth_sine, cosines_.size(), cosines_.data(), sines_.data());
-    zenith_ = sight.zenith;
-    frame_cosine_ = sight.frame_cosine;
-    frame_sine_ = sight.frame_sine;
+void LaneView::set(const Viewpoint& view, std::span<const glm::vec3> positions,
+                   std::span<const glm::vec3> normals) {
+    ViewAngles found;
+    dispatch<find_view>(view.axes(), lane_points(positions), lane_points(normals), found);
+    raise_phases(found.azimuth_cosine, found.azimuth_sine, cosines_.size(), cosines_.data(), sines_.data());
+    zenith_ = found.zenith;
+    frame_cosine_ = found.frame_cosine;
+    frame_sine_ = found.frame_sine;
 }
 
 LaneView::TablePositions LaneView::positions_in(int angles) const {
     TablePositions out;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const float x = zenith_[i] * static_cast<float>(angles - 1);
+        const float x = (zenith_[i] > 0 ? zenith_[i] : 0) * static_cast<float>(angles - 1);
         const int angle = std::clamp(static_cast<int>(x), 0, angles - 2);
         out.angle[i] = angle;
         out.fraction[i] = x - static_cast<float>(angle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How sixteen vertices are seen: what looking up a table at the view direction needs.
+// The view directions of sixteen vertices: what interpolation in a table over them needs.
 #pragma once
 
 #include <array>
@@ -22,9 +22,8 @@ public:
     [[nodiscard]] static LaneView& of_thread(int order);
 
     /// At most kLanes positions and their unit normals; the other lanes repeat the first. A normal that faces
-    /// away is treated as seen at 90 degrees: the triangle may face the camera all the same.
-    void look(const Viewpoint& view, std::span<const glm::vec3> positions,
-              std::span<const glm::vec3> normals);
+    /// away is treated as viewed at 90 degrees: the triangle may face the camera all the same.
+    void set(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
 
     /// Zenith angles of the viewer as positions in a table of `angles` from 0 to pi/2: the elements below,
     /// and the weights of those above.

@@ -96,7 +96,7 @@ void OutgoingShade::run(const OutgoingLight& light, const Viewpoint& view,
         const std::size_t count = std::min(kLanes, last - begin);
         if (std::ranges::none_of(visible.subspan(begin, count), [](std::uint8_t v) { return v != 0; }))
             continue;
-        seen.look(view, positions.subspan(begin, count), normals.subspan(begin, count));
+        seen.set(view, positions.subspan(begin, count), normals.subspan(begin, count));
         const LaneView::TablePositions at = seen.positions_in(kAngles);
         std::array<const float*, kLanes> from;
         for (std::size_t i = 0; i < kLanes; ++i) {

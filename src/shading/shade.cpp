@@ -42,7 +42,7 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
         }
         if (count == 0) continue;
         const std::size_t all = std::min(kLanes, positions.size() - begin);
-        seen.look(view, positions.subspan(begin, all), normals.subspan(begin, all));
+        seen.set(view, positions.subspan(begin, all), normals.subspan(begin, all));
         const LaneView::TablePositions at = seen.positions_in(ResponseTable::kAngles);
         for (std::size_t channel = 0; channel < out.size(); ++channel) {
             if (alike && channel > 0) {

@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The directions in which sixteen vertices look for high orders.
+// The directions in which sixteen vertices take light of high orders.
 #pragma once
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "polarization/lane_points.hpp"
 #include "polarization/viewpoint.hpp"
 #include "simd/lanes.hpp"
 
 namespace nicol {
 
-/// Three numbers of each of sixteen vertices.
-struct LaneVectors {
-    Lanes x, y, z;
-};
-
-/// What HighOrderFactors calls d, x, y and -n, in the axes of the light, and how they are seen. A normal that
-/// faces away is treated as seen at 90 degrees, from anywhere if it does so exactly; seen head-on, every
-/// plane is one of incidence.
+/// What HighOrderFactors calls d, x, y and -n, in the axes of the light, and how the viewer stands. A normal
+/// that faces away is treated as viewed at 90 degrees, from anywhere if it does so exactly; viewed head-on,
+/// every plane is one of incidence.
 struct LaneMirror {
     LaneVectors d;       ///< the mirrored view direction
     LaneVectors x;       ///< of the s-frame, orthogonal to the plane of incidence

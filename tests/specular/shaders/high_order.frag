@@ -2,8 +2,8 @@
 layout(location = 0) out vec4 pixel[CHANNELS];
 layout(std430, binding = 0) readonly buffer Points { vec4 points[]; };  // normal, view, visible fractions
 layout(binding = 0) uniform sampler2D factors;
-layout(binding = 1) uniform sampler2D centre;
-layout(binding = 2) uniform sampler2D around;
+layout(binding = 1) uniform sampler2D central;
+layout(binding = 2) uniform sampler2D outer;
 layout(binding = 3) uniform sampler2D base;
 uniform mat3 to_light;
 uniform vec3 up;
@@ -15,6 +15,6 @@ void main() {
     vec3 view = points[3 * i + 1].xyz;
     vec4 stokes[CHANNELS];
     high_order(points[3 * i].xyz, view, normalize(cross(up, view)), to_light, spread, points[3 * i + 2].xy, factors,
-               centre, around, base, stokes);
+               central, outer, base, stokes);
     pixel = stokes;
 }

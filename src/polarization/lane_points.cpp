@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "polarization/lane_camera.hpp"
+#include "polarization/lane_points.hpp"
 
 namespace nicol {
-namespace {
-
-std::array<double, 3> components(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-}  // namespace
 
 LanePoints lane_points(std::span<const glm::vec3> from) {
     LanePoints to;
@@ -19,14 +12,6 @@ LanePoints lane_points(std::span<const glm::vec3> from) {
         to.z.value[i] = static_cast<double>(v.z);
     }
     return to;
-}
-
-LaneCamera lane_camera(const Viewpoint& view) {
-    return {.orthographic = view.orthographic,
-            .eye = components(view.eye),
-            .backward = components(-view.forward),
-            .up = components(view.up),
-            .right = components(view.right)};
 }
 
 }  // namespace nicol

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Frames of Stokes vectors and the directions they belong to, as polarization/view_geometry.hpp has them.
+
+// The theta-phi frame of a unit direction; on the z axis phi is 0.
+mat3 theta_phi_frame(vec3 direction) {
+    float rho = length(direction.xy);
+    vec2 phi = rho > 0.0 ? direction.xy / rho : vec2(1.0, 0.0);
+    return mat3(direction.z * phi, -rho, -phi.y, phi.x, 0.0, direction);
+}
+
+// The view direction, or where the normal faces away the nearest one that it faces, at 90 degrees; `fallback` where it
+// faces exactly away. All are unit vectors.
+vec3 facing_view(vec3 normal, vec3 view, vec3 fallback) {
+    float cosine = dot(normal, view);
+    if (cosine >= 0.0) return view;
+    vec3 along = view - cosine * normal;
+    return dot(along, along) > 1e-10 ? normalize(along) : fallback;
+}
+
+// Cosine and sine of twice an angle from those of the angle.
+vec2 double_angle(vec2 angle) {
+    return vec2(angle.x * angle.x - angle.y * angle.y, 2.0 * angle.x * angle.y);
+}
+
+// A Stokes vector in a frame rotated by an angle, from the cosine and sine of twice that angle.
+vec4 in_rotated_frame(vec4 stokes, vec2 twice) {
+    return vec4(stokes.x, twice.x * stokes.y + twice.y * stokes.z, twice.x * stokes.z - twice.y * stokes.y, stokes.w);
+}
