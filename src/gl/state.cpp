@@ -61,7 +61,7 @@ void Context::State::open(std::unique_ptr<Platform> made, Backend backend, const
 
     gl.Enable(GL_DEBUG_OUTPUT);
     gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);  // messages arrive on this thread, inside the call they are about
-    for (const GLenum quiet : {GL_DEBUG_SEVERITY_LOW, GL_DEBUG_SEVERITY_NOTIFICATION})
+    for (const GLenum quiet : {GLenum{GL_DEBUG_SEVERITY_LOW}, GLenum{GL_DEBUG_SEVERITY_NOTIFICATION}})
         gl.DebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, quiet, 0, nullptr, GL_FALSE);
     gl.DebugMessageCallback(collect, this);
 
