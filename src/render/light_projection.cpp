@@ -84,7 +84,7 @@ void LightProjection::update(const Scene& scene, const RenderOptions& options, c
     }
     const bool same_scale = scale_ == scene.light_scale();
     if (same_scale && rotated_by_ == rotation && rotated_from_ == distant_revision_) return;
-    const Stopwatch watch;
+    const Stopwatch relight_watch;
     if (!same_scale) {
         distant_ = light_;
         for (double& coefficient : distant_.data()) coefficient *= scene.light_scale();
@@ -96,7 +96,7 @@ void LightProjection::update(const Scene& scene, const RenderOptions& options, c
     ++rotated_revision_;
     rotated_by_ = rotation;
     rotated_from_ = distant_revision_;
-    statistics.relight_ms += watch.milliseconds();
+    statistics.relight_ms += relight_watch.milliseconds();
 }
 
 }  // namespace nicol
