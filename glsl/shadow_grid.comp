@@ -5,7 +5,7 @@
 
 layout(local_size_x = 64) in;
 
-// [block][even, odd part][point][phi, -phi, pi - phi, pi + phi][16 vertices], 16 bits each
+// [block][point][phi, -phi, pi - phi, pi + phi][16 vertices], 16 bits each
 layout(std430, binding = 0) readonly buffer Samples { uint samples[]; };
 // [Stokes component][even, odd part][cosines of even, odd m, sines of even, odd m][point][shadowed vertex]
 layout(std430, binding = 1) buffer Light { float light[]; };
@@ -16,7 +16,6 @@ uniform int first_block;        // of the bound samples
 uniform int samples_of_vertex;
 uniform int points;
 uniform int stride;             // of vertices in the light
-uniform bool dark;              // visibility has an odd part
 uniform float scale;
 
 float visibility(int number, int lane) {
@@ -56,14 +55,6 @@ void main() {
     int s = first + i;
     int number = (s / 16 - first_block) * samples_of_vertex + 4 * point;
     vec4 v = visibility_of_images(number, s % 16);
-    vec4 e = images(even, step);
-    vec4 o = images(odd, step);
-    if (dark) {
-        vec4 w = visibility_of_images(number + 4 * points, s % 16);
-        fold(even, step, v * e + w * o);
-        fold(odd, step, v * o + w * e);
-    } else {
-        fold(even, step, v * e);
-        fold(odd, step, v * o);
-    }
+    fold(even, step, v * images(even, step));
+    fold(odd, step, v * images(odd, step));
 }

@@ -67,7 +67,7 @@ void DenseMethod::bake(const TransferInput& input, const std::function<bool(std:
     const int order = input.layout.order();
     const auto shadows = std::make_shared<const ShadowMatrix>(2 * order, order, order);
     std::optional<VisibilityHarmonics> harmonics;
-    if (input.visibility != nullptr) harmonics.emplace(*input.directions, 2 * order, input.horizon);
+    if (input.visibility != nullptr) harmonics.emplace(*input.directions, 2 * order);
     std::vector<Run> former = std::move(runs_);
     runs_.clear();
     for (const VertexRange& range : input.geometry.ranges) {

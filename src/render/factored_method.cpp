@@ -69,8 +69,7 @@ void FactoredMethod::prepare_shadows(const TransferInput& input, Workers& worker
                 former.reset();
                 AwaitedVisibility* const awaited = input.awaited;
                 const bool fits = awaited != nullptr && awaited->blocks.order() == 2 * input.layout.order();
-                shadows_.emplace(*input.visibility, *input.directions, normals, input.layout, input.horizon,
-                                 VisibilityProduct::Form::best, ShadowStorage::fixed16,
+                shadows_.emplace(*input.visibility, *input.directions, normals, input.layout,
                                  fits ? &awaited->blocks : nullptr);
                 if (fits) awaited->filled = true;
             }

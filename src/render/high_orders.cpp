@@ -15,13 +15,12 @@ void HighOrderTransfer::set_cache(std::filesystem::path folder, CacheNotice noti
 }
 
 bool HighOrderTransfer::is_current(const TransferInput& input, int order) const {
-    return visibility_order_ == order && visibility_horizon_ == input.horizon &&
-           visibility_revision_ == input.visibility_revision;
+    return visibility_order_ == order && visibility_revision_ == input.visibility_revision;
 }
 
 bool HighOrderTransfer::follows(const TransferInput& input, int order) const {
-    return visibility_order_ == order && visibility_horizon_ == input.horizon && input.unchanged &&
-           !visibility_.empty() && visibility_revision_ == input.unchanged->visibility &&
+    return visibility_order_ == order && input.unchanged && !visibility_.empty() &&
+           visibility_revision_ == input.unchanged->visibility &&
            visibility_geometry_ == input.unchanged->geometry;
 }
 
@@ -29,8 +28,7 @@ AwaitedVisibility* HighOrderTransfer::await(const TransferInput& input, int low)
     awaited_.reset();
     const int order = 2 * low;
     if (input.visibility == nullptr || is_current(input, order) || follows(input, order)) return nullptr;
-    const VisibilityHarmonics harmonics(*input.directions, order, input.horizon);
-    awaited_.emplace(AwaitedVisibility{.blocks = VisibilityBlocks(*input.visibility, harmonics)});
+    awaited_.emplace(AwaitedVisibility{.blocks = VisibilityBlocks(*input.visibility, order)});
     return &*awaited_;
 }
 
@@ -75,7 +73,6 @@ void HighOrderTransfer::update(const TransferInput& input, const DistantLight& l
     }
     awaited_.reset();
     visibility_order_ = order;
-    visibility_horizon_ = input.horizon;
     visibility_revision_ = input.visibility_revision;
     visibility_geometry_ = input.geometry_revision;
     statistics.bake_ms += baking.milliseconds();
@@ -143,9 +140,9 @@ void HighOrderTransfer::filter(const DistantLight& light, Workers& workers) {
 void HighOrderTransfer::expand_visibility(const TransferInput& input, int order, bool follows,
                                           Workers& workers, Progress& progress) {
     const std::size_t vertices = input.geometry.positions.size();
-    const VisibilityHarmonics harmonics(*input.directions, order, input.horizon);
+    const VisibilityHarmonics harmonics(*input.directions, order);
     const VisibilityBlocks before = std::move(visibility_);
-    visibility_ = VisibilityBlocks(*input.visibility, harmonics);
+    visibility_ = VisibilityBlocks(*input.visibility, order);
     workers.for_vertices(0, vertices, vertices, "bake", progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Lanes> coefficients(psh_count(order));
         for (std::size_t first = begin; first < end; first += kLanes) {
@@ -174,7 +171,7 @@ void HighOrderTransfer::see(const TransferInput& input, const Viewpoint& view,
     fractions_.resize(visibility_.empty() ? 0 : vertices);
     if (visibility_.empty()) return;
     for (const VertexRange& range : geometry.ranges) {
-        const HighOrderVisibility seen(visibility_.order(), lobe_width(range.material), input.horizon);
+        const HighOrderVisibility seen(visibility_.order(), lobe_width(range.material));
         workers.for_vertices(range.first, range.last, vertices, "shade", progress,
                              [&](std::size_t begin, std::size_t end) {
                                  seen.run(view, geometry.positions, geometry.normals, visible, visibility_,
@@ -191,7 +188,7 @@ void HighOrderTransfer::shade(const TransferInput& input, const DistantLight& li
     for (const VertexRange& range : geometry.ranges) {
         const Part& part = parts_.at(range.material);
         const HighOrder high(part.factors, part.maps, light.to_world);
-        const HighOrderVisibility seen(visibility_.order(), lobe_width(range.material), input.horizon);
+        const HighOrderVisibility seen(visibility_.order(), lobe_width(range.material));
         const HighOrderShadows shadows{
             .fractions = {}, .visibility = visibility_.empty() ? nullptr : &seen, .seen = &visibility_};
         workers.for_vertices(range.first, range.last, geometry.positions.size(), "shade", progress,

@@ -106,7 +106,6 @@ private:
     VisibilityBlocks visibility_;
     std::optional<AwaitedVisibility> awaited_;
     int visibility_order_ = -1;  // that it was made for, also where it is empty
-    HorizonExtension visibility_horizon_ = HorizonExtension::mirrored;
     std::uint64_t visibility_count_ = 0;
     std::uint64_t visibility_revision_ = 0;
     std::uint64_t visibility_geometry_ = 0;

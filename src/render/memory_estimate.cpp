@@ -45,11 +45,11 @@ std::uint64_t blocks(std::uint64_t vertices) {
     return (vertices + block - 1) / block;
 }
 
-std::uint64_t shadows_of_block(const LightLayout& layout, HorizonExtension horizon) {
+std::uint64_t shadows_of_block(const LightLayout& layout) {
     const DirectionSet directions(DirectionSet::kFewest);
     const Visibility nothing(directions.size(), block);
     const std::vector<glm::vec3> normals(block, glm::vec3(0, 0, 1));
-    return VisibilityProduct(nothing, directions, normals, layout, horizon).bytes();
+    return VisibilityProduct(nothing, directions, normals, layout).bytes();
 }
 
 // Matrices from what the light has to all that a material may make of it, and what they make.
@@ -106,7 +106,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     } else {
         estimate.transfer +=
             blocks(size.vertices) * VertexLight(layout, static_cast<int>(channels), block).bytes();
-        if (shadows) estimate.transfer += blocks(size.vertices) * shadows_of_block(layout, options.horizon);
+        if (shadows) estimate.transfer += blocks(size.vertices) * shadows_of_block(layout);
     }
     const bool high_orders =
         options.high_orders != HighOrders::none && options.order_high > options.order_low;

@@ -48,8 +48,7 @@ std::size_t parts_of(LightKind kind) {
 OrderSelector::Orders OrderSelector::choose(const Scene& scene, const WorldGeometry& geometry,
                                             std::uint64_t revision, const Shadows& shadows, double tolerance,
                                             bool split) {
-    const Key key(scene.environment().get(), revision, shadows.visibility == nullptr ? 0 : shadows.revision,
-                  shadows.horizon);
+    const Key key(scene.environment().get(), revision, shadows.visibility == nullptr ? 0 : shadows.revision);
     if (key_ != key) {
         key_.reset();
         asked_.reset();
@@ -85,7 +84,7 @@ void OrderSelector::measure(const Scene& scene, const WorldGeometry& geometry, c
     kind_ = light_kind(environment_.get());
     std::optional<VisibilityPower> visible;
     if (shadows.visibility != nullptr)
-        visible.emplace(*shadows.visibility, *shadows.directions, geometry.normals, shadows.horizon);
+        visible.emplace(*shadows.visibility, *shadows.directions, geometry.normals);
     const double fraction = visible ? visible->fraction() : 1;
 
     std::map<MaterialPtr, std::size_t> vertices;

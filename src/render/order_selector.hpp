@@ -38,7 +38,6 @@ public:
         const Visibility* visibility;
         const DirectionSet* directions;
         std::uint64_t revision;
-        HorizonExtension horizon;
     };
 
     /// The fastest orders for the factored method with a predicted error of at most `tolerance`, or where
@@ -59,7 +58,7 @@ private:
         std::array<Spectrum, kOutputs> seen;  // without what shadows' edges bring in from other orders
     };
     // Everything that the spectra depend on.
-    using Key = std::tuple<const Environment*, std::uint64_t, std::uint64_t, HorizonExtension>;
+    using Key = std::tuple<const Environment*, std::uint64_t, std::uint64_t>;
 
     void measure(const Scene& scene, const WorldGeometry& geometry, const Shadows& shadows);
     double error(int low, int high);

@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <functional>
 
-#include "visibility/horizon.hpp"
-
 namespace nicol {
 
 /// Highest order a render accepts.
@@ -59,9 +57,8 @@ struct RenderOptions {
     Executor executor = Executor::automatic;
     bool shadows = true;         ///< surfaces hide the environment from each other
     int bake_directions = 2048;  ///< that shadows are traced in from every vertex, 256..65536
-    HorizonExtension horizon = HorizonExtension::mirrored;
-    int order_low = 4;   ///< 0..kMaxRenderOrder: light up to here with its full angular detail
-    int order_high = 9;  ///< order_low..64: light up to here at all
+    int order_low = 4;           ///< 0..kMaxRenderOrder: light up to here with its full angular detail
+    int order_high = 9;          ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;
     bool high_order_shadows = true;  ///< with shadows: high orders are dimmed by what their lobe sees

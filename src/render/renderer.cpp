@@ -51,7 +51,7 @@ void check(const RenderOptions& options) {
 
 // All but the callback.
 auto values(const RenderOptions& o) {
-    return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.horizon, o.order_low, o.order_high,
+    return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.order_low, o.order_high,
                     o.high_orders, o.high_orders_at, o.high_order_shadows, o.tolerance, o.dering, o.physical,
                     o.components, o.planes, o.samples, o.seed, o.disabled_optimisations);
 }

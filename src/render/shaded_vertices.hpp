@@ -26,7 +26,6 @@ public:
         int order_high;
         std::uint64_t light;    // revision of the low orders' light
         std::uint64_t distant;  // of the high orders'
-        HorizonExtension horizon;
         bool shadowed;
         bool high_shadowed;
         int channels;

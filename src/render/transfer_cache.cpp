@@ -40,7 +40,6 @@ void TransferCache::update(const Scene& scene, const Projection& of_world, const
         .visibility = shadowed_ ? &visibility_ : nullptr,
         .directions = shadowed_ ? &*directions_ : nullptr,
         .visibility_revision = visibility,
-        .horizon = options.horizon,
         .least_components = (options.disabled_optimisations & skip_response_rows) != 0 ? 4U : 1U,
         .most_components = static_cast<std::size_t>(options.components),
         .unchanged = follows_ ? std::optional(Unchanged{.geometry = last_geometry_,
@@ -82,7 +81,6 @@ void TransferCache::update(const Scene& scene, const Projection& of_world, const
                         .order_high = distant.high,
                         .light = input.light_revision,
                         .distant = distant.revision,
-                        .horizon = input.horizon,
                         .shadowed = input.visibility != nullptr,
                         .high_shadowed = high_input.visibility != nullptr,
                         .channels = input.channels,
@@ -118,7 +116,7 @@ void TransferCache::update(const Scene& scene, const Projection& of_world, const
                         {.high_orders = high_orders ? &high_orders_ : nullptr,
                          .at_pixels = at_pixels_,
                          .physical = physical},
-                        input, distant, projection.view, workers_, progress, statistics);
+                        input, distant, projection.view, progress, statistics);
         }
         if (high_orders) high_orders_.count(statistics);
         method.count(input, statistics);
@@ -175,8 +173,7 @@ RenderOptions TransferCache::choose_orders(const Scene& scene, const RenderOptio
             budget_.choose(scene, surfaces_.geometry(), surfaces_.revision() + surfaces_.material_revision(),
                            {.visibility = shadowed_ ? &visibility_ : nullptr,
                             .directions = shadowed_ ? &*directions_ : nullptr,
-                            .revision = visibility_revision_,
-                            .horizon = options.horizon},
+                            .revision = visibility_revision_},
                            options.tolerance, options.high_orders == HighOrders::split);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;

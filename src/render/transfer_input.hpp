@@ -44,7 +44,6 @@ struct TransferInput {
     const Visibility* visibility;  ///< of the vertices; null where nothing casts shadows
     const DirectionSet* directions;
     std::uint64_t visibility_revision;  ///< 0 where there is none
-    HorizonExtension horizon;
     /// Of reflected light: the first so many components are shaded even where they are zero ...
     std::size_t least_components = 1;
     /// ... and so many where they are not.
@@ -59,7 +58,6 @@ struct RelightKey {
     std::uint64_t geometry = 0;
     std::uint64_t light = 0;
     std::uint64_t visibility = 0;
-    HorizonExtension horizon = HorizonExtension::mirrored;
     int order = -1;
     LightKind kind = LightKind::unpolarized;
 
@@ -68,7 +66,6 @@ struct RelightKey {
         : geometry(input.geometry_revision),
           light(input.light_revision),
           visibility(input.visibility_revision),
-          horizon(input.horizon),
           order(input.layout.order()),
           kind(input.layout.kind()) {}
     /// The state that shadows and matrices are made for.

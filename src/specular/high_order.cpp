@@ -42,7 +42,7 @@ std::array<Lanes, 2> fractions(const HighOrderShadows& shadows, const LaneMirror
         }
     } else if (shadows.visibility != nullptr) {
         const std::int16_t* const block = shadows.seen->block(begin / kLanes);
-        if (block != nullptr) shadows.visibility->look(mirror, block, out);
+        if (block != nullptr) shadows.visibility->filter_block(mirror, block, out);
     }
     return out;
 }

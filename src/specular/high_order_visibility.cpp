@@ -15,30 +15,24 @@ namespace nicol {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int most_order = 64;
-// Where nearly all of a lobe lies below the horizon, what is left of it says little.
-constexpr float least_part = 0.1F;
+constexpr int kMostOrder = 64;
 
 struct Tables {
     int order;
     const float* lobe;
     const float* cosine;
-    const float* everything;
-    const float* climb;
+    const float* recurrence;
 };
 
-[[gnu::always_inline]] inline void store_fraction(const LaneVector& seen, const LaneVector& everything,
-                                                  Lanes* out) {
-    const LaneVector part = seen / (everything > least_part ? everything : LaneVector{} + least_part);
-    const LaneVector high = part > 0.0F ? part : LaneVector{};
-    store(out, high < 1.0F ? high : LaneVector{} + 1.0F);
+[[gnu::always_inline]] inline void store_fraction(const LaneVector& seen, Lanes* out) {
+    const LaneVector part = seen > 0.0F ? seen : LaneVector{};
+    store(out, part < 1.0F ? part : LaneVector{} + 1.0F);
 }
 
-// Y_lm = P_lm(z) times the real or imaginary part of (x + i y)^m, with the sine powers in the latter. With
-// Mirrored, odd l + m are left out.
-template <bool Mirrored>
-[[gnu::always_inline]] inline void look(const Tables& tables, const std::int16_t* visibility,
-                                        const LaneVectors& d, Lanes* fractions) {
+// Y_lm = P_lm(z) times the real or imaginary part of (x + i y)^m, with the sine powers in the latter.
+// Visibility has no odd l + m.
+[[gnu::always_inline]] inline void filter(const Tables& tables, const std::int16_t* visibility,
+                                          const LaneVectors& d, Lanes* fractions) {
     LaneVector x;
     LaneVector y;
     LaneVector z;
@@ -46,10 +40,8 @@ template <bool Mirrored>
     load(&d.y, y);
     load(&d.z, z);
     LaneVector seen{};
-    LaneVector all{};
     LaneVector base_seen{};
-    float base_all = 0;
-    const float* climb = tables.climb;
+    const float* recurrence = tables.recurrence;
     auto start = static_cast<float>(1 / std::sqrt(4 * pi));
     LaneVector cosine = LaneVector{} + 1.0F;
     LaneVector sine{};
@@ -58,21 +50,19 @@ template <bool Mirrored>
         LaneVector before{};
         for (int l = m; l <= tables.order; ++l) {
             if (l > m) {
-                const LaneVector next = climb[0] * z * value - climb[1] * before;
+                const LaneVector next = recurrence[0] * z * value - recurrence[1] * before;
                 before = value;
                 value = next;
-                climb += 2;
+                recurrence += 2;
             }
-            if (Mirrored && (l + m) % 2 != 0) continue;
+            if ((l + m) % 2 != 0) continue;
             const LaneVector scaled = tables.lobe[l] * value;
             LaneVector v;
             load(visibility, v);
             visibility += kLanes;
             if (m == 0) {
                 seen += scaled * v;
-                all += scaled * tables.everything[l];
                 base_seen += tables.cosine[l] * v;
-                base_all += tables.cosine[l] * tables.everything[l];
             } else {
                 LaneVector w;
                 load(visibility, w);
@@ -88,17 +78,16 @@ template <bool Mirrored>
         cosine = rotated;
     }
     constexpr float one = VisibilityBlocks::kOne;
-    store_fraction(seen * (1 / one), all, fractions);
-    store_fraction(base_seen * (1 / one), LaneVector{} + base_all, fractions + 1);
+    store_fraction(seen * (1 / one), fractions);
+    store_fraction(base_seen * (1 / one), fractions + 1);
 }
 
 }  // namespace
 
-HighOrderVisibility::HighOrderVisibility(int order, double width, HorizonExtension extension)
-    : order_(order), extension_(extension) {
-    if (order < 0 || order > most_order) {
+HighOrderVisibility::HighOrderVisibility(int order, double width) : order_(order) {
+    if (order < 0 || order > kMostOrder) {
         throw Error(ErrorCode::invalid_argument, "the order of visibility is " + std::to_string(order) +
-                                                     "; it must lie in 0 to " + std::to_string(most_order));
+                                                     "; it must lie in 0 to " + std::to_string(kMostOrder));
     }
     if (!(width >= 0 && width <= 4)) {
         throw Error(ErrorCode::invalid_argument,
@@ -108,25 +97,18 @@ HighOrderVisibility::HighOrderVisibility(int order, double width, HorizonExtensi
     const OrderGains lobe = gaussian_gains(std::max(width, 1.7 / (order + 1)), 0, order);
     lobe_.assign(lobe.begin(), lobe.end());
     const OrderGains cosine = cosine_gains(0, order);
-    // P_l(0), for the integral of P_l over -1..0.
-    std::vector<double> p{1, 0};
-    for (int l = 1; l <= order; ++l) p.push_back(-l * p[static_cast<std::size_t>(l) - 1] / (l + 1.0));
     for (int l = 0; l <= order; ++l) {
-        const auto i = static_cast<std::size_t>(l);
         const double norm = std::sqrt((2 * l + 1) / (4 * pi));
-        cosine_.push_back(static_cast<float>(cosine[i] * norm * (l % 2 == 0 ? 1 : -1)));
-        double all = l == 0 ? std::sqrt(4 * pi) : 0;
-        if (extension == HorizonExtension::dark)
-            all = 2 * pi * norm * (l == 0 ? 1 : (p[i + 1] - p[i - 1]) / (2 * l + 1));
-        everything_.push_back(static_cast<float>(all));
+        cosine_.push_back(
+            static_cast<float>(cosine[static_cast<std::size_t>(l)] * norm * (l % 2 == 0 ? 1 : -1)));
     }
     for (int m = 0; m <= order; ++m) {
         for (int l = m + 1; l <= order; ++l) {
             const double l2 = l * l;
             const double m2 = m * m;
             const double before = (l - 1.0) * (l - 1.0);
-            climb_.push_back(static_cast<float>(std::sqrt((4 * l2 - 1) / (l2 - m2))));
-            climb_.push_back(
+            recurrence_.push_back(static_cast<float>(std::sqrt((4 * l2 - 1) / (l2 - m2))));
+            recurrence_.push_back(
                 static_cast<float>(std::sqrt((2 * l + 1) * (before - m2) / ((2 * l - 3) * (l2 - m2)))));
         }
     }
@@ -134,7 +116,7 @@ HighOrderVisibility::HighOrderVisibility(int order, double width, HorizonExtensi
 
 std::vector<float> HighOrderVisibility::constants() const {
     std::vector<float> all;
-    for (const std::vector<float>* table : {&lobe_, &cosine_, &everything_, &climb_}) {
+    for (const std::vector<float>* table : {&lobe_, &cosine_, &recurrence_}) {
         all.insert(all.end(), table->begin(), table->end());
     }
     return all;
@@ -152,9 +134,9 @@ void HighOrderVisibility::run(const Viewpoint& view, std::span<const glm::vec3> 
             continue;
         if (const std::int16_t* const block = seen.block(begin / kLanes)) {
             const std::size_t all = std::min(kLanes, positions.size() - begin);
-            look(mirror_views(view, glm::dmat3(1.0), positions.subspan(begin, all),
-                              normals.subspan(begin, all)),
-                 block, fractions);
+            filter_block(mirror_views(view, glm::dmat3(1.0), positions.subspan(begin, all),
+                                      normals.subspan(begin, all)),
+                         block, fractions);
         } else {
             for (Lanes& lanes : fractions) lanes.value.fill(1.0F);
         }
@@ -164,18 +146,11 @@ void HighOrderVisibility::run(const Viewpoint& view, std::span<const glm::vec3> 
     }
 }
 
-void HighOrderVisibility::look(const LaneMirror& mirror, const std::int16_t* block,
-                               std::array<Lanes, 2>& fractions) const {
-    const Tables tables{.order = order_,
-                        .lobe = lobe_.data(),
-                        .cosine = cosine_.data(),
-                        .everything = everything_.data(),
-                        .climb = climb_.data()};
-    if (extension_ == HorizonExtension::mirrored) {
-        dispatch<nicol::look<true>>(tables, block, mirror.local, fractions.data());
-    } else {
-        dispatch<nicol::look<false>>(tables, block, mirror.local, fractions.data());
-    }
+void HighOrderVisibility::filter_block(const LaneMirror& mirror, const std::int16_t* block,
+                                       std::array<Lanes, 2>& fractions) const {
+    const Tables tables{
+        .order = order_, .lobe = lobe_.data(), .cosine = cosine_.data(), .recurrence = recurrence_.data()};
+    dispatch<filter>(tables, block, mirror.local, fractions.data());
 }
 
 }  // namespace nicol

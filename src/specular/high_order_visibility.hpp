@@ -11,7 +11,6 @@
 
 #include "polarization/viewpoint.hpp"
 #include "specular/lane_mirror.hpp"
-#include "visibility/horizon.hpp"
 #include "visibility/visibility_blocks.hpp"
 
 namespace nicol {
@@ -22,29 +21,27 @@ public:
     /// order: of the visibility. width: of the lobe about the mirror direction, radians, as for
     /// gaussian_gains(); where the order cannot resolve it, it is widened. Throws Error(invalid_argument) for
     /// an order out of 0..64 or a width that is not in 0..4.
-    HighOrderVisibility(int order, double width, HorizonExtension extension);
+    HighOrderVisibility(int order, double width);
 
-    /// The parts of a lobe about the mirrored view direction and of the cosine about the normal, 0..1, of
-    /// what nothing hides, for first <= v < last with visible[v] != 0, into out[v]. `seen` has the order and
-    /// extension of this object; all of what sixteen vertices see that see all above their horizon is seen.
-    /// Calls for different vertices may run side by side.
+    /// For first <= v < last with visible[v] != 0, writes to out[v] the visible fractions, 0..1, of a lobe
+    /// about the mirrored view direction and of the cosine about the normal; both are 1 at unoccluded
+    /// vertices. `seen` has the order of this object. Calls for different vertices may run side by side.
     void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const std::uint8_t> visible, const VisibilityBlocks& seen, std::size_t first,
              std::size_t last, std::span<glm::vec2> out) const;
 
-    /// The same of a block of VisibilityBlocks, lobe and cosine, whose vertices are looked at like this.
-    void look(const LaneMirror& mirror, const std::int16_t* block, std::array<Lanes, 2>& fractions) const;
+    /// The same fractions, lobe and cosine, of one block of VisibilityBlocks.
+    void filter_block(const LaneMirror& mirror, const std::int16_t* block,
+                      std::array<Lanes, 2>& fractions) const;
 
-    /// For glsl/high_order_visibility.glsl: four tables, one after another.
+    /// For glsl/high_order_fraction.comp: three tables, one after another.
     [[nodiscard]] std::vector<float> constants() const;
 
 private:
     int order_;
-    HorizonExtension extension_;
     std::vector<float> lobe_;        // by l, gain
     std::vector<float> cosine_;      // by l, gain times Y_l0 at -z
-    std::vector<float> everything_;  // by l, what nothing hides (only m = 0)
-    std::vector<float> climb_;       // [m][l - m] factors of the recursion, two each
+    std::vector<float> recurrence_;  // [m][l - m], two factors each
 };
 
 }  // namespace nicol

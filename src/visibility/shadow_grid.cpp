@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/shadow_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -15,21 +16,11 @@ constexpr double pi = std::numbers::pi;
 
 using Harmonic = MirrorBasis::Harmonic;
 
-// The integrand has degree 2 (in + out): rows integrate polynomials below twice their count, columns degrees
-// below theirs.
-int rows_for(int order_in, int order_out) {
-    return order_in + order_out + 1;
-}
-std::size_t quarter_for(int order_in, int order_out) {
-    return static_cast<std::size_t>((order_in + order_out) / 2 + 1);
-}
-
-std::vector<Harmonic> even_or_odd(int order, int odd) {
+// Those of even l + m.
+std::vector<Harmonic> mirrored_harmonics(int order) {
     std::vector<Harmonic> out;
     for (int m = -order; m <= order; ++m) {
-        for (int l = std::abs(m); l <= order; ++l) {
-            if ((l + std::abs(m)) % 2 == odd) out.push_back({l, m});
-        }
+        for (int l = std::abs(m); l <= order; l += 2) out.push_back({l, m});
     }
     return out;
 }
@@ -78,32 +69,29 @@ std::uint32_t ShadowGrid::Slots::of(int m) const {
     return degree % 2 == 0 ? begin[2] + degree / 2 - 1 : begin[3] + degree / 2;
 }
 
-ShadowGrid::ShadowGrid(int order_in, const MirrorBasis& in, int order_out, const MirrorBasis& out)
-    : rows_(rows_for(order_in, order_out)),
-      quarter_(quarter_for(order_in, order_out)),
-      slots_in_(order_in, quarter_),
-      slots_out_(order_out, quarter_),
-      slots_visibility_(order_in + order_out, quarter_) {
-    add_pairs(in, slots_in_, false, pairs_in_);
-    add_pairs(out, slots_out_, true, pairs_out_);
-    for (const int odd : {0, 1}) {
-        const std::vector<Harmonic> harmonics = even_or_odd(order_in + order_out, odd);
-        const auto part = static_cast<std::size_t>(odd);
-        visibility_[part] = component(separate_scalars(harmonics, rows_), false, 1, rows_, false, quarter_,
-                                      slots_visibility_, 0);
-        for (const Harmonic& h : harmonics) visibility_index_[part].push_back(psh_index(h.l, h.m));
-    }
+// The integrand has degree 4 order: rows integrate polynomials below twice their count, columns degrees below
+// theirs.
+ShadowGrid::ShadowGrid(int order, const MirrorBasis& basis)
+    : rows_(2 * order + 1),
+      quarter_(static_cast<std::size_t>(order) + 1),
+      slots_(order, quarter_),
+      slots_visibility_(2 * order, quarter_) {
+    add_pairs(basis, false, pairs_in_);
+    add_pairs(basis, true, pairs_out_);
+    const std::vector<Harmonic> harmonics = mirrored_harmonics(2 * order);
+    visibility_ =
+        component(separate_scalars(harmonics, rows_), false, 1, rows_, false, quarter_, slots_visibility_, 0);
+    for (const Harmonic& h : harmonics) visibility_index_.push_back(psh_index(h.l, h.m));
 }
 
 // The light's s0, s1, s2 and s3. With e and i o for even and odd parts of s1 + i s2, the even part of s1 is
 // that of e and its odd part minus the s2 of o, and so on.
-void ShadowGrid::add_pairs(const MirrorBasis& basis, const Slots& slots, bool weighted,
-                           std::vector<Pair>& pairs) const {
+void ShadowGrid::add_pairs(const MirrorBasis& basis, bool weighted, std::vector<Pair>& pairs) const {
     const std::vector<SeparatedHarmonic> even = separate_scalars(basis.even(), rows_);
     const std::vector<SeparatedHarmonic> odd = separate_scalars(basis.odd(), rows_);
     const auto make = [&](const std::vector<SeparatedHarmonic>& harmonics, bool second, double factor,
                           std::size_t begin) {
-        return component(harmonics, second, factor, rows_, weighted, quarter_, slots, begin);
+        return component(harmonics, second, factor, rows_, weighted, quarter_, slots_, begin);
     };
     const auto add_scalar = [&](std::size_t begin) {
         pairs.push_back({make(even, false, 1, begin), make(odd, false, 1, begin + even.size())});
@@ -118,32 +106,21 @@ void ShadowGrid::add_pairs(const MirrorBasis& basis, const Slots& slots, bool we
     if (basis.kind() == LightKind::full) add_scalar(basis.s3_begin());
 }
 
-void ShadowGrid::sample(const Lanes* visibility, Lanes* even, Lanes* odd) const {
+void ShadowGrid::sample(const Lanes* visibility, Lanes* samples) const {
     std::vector<Lanes> coefficients;
-    for (std::size_t part = 0; part < 2; ++part) {
-        Lanes* out = part == 0 ? even : odd;
-        if (out == nullptr) continue;
-        coefficients.clear();
-        for (const std::size_t index : visibility_index_[part]) coefficients.push_back(visibility[index]);
-        for (std::size_t row = 0; row < rows_.count(); ++row) {
-            synthesize_row(visibility_[part], slots_visibility_, row, quarter_, coefficients.data(),
-                           out + 4 * quarter_ * row);
-        }
+    for (const std::size_t index : visibility_index_) coefficients.push_back(visibility[index]);
+    for (std::size_t row = 0; row < rows_.count(); ++row) {
+        synthesize_row(visibility_, slots_visibility_, row, quarter_, coefficients.data(),
+                       samples + 4 * quarter_ * row);
     }
 }
 
-void ShadowGrid::multiply(const float* even, const float* odd, const Lanes* in, Lanes* out) const {
+void ShadowGrid::multiply(const std::int16_t* samples, const Lanes* in, Lanes* out) const {
     for (std::size_t p = 0; p < pairs_in_.size(); ++p) {
-        multiply_pair(pairs_in_[p], slots_in_, pairs_out_[p], slots_out_, rows_.count(), quarter_, even, odd,
-                      in, out);
+        for (const Component& part : pairs_out_[p]) std::fill_n(out + part.begin, part.harmonics, Lanes{});
     }
-}
-
-void ShadowGrid::multiply(const std::int16_t* even, const std::int16_t* odd, const Lanes* in,
-                          Lanes* out) const {
     for (std::size_t p = 0; p < pairs_in_.size(); ++p) {
-        multiply_pair(pairs_in_[p], slots_in_, pairs_out_[p], slots_out_, rows_.count(), quarter_, even, odd,
-                      in, out);
+        multiply_pair(pairs_in_[p], pairs_out_[p], slots_, rows_.count(), quarter_, samples, in, out);
     }
 }
 

@@ -13,25 +13,22 @@
 
 namespace nicol {
 
-/// A real function is its even part plus, on the lower half minus, its odd part. On each row either part is a
-/// sum of cosines and sines of m phi; the columns at phi, -phi, pi - phi and pi + phi share the sums over
-/// even and odd m of either, so that only a quarter turn of columns is summed. Sixteen vertices at once.
+/// Visibility is the same above and below the horizon, so the even and the odd part of a function under that
+/// mirror are multiplied by the same samples on the upper half. On each row either part is a sum of cosines
+/// and sines of m phi; the columns at phi, -phi, pi - phi and pi + phi share the sums over even and odd m of
+/// either, so that only a quarter of the columns is summed. Sixteen vertices at once.
 class ShadowGrid {
 public:
-    /// Exact for visibility of order_in + order_out. The bases, of these orders and of one kind, must outlive
-    /// the object.
-    ShadowGrid(int order_in, const MirrorBasis& in, int order_out, const MirrorBasis& out);
+    /// For light of this order and basis; exact for visibility of twice the order.
+    ShadowGrid(int order, const MirrorBasis& basis);
 
-    /// Samples of the even part of visibility; the odd part has as many.
     [[nodiscard]] std::size_t samples() const noexcept { return 4 * quarter_ * rows_.count(); }
-    /// From coefficients over real harmonics, by psh_index, of order_in + order_out. `odd` is null where
-    /// visibility is mirrored. [row][column of the quarter][phi, -phi, pi - phi, pi + phi].
-    void sample(const Lanes* visibility, Lanes* even, Lanes* odd) const;
+    /// From coefficients of visibility over real harmonics, by psh_index, of twice the order:
+    /// [row][column of the quarter][phi, -phi, pi - phi, pi + phi].
+    void sample(const Lanes* visibility, Lanes* samples) const;
 
-    /// out = visibility times in, both split lights. `odd` is null where visibility is mirrored.
-    void multiply(const float* even, const float* odd, const Lanes* in, Lanes* out) const;
-    /// The same from numbers that stand for themselves over kFixedOne.
-    void multiply(const std::int16_t* even, const std::int16_t* odd, const Lanes* in, Lanes* out) const;
+    /// out = visibility times in, both split lights. Samples are multiples of 1 / kFixedOne, [sample][lane].
+    void multiply(const std::int16_t* samples, const Lanes* in, Lanes* out) const;
 
     /// Sums over m that the four columns share: of cosines of even m, odd m, sines of even m, odd m.
     struct Slots {
@@ -57,27 +54,25 @@ public:
     /// A function: its even part, its odd part.
     using Pair = std::array<Component, 2>;
 
-    /// What other processors need to compute the same, where the light goes in and comes out in one order.
+    /// For other processors.
     [[nodiscard]] std::size_t rows() const noexcept { return rows_.count(); }
     [[nodiscard]] std::size_t columns() const noexcept { return quarter_; }  ///< of the quarter
-    [[nodiscard]] const Slots& slots() const noexcept { return slots_in_; }
+    [[nodiscard]] const Slots& slots() const noexcept { return slots_; }
     /// A pair for each Stokes component; of the light that comes out, with the rows' weights.
     [[nodiscard]] const std::vector<Pair>& pairs_in() const noexcept { return pairs_in_; }
     [[nodiscard]] const std::vector<Pair>& pairs_out() const noexcept { return pairs_out_; }
 
 private:
-    void add_pairs(const MirrorBasis& basis, const Slots& slots, bool weighted,
-                   std::vector<Pair>& pairs) const;
+    void add_pairs(const MirrorBasis& basis, bool weighted, std::vector<Pair>& pairs) const;
 
     UpperRows rows_;
     std::size_t quarter_;
-    Slots slots_in_;
-    Slots slots_out_;
+    Slots slots_;  // of the light
     Slots slots_visibility_;
     std::vector<Pair> pairs_in_;
     std::vector<Pair> pairs_out_;
-    Pair visibility_;
-    std::vector<std::size_t> visibility_index_[2];  // psh_index of the harmonics of either part
+    Component visibility_;
+    std::vector<std::size_t> visibility_index_;  // psh_index of its harmonics
 };
 
 }  // namespace nicol

@@ -105,94 +105,56 @@ template <std::size_t Parts, std::size_t Count>
     }
 }
 
-// Count columns of one row; `even` and `odd` are visibility's samples there.
-template <bool Dark, std::size_t Count, class Number>
-[[gnu::always_inline]] inline void multiply_columns(const Slots& slots_in, const float* table_in,
+// Count columns of one row, from the first of visibility's samples there.
+template <std::size_t Count>
+[[gnu::always_inline]] inline void multiply_columns(const Slots& slots, const float* table,
                                                     const LaneVector (*before)[kMostSlots],
-                                                    const Slots& slots_out, const float* table_out,
-                                                    LaneVector (*after)[kMostSlots], const Number* even,
-                                                    const Number* odd) {
-    constexpr float one = sizeof(Number) == sizeof(float) ? 1.0F : kFixedOne;
+                                                    LaneVector (*after)[kMostSlots],
+                                                    const std::int16_t* samples) {
     LaneVector f[2][Count][4];
-    to_columns<2, Count>(slots_in, table_in, before, f);
+    to_columns<2, Count>(slots, table, before, f);
     for (std::size_t c = 0; c < Count; ++c) {
         for (std::size_t image = 0; image < 4; ++image) {
             LaneVector v;
-            load(even + (4 * c + image) * kLanes, v);
-            v *= 1 / one;
-            if constexpr (Dark) {
-                LaneVector w;
-                load(odd + (4 * c + image) * kLanes, w);
-                w *= 1 / one;
-                const LaneVector mixed = v * f[0][c][image] + w * f[1][c][image];
-                f[1][c][image] = v * f[1][c][image] + w * f[0][c][image];
-                f[0][c][image] = mixed;
-            } else {
-                f[0][c][image] *= v;
-                f[1][c][image] *= v;
-            }
+            load(samples + (4 * c + image) * kLanes, v);
+            v *= 1 / kFixedOne;
+            f[0][c][image] *= v;
+            f[1][c][image] *= v;
         }
     }
-    from_columns<2, Count>(slots_out, table_out, f, after);
+    from_columns<2, Count>(slots, table, f, after);
 }
 
-template <bool Dark, class Number>
-[[gnu::always_inline]] inline void multiply_rows(const Pair& from, const Slots& slots_in, const Pair& to,
-                                                 const Slots& slots_out, std::size_t rows,
-                                                 std::size_t quarter, const Number* even, const Number* odd,
-                                                 const Lanes* in, Lanes* out) {
+[[gnu::always_inline]] inline void multiply_rows(const Pair& from, const Pair& to, const Slots& slots,
+                                                 std::size_t rows, std::size_t quarter,
+                                                 const std::int16_t* samples, const Lanes* in, Lanes* out) {
     LaneVector before[2][kMostSlots];
     LaneVector after[2][kMostSlots];
     for (auto& part : before) {
-        for (std::uint32_t s = 0; s < slots_in.begin[4]; ++s) part[s] = LaneVector{};
+        for (std::uint32_t s = 0; s < slots.begin[4]; ++s) part[s] = LaneVector{};
     }
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t part = 0; part < 2; ++part) {
             to_slots(from[part], row, in + from[part].begin, before[part]);
-            for (std::uint32_t s = 0; s < slots_out.begin[4]; ++s) after[part][s] = LaneVector{};
+            for (std::uint32_t s = 0; s < slots.begin[4]; ++s) after[part][s] = LaneVector{};
         }
         for (std::size_t column = 0; column < quarter;) {
-            const float* table_in = slots_in.table.data() + column * slots_in.begin[4];
-            const float* table_out = slots_out.table.data() + column * slots_out.begin[4];
-            const std::size_t sample = 4 * (row * quarter + column) * kLanes;
-            const Number* v = even + sample;
-            const Number* w = Dark ? odd + sample : nullptr;
+            const float* table = slots.table.data() + column * slots.begin[4];
+            const std::int16_t* here = samples + 4 * (row * quarter + column) * kLanes;
             if (quarter - column >= 3) {
-                multiply_columns<Dark, 3>(slots_in, table_in, before, slots_out, table_out, after, v, w);
+                multiply_columns<3>(slots, table, before, after, here);
                 column += 3;
             } else if (quarter - column == 2) {
-                multiply_columns<Dark, 2>(slots_in, table_in, before, slots_out, table_out, after, v, w);
+                multiply_columns<2>(slots, table, before, after, here);
                 column += 2;
             } else {
-                multiply_columns<Dark, 1>(slots_in, table_in, before, slots_out, table_out, after, v, w);
+                multiply_columns<1>(slots, table, before, after, here);
                 column += 1;
             }
         }
         for (std::size_t part = 0; part < 2; ++part) {
             from_slots(to[part], row, after[part], out + to[part].begin);
         }
-    }
-}
-
-[[gnu::always_inline]] inline void multiply_floats(const Pair& from, const Slots& slots_in, const Pair& to,
-                                                   const Slots& slots_out, std::size_t rows,
-                                                   std::size_t quarter, const float* even, const float* odd,
-                                                   const Lanes* in, Lanes* out) {
-    if (odd != nullptr) {
-        multiply_rows<true>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
-    } else {
-        multiply_rows<false>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
-    }
-}
-
-[[gnu::always_inline]] inline void multiply_fixed(const Pair& from, const Slots& slots_in, const Pair& to,
-                                                  const Slots& slots_out, std::size_t rows,
-                                                  std::size_t quarter, const std::int16_t* even,
-                                                  const std::int16_t* odd, const Lanes* in, Lanes* out) {
-    if (odd != nullptr) {
-        multiply_rows<true>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
-    } else {
-        multiply_rows<false>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
     }
 }
 
@@ -211,16 +173,9 @@ void synthesize_row(const Component& component, const Slots& slots, std::size_t 
     }
 }
 
-void multiply_pair(const Pair& from, const Slots& slots_in, const Pair& to, const Slots& slots_out,
-                   std::size_t rows, std::size_t quarter, const float* even, const float* odd,
-                   const Lanes* in, Lanes* out) {
-    dispatch<multiply_floats>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
-}
-
-void multiply_pair(const Pair& from, const Slots& slots_in, const Pair& to, const Slots& slots_out,
-                   std::size_t rows, std::size_t quarter, const std::int16_t* even, const std::int16_t* odd,
-                   const Lanes* in, Lanes* out) {
-    dispatch<multiply_fixed>(from, slots_in, to, slots_out, rows, quarter, even, odd, in, out);
+void multiply_pair(const Pair& from, const Pair& to, const Slots& slots, std::size_t rows,
+                   std::size_t quarter, const std::int16_t* samples, const Lanes* in, Lanes* out) {
+    dispatch<multiply_rows>(from, to, slots, rows, quarter, samples, in, out);
 }
 
 }  // namespace nicol

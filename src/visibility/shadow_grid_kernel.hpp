@@ -18,12 +18,8 @@ void synthesize_row(const ShadowGrid::Component& component, const ShadowGrid::Sl
                     std::size_t quarter, const Lanes* in, Lanes* samples);
 
 /// Adds visibility times the pair `from` of the split light `in` to the pair `to` of the split light `out`.
-void multiply_pair(const ShadowGrid::Pair& from, const ShadowGrid::Slots& slots_in,
-                   const ShadowGrid::Pair& to, const ShadowGrid::Slots& slots_out, std::size_t rows,
-                   std::size_t quarter, const float* even, const float* odd, const Lanes* in, Lanes* out);
-void multiply_pair(const ShadowGrid::Pair& from, const ShadowGrid::Slots& slots_in,
-                   const ShadowGrid::Pair& to, const ShadowGrid::Slots& slots_out, std::size_t rows,
-                   std::size_t quarter, const std::int16_t* even, const std::int16_t* odd, const Lanes* in,
+void multiply_pair(const ShadowGrid::Pair& from, const ShadowGrid::Pair& to, const ShadowGrid::Slots& slots,
+                   std::size_t rows, std::size_t quarter, const std::int16_t* samples, const Lanes* in,
                    Lanes* out);
 
 }  // namespace nicol

@@ -33,9 +33,8 @@ void ShadowMatrices::make(const Lanes* visibility, Lanes* numbers) const {
     }
 }
 
-template <class Number>
-void ShadowMatrices::multiply_blocks(const Number* numbers, std::span<const Lanes* const> in,
-                                     std::span<Lanes* const> out) const {
+void ShadowMatrices::multiply(const std::int16_t* numbers, std::span<const Lanes* const> in,
+                              std::span<Lanes* const> out) const {
     for (const Block& block : blocks_) {
         std::array<const Lanes*, 2 * kMostChannels> from{};
         std::array<Lanes*, 2 * kMostChannels> to{};
@@ -49,16 +48,6 @@ void ShadowMatrices::multiply_blocks(const Number* numbers, std::span<const Lane
         multiply_shadows(numbers, block.triples.size(), from.data(), to.data(), count);
         numbers += block.triples.elements() * kLanes;
     }
-}
-
-void ShadowMatrices::multiply(const float* numbers, std::span<const Lanes* const> in,
-                              std::span<Lanes* const> out) const {
-    multiply_blocks(numbers, in, out);
-}
-
-void ShadowMatrices::multiply(const std::int16_t* numbers, std::span<const Lanes* const> in,
-                              std::span<Lanes* const> out) const {
-    multiply_blocks(numbers, in, out);
 }
 
 std::vector<std::size_t> ShadowMatrices::whole() const {

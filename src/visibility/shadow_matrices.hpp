@@ -28,9 +28,8 @@ public:
     /// From coefficients by psh_index, of the visibility's order.
     void make(const Lanes* visibility, Lanes* numbers) const;
 
-    /// out[c] = matrix in[c], split lights of at most kMostChannels channels.
-    void multiply(const float* numbers, std::span<const Lanes* const> in, std::span<Lanes* const> out) const;
-    /// The same from numbers that stand for themselves over kFixedOne.
+    /// out[c] = matrix in[c] for the split lights of at most kMostChannels channels. Numbers are multiples of
+    /// 1 / kFixedOne, in pairs: [two numbers][lane][either].
     void multiply(const std::int16_t* numbers, std::span<const Lanes* const> in,
                   std::span<Lanes* const> out) const;
 
@@ -45,10 +44,6 @@ private:
         std::array<std::size_t, 2> begin;
         std::size_t parts;
     };
-
-    template <class Number>
-    void multiply_blocks(const Number* numbers, std::span<const Lanes* const> in,
-                         std::span<Lanes* const> out) const;
 
     std::array<Block, 3> blocks_;
 };

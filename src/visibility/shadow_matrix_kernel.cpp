@@ -12,10 +12,10 @@ namespace {
 // Rows of one tile times Count vectors, and the columns that they are as well. Each number is loaded once for
 // all. Results of the tile's own rows are done with it; those of columns beyond are added to in memory.
 // Returns the end of the tile's numbers.
-template <std::size_t Rows, std::size_t Count, class Number>
-[[gnu::always_inline]] inline const Number* multiply_tile(const Number* matrix, std::size_t size,
-                                                          const Lanes* const* in, Lanes* const* out,
-                                                          std::size_t row, float scale) {
+template <std::size_t Rows, std::size_t Count>
+[[gnu::always_inline]] inline const std::int16_t* multiply_tile(const std::int16_t* matrix, std::size_t size,
+                                                                const Lanes* const* in, Lanes* const* out,
+                                                                std::size_t row) {
     LaneVector sum[Rows][Count];
     LaneVector own[Rows][Count];
     // Copies, which no store through a pointer can change.
@@ -65,55 +65,42 @@ template <std::size_t Rows, std::size_t Count, class Number>
         }
     }
     for (std::size_t n = 0; n < Count; ++n) {
-        for (std::size_t r = 0; r < Rows; ++r) store(to[n] + row + r, sum[r][n] * scale);
+        for (std::size_t r = 0; r < Rows; ++r) store(to[n] + row + r, sum[r][n] * (1 / kPairedOne));
     }
     return matrix;
 }
 
-template <std::size_t Count, class Number>
-[[gnu::always_inline]] inline void multiply_all(const Number* matrix, std::size_t size,
-                                                const Lanes* const* in, Lanes* const* out, float scale) {
+template <std::size_t Count>
+[[gnu::always_inline]] inline void multiply_all(const std::int16_t* matrix, std::size_t size,
+                                                const Lanes* const* in, Lanes* const* out) {
     for (std::size_t n = 0; n < Count; ++n) std::fill_n(out[n], size, Lanes{});
     std::size_t row = 0;
     for (; row + kShadowTile <= size; row += kShadowTile) {
-        matrix = multiply_tile<kShadowTile, Count>(matrix, size, in, out, row, scale);
+        matrix = multiply_tile<kShadowTile, Count>(matrix, size, in, out, row);
     }
     static_assert(kShadowTile == 4);
-    if (size - row == 3) multiply_tile<3, Count>(matrix, size, in, out, row, scale);
-    if (size - row == 2) multiply_tile<2, Count>(matrix, size, in, out, row, scale);
-    if (size - row == 1) multiply_tile<1, Count>(matrix, size, in, out, row, scale);
+    if (size - row == 3) multiply_tile<3, Count>(matrix, size, in, out, row);
+    if (size - row == 2) multiply_tile<2, Count>(matrix, size, in, out, row);
+    if (size - row == 1) multiply_tile<1, Count>(matrix, size, in, out, row);
 }
 
-// As many vectors at once as there are registers for: three at most.
-template <class Number>
-[[gnu::always_inline]] inline void multiply_groups(const Number* matrix, std::size_t size,
-                                                   const Lanes* const* in, Lanes* const* out,
-                                                   std::size_t count, float scale) {
+[[gnu::always_inline]] inline void multiply_vectors(const std::int16_t* matrix, std::size_t size,
+                                                    const Lanes* const* in, Lanes* const* out,
+                                                    std::size_t count) {
+    // As many vectors at once as there are registers for.
     for (std::size_t n = 0; n < count;) {
         const std::size_t left = count - n;
         if (left >= 3) {
-            multiply_all<3>(matrix, size, in + n, out + n, scale);
+            multiply_all<3>(matrix, size, in + n, out + n);
             n += 3;
         } else if (left == 2) {
-            multiply_all<2>(matrix, size, in + n, out + n, scale);
+            multiply_all<2>(matrix, size, in + n, out + n);
             n += 2;
         } else {
-            multiply_all<1>(matrix, size, in + n, out + n, scale);
+            multiply_all<1>(matrix, size, in + n, out + n);
             n += 1;
         }
     }
-}
-
-[[gnu::always_inline]] inline void multiply_floats(const float* matrix, std::size_t size,
-                                                   const Lanes* const* in, Lanes* const* out,
-                                                   std::size_t count) {
-    multiply_groups(matrix, size, in, out, count, 1.0F);
-}
-
-[[gnu::always_inline]] inline void multiply_fixed(const std::int16_t* matrix, std::size_t size,
-                                                  const Lanes* const* in, Lanes* const* out,
-                                                  std::size_t count) {
-    multiply_groups(matrix, size, in, out, count, 1.0F / kPairedOne);
 }
 
 }  // namespace
@@ -130,14 +117,9 @@ std::vector<ShadowElement> shadow_elements(std::size_t size) {
     return elements;
 }
 
-void multiply_shadows(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
-                      std::size_t count) {
-    dispatch<multiply_floats>(matrix, size, in, out, count);
-}
-
 void multiply_shadows(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
                       std::size_t count) {
-    dispatch<multiply_fixed>(matrix, size, in, out, count);
+    dispatch<multiply_vectors>(matrix, size, in, out, count);
 }
 
 }  // namespace nicol

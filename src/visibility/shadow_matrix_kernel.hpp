@@ -22,10 +22,8 @@ struct ShadowElement {
 /// kShadowTile rows, in them by columns, then rows. An even count: the last may be there twice.
 [[nodiscard]] std::vector<ShadowElement> shadow_elements(std::size_t size);
 
-/// out[n] = matrix in[n] for `count` vectors. The matrices of sixteen vertices are interleaved:
-/// [shadow_elements()][lane]; numbers of 16 bits, over kFixedOne, by twos: [two elements][lane][either].
-void multiply_shadows(const float* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
-                      std::size_t count);
+/// out[n] = matrix in[n] for `count` vectors. The shadow_elements() of sixteen vertices are interleaved by
+/// pairs, [two elements][lane][either], in multiples of 1 / kFixedOne.
 void multiply_shadows(const std::int16_t* matrix, std::size_t size, const Lanes* const* in, Lanes* const* out,
                       std::size_t count);
 

@@ -8,13 +8,10 @@
 
 namespace nicol {
 
-VisibilityBlocks::VisibilityBlocks(const Visibility& visibility, const VisibilityHarmonics& harmonics)
-    : order_(harmonics.order()),
-      extension_(harmonics.extension()),
-      vertices_(visibility.vertices()),
-      everything_(harmonics.everything().begin(), harmonics.everything().end()) {
+VisibilityBlocks::VisibilityBlocks(const Visibility& visibility, int order)
+    : order_(order), vertices_(visibility.vertices()) {
     for (int m = 0; m <= order_; ++m) {
-        for (int l = m; l <= order_; l += steps()) {
+        for (int l = m; l <= order_; l += 2) {
             kept_.push_back(psh_index(l, m));
             if (m > 0) kept_.push_back(psh_index(l, -m));
         }
@@ -23,13 +20,13 @@ VisibilityBlocks::VisibilityBlocks(const Visibility& visibility, const Visibilit
     for (std::size_t begin = 0; begin < vertices_; begin += kLanes) {
         const auto block = visibility.open().subspan(begin, std::min(kLanes, vertices_ - begin));
         const bool shadowed = std::ranges::any_of(block, [](std::uint8_t v) { return v == 0; });
-        place_.push_back(shadowed ? count++ : open);
+        place_.push_back(shadowed ? count++ : kUnoccluded);
     }
     numbers_.resize(count * kept_.size());
 }
 
 void VisibilityBlocks::set(std::size_t block, const Lanes* coefficients) {
-    if (place_[block] == open) return;
+    if (place_[block] == kUnoccluded) return;
     FixedLanes* to = &numbers_[place_[block] * kept_.size()];
     for (const std::size_t index : kept_) {
         for (std::size_t i = 0; i < kLanes; ++i) {
@@ -48,11 +45,11 @@ void VisibilityBlocks::take_over(std::size_t block, const VisibilityBlocks& befo
 
 void VisibilityBlocks::expand(std::size_t vertex, std::span<float> out) const {
     const std::int16_t* from = block(vertex / kLanes);
+    std::ranges::fill(out, 0.0F);
     if (from == nullptr) {
-        std::ranges::copy(everything_, out.begin());
+        out[0] = VisibilityHarmonics::kUnoccluded;
         return;
     }
-    std::ranges::fill(out, 0.0F);
     from += vertex % kLanes;
     for (const std::size_t index : kept_) {
         out[index] = static_cast<float>(*from) / kOne;

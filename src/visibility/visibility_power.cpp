@@ -17,9 +17,9 @@ constexpr std::size_t kSamples = 512;
 }  // namespace
 
 VisibilityPower::VisibilityPower(const Visibility& visibility, const DirectionSet& directions,
-                                 std::span<const glm::vec3> normals, HorizonExtension extension)
+                                 std::span<const glm::vec3> normals)
     : energy_(static_cast<std::size_t>(kOrder) + 1) {
-    const VisibilityHarmonics harmonics(directions, kOrder, extension);
+    const VisibilityHarmonics harmonics(directions, kOrder);
     const std::size_t vertices = visibility.vertices();
     const std::size_t samples = std::min(kSamples, vertices);
     std::vector<float> coefficients(psh_count(kOrder));

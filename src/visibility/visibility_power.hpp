@@ -19,7 +19,7 @@ public:
     static constexpr int kOrder = 24;
 
     VisibilityPower(const Visibility& visibility, const DirectionSet& directions,
-                    std::span<const glm::vec3> normals, HorizonExtension extension);
+                    std::span<const glm::vec3> normals);
 
     /// Of the directions above the horizon, the part that is seen: the mean over the vertices.
     [[nodiscard]] double fraction() const noexcept { return fraction_; }

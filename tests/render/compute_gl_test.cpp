@@ -107,35 +107,23 @@ TEST_CASE("compute shaders make what threads make, of every kind of light, chann
 
 TEST_CASE("compute shaders make what threads make of shadows on a grid") {
     gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        const auto compare = [](Comparison& comparison, LightKind kind, int order, HorizonExtension horizon,
-                                int channels) {
+        const auto compare = [](Comparison& comparison, LightKind kind, int order, int channels) {
             CAPTURE(channels);
             CAPTURE(static_cast<int>(kind));
             CAPTURE(order);
-            CAPTURE(static_cast<int>(horizon));
-            comparison.run(sphere_on_plate(falling_light(order, kind, channels), channels),
-                           {.horizon = horizon,
-                            .order_low = order,
-                            .order_high = order,
-                            .high_orders = HighOrders::none,
-                            .progress = {}});
+            comparison.run(
+                sphere_on_plate(falling_light(order, kind, channels), channels),
+                {.order_low = order, .order_high = order, .high_orders = HighOrders::none, .progress = {}});
             // Threads keep the light of vertices beside the shadows.
             CHECK(comparison.by_shaders.statistics().transfer_bytes <
                   comparison.by_threads.statistics().transfer_bytes);
         };
         for (const int channels : {1, 3}) {
             Comparison comparison(context, channels);
-            for (const LightKind kind : kinds) {
-                for (const int order : {0, 9}) {
-                    compare(comparison, kind, order, HorizonExtension::dark, channels);
-                }
-                compare(comparison, kind, 10, HorizonExtension::mirrored, channels);
-            }
+            for (const LightKind kind : kinds) compare(comparison, kind, 10, channels);
         }
         Comparison comparison(context, 1);
-        for (const HorizonExtension horizon : {HorizonExtension::mirrored, HorizonExtension::dark}) {
-            compare(comparison, LightKind::full, 16, horizon, 1);
-        }
+        compare(comparison, LightKind::full, 16, 1);
     });
 }
 
@@ -192,8 +180,6 @@ TEST_CASE("options and changes reach compute shaders") {
         for (const Method method : {Method::factored, Method::dense}) {
             RenderOptions options{.method = method, .order_low = 3, .order_high = 6, .progress = {}};
             comparison.run(scene, options);
-            options.horizon = HorizonExtension::dark;
-            comparison.run(scene, options);
             Comparison fresh(context, 3);
             fresh.run(scene, options);
             CHECK(alike(fresh.by_threads.image(), comparison.by_threads.image()));
@@ -225,8 +211,8 @@ TEST_CASE("compute shaders take more vertices than one buffer of light holds") {
         {.mesh = std::make_shared<const Mesh>(make_rectangle(264)),
          .material = diffuse({0.5}),
          .to_world = glm::translate(glm::dmat4(1), {0, 0, -2}) * glm::scale(glm::dmat4(1), glm::dvec3(3))});
-    for (const HorizonExtension horizon : {HorizonExtension::mirrored, HorizonExtension::dark}) {
-        comparison.run(scene, {.horizon = horizon, .order_low = 2, .order_high = 2, .progress = {}});
+    for (const int order : {2, 10}) {  // by matrices and by the grid
+        comparison.run(scene, {.order_low = order, .order_high = order, .progress = {}});
     }
     CHECK(comparison.by_shaders.statistics().vertices > 65536 + 1000);
 }

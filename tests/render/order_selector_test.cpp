@@ -140,7 +140,7 @@ TEST_CASE("what cannot be reached is said, and the least error taken") {
     SceneGeometry surfaces;
     surfaces.update(scene);
     const WorldGeometry& geometry = surfaces.geometry();
-    const OrderSelector::Shadows none{nullptr, nullptr, 0, HorizonExtension::mirrored};
+    const OrderSelector::Shadows none{nullptr, nullptr, 0};
     const auto orders = budget.choose(scene, geometry, 1, none, 1e-9, false);
     CHECK(orders.error > 1e-9);
     CHECK(orders.low == OrderSelector::kHighestLow);

@@ -32,11 +32,9 @@ std::vector<float> project(Function function, int order) {
 }
 
 /// Vertices whose visibility has these coefficients.
-VisibilityBlocks seen_of(std::span<const float> coefficients, int order, HorizonExtension extension,
-                         std::size_t vertices) {
+VisibilityBlocks seen_of(std::span<const float> coefficients, int order, std::size_t vertices) {
     static const DirectionSet set(DirectionSet::kFewest);
-    const VisibilityHarmonics harmonics(set, order, extension);
-    VisibilityBlocks out(Visibility(set.size(), vertices), harmonics);
+    VisibilityBlocks out(Visibility(set.size(), vertices), order);
     std::vector<Lanes> lanes(coefficients.size());
     for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i].value.fill(coefficients[i]);
     for (std::size_t block = 0; block * kLanes < vertices; ++block) out.set(block, lanes.data());
@@ -60,25 +58,15 @@ glm::vec2 at(const HighOrderVisibility& fraction, const VisibilityBlocks& seen, 
 
 TEST_CASE("what nothing hides is seen whole, and what is hidden is dark") {
     constexpr int order = 8;
-    const auto half = project([](const glm::dvec3& d) { return d.z < 0 ? 1.0 : 0.0; }, order);
     const auto all = project([](const glm::dvec3&) { return 1.0; }, order);
     const std::vector<float> none(psh_count(order));
-    const auto dark_seen = [&](const std::vector<float>& v) {
-        return seen_of(v, order, HorizonExtension::dark, 1);
-    };
-    const auto mirrored_seen = [&](const std::vector<float>& v) {
-        return seen_of(v, order, HorizonExtension::mirrored, 1);
-    };
-    const HighOrderVisibility dark(order, 0.2, HorizonExtension::dark);
-    const HighOrderVisibility mirrored(order, 0.2, HorizonExtension::mirrored);
+    const HighOrderVisibility fraction(order, 0.2);
     for (const double theta : {0.0, 0.4, 1.0, 1.5}) {
         const glm::vec3 d(std::sin(theta) * 0.6, std::sin(theta) * 0.8, -std::cos(theta));
-        for (const glm::vec2 open : {at(dark, dark_seen(half), d), at(mirrored, mirrored_seen(all), d)}) {
-            CHECK(open[0] == doctest::Approx(1).epsilon(1e-3));
-            CHECK(open[1] == doctest::Approx(1).epsilon(1e-3));
-        }
-        CHECK(at(dark, dark_seen(none), d) == glm::vec2(0));
-        CHECK(at(mirrored, mirrored_seen(none), d) == glm::vec2(0));
+        const glm::vec2 open = at(fraction, seen_of(all, order, 1), d);
+        CHECK(open[0] == doctest::Approx(1).epsilon(1e-3));
+        CHECK(open[1] == doctest::Approx(1).epsilon(1e-3));
+        CHECK(at(fraction, seen_of(none, order, 1), d) == glm::vec2(0));
     }
 }
 
@@ -86,8 +74,8 @@ TEST_CASE("the fraction is the visibility filtered by the lobe, and by the cosin
     // A wall on the +x side, seen from below: light that travels towards -x is blocked.
     constexpr int order = 12;
     const auto wall = project([](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; }, order);
-    const HighOrderVisibility fraction(order, 0.3, HorizonExtension::mirrored);
-    const VisibilityBlocks seen = seen_of(wall, order, HorizonExtension::mirrored, 1);
+    const HighOrderVisibility fraction(order, 0.3);
+    const VisibilityBlocks seen = seen_of(wall, order, 1);
     const OrderGains lobe = gaussian_gains(0.3, 0, order);
     std::vector<double> scalar(psh_count(order));
     std::vector<std::complex<double>> spin2(psh_count(order));
@@ -112,10 +100,10 @@ TEST_CASE("the fraction is the visibility filtered by the lobe, and by the cosin
 TEST_CASE("every vertex is looked at along its mirrored view direction") {
     constexpr int order = 12;
     const auto wall = project([](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; }, order);
-    const HighOrderVisibility fraction(order, 0.2, HorizonExtension::mirrored);
+    const HighOrderVisibility fraction(order, 0.2);
     // All see the same wall in their own frames, whose axes are theta-hat and phi-hat.
     const std::vector<glm::vec3> normals{{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}};
-    const VisibilityBlocks visibility = seen_of(wall, order, HorizonExtension::mirrored, normals.size());
+    const VisibilityBlocks visibility = seen_of(wall, order, normals.size());
     const std::vector<glm::vec3> positions(normals.size(), glm::vec3(0));
     const std::vector<std::uint8_t> visible{1, 0, 1, 1};
     std::vector<glm::vec2> out(normals.size(), glm::vec2(7));
@@ -132,65 +120,56 @@ TEST_CASE("every vertex is looked at along its mirrored view direction") {
     CHECK(out[0][0] > 0.9F);
     CHECK(out[3][0] > 0.9F);
     CHECK(out[0][1] == doctest::Approx(0.5).epsilon(1e-3));
-    // Light that is seen travels into the surface.
-    const auto half = project([](const glm::dvec3& d) { return d.z < 0 ? 1.0 : 0.0; }, order);
-    view.eye = {5, 0, 0.5};
-    const HighOrderVisibility below(order, 0.2, HorizonExtension::dark);
-    below.run(view, positions, normals, visible, seen_of(half, order, HorizonExtension::dark, 1), 0, 1, out);
-    CHECK(out[0][0] > 0.9F);
 }
 
 TEST_CASE("coefficients are kept small, where they are not known beforehand") {
     constexpr int order = 8;
     constexpr std::size_t vertices = 40;
     const DirectionSet set(DirectionSet::kFewest);
-    for (const HorizonExtension extension : {HorizonExtension::mirrored, HorizonExtension::dark}) {
-        const VisibilityHarmonics harmonics(set, order, extension);
-        Visibility visibility(set.size(), vertices);
-        for (std::size_t v = 0; v < vertices; ++v) {
-            visibility.set_unoccluded(v, v != 3 && v < 32);
-            for (std::uint64_t& word : visibility.at(v)) word = 0x0123456789ABCDEF * (v + 1);
-        }
-        VisibilityBlocks blocks(visibility, harmonics);
-        const std::vector<glm::vec3> normals(vertices, glm::vec3(0, 0.6F, 0.8F));
-        std::vector<Lanes> lanes(psh_count(order));
-        for (std::size_t block = 0; block < 3; ++block) {
-            project_block(harmonics, visibility, normals, kLanes * block, block < 2 ? kLanes : 8,
-                          lanes.data());
-            blocks.set(block, lanes.data());
-        }
-        CHECK(blocks.block(0) != nullptr);
-        CHECK(blocks.block(1) == nullptr);
-        CHECK(blocks.block(2) != nullptr);
-        const std::size_t numbers = extension == HorizonExtension::mirrored ? 45 : 81;
-        CHECK(blocks.bytes() == 2 * numbers * kLanes * 2 + 3 * 4);
-        std::vector<float> found(psh_count(order));
-        std::vector<float> expected(psh_count(order));
-        for (std::size_t v = 0; v < vertices; ++v) {
-            harmonics.project(visibility, v, normals[v], expected);
-            blocks.expand(v, found);
-            for (std::size_t i = 0; i < found.size(); ++i) CHECK(std::abs(found[i] - expected[i]) < 5.5e-5F);
-        }
-        VisibilityBlocks after(visibility, harmonics);
-        after.take_over(2, blocks);
-        for (std::size_t i = 0; i < numbers * kLanes; ++i) CHECK(after.block(2)[i] == blocks.block(2)[i]);
-        CHECK(after.block(0)[0] == 0);
-        // What hides nothing dims nothing, in either kind of block.
-        const std::vector<std::uint8_t> visible(vertices, 1);
-        std::vector<glm::vec2> out(vertices);
-        HighOrderVisibility(order, 0.2, extension)
-            .run(Viewpoint{.eye = {1, 2, 3}}, std::vector<glm::vec3>(vertices, glm::vec3(0)), normals,
-                 visible, blocks, 0, vertices, out);
-        CHECK(out[20] == glm::vec2(1));
-        CHECK(out[5][0] == doctest::Approx(1).epsilon(2e-4));
-        CHECK(out[5][1] == doctest::Approx(1).epsilon(2e-4));
-        CHECK(out[3][1] < 0.9F);
+    const VisibilityHarmonics harmonics(set, order);
+    Visibility visibility(set.size(), vertices);
+    for (std::size_t v = 0; v < vertices; ++v) {
+        visibility.set_unoccluded(v, v != 3 && v < 32);
+        for (std::uint64_t& word : visibility.at(v)) word = 0x0123456789ABCDEF * (v + 1);
     }
+    VisibilityBlocks blocks(visibility, order);
+    const std::vector<glm::vec3> normals(vertices, glm::vec3(0, 0.6F, 0.8F));
+    std::vector<Lanes> lanes(psh_count(order));
+    for (std::size_t block = 0; block < 3; ++block) {
+        project_block(harmonics, visibility, normals, kLanes * block, block < 2 ? kLanes : 8, lanes.data());
+        blocks.set(block, lanes.data());
+    }
+    CHECK(blocks.block(0) != nullptr);
+    CHECK(blocks.block(1) == nullptr);
+    CHECK(blocks.block(2) != nullptr);
+    constexpr std::size_t numbers = 45;
+    CHECK(blocks.bytes() == 2 * numbers * kLanes * 2 + 3 * 4);
+    std::vector<float> found(psh_count(order));
+    std::vector<float> expected(psh_count(order));
+    for (std::size_t v = 0; v < vertices; ++v) {
+        harmonics.project(visibility, v, normals[v], expected);
+        blocks.expand(v, found);
+        for (std::size_t i = 0; i < found.size(); ++i) CHECK(std::abs(found[i] - expected[i]) < 5.5e-5F);
+    }
+    VisibilityBlocks after(visibility, order);
+    after.take_over(2, blocks);
+    for (std::size_t i = 0; i < numbers * kLanes; ++i) CHECK(after.block(2)[i] == blocks.block(2)[i]);
+    CHECK(after.block(0)[0] == 0);
+    // What hides nothing dims nothing, in either kind of block.
+    const std::vector<std::uint8_t> visible(vertices, 1);
+    std::vector<glm::vec2> out(vertices);
+    HighOrderVisibility(order, 0.2)
+        .run(Viewpoint{.eye = {1, 2, 3}}, std::vector<glm::vec3>(vertices, glm::vec3(0)), normals, visible,
+             blocks, 0, vertices, out);
+    CHECK(out[20] == glm::vec2(1));
+    CHECK(out[5][0] == doctest::Approx(1).epsilon(2e-4));
+    CHECK(out[5][1] == doctest::Approx(1).epsilon(2e-4));
+    CHECK(out[3][1] < 0.9F);
 }
 
 TEST_CASE("orders and widths are checked") {
-    CHECK_THROWS_AS(HighOrderVisibility(65, 0.1, HorizonExtension::dark), Error);
-    CHECK_THROWS_AS(HighOrderVisibility(-1, 0.1, HorizonExtension::dark), Error);
-    CHECK_THROWS_AS(HighOrderVisibility(8, -0.1, HorizonExtension::dark), Error);
-    CHECK_NOTHROW(HighOrderVisibility(0, 0, HorizonExtension::dark));
+    CHECK_THROWS_AS(HighOrderVisibility(65, 0.1), Error);
+    CHECK_THROWS_AS(HighOrderVisibility(-1, 0.1), Error);
+    CHECK_THROWS_AS(HighOrderVisibility(8, -0.1), Error);
+    CHECK_NOTHROW(HighOrderVisibility(0, 0));
 }

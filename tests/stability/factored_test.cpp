@@ -18,14 +18,12 @@ const DirectionSet& directions() {
 }
 
 std::vector<std::vector<glm::vec4>> shaded(const test::Vertices& vertices, const PshVector& light,
-                                           const LightLayout& layout, const ResponseTable& response,
-                                           ShadowStorage storage) {
+                                           const LightLayout& layout, const ResponseTable& response) {
     const std::size_t count = vertices.normals.size();
     VertexLight local(layout, light.channels(), count);
     Relight(layout, light).run(vertices.normals, 0, local.blocks(), local);
-    const VisibilityProduct shadows(vertices.visibility, directions(), vertices.normals, layout,
-                                    HorizonExtension::mirrored, VisibilityProduct::Form::best, storage);
-    shadows.run(local, 0, shadows.blocks());
+    VisibilityProduct(vertices.visibility, directions(), vertices.normals, layout)
+        .run(local, 0, local.blocks());
     std::vector<std::vector<glm::vec4>> out(static_cast<std::size_t>(light.channels()),
                                             std::vector<glm::vec4>(count));
     const std::vector<std::span<glm::vec4>> channels(out.begin(), out.end());
@@ -42,41 +40,43 @@ constexpr double fixed_bound = 4e-4;
 
 struct Worst {
     double floats = 0;
-    double fixed = 0;  // with shadows as the renderer keeps them, in 16 bits
+    double shadows = 0;  // as the renderer keeps them, in 16 bits
 };
 
-Worst compare(const test::Vertices& vertices, const LightLayout& layout, const test::Lights& lights,
-              const std::vector<MaterialPtr>& materials, std::initializer_list<ShadowStorage> storages) {
+double compare(const test::Vertices& vertices, const LightLayout& layout, const test::Lights& lights,
+               const std::vector<MaterialPtr>& materials, double allowed) {
     std::vector<PshVector> fields;
     std::vector<ResponseTable> responses;
     for (const auto& [name, light] : lights) fields.push_back(light);
     for (const MaterialPtr& material : materials)
         responses.emplace_back(*material, layout, fields[0].channels());
     const auto truth = test::shaded_in_double(vertices, directions(), layout, fields, responses);
-    Worst worst;
+    double worst = 0;
     std::size_t image = 0;
     for (const auto& [name, light] : lights) {
         CAPTURE(name);
         for (const ResponseTable& response : responses) {
-            for (const ShadowStorage storage : storages) {
-                const bool fixed = storage == ShadowStorage::fixed16;
-                const double allowed = fixed ? fixed_bound : bound;
-                const test::Deviation d = test::deviation(
-                    vertices, shaded(vertices, light, layout, response, storage), truth[image], allowed);
-                CHECK(d.finite);
-                CHECK(d.largest > 0);
-                CHECK(d.worst < allowed);
-                CHECK(d.negative == 0);
-                double& most = fixed ? worst.fixed : worst.floats;
-                most = std::max(most, d.worst);
-            }
-            ++image;
+            const test::Deviation d =
+                test::deviation(vertices, shaded(vertices, light, layout, response), truth[image++], allowed);
+            CHECK(d.finite);
+            CHECK(d.largest > 0);
+            CHECK(d.worst < allowed);
+            CHECK(d.negative == 0);
+            worst = std::max(worst, d.worst);
         }
     }
     return worst;
 }
 
-constexpr auto both = {ShadowStorage::float32, ShadowStorage::fixed16};
+// Where all vertices are unoccluded, and where they are not.
+Worst compare(test::Vertices vertices, const LightLayout& layout, const test::Lights& lights,
+              const std::vector<MaterialPtr>& materials) {
+    Worst worst;
+    worst.shadows = compare(vertices, layout, lights, materials, fixed_bound);
+    for (std::size_t v = 0; v < vertices.normals.size(); ++v) vertices.visibility.set_unoccluded(v, true);
+    worst.floats = compare(vertices, layout, lights, materials, bound);
+    return worst;
+}
 
 const std::vector<MaterialPtr>& materials() {
     static const std::vector<MaterialPtr> some{
@@ -92,23 +92,23 @@ TEST_CASE("low orders: floats stay with doubles") {
     const test::Vertices vertices(directions());
     for (const int order : {4, 9}) {
         const LightLayout layout(order, LightKind::full);
-        const Worst worst = compare(vertices, layout, test::usual_lights(order), materials(), both);
-        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value, " << worst.fixed
+        const Worst worst = compare(vertices, layout, test::usual_lights(order), materials());
+        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value, " << worst.shadows
                          << " with shadows of 16 bits");
     }
 }
 
 TEST_CASE("low orders: floats stay with doubles under light and at sizes no one would choose") {
     const LightLayout layout(4, LightKind::full);
-    Worst worst = compare(test::Vertices(directions()), layout, test::stress_lights(4), materials(), both);
+    Worst worst = compare(test::Vertices(directions()), layout, test::stress_lights(4), materials());
     for (const double unit : {1e-6, 1e6}) {
         CAPTURE(unit);
         const Worst here = compare(test::Vertices(directions(), unit, 0), layout,
-                                   {{"random light", test::random_light(4, 3, 4, 1)}}, materials(), both);
+                                   {{"random light", test::random_light(4, 3, 4, 1)}}, materials());
         worst.floats = std::max(worst.floats, here.floats);
-        worst.fixed = std::max(worst.fixed, here.fixed);
+        worst.shadows = std::max(worst.shadows, here.shadows);
     }
-    MESSAGE("order 4, stress: worst " << worst.floats << " of the largest value, " << worst.fixed
+    MESSAGE("order 4, stress: worst " << worst.floats << " of the largest value, " << worst.shadows
                                       << " with shadows of 16 bits");
 }
 
@@ -117,8 +117,8 @@ TEST_CASE("the highest orders that are rendered with their full detail stay with
     for (const int order : {16, 32}) {
         const LightLayout layout(order, LightKind::linear);
         const Worst worst = compare(vertices, layout, {{"random light", test::random_light(order, 1, 3, 5)}},
-                                    {pplastic({.alpha = 0.3})}, both);
-        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value, " << worst.fixed
+                                    {pplastic({.alpha = 0.3})});
+        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value, " << worst.shadows
                          << " with shadows of 16 bits");
     }
 }

@@ -35,7 +35,7 @@ test::Deviation compare(const test::Vertices& vertices, const Material& material
     const glm::dmat3 turn = frame_with_x(glm::normalize(glm::dvec3(1, -2, 0.5)), {0.3, 0.1, 1});
     const double width = kLobeWidths[static_cast<std::size_t>(factors.centre())];
 
-    const VisibilityHarmonics harmonics(directions(), visibility_order, HorizonExtension::mirrored);
+    const VisibilityHarmonics harmonics(directions(), visibility_order);
     VisibilityBlocks seen(vertices.visibility, harmonics);
     std::vector<Lanes> lanes(psh_count(visibility_order));
     for (std::size_t first = 0; first < count; first += kLanes) {
@@ -51,7 +51,7 @@ test::Deviation compare(const test::Vertices& vertices, const Material& material
         fractions_truth.push_back(test::fractions_in_double(
             vertices, v, std::vector<double>(kept.begin(), kept.end()), visibility_order, width));
     }
-    const HighOrderVisibility fractions(visibility_order, width, HorizonExtension::mirrored);
+    const HighOrderVisibility fractions(visibility_order, width);
 
     std::vector<std::vector<glm::vec4>> found(3, std::vector<glm::vec4>(count, glm::vec4(0)));
     const std::vector<std::span<glm::vec4>> channels(found.begin(), found.end());

@@ -13,8 +13,6 @@ using namespace nicol;
 
 namespace {
 
-using Form = VisibilityProduct::Form;
-
 constexpr std::array kinds{LightKind::unpolarized, LightKind::linear, LightKind::full};
 
 const DirectionSet& directions() {
@@ -43,9 +41,8 @@ struct Scene {
             }
         }
     }
-    [[nodiscard]] VisibilityProduct product(const LightLayout& layout, HorizonExtension extension, Form form,
-                                            ShadowStorage storage) const {
-        return VisibilityProduct(visibility, directions(), normals, layout, extension, form, storage);
+    [[nodiscard]] VisibilityProduct product(const LightLayout& layout) const {
+        return VisibilityProduct(visibility, directions(), normals, layout);
     }
 
     Visibility visibility;
@@ -74,10 +71,9 @@ VertexLight vertex_lights(const LightLayout& layout, int channels, std::size_t v
 }
 
 // The largest difference from the product of harmonics, in units of the largest coefficient.
-double error_of(const Scene& scene, const LightLayout& layout, int channels, HorizonExtension extension,
-                const VertexLight& have) {
+double error_of(const Scene& scene, const LightLayout& layout, int channels, const VertexLight& have) {
     const int order = layout.order();
-    const VisibilityHarmonics harmonics(directions(), 2 * order, extension);
+    const VisibilityHarmonics harmonics(directions(), 2 * order);
     PshProduct reference(2 * order, order, order);
     std::vector<float> v(psh_count(harmonics.order()));
     PshVector want(order, 1);
@@ -138,38 +134,28 @@ TEST_CASE("splitting light at the mirror plane and joining it leaves it unchange
     }
 }
 
-TEST_CASE("the product at vertices is the product of harmonics, whatever its form") {
+TEST_CASE("the product at vertices is the product of harmonics, by matrices and by the grid") {
     const Scene scene(21);
-    for (const int order : {0, 1, 2, 3, 4, 6, 9}) {
+    for (const int order : {0, 1, 2, 3, 4, 6, 9, 10, 11}) {
         for (const LightKind kind : kinds) {
             const LightLayout layout(order, kind);
             const int channels = order == 4 ? 4 : 1;
-            const VertexLight light = vertex_lights(layout, channels, scene.normals.size());
-            for (const auto& [extension, form] : {std::pair{HorizonExtension::mirrored, Form::matrix},
-                                                  std::pair{HorizonExtension::mirrored, Form::grid},
-                                                  std::pair{HorizonExtension::dark, Form::grid}}) {
-                for (const ShadowStorage storage : {ShadowStorage::float32, ShadowStorage::fixed16}) {
-                    const VisibilityProduct product = scene.product(layout, extension, form, storage);
-                    CHECK(product.form() == form);
-                    VertexLight result = light;
-                    product.run(result, 0, light.blocks());
-                    CAPTURE(order);
-                    CAPTURE(static_cast<int>(form));
-                    CAPTURE(static_cast<int>(extension));
-                    const double error = error_of(scene, layout, channels, extension, result);
-                    CHECK(error < (storage == ShadowStorage::float32 ? 1e-6 : 2e-4));
-                }
-            }
+            VertexLight light = vertex_lights(layout, channels, scene.normals.size());
+            const VisibilityProduct product = scene.product(layout);
+            CHECK(product.matrices().has_value() == (order <= 9));
+            CHECK(product.grid().has_value() == (order > 9));
+            product.run(light, 0, light.blocks());
+            CAPTURE(order);
+            CHECK(error_of(scene, layout, channels, light) < 2e-4);
         }
     }
 }
 
-TEST_CASE("vertices that see all keep their light, and blocks of them are not stored") {
+TEST_CASE("unoccluded vertices keep their light, and blocks of them are not stored") {
     Scene scene(56);
     for (std::size_t v = 16; v < 32; ++v) scene.visibility.set_unoccluded(v, true);
     const LightLayout layout(4, LightKind::linear);
-    const VisibilityProduct product =
-        scene.product(layout, HorizonExtension::mirrored, Form::best, ShadowStorage::fixed16);
+    const VisibilityProduct product = scene.product(layout);
     CHECK(product.blocks() == 3);
     CHECK(product.matrices()->vertices.size() == 40);
     const VertexLight before = vertex_lights(layout, 2, 56);
@@ -188,21 +174,16 @@ TEST_CASE("vertices that see all keep their light, and blocks of them are not st
         if (difference > 0.01F) ++shadowed;
     }
     CHECK(shadowed > 25);
-    // All that is seen is half of all in the dark.
-    CHECK(scene.product(layout, HorizonExtension::dark, Form::best, ShadowStorage::fixed16).blocks() == 4);
 }
 
 TEST_CASE("the product is the same to the last bit in place, in pieces and beside other threads") {
     const Scene scene(300);
-    const LightLayout layout(3, LightKind::full);
-    const VertexLight light = vertex_lights(layout, 1, 300);
-    for (const Form form : {Form::matrix, Form::grid}) {
+    for (const int order : {3, 10}) {
+        const LightLayout layout(order, LightKind::full);
+        const VertexLight light = vertex_lights(layout, 1, 300);
         std::vector<VisibilityProduct> products;
         for (const int threads : {1, 2}) {
-            tbb::task_arena(threads).execute([&] {
-                products.push_back(
-                    scene.product(layout, HorizonExtension::mirrored, form, ShadowStorage::fixed16));
-            });
+            tbb::task_arena(threads).execute([&] { products.push_back(scene.product(layout)); });
         }
         VertexLight whole = light;
         products[0].run(whole, 0, light.blocks());
@@ -225,51 +206,34 @@ TEST_CASE("no vertex in shadow makes no blocks") {
     CHECK(product.bytes() == sizeof(std::uint32_t));  // that there is none
 }
 
-TEST_CASE("matrices serve low orders and the grid high ones") {
-    const Scene scene(17);
-    const auto form = [&](int order) {
-        const LightLayout layout(order, LightKind::unpolarized);
-        return scene.product(layout, HorizonExtension::mirrored, Form::best, ShadowStorage::fixed16).form();
-    };
-    CHECK(form(4) == Form::matrix);
-    CHECK(form(9) == Form::matrix);
-    CHECK(form(10) == Form::grid);
-    CHECK(form(32) == Form::grid);
-}
-
-TEST_CASE("coefficients that are made on the way can be kept") {
+TEST_CASE("coefficients that are computed on the way can be kept") {
     const Scene scene(70);
     const LightLayout layout(3, LightKind::unpolarized);
-    for (const HorizonExtension extension : {HorizonExtension::mirrored, HorizonExtension::dark}) {
-        const VisibilityHarmonics harmonics(directions(), 6, extension);
-        VisibilityBlocks kept(scene.visibility, harmonics);
-        const VisibilityProduct product(scene.visibility, directions(), scene.normals, layout, extension,
-                                        Form::best, ShadowStorage::fixed16, &kept);
-        VisibilityBlocks expected(scene.visibility, harmonics);
-        std::vector<Lanes> lanes(psh_count(6));
-        for (std::size_t block = 0; block < 5; ++block) {
-            project_block(harmonics, scene.visibility, scene.normals, kLanes * block, block < 4 ? kLanes : 6,
-                          lanes.data());
-            expected.set(block, lanes.data());
-        }
-        std::vector<float> one(psh_count(6));
-        std::vector<float> other(psh_count(6));
-        for (std::size_t v = 0; v < 70; ++v) {
-            kept.expand(v, one);
-            expected.expand(v, other);
-            CHECK(one == other);
-        }
-        VisibilityBlocks short_one(scene.visibility, VisibilityHarmonics(directions(), 4, extension));
-        CHECK_THROWS_AS(VisibilityProduct(scene.visibility, directions(), scene.normals, layout, extension,
-                                          Form::best, ShadowStorage::fixed16, &short_one),
-                        Error);
+    const VisibilityHarmonics harmonics(directions(), 6);
+    VisibilityBlocks kept(scene.visibility, 6);
+    const VisibilityProduct product(scene.visibility, directions(), scene.normals, layout, &kept);
+    VisibilityBlocks expected(scene.visibility, 6);
+    std::vector<Lanes> lanes(psh_count(6));
+    for (std::size_t block = 0; block < 5; ++block) {
+        project_block(harmonics, scene.visibility, scene.normals, kLanes * block, block < 4 ? kLanes : 6,
+                      lanes.data());
+        expected.set(block, lanes.data());
     }
+    std::vector<float> one(psh_count(6));
+    std::vector<float> other(psh_count(6));
+    for (std::size_t v = 0; v < 70; ++v) {
+        kept.expand(v, one);
+        expected.expand(v, other);
+        CHECK(one == other);
+    }
+    VisibilityBlocks short_one(scene.visibility, 4);
+    CHECK_THROWS_AS(VisibilityProduct(scene.visibility, directions(), scene.normals, layout, &short_one),
+                    Error);
 }
 
 TEST_CASE("what does not fit together is refused") {
     const Scene scene(3);
     const LightLayout low(2, LightKind::linear);
-    const auto mirrored = HorizonExtension::mirrored;
     const auto refused = [&](auto make) {
         try {
             static_cast<void>(make());
@@ -278,12 +242,8 @@ TEST_CASE("what does not fit together is refused") {
         }
         return ErrorCode::internal;
     };
-    const auto product = [&](const LightLayout& layout, HorizonExtension extension, Form form) {
-        return refused([&] { return scene.product(layout, extension, form, ShadowStorage::fixed16); });
-    };
-    CHECK(product(low, HorizonExtension::dark, Form::matrix) == ErrorCode::unsupported);
-    const LightLayout beyond(33, LightKind::linear);
-    CHECK(product(beyond, mirrored, Form::best) == ErrorCode::invalid_argument);
+    CHECK(refused([&] { return scene.product(LightLayout(33, LightKind::linear)); }) ==
+          ErrorCode::invalid_argument);
     const std::vector<glm::vec3> few(2, {0, 0, 1});
     CHECK(refused([&] { return VisibilityProduct(scene.visibility, directions(), few, low); }) ==
           ErrorCode::invalid_argument);

@@ -30,11 +30,11 @@ double sum(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST_CASE("a vertex that sees everything changes no spectrum") {
+TEST_CASE("an unoccluded vertex changes no spectrum") {
     const DirectionSet directions(2048);
     Visibility open(directions.size(), 1);
     open.set_unoccluded(0, true);
-    const VisibilityPower power(open, directions, std::span(&up, 1), HorizonExtension::mirrored);
+    const VisibilityPower power(open, directions, std::span(&up, 1));
     const std::vector<double> response{0, 0, 3, 0.5, 0.25};
     for (const int spin : {0, 2}) {
         const std::vector<double> same = power.shadowed(response, spin);
@@ -46,7 +46,7 @@ TEST_CASE("a vertex that sees everything changes no spectrum") {
 TEST_CASE("the energy that is left is the visible part") {
     const DirectionSet directions(8192);
     const VisibilityPower power(cone(directions, glm::normalize(glm::vec3(1, 2, 0)), 0.3F), directions,
-                                std::span(&up, 1), HorizonExtension::mirrored);
+                                std::span(&up, 1));
     CHECK(power.fraction() > 0.4);
     CHECK(power.fraction() < 0.8);
     std::vector<double> response(120, 0.0);
@@ -63,8 +63,8 @@ TEST_CASE("the energy that is left is the visible part") {
 TEST_CASE("a response of order 1 leaves in order 0 what the visibility has in order 1") {
     const DirectionSet directions(4096);
     const Visibility visibility = cone(directions, glm::normalize(glm::vec3(1, 1, 0)), 0.5F);
-    const VisibilityPower power(visibility, directions, std::span(&up, 1), HorizonExtension::dark);
-    const VisibilityHarmonics harmonics(directions, 1, HorizonExtension::dark);
+    const VisibilityPower power(visibility, directions, std::span(&up, 1));
+    const VisibilityHarmonics harmonics(directions, 1);
     std::vector<float> v(psh_count(1));
     harmonics.project(visibility, 0, up, v);
     double first = 0;

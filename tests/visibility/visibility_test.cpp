@@ -27,9 +27,9 @@ Visibility visibility_of(const DirectionSet& set, const glm::vec3& normal, Sees 
 }
 
 std::vector<float> projected(const DirectionSet& set, const Visibility& visibility, const glm::vec3& normal,
-                             int order, HorizonExtension extension) {
+                             int order) {
     std::vector<float> out(psh_count(order));
-    VisibilityHarmonics(set, order, extension).project(visibility, 0, normal, out);
+    VisibilityHarmonics(set, order).project(visibility, 0, normal, out);
     return out;
 }
 
@@ -148,17 +148,11 @@ TEST_CASE("who sees all, or nothing, has exact coefficients") {
         const Visibility none(set.size(), 1);
         std::vector<float> one(psh_count(8));
         one[0] = static_cast<float>(std::sqrt(4 * pi));
-        // Light from above propagates down.
-        const std::vector<double> half = zonal(8, [](double z) { return z < 0 ? 1.0 : 0.0; });
         for (const bool flagged : {true, false}) {
             all.set_unoccluded(0, flagged);
-            CHECK(difference(projected(set, all, normal, 8, HorizonExtension::mirrored), one) <=
-                  (flagged ? 0 : 1e-6));
-            CHECK(difference(projected(set, all, normal, 8, HorizonExtension::dark), half) < 1e-6);
+            CHECK(difference(projected(set, all, normal, 8), one) <= (flagged ? 0 : 1e-6));
         }
-        for (const auto extension : {HorizonExtension::mirrored, HorizonExtension::dark}) {
-            CHECK(difference(projected(set, none, normal, 8, extension), std::vector<float>(81)) == 0);
-        }
+        CHECK(difference(projected(set, none, normal, 8), std::vector<float>(81)) == 0);
     }
 }
 
@@ -166,9 +160,7 @@ TEST_CASE("a cone around the normal has the coefficients of a cap") {
     const DirectionSet set(65536);
     const Visibility cone =
         visibility_of(set, slanted, [](const glm::vec3& d) { return glm::dot(d, slanted) > 0.6F; });
-    const auto dark = projected(set, cone, slanted, 8, HorizonExtension::dark);
-    CHECK(difference(dark, zonal(8, [](double z) { return z < -0.6 ? 1.0 : 0.0; })) < 1e-3);
-    const auto mirrored = projected(set, cone, slanted, 8, HorizonExtension::mirrored);
+    const auto mirrored = projected(set, cone, slanted, 8);
     CHECK(difference(mirrored, zonal(8, [](double z) { return std::abs(z) > 0.6 ? 1.0 : 0.0; })) < 2e-3);
 }
 
@@ -201,13 +193,12 @@ TEST_CASE("coefficients are those of the directions turned into the vertex's fra
         REQUIRE(seen < 0.9 * all);
         const std::vector<double> half = zonal(order, [](double z) { return z < 0 ? 1.0 : 0.0; });
         for (std::size_t k = 0; k < want.size(); ++k) want[k] += seen / all * (half[k] - everything[k]);
-        CHECK(difference(projected(set, visibility, normal, order, HorizonExtension::dark), want) < 2e-5);
         // The mirror image doubles what is even and removes what is odd.
         for (int l = 0; l <= order; ++l) {
             for (int m = -l; m <= l; ++m) want[psh_index(l, m)] *= (l + m) % 2 == 0 ? 2 : 0;
         }
         for (int l = 1; l <= order; ++l) CHECK(std::abs(half[psh_index(l, 0)]) < (l % 2 == 0 ? 1e-6 : 2.0));
-        CHECK(difference(projected(set, visibility, normal, order, HorizonExtension::mirrored), want) < 2e-5);
+        CHECK(difference(projected(set, visibility, normal, order), want) < 2e-5);
     }
 }
 
@@ -225,7 +216,7 @@ TEST_CASE("a vertex of the authors' data sees what they say it sees") {
     const glm::vec3 normal = mesh.normals[vertex];
     const Frame frame = theta_phi_frame(glm::dvec3(normal));
     std::vector<float> ours(psh_count(8));
-    VisibilityHarmonics(set, 8, HorizonExtension::dark).project(visibility, vertex, normal, ours);
+    VisibilityHarmonics(set, 8).project(visibility, vertex, normal, ours);
     double least = 1;
     for (int k = 0; k < 8; ++k) {
         const glm::dvec3 axis =
@@ -243,6 +234,6 @@ TEST_CASE("a vertex of the authors' data sees what they say it sees") {
 
 TEST_CASE("orders out of range are refused") {
     const DirectionSet set(256);
-    CHECK_THROWS_AS(VisibilityHarmonics(set, -1, HorizonExtension::dark), Error);
-    CHECK_THROWS_AS(VisibilityHarmonics(set, 65, HorizonExtension::dark), Error);
+    CHECK_THROWS_AS(VisibilityHarmonics(set, -1), Error);
+    CHECK_THROWS_AS(VisibilityHarmonics(set, 65), Error);
 }

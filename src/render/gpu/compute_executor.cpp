@@ -31,25 +31,25 @@ ComputeExecutor::ComputeExecutor(std::shared_ptr<gl::Context> context, VertexBuf
       high_orders_(std::move(context), textures) {}
 
 void ComputeExecutor::run(FactoredMethod& method, const Extras& extras, const TransferInput& input,
-                          const DistantLight& light, const Viewpoint& view, Workers& workers,
-                          Progress& progress, Statistics& statistics) {
-    run_on(factored_, method, extras, input, light, view, workers, progress, statistics);
+                          const DistantLight& light, const Viewpoint& view, Progress& progress,
+                          Statistics& statistics) {
+    run_on(factored_, method, extras, input, light, view, progress, statistics);
 }
 
 void ComputeExecutor::run(DenseMethod& method, const Extras& extras, const TransferInput& input,
-                          const DistantLight& light, const Viewpoint& view, Workers& workers,
-                          Progress& progress, Statistics& statistics) {
-    run_on(dense_, method, extras, input, light, view, workers, progress, statistics);
+                          const DistantLight& light, const Viewpoint& view, Progress& progress,
+                          Statistics& statistics) {
+    run_on(dense_, method, extras, input, light, view, progress, statistics);
 }
 
 template <class Device, class Method>
 void ComputeExecutor::run_on(Device& device, Method& method, const Extras& extras, const TransferInput& input,
-                             const DistantLight& light, const Viewpoint& view, Workers& workers,
-                             Progress& progress, Statistics& statistics) {
+                             const DistantLight& light, const Viewpoint& view, Progress& progress,
+                             Statistics& statistics) {
     context_->run([&] {
         buffers_.update(input.geometry, input.geometry_revision, input.channels);
         if (buffers_.empty()) return;
-        device.relight(method, input, workers, progress, statistics, buffers_);
+        device.relight(method, input, progress, statistics, buffers_);
         const Stopwatch watch;
         progress.report("shade", 0);
         if (!shade_) shade_.emplace(context_);

@@ -33,18 +33,16 @@ public:
     /// relight and shade of every vertex, as far as changes make it necessary, of what the method and the
     /// high orders have prepared. Adds its times and counts to `statistics`.
     void run(FactoredMethod& method, const Extras& extras, const TransferInput& input,
-             const DistantLight& light, const Viewpoint& view, Workers& workers, Progress& progress,
-             Statistics& statistics);
+             const DistantLight& light, const Viewpoint& view, Progress& progress, Statistics& statistics);
     void run(DenseMethod& method, const Extras& extras, const TransferInput& input, const DistantLight& light,
-             const Viewpoint& view, Workers& workers, Progress& progress, Statistics& statistics);
+             const Viewpoint& view, Progress& progress, Statistics& statistics);
 
 private:
     std::uint64_t make_physical(const TransferInput& input);
 
     template <class Device, class Method>
     void run_on(Device& device, Method& method, const Extras& extras, const TransferInput& input,
-                const DistantLight& light, const Viewpoint& view, Workers& workers, Progress& progress,
-                Statistics& statistics);
+                const DistantLight& light, const Viewpoint& view, Progress& progress, Statistics& statistics);
 
     std::shared_ptr<gl::Context> context_;
     VertexBuffers& buffers_;

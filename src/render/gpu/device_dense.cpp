@@ -7,8 +7,8 @@
 
 namespace nicol {
 
-void DeviceDense::relight(const DenseMethod& method, const TransferInput& input, Workers& /*workers*/,
-                          Progress& progress, Statistics& statistics, VertexBuffers& /*buffers*/) {
+void DeviceDense::relight(const DenseMethod& method, const TransferInput& input, Progress& progress,
+                          Statistics& statistics, VertexBuffers& /*buffers*/) {
     const RelightKey key(input);
     if (lit_for_ == key && runs_revision_ == method.runs_revision()) return;
     lit_for_ = {};

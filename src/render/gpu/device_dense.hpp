@@ -18,7 +18,7 @@ public:
     explicit DeviceDense(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
     /// relight, as far as changes make it necessary.
-    void relight(const DenseMethod& method, const TransferInput& input, Workers& workers, Progress& progress,
+    void relight(const DenseMethod& method, const TransferInput& input, Progress& progress,
                  Statistics& statistics, VertexBuffers& buffers);
     void shade(const TransferInput& input, DeviceShade& shade, VertexBuffers& buffers);
 

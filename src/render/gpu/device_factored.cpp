@@ -5,8 +5,8 @@
 
 namespace nicol {
 
-void DeviceFactored::relight(const FactoredMethod& method, const TransferInput& input, Workers& /*workers*/,
-                             Progress& progress, Statistics& statistics, VertexBuffers& buffers) {
+void DeviceFactored::relight(const FactoredMethod& method, const TransferInput& input, Progress& progress,
+                             Statistics& statistics, VertexBuffers& buffers) {
     mirror_tables(method, input);
     const RelightKey key(input);
     if (lit_for_ == key) return;

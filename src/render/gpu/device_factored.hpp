@@ -21,8 +21,8 @@ public:
     explicit DeviceFactored(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
     /// relight, as far as changes make it necessary.
-    void relight(const FactoredMethod& method, const TransferInput& input, Workers& workers,
-                 Progress& progress, Statistics& statistics, VertexBuffers& buffers);
+    void relight(const FactoredMethod& method, const TransferInput& input, Progress& progress,
+                 Statistics& statistics, VertexBuffers& buffers);
     void shade(const TransferInput& input, DeviceShade& shade, VertexBuffers& buffers);
 
 private:

@@ -24,7 +24,7 @@ void DeviceHighOrders::see(const HighOrderTransfer& transfer, const TransferInpu
         auto lobe = lobes_.find(width);
         if (lobe == lobes_.end()) {
             const std::vector<float> constants =
-                HighOrderVisibility(transfer.visibility().order(), width, input.horizon).constants();
+                HighOrderVisibility(transfer.visibility().order(), width).constants();
             lobe =
                 lobes_
                     .try_emplace(width, context_, gl::BufferUse::storage, std::as_bytes(std::span(constants)))

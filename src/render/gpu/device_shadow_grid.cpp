@@ -74,7 +74,6 @@ DeviceShadowGrid::DeviceShadowGrid(const std::shared_ptr<gl::Context>& context,
     multiply_.set("stride", stride);
     multiply_.set("points", static_cast<int>(grid.grid.rows() * grid.grid.columns()));
     multiply_.set("samples_of_vertex", static_cast<int>(grid.samples_of_vertex));
-    multiply_.set("dark", static_cast<int>(grid.samples_of_vertex > grid.grid.samples()));
     multiply_.set("scale", grid.unit / kFixedOne);
 }
 
