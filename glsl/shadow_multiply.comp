@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// relight: the light of shadowed vertices, split by the mirror in their surface, times their shadow matrices. One
-// invocation a shadowed vertex and row.
+// relight: the light of shadowed vertices times their symmetric shadow matrices. One invocation a shadowed vertex and
+// row.
 #version 450 core
-
-#include "sparse.glsl"
 
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Vertices { uint vertices[]; };
-layout(std430, binding = 1) readonly buffer Numbers { uint numbers[]; };  // [block][number][16 vertices], 16 bits each
-layout(std430, binding = 2) readonly buffer Light { float light[]; };     // [number][vertex]
-layout(std430, binding = 3) readonly buffer Split { SparseRow split[]; };
-layout(std430, binding = 4) readonly buffer Rows { ivec4 rows[]; };      // first number, step, columns, first column
-layout(std430, binding = 5) writeonly buffer Product { float product[]; };  // [row][shadowed vertex]
+// [block][two elements][16 vertices], 16 bits each: the elements of shadow_elements()
+layout(std430, binding = 1) readonly buffer Numbers { uint numbers[]; };
+layout(std430, binding = 2) readonly buffer Light { float light[]; };       // [number][vertex]
+layout(std430, binding = 3) readonly buffer Rows { ivec4 rows[]; };         // first element, row, size, first column
+layout(std430, binding = 4) writeonly buffer Product { float product[]; };  // [row][shadowed vertex]
 
 uniform int first;             // shadowed vertex
 uniform int count;             // of them
@@ -22,9 +20,12 @@ uniform int first_vertex;      // of the bound light
 uniform int stride;            // of vertices in light and product
 uniform float scale;
 
-float matrix_element(int number, int lane) {
-    int place = number * 16 + lane;
-    return float(bitfieldExtract(int(numbers[place >> 1]), 16 * (place & 1), 16));
+// Of row <= column: tiles of four rows, in them by columns, then rows.
+int element(int row, int column, int size) {
+    int tile = row >> 2;
+    int before = tile * (4 * size + 2 - 8 * tile);
+    int c = column - 4 * tile;
+    return before + (c < 4 ? c * (c + 1) / 2 : 4 * c - 6) + row - 4 * tile;
 }
 
 void main() {
@@ -33,13 +34,12 @@ void main() {
     int s = first + i;
     int v = int(vertices[s]) - first_vertex;
     ivec4 row = rows[gl_GlobalInvocationID.y];
-    int number = (s / 16 - first_block) * numbers_of_block + row.x;
+    int block = (s / 16 - first_block) * numbers_of_block + row.x;
     float sum = 0.0;
     for (int c = 0; c < row.z; ++c) {
-        SparseRow from = split[row.w + c];
-        float x = from.first_factor * light[from.first * stride + v];
-        if (from.second_factor != 0.0) x += from.second_factor * light[from.second * stride + v];
-        sum += matrix_element(number + c * row.y, s % 16) * x;
+        int number = block + element(min(row.y, c), max(row.y, c), row.z);
+        int pair = int(numbers[(number >> 1) * 16 + s % 16]);
+        sum += float(bitfieldExtract(pair, 16 * (number & 1), 16)) * light[(row.w + c) * stride + v];
     }
     product[int(gl_GlobalInvocationID.y) * stride + i] = scale * sum;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How light and response are laid out for their dot product.
+// The layout of a light's coefficients in response tables and at vertices.
 #pragma once
 
-#include <complex>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,40 +15,94 @@ namespace nicol {
 /// Which Stokes components a light has; each level contains the ones before.
 enum class LightKind : std::int32_t { unpolarized = 1, linear = 3, full = 4 };
 
-/// PSH coefficients of one light as complex numbers z_j, ordered so that
-/// - a turn of the viewer's azimuth by phi is z_j *= exp(i k_j phi), nothing else, and
-/// - a mirror-symmetric material needs only the real parts to make s0 and s1, and only the imaginary parts to
-/// make s2
-///   and s3: half of all products vanish by construction.
-/// s0: a_lm + i a_l,-m for m >= 0, k = -m. (s1, s2): the spin-2 coefficients for all m, l >= 2, k = m.
-/// s3: a_l,-m + i a_lm for m >= 0, k = m. a are the coefficients over real harmonics; the imaginary (s0) or
-/// real (s3) part that m = 0 does not have is zero.
+/// A light in the frame of a surface as real numbers over an orthonormal basis that two mirrors split into
+/// halves.
+///
+/// The mirror in the plane of the surface, z -> -z, keeps the product with visibility that is the same above
+/// and below it: groups of functions that it keeps or negates never mix. Of s0 and s3 these are the real
+/// harmonics of even and of odd l + m. The spin-2 part is e + i o, both kept by the mirror, over the
+/// harmonics, for l >= 2,
+///     m > 0: (2Y_lm + (-1)^l 2Y_l,-m) / sqrt 2        m < 0: -i (2Y_l|m| - (-1)^l 2Y_l,-|m|) / sqrt 2
+///     m = 0: 2Y_l0 for even l, -i 2Y_l0 for odd l
+/// with real coefficients; the same real matrix multiplies e and o. A light is
+///     [s0 of even l + m, s0 of odd l + m, e, o, s3 of even l + m, s3 of odd l + m], as far as its kind has
+///     them.
+///
+/// The mirror through the normal, phi -> -phi, keeps the even numbers and negates the odd ones: even are the
+/// cosines (m > 0) of s0 and e and the sines (m < 0) of o and s3. Numbers come in pairs, an even and an odd
+/// one of the same l and |m|. A viewer at azimuth phi has, for pairs of s0 and e, and with the other sign of
+/// phi for o and s3,
+///     even' = even cos m phi + odd sin m phi        odd' = odd cos m phi - even sin m phi.
+/// A row of a response has one number for each pair. A mirror-symmetric material makes s0 and s1 of the even
+/// numbers and s2 and s3 of the odd ones.
 class LightLayout {
 public:
-    struct Entry {
-        LightKind part;  ///< unpolarized: s0, linear: (s1, s2), full: s3
-        int l;
-        int m;
-        [[nodiscard]] int azimuthal_frequency() const noexcept {
-            return part == LightKind::unpolarized ? -m : m;
-        }
-    };
-
     /// Throws Error(invalid_argument) unless 0 <= order <= kMaxOrder.
     LightLayout(int order, LightKind kind);
 
     [[nodiscard]] int order() const noexcept { return order_; }
     [[nodiscard]] LightKind kind() const noexcept { return kind_; }
-    [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
-    [[nodiscard]] const std::vector<Entry>& entries() const noexcept { return entries_; }
+    /// Numbers of a light.
+    [[nodiscard]] std::size_t size() const noexcept { return terms_.size(); }
+    /// Pairs of them: numbers of a row.
+    [[nodiscard]] std::size_t row_size() const noexcept { return row_size_; }
 
-    /// From the coefficients of one channel, [psh_index(l, m)][4], of at least this order.
-    [[nodiscard]] std::vector<std::complex<double>> pack(std::span<const double> channel) const;
+    /// Consecutive pairs of one |m|, with l, l + step, ...
+    struct Run {
+        LightKind part;  ///< unpolarized: s0, linear: (s1, s2), full: s3
+        int m;           ///< >= 0
+        int l;
+        int step;
+        std::size_t count;
+        /// Where even and odd numbers begin in a light. For m = 0 a pair of e and o is of both; s0 has no odd
+        /// numbers and s3 no even ones: then both are the same numbers, and rows have zeros.
+        std::size_t even;
+        std::size_t odd;
+        float sign;  ///< of phi: 1 for s0 and e, -1 for o and s3
+    };
+    /// By m. The pairs of all runs in sequence are those of a row.
+    [[nodiscard]] const std::vector<Run>& runs() const noexcept { return runs_; }
+
+    struct Harmonic {
+        int l;
+        int m;
+    };
+    /// Harmonics of each group, for each |m| first those of m = |m| by l, then those of m = -|m|.
+    [[nodiscard]] const std::vector<Harmonic>& even() const noexcept { return even_; }
+    [[nodiscard]] const std::vector<Harmonic>& odd() const noexcept { return odd_; }
+    [[nodiscard]] const std::vector<Harmonic>& spin() const noexcept { return spin_; }
+    [[nodiscard]] std::size_t spin_begin() const noexcept { return even_.size() + odd_.size(); }
+    [[nodiscard]] std::size_t s3_begin() const noexcept { return spin_begin() + 2 * spin_.size(); }
+
+    /// A number is the sum of two factors times coefficients 4 psh_index(l, m) + p; the second factor may be
+    /// 0. Coefficients are the same sums over numbers.
+    struct Term {
+        std::size_t coefficient;
+        double factor;
+    };
+    [[nodiscard]] const std::vector<std::array<Term, 2>>& terms() const noexcept { return terms_; }
 
 private:
+    void add_scalar_terms(std::size_t p);
+    void add_spin_terms(bool times_i);
+    void add_runs(int m, std::size_t& even, std::size_t& odd, std::size_t& spin);
+
     int order_;
     LightKind kind_;
-    std::vector<Entry> entries_;
+    std::vector<Harmonic> even_;
+    std::vector<Harmonic> odd_;
+    std::vector<Harmonic> spin_;
+    std::vector<std::array<Term, 2>> terms_;
+    std::vector<Run> runs_;
+    std::size_t row_size_ = 0;
 };
+
+/// The functions of the zenith angle that go with the pairs of a row, from the harmonics 0Y_lm and 2Y_lm at
+/// phi = 0, by psh_index; spin2 may be empty where the layout is unpolarized. With c = cos m phi and s = sin
+/// m phi, the even and the odd function of a pair are
+///     s0: s0 = first c, s0 = first s                 s3: s3 = first s, s3 = first c
+///     e and o: (s1, s2) = (first c, second s), sign (first s, -second c).
+void zenith_functions(const LightLayout& layout, std::span<const double> scalar,
+                      std::span<const double> spin2, std::span<double> first, std::span<double> second);
 
 }  // namespace nicol

@@ -11,7 +11,7 @@
 namespace nicol {
 namespace {
 
-constexpr double root2 = std::numbers::sqrt2;
+constexpr double kRoot2 = std::numbers::sqrt2;
 
 // The harmonics sY_lm of each row at phi = 0.
 std::vector<std::vector<double>> values(int spin, int order, const UpperRows& rows) {
@@ -25,33 +25,33 @@ std::vector<std::vector<double>> values(int spin, int order, const UpperRows& ro
 
 }  // namespace
 
-int highest_order(const std::vector<MirrorBasis::Harmonic>& harmonics) {
+int highest_order(const std::vector<LightLayout::Harmonic>& harmonics) {
     int order = 0;
-    for (const MirrorBasis::Harmonic& h : harmonics) order = std::max(order, h.l);
+    for (const LightLayout::Harmonic& h : harmonics) order = std::max(order, h.l);
     return order;
 }
 
-std::vector<SeparatedHarmonic> separate_scalars(const std::vector<MirrorBasis::Harmonic>& harmonics,
+std::vector<SeparatedHarmonic> separate_scalars(const std::vector<LightLayout::Harmonic>& harmonics,
                                                 const UpperRows& rows) {
     const auto on_rows = values(0, highest_order(harmonics), rows);
     std::vector<SeparatedHarmonic> out;
-    for (const MirrorBasis::Harmonic& h : harmonics) {
+    for (const LightLayout::Harmonic& h : harmonics) {
         SeparatedHarmonic& separated = out.emplace_back(SeparatedHarmonic{h.m, {}, {}});
         for (const auto& y : on_rows) {
-            separated.first.push_back((h.m == 0 ? 1 : root2) * y[psh_index(h.l, std::abs(h.m))]);
+            separated.first.push_back((h.m == 0 ? 1 : kRoot2) * y[psh_index(h.l, std::abs(h.m))]);
         }
     }
     return out;
 }
 
 // s1 + i s2 of the harmonic m > 0 is (2Y_lm e^{i m phi} + (-1)^l 2Y_l,-m e^{-i m phi}) / sqrt 2, so that the
-// sum of the two goes with cos m phi in s1, and the difference with sin m phi in s2. For m < 0 there is i in
-// front and minus between: the sum goes with -sin in s1, the difference with cos in s2.
-std::vector<SeparatedHarmonic> separate_spins(const std::vector<MirrorBasis::Harmonic>& harmonics,
+// sum of the two goes with cos m phi in s1, and the difference with sin m phi in s2. For m < 0 there is -i in
+// front and minus between: the sum goes with sin in s1, the difference with -cos in s2.
+std::vector<SeparatedHarmonic> separate_spins(const std::vector<LightLayout::Harmonic>& harmonics,
                                               const UpperRows& rows) {
     const auto on_rows = values(2, highest_order(harmonics), rows);
     std::vector<SeparatedHarmonic> out;
-    for (const MirrorBasis::Harmonic& h : harmonics) {
+    for (const LightLayout::Harmonic& h : harmonics) {
         SeparatedHarmonic& separated = out.emplace_back(SeparatedHarmonic{h.m, {}, {}});
         const bool odd = h.l % 2 != 0;
         for (const auto& y : on_rows) {
@@ -59,10 +59,10 @@ std::vector<SeparatedHarmonic> separate_spins(const std::vector<MirrorBasis::Har
             const double minus = (odd ? -1 : 1) * y[psh_index(h.l, -std::abs(h.m))];
             if (h.m == 0) {
                 separated.first.push_back(odd ? 0.0 : plus);
-                separated.second.push_back(odd ? plus : 0.0);
+                separated.second.push_back(odd ? -plus : 0.0);
             } else {
-                separated.first.push_back((h.m > 0 ? 1 : -1) * (plus + minus) / root2);
-                separated.second.push_back((plus - minus) / root2);
+                separated.first.push_back((plus + minus) / kRoot2);
+                separated.second.push_back((h.m > 0 ? 1 : -1) * (plus - minus) / kRoot2);
             }
         }
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The harmonics of MirrorBasis as functions of theta times functions of phi.
+// The harmonics of LightLayout as functions of theta times functions of phi.
 #pragma once
 
 #include <vector>
 
 #include "harmonics/grid.hpp"
-#include "harmonics/mirror_basis.hpp"
+#include "harmonics/light_layout.hpp"
 
 namespace nicol {
 
@@ -42,11 +42,11 @@ struct SeparatedHarmonic {
 }
 
 [[nodiscard]] std::vector<SeparatedHarmonic> separate_scalars(
-    const std::vector<MirrorBasis::Harmonic>& harmonics, const UpperRows& rows);
+    const std::vector<LightLayout::Harmonic>& harmonics, const UpperRows& rows);
 [[nodiscard]] std::vector<SeparatedHarmonic> separate_spins(
-    const std::vector<MirrorBasis::Harmonic>& harmonics, const UpperRows& rows);
+    const std::vector<LightLayout::Harmonic>& harmonics, const UpperRows& rows);
 
 /// The highest l; 0 where there are none.
-[[nodiscard]] int highest_order(const std::vector<MirrorBasis::Harmonic>& harmonics);
+[[nodiscard]] int highest_order(const std::vector<LightLayout::Harmonic>& harmonics);
 
 }  // namespace nicol

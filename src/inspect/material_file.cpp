@@ -57,6 +57,21 @@ void write_table(const MaterialFile& file, const FileOptions& options, const pat
                          file.material->channels(), folder);
 }
 
+// For each pair of a row, where the same pair stands in a row of the full layout of its order.
+std::vector<std::size_t> pairs_in_full(const LightLayout& layout, const LightLayout& full) {
+    std::vector<std::size_t> out;
+    std::size_t pair = 0;
+    auto run = layout.runs().begin();
+    for (const LightLayout::Run& candidate : full.runs()) {
+        const bool same = run != layout.runs().end() && run->part == candidate.part &&
+                          run->m == candidate.m && run->l == candidate.l && run->sign == candidate.sign;
+        for (std::size_t i = 0; same && i < candidate.count; ++i) out.push_back(pair + i);
+        if (same) ++run;
+        pair += candidate.count;
+    }
+    return out;
+}
+
 // The matrices of a table's channels: the light that leaves upwards (Eq. 40). Columns that the table does not
 // have are zero.
 std::vector<IsotropicMatrix> matrices_of(const StoredResponse& stored) {
@@ -64,7 +79,8 @@ std::vector<IsotropicMatrix> matrices_of(const StoredResponse& stored) {
     const LightLayout all(order, LightKind::full);
     const int channels = stored.table.channels();
     std::vector<IsotropicMatrix> out(static_cast<std::size_t>(channels), IsotropicMatrix(order, order));
-    std::vector<double> rows(4 * all.size());
+    const std::vector<std::size_t> pairs = pairs_in_full(stored.layout, all);
+    std::vector<double> rows(4 * all.row_size());
     constexpr int last = ResponseTable::kAngles - 1;
     constexpr double step = std::numbers::pi / 2 / last;
     for (int angle = 0; angle <= last; ++angle) {
@@ -73,10 +89,9 @@ std::vector<IsotropicMatrix> matrices_of(const StoredResponse& stored) {
         const double theta = angle * step;
         for (int c = 0; c < channels; ++c) {
             const std::span<const float> from = stored.table.rows(angle, c);
-            // A layout for less light is the beginning of the one for all.
             for (std::size_t p = 0; p < 4; ++p)
-                for (std::size_t j = 0; j < stored.layout.size(); ++j)
-                    rows[p * all.size() + j] = static_cast<double>(from[p * stored.layout.size() + j]);
+                for (std::size_t j = 0; j < pairs.size(); ++j)
+                    rows[p * all.row_size() + pairs[j]] = static_cast<double>(from[p * pairs.size() + j]);
             add_circle(out[static_cast<std::size_t>(c)], theta, simpson * std::sin(theta), all, rows);
         }
     }

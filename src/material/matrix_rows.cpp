@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A block of an isotropic matrix acts on the lanes (s0_lm, s3_lm, w_lm, conj w_l-m); rows act on packed
-// coefficients z, which are the same numbers up to factors: sqrt2 conj(s0_lm), i sqrt2 s3_lm, w_lm. A mirror
-// symmetric material has one real number for each pair of them.
+// A block of an isotropic matrix acts on the lanes (s0_lm, s3_lm, w_lm, conj w_l-m). Responses are first made
+// as rows over complex numbers, which are the same lanes up to factors: sqrt2 conj(s0_lm), i sqrt2 s3_lm,
+// w_lm; their real parts make s0 and s1, their imaginary parts s2 and s3. A mirror symmetric material has one
+// real number for each.
 #include "material/matrix_rows.hpp"
 
 #include <algorithm>
@@ -85,14 +86,50 @@ Block block_of(const RowEntries& e, int m) {
             (r[1][2] + r[2][2]) / 2};
 }
 
-/// Where s0_lm, w_lm, w_l-m and s3_lm stand in a layout, by [psh_index(l, m)], m >= 0; size() where absent.
+// Between numbers for w_lm and w_l-m and those for the pairs of e and o; m = 0 has w_l0 and one pair.
+void to_pairs(RowEntries& entries, int l, int m) {
+    const double image = l % 2 == 0 ? 1 : -1;
+    for (std::size_t p = 0; p < 4; ++p) {
+        auto& [s0, plus, minus, s3] = entries.at[p];
+        if (m == 0) {
+            if (p >= 2) plus *= image;
+            continue;
+        }
+        const double sum = (plus + image * minus) / kRoot2;
+        const double difference = (plus - image * minus) / kRoot2;
+        plus = p < 2 ? sum : -difference;
+        minus = p < 2 ? difference : sum;
+    }
+}
+void from_pairs(RowEntries& entries, int l, int m) {
+    const double image = l % 2 == 0 ? 1 : -1;
+    for (std::size_t p = 0; p < 4; ++p) {
+        auto& [s0, e, o, s3] = entries.at[p];
+        if (m == 0) {
+            if (p >= 2) e *= image;
+            continue;
+        }
+        const double sum = (p < 2 ? e + o : o - e) / kRoot2;
+        const double difference = (p < 2 ? e - o : o + e) / kRoot2;
+        e = sum;
+        o = image * difference;
+    }
+}
+
+// The pairs of s0, e, o and s3 in a row, by [psh_index(l, m)], m >= 0; row_size() where absent.
 std::vector<std::array<std::size_t, 4>> positions(const LightLayout& layout) {
-    const std::array<std::size_t, 4> none{layout.size(), layout.size(), layout.size(), layout.size()};
+    std::array<std::size_t, 4> none{};
+    none.fill(layout.row_size());
     std::vector<std::array<std::size_t, 4>> at(psh_count(layout.order()), none);
-    for (std::size_t j = 0; j < layout.size(); ++j) {
-        const LightLayout::Entry& e = layout.entries()[j];
-        const std::size_t slot = e.part == LightKind::unpolarized ? 0 : e.part == LightKind::full ? 3 : 1;
-        at[psh_index(e.l, std::abs(e.m))][slot == 1 && e.m < 0 ? 2 : slot] = j;
+    std::size_t j = 0;
+    for (const LightLayout::Run& run : layout.runs()) {
+        const std::size_t slot = run.part == LightKind::unpolarized ? 0
+                                 : run.part == LightKind::full      ? 3
+                                 : run.m == 0 || run.sign > 0       ? 1
+                                                                    : 2;
+        for (std::size_t i = 0; i < run.count; ++i) {
+            at[psh_index(run.l + static_cast<int>(i) * run.step, run.m)][slot] = j++;
+        }
     }
     return at;
 }
@@ -130,11 +167,13 @@ void rows_from_matrix(const IsotropicMatrix& matrix, double theta_out, const Lig
             }
         }
         for (int k = m; k <= order_in; ++k) {
-            const RowEntries entries = entries_of(sums[static_cast<std::size_t>(k)], m);
+            RowEntries entries = entries_of(sums[static_cast<std::size_t>(k)], m);
+            to_pairs(entries, k, m);
             const auto& slots = at[psh_index(k, m)];
             for (std::size_t p = 0; p < 4; ++p) {
                 for (std::size_t s = 0; s < 4; ++s)
-                    if (slots[s] < layout.size()) rows[p * layout.size() + slots[s]] = entries.at[p][s];
+                    if (slots[s] < layout.row_size())
+                        rows[p * layout.row_size() + slots[s]] = entries.at[p][s];
             }
         }
     }
@@ -150,8 +189,10 @@ void add_circle(IsotropicMatrix& matrix, double theta_out, double weight, const 
             const auto& slots = at[psh_index(k, m)];
             for (std::size_t p = 0; p < 4; ++p) {
                 for (std::size_t s = 0; s < 4; ++s)
-                    if (slots[s] < layout.size()) entries.at[p][s] = rows[p * layout.size() + slots[s]];
+                    if (slots[s] < layout.row_size())
+                        entries.at[p][s] = rows[p * layout.row_size() + slots[s]];
             }
+            from_pairs(entries, k, m);
             const Block g = block_of(entries, m);
             for (int l = m; l <= matrix.order_out(); ++l) {
                 const std::array<double, 4> lane = y.lanes(l, m);

@@ -10,8 +10,8 @@
 namespace nicol {
 
 /// Rows [p][j] (see ResponseTable) of a matrix at an outgoing zenith angle in [0, pi]: its outgoing side
-/// evaluated in the angular domain. The parts of a matrix that break mirror symmetry are dropped. Entries of
-/// the layout beyond the matrix's incoming order are zero.
+/// evaluated in the angular domain. The parts of a matrix that break mirror symmetry are dropped. Numbers
+/// beyond the matrix's incoming order are zero.
 void rows_from_matrix(const IsotropicMatrix& matrix, double theta_out, const LightLayout& layout,
                       std::span<double> rows);
 

@@ -26,7 +26,7 @@ public:
           cells_(6 * (matrices_.front().order_out() + 1)) {
         for (std::size_t c = 0; c < matrices_.size(); ++c)
             multiply(matrices_[c], of_channel(scale, static_cast<int>(c)));
-        const std::size_t set = 4 * layout_.size();
+        const std::size_t set = 4 * layout_.row_size();
         std::vector<double> rows(set);
         for (const IsotropicMatrix& matrix : matrices_) {
             for (int angle = 0; angle <= cells_; ++angle) {
@@ -98,7 +98,7 @@ private:
     // Rows times the coefficients of light from one direction, for one Stokes component after the other.
     void add_term(Mueller& out, int term, const glm::dvec3& light, const glm::dvec3& viewer) const {
         const Taps tap = taps(viewer);
-        const std::size_t size = layout_.size();
+        const std::size_t size = layout_.row_size();
         const float* rows =
             rows_.data() +
             4 * size * (static_cast<std::size_t>(term) * static_cast<std::size_t>(cells_ + 1) + tap.first);
@@ -112,32 +112,35 @@ private:
         spin_harmonics(2, layout_.order(), std::cos(half), std::sin(half), spin2);
         const double azimuth = std::atan2(light.y, light.x) - std::atan2(viewer.y, viewer.x) + pi;
 
-        const auto& entries = layout_.entries();
-        for (std::size_t j = 0; j < size;) {
-            const LightLayout::Entry run = entries[j];
-            std::array<double, 4> sum{};
-            for (; j < size && entries[j].part == run.part && entries[j].m == run.m; ++j) {
-                const double y =
-                    (run.part == LightKind::linear ? spin2 : scalar)[psh_index(entries[j].l, run.m)];
+        thread_local std::vector<double> first, second;
+        first.resize(size);
+        second.resize(size);
+        zenith_functions(layout_, scalar, spin2, first, second);
+        std::size_t j = 0;
+        for (const LightLayout::Run& run : layout_.runs()) {
+            std::array<double, 4> a{};
+            std::array<double, 4> b{};
+            for (const std::size_t end = j + run.count; j < end; ++j) {
                 for (std::size_t p = 0; p < 4; ++p) {
                     double row = 0;
                     for (std::size_t i = 0; i < 4; ++i)
                         row += tap.weight[i] * static_cast<double>(rows[(4 * i + p) * size + j]);
-                    sum[p] += row * y;
+                    a[p] += row * first[j];
+                    b[p] += row * second[j];
                 }
             }
             const double c = std::cos(run.m * azimuth);
             const double s = std::sin(run.m * azimuth);
-            const double norm = run.m > 0 ? std::numbers::sqrt2 : 1;
             for (std::size_t p = 0; p < 4; ++p) {
                 const bool even = p < 2;
                 if (run.part == LightKind::unpolarized) {
-                    out(p, 0) += norm * (even ? c : s) * sum[p];
+                    out(p, 0) += (even ? c : s) * a[p];
                 } else if (run.part == LightKind::full) {
-                    out(p, 3) += norm * (even ? s : c) * sum[p];
+                    out(p, 3) += (even ? s : c) * a[p];
                 } else {
-                    out(p, 1) += (even ? c : -s) * sum[p];
-                    out(p, 2) += (even ? s : c) * sum[p];
+                    const double sign = even ? 1 : static_cast<double>(run.sign);
+                    out(p, 1) += sign * (even ? c : s) * a[p];
+                    out(p, 2) += sign * (even ? s : -c) * b[p];
                 }
             }
         }

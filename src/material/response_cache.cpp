@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view kMagic("NICOLRT\0", 8);
 // Raise it whenever the numbers of any table change.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 // The table's parameters follow the material's own key.
 std::string key_of(const std::string& content, const LightLayout& layout, int channels) {
@@ -57,7 +57,7 @@ public:
         const auto pairs = static_cast<std::uint64_t>(order + 1) * static_cast<std::uint64_t>(order + 2) / 2;
         check_size(size_ >= pairs * kRowBytes, order);
         const LightLayout layout(order, static_cast<LightKind>(kind));
-        const std::uint64_t bytes = layout.size() * kRowBytes * static_cast<std::uint64_t>(channels);
+        const std::uint64_t bytes = layout.row_size() * kRowBytes * static_cast<std::uint64_t>(channels);
         check_size(size_ == header.size() + bytes + kHashSize, order);
         std::vector<float> data(bytes / sizeof(float));
         in_.read(reinterpret_cast<char*>(data.data()), static_cast<std::streamsize>(bytes));
@@ -134,7 +134,7 @@ Cached through_cache(const Material& material, const std::string& content, const
                      int channels, const std::filesystem::path& folder) {
     const int table_channels = ResponseTable::channels_for(material, channels);
     const CacheFile file(folder, kMagic, kVersion, key_of(content, layout, table_channels), ".response");
-    std::vector<float> data(ResponseTable::kAngles * 4 * layout.size() *
+    std::vector<float> data(ResponseTable::kAngles * 4 * layout.row_size() *
                             static_cast<std::size_t>(table_channels));
     const std::array parts{writable_bytes_of(std::span(data))};
     CacheFile::Outcome outcome = file.read(parts);

@@ -20,7 +20,7 @@ std::size_t part_of(LightKind kind) {
 
 // Rows [channel][p][j] at an outgoing angle.
 std::vector<double> rows_at(const Material& material, const LightLayout& layout, int channels, double theta) {
-    const std::size_t set = 4 * layout.size();
+    const std::size_t set = 4 * layout.row_size();
     std::vector<double> rows(set * static_cast<std::size_t>(channels));
     const auto of_channel = [&](int c) {
         return std::span(rows).subspan(set * static_cast<std::size_t>(c), set);
@@ -58,12 +58,16 @@ ResponsePower::ResponsePower(const Material& material, int order, LightKind kind
     for (const std::vector<double>& angle : rows) {
         const double* row = angle.data();
         for (Channel& channel : of_) {
-            for (std::size_t p = 0; p < 4; ++p, row += layout.size()) {
+            for (std::size_t p = 0; p < 4; ++p, row += layout.row_size()) {
                 if (p == 3) continue;
-                for (std::size_t j = 0; j < layout.size(); ++j) {
-                    const LightLayout::Entry& entry = layout.entries()[j];
-                    channel[p == 0 ? 0 : 1][part_of(entry.part)][static_cast<std::size_t>(entry.l)] +=
-                        row[j] * row[j] / kAngles;
+                const double* value = row;
+                for (const LightLayout::Run& run : layout.runs()) {
+                    Spectrum& spectrum = channel[p == 0 ? 0 : 1][part_of(run.part)];
+                    for (std::size_t i = 0; i < run.count; ++i, ++value) {
+                        const auto l =
+                            static_cast<std::size_t>(run.l) + i * static_cast<std::size_t>(run.step);
+                        spectrum[l] += *value * *value / kAngles;
+                    }
                 }
             }
         }

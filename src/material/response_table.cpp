@@ -9,6 +9,7 @@
 #include <string>
 
 #include "error.hpp"
+#include "harmonics/spin_harmonics.hpp"
 #include "material/matrix_rows.hpp"
 #include "material/row_integral.hpp"
 
@@ -67,7 +68,7 @@ int ResponseTable::channels_for(const Material& material, int channels) {
 }
 
 ResponseTable::ResponseTable(const Material& material, const LightLayout& layout, int channels)
-    : row_size_(layout.size()), channels_(channels_for(material, channels)) {
+    : row_size_(layout.row_size()), channels_(channels_for(material, channels)), angles_(kAngles) {
     const std::size_t width = 4 * row_size_ * static_cast<std::size_t>(channels_);
     data_.assign(kAngles * width, 0.0F);
     if (material.matrix(0) != nullptr) {
@@ -80,12 +81,44 @@ ResponseTable::ResponseTable(const Material& material, const LightLayout& layout
 }
 
 ResponseTable::ResponseTable(const LightLayout& layout, int channels, std::vector<float> data)
-    : row_size_(layout.size()), channels_(channels), data_(std::move(data)) {
-    if (channels < 1 || data_.size() != kAngles * 4 * row_size_ * static_cast<std::size_t>(channels))
+    : ResponseTable(layout, channels, kAngles, std::move(data)) {}
+
+ResponseTable::ResponseTable(const LightLayout& layout, int channels, int angles, std::vector<float> data)
+    : row_size_(layout.row_size()), channels_(channels), angles_(angles), data_(std::move(data)) {
+    if (channels < 1 ||
+        data_.size() != static_cast<std::size_t>(angles) * 4 * row_size_ * static_cast<std::size_t>(channels))
         throw Error(ErrorCode::invalid_argument,
                     "the data of a response table has " + std::to_string(data_.size()) +
                         " numbers, which is not what its layout and channels need");
     find_makes();
+}
+
+ResponseTable ResponseTable::of_outgoing_light(const LightLayout& layout) {
+    const std::size_t n = layout.row_size();
+    std::vector<double> scalar(psh_count(layout.order()));
+    std::vector<double> spin2(psh_count(layout.order()));
+    std::vector<double> first(n);
+    std::vector<double> second(n);
+    std::vector<float> data(kOutgoingAngles * 4 * n);
+    for (int angle = 0; angle < kOutgoingAngles; ++angle) {
+        const double theta = angle * (pi / 2) / (kOutgoingAngles - 1);
+        spin_harmonics(0, layout.order(), theta, scalar);
+        spin_harmonics(2, layout.order(), theta, spin2);
+        zenith_functions(layout, scalar, spin2, first, second);
+        float* s0 = &data[static_cast<std::size_t>(angle) * 4 * n];
+        std::size_t j = 0;
+        for (const LightLayout::Run& run : layout.runs()) {
+            for (const std::size_t end = j + run.count; j < end; ++j) {
+                const auto value = static_cast<float>(first[j]);
+                if (run.part == LightKind::unpolarized) s0[j] = value;
+                if (run.part == LightKind::full) s0[3 * n + j] = value;
+                if (run.part != LightKind::linear) continue;
+                s0[n + j] = value;
+                s0[2 * n + j] = -run.sign * static_cast<float>(second[j]);
+            }
+        }
+    }
+    return {layout, 1, kOutgoingAngles, std::move(data)};
 }
 
 void ResponseTable::find_makes() {

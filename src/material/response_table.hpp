@@ -12,11 +12,11 @@
 
 namespace nicol {
 
-/// The outgoing Stokes vector at zenith angle theta, azimuth 0, in the theta-phi frame there, for light with
-/// packed coefficients z (LightLayout) in the surface's frame:
-///     s_p = sum_j row_p[j] Re z_j  for p = 0, 1,      s_p = sum_j row_p[j] Im z_j  for p = 2, 3.
-/// Row entries are the integral of M_pq cos(theta_i) against the harmonics over incident directions (Eq. 40
-/// with the outgoing side left in the angular domain), so nothing is truncated on the outgoing side. Between
+/// The outgoing Stokes vector at zenith angle theta, azimuth 0, in the theta-phi frame there, for light in
+/// the surface's frame with even and odd numbers as LightLayout pairs them:
+///     s_p = sum_j row_p[j] even_j  for p = 0, 1,      s_p = sum_j row_p[j] odd_j  for p = 2, 3.
+/// Row entries are the integral of M_pq cos(theta_i) against the basis over incident directions (Eq. 40 with
+/// the outgoing side left in the angular domain), so nothing is truncated on the outgoing side. Between
 /// angles rows are interpolated linearly.
 class ResponseTable {
 public:
@@ -24,6 +24,8 @@ public:
     /// interpolations; the linear interpolation at run time then errs by less than 1e-4 of a row up to order
     /// 16.
     static constexpr int kAngles = 4 * 255 + 1;
+    /// Of of_outgoing_light(), which misses less than 1e-6 of the largest value up to order 16.
+    static constexpr int kOutgoingAngles = 4097;
 
     /// Integrates every term of the material on quadrature nodes that are dense about the mirror direction,
     /// or evaluates the outgoing side of the matrix that defines the material. `channels`: 1 or the scene's;
@@ -32,12 +34,17 @@ public:
     /// From the data() of another table with this layout and number of channels. Throws
     /// Error(invalid_argument) where the length does not fit.
     ResponseTable(const LightLayout& layout, int channels, std::vector<float> data);
+    /// The table whose outgoing Stokes vector is the value of the light itself at the outgoing direction, for
+    /// light that is the reflected one already.
+    [[nodiscard]] static ResponseTable of_outgoing_light(const LightLayout& layout);
 
     /// The channels() that the table of a material has. Throws as the constructor.
     [[nodiscard]] static int channels_for(const Material& material, int channels);
 
     /// 1 if every channel has the same rows, else the number of channels.
     [[nodiscard]] int channels() const noexcept { return channels_; }
+    /// Zenith angles, evenly from 0 to pi/2: kAngles or kOutgoingAngles.
+    [[nodiscard]] int angles() const noexcept { return angles_; }
     [[nodiscard]] std::size_t row_size() const noexcept { return row_size_; }
     /// False if row_p is zero for every angle: the material never reflects that component.
     [[nodiscard]] bool makes(std::size_t p) const noexcept { return makes_[p]; }
@@ -54,12 +61,14 @@ public:
     [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(float); }
 
 private:
+    ResponseTable(const LightLayout& layout, int channels, int angles, std::vector<float> data);
     void find_makes();
     void integrate(const Material& material, const LightLayout& layout);
     void rows_of_matrices(const Material& material, const LightLayout& layout);
 
     std::size_t row_size_;
     int channels_;
+    int angles_;
     std::array<bool, 4> makes_{};
     std::vector<float> data_;
 };

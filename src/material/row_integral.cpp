@@ -32,19 +32,14 @@ RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
         if (!equal_widths) groups_.emplace_back();
         groups_.back().push_back(t);
     }
-    for (std::size_t j = 0; j < layout.size(); ++j) {
-        const LightLayout::Entry& e = layout.entries()[j];
-        if (runs_.empty() || runs_.back().part != e.part || runs_.back().m != e.m)
-            runs_.push_back({e.part, e.m, j, 0});
-        ++runs_.back().count;
-    }
     const auto all = static_cast<std::size_t>(terms);
     muellers_.resize(all);
     moments_.resize(all * 16 * waves_);
     scalar_.resize(psh_count(layout.order()));
     spin2_.resize(psh_count(layout.order()));
-    harmonic_.resize(layout.size());
-    rows_.resize(all * 4 * layout.size());
+    first_.resize(layout.row_size());
+    second_.resize(layout.row_size());
+    rows_.resize(all * 4 * layout.row_size());
 }
 
 std::span<const double> RowIntegral::integrate(double theta_out) {
@@ -87,6 +82,7 @@ void RowIntegral::add_terms(double theta_out, std::span<const int> terms) {
         spin_harmonics(0, layout_.order(), cosine, sine, scalar_);
         if (layout_.kind() != LightKind::unpolarized)
             spin_harmonics(2, layout_.order(), cosine, sine, spin2_);
+        zenith_functions(layout_, scalar_, spin2_, first_, second_);
         // With the factor cos(theta).
         accumulate(std::sin(node.x) * std::cos(node.x) * node.weight, terms);
     }
@@ -124,38 +120,34 @@ void RowIntegral::take_moments(double theta, const glm::dvec3& viewer, std::span
 }
 
 void RowIntegral::accumulate(double solid_angle, std::span<const int> terms) {
-    for (const Run& run : runs_) {
-        const auto m = static_cast<std::size_t>(std::abs(run.m));
-        const bool linear = run.part == LightKind::linear;
-        const double sign = run.m < 0 ? -1 : 1;
-        const double scale = solid_angle * (!linear && run.m > 0 ? std::numbers::sqrt2 : 1);
-        const std::vector<double>& harmonics = linear ? spin2_ : scalar_;
-        const int lowest = layout_.entries()[run.first].l;
-        double* h = &harmonic_[run.first];
-        for (std::size_t i = 0; i < run.count; ++i)
-            h[i] = scale * harmonics[psh_index(lowest + static_cast<int>(i), run.m)];
+    std::size_t begin = 0;  // of the run in a row
+    for (const LightLayout::Run& run : layout_.runs()) {
+        const double* first = &first_[begin];
+        const double* second = &second_[begin];
         for (std::size_t t = 0; t < terms.size(); ++t) {
             const auto moment = [&](std::size_t p, std::size_t q) {
-                return moments_[(16 * t + 4 * p + q) * waves_ + m];
+                return solid_angle *
+                       moments_[(16 * t + 4 * p + q) * waves_ + static_cast<std::size_t>(run.m)];
             };
             for (std::size_t p = 0; p < 4; ++p) {
-                double factor = 0;
+                double a = 0;
+                double b = 0;
                 if (run.part == LightKind::unpolarized) {
-                    factor = moment(p, 0);
+                    a = moment(p, 0);
                 } else if (run.part == LightKind::full) {
-                    factor = moment(p, 3);
-                } else if (p < 2) {
-                    // f1 = Re, f2 = Im of z 2Y e^{im phi}: the part of Re z.
-                    factor = moment(p, 1) + sign * moment(p, 2);
+                    a = moment(p, 3);
                 } else {
-                    factor = moment(p, 2) - sign * moment(p, 1);
+                    const double sign = p < 2 ? 1 : static_cast<double>(run.sign);
+                    a = sign * moment(p, 1);
+                    b = (p < 2 ? sign : -sign) * moment(p, 2);
                 }
-                if (factor == 0) continue;
+                if (a == 0 && b == 0) continue;
                 const std::size_t row = 4 * static_cast<std::size_t>(terms[t]) + p;
-                double* out = &rows_[row * layout_.size() + run.first];
-                for (std::size_t i = 0; i < run.count; ++i) out[i] += factor * h[i];
+                double* out = &rows_[row * layout_.row_size() + begin];
+                for (std::size_t i = 0; i < run.count; ++i) out[i] += a * first[i] + b * second[i];
             }
         }
+        begin += run.count;
     }
 }
 

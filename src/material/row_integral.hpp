@@ -25,14 +25,6 @@ private:
         double sin_phi;
         double weight;
     };
-    /// A run of layout entries of the same part and degree; l ascends.
-    struct Run {
-        LightKind part;
-        int m;
-        std::size_t first;
-        std::size_t count;
-    };
-
     void place_azimuths(double narrow, double wide);
     void add_terms(double theta_out, std::span<const int> terms);
     void take_moments(double theta, const glm::dvec3& viewer, std::span<const int> terms);
@@ -42,13 +34,12 @@ private:
     const LightLayout& layout_;
     std::size_t waves_;  // order + 1
     std::vector<std::vector<int>> groups_;
-    std::vector<Run> runs_;
     std::vector<AzimuthNode> azimuths_;
     std::vector<double> cosines_, sines_;  // [node][m] of m phi_p, phi_p = phi + pi of the propagation
     std::vector<Mueller> muellers_;        // [term]
     std::vector<double> moments_;          // [term in group][p][q][m]
     std::vector<double> scalar_, spin2_;   // harmonics by psh_index
-    std::vector<double> harmonic_;         // by layout entry
+    std::vector<double> first_, second_;   // zenith_functions()
     std::vector<double> rows_;             // [term][p][j]
 };
 

@@ -55,7 +55,8 @@ void DenseMethod::project(const TransferInput& input, Workers& workers, Progress
         Projected& projected = materials.at(range.material);
         if (projected.material) continue;
         projected.material = std::make_shared<const DenseMaterial>(projected.channels, kind_);
-        projected.shade = std::make_shared<const OutgoingShade>(projected.material->outgoing());
+        projected.response = std::make_shared<const ResponseTable>(
+            ResponseTable::of_outgoing_light(projected.material->outgoing()));
     }
     materials_ = std::move(materials);
     statistics.project_ms += watch.milliseconds();
@@ -82,7 +83,7 @@ void DenseMethod::bake(const TransferInput& input, const std::function<bool(std:
         if (all) {
             runs_.push_back(Run{.first = range.first,
                                 .matrices = DenseTransfer(material, count),
-                                .shade = materials_.at(range.material).shade,
+                                .response = materials_.at(range.material).response,
                                 .light = {},
                                 .fresh = {}});
         } else {
@@ -154,9 +155,10 @@ void DenseMethod::shade(const TransferInput& input, const Viewpoint& view,
         const std::span normals = std::span(input.geometry.normals).subspan(run.first, count);
         std::vector<std::span<glm::vec4>> channels;
         for (auto& channel : out) channels.push_back(std::span(channel).subspan(run.first, count));
+        const Shade shade(run.matrices.material().outgoing());
         workers.for_vertices(0, count, count, "shade", progress, [&](std::size_t begin, std::size_t end) {
-            run.shade->run(run.light, view, positions, normals, visible.subspan(run.first, count), begin, end,
-                           channels);
+            shade.run(*run.response, run.light, view, positions, normals, visible.subspan(run.first, count),
+                      begin, end, channels);
         });
     }
 }

@@ -10,7 +10,7 @@
 
 #include "render/render.hpp"
 #include "render/transfer_input.hpp"
-#include "shading/outgoing_shade.hpp"
+#include "shading/shade.hpp"
 #include "transfer/dense.hpp"
 
 namespace nicol {
@@ -21,8 +21,8 @@ public:
     struct Run {
         std::size_t first;
         DenseTransfer matrices;
-        std::shared_ptr<const OutgoingShade> shade;
-        OutgoingLight light;
+        std::shared_ptr<const ResponseTable> response;  // of_outgoing_light()
+        VertexLight light;
         /// 1 for vertices whose matrices are new since their light was made; empty: all are.
         std::vector<std::uint8_t> fresh;
     };
@@ -44,7 +44,7 @@ private:
     struct Projected {
         std::vector<IsotropicMatrix> channels;
         std::shared_ptr<const DenseMaterial> material;
-        std::shared_ptr<const OutgoingShade> shade;
+        std::shared_ptr<const ResponseTable> response;
     };
 
     void project(const TransferInput& input, Workers& workers, Progress& progress, Statistics& statistics);

@@ -55,7 +55,8 @@ std::uint64_t shadows_of_block(const LightLayout& layout) {
 // Matrices from what the light has to all that a material may make of it, and what they make.
 std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
     constexpr std::uint64_t vector = 8;
-    const std::uint64_t numbers = 2 * LightLayout(layout.order(), LightKind::full).size();
+    const LightLayout outgoing(layout.order(), LightKind::full);
+    const std::uint64_t numbers = outgoing.size();
     const std::uint64_t rows = (numbers + vector - 1) / vector * vector;
     const std::uint64_t columns = psh_count(layout.order()) * static_cast<std::uint64_t>(layout.kind());
     const auto channels = static_cast<std::uint64_t>(scene.channels());

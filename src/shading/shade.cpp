@@ -11,7 +11,7 @@
 namespace nicol {
 
 Shade::Shade(const LightLayout& layout, std::size_t least, std::size_t most)
-    : order_(layout.order()), row_size_(layout.size()), least_(least), most_(most), terms_(layout) {}
+    : least_(least), most_(most), layout_(layout) {}
 
 void Shade::run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
                 std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
@@ -24,10 +24,11 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
     const std::size_t step = response.rows(0, 0).size() * static_cast<std::size_t>(response.channels());
 
     // Whole squares are faster to transpose, and the rows of a few orders together have as many numbers.
-    const std::size_t numbers = std::max(rows * row_size_, std::min(kLanes, 4 * row_size_));
+    const std::size_t row_size = layout_.row_size();
+    const std::size_t numbers = std::max(rows * row_size, std::min(kLanes, 4 * row_size));
 
-    LaneView& seen = LaneView::of_thread(order_);
-    const std::span<Lanes> table = work_space<Shade, Lanes>(4 * row_size_);
+    LaneView& seen = LaneView::of_thread(layout_.order());
+    const std::span<Lanes> table = work_space<Shade, Lanes>(4 * row_size);
     std::ranges::fill(table, Lanes{});
     std::array<Lanes, 4> stokes{};
     for (std::size_t begin = first / kLanes * kLanes; begin < last; begin += kLanes) {
@@ -43,7 +44,7 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
         if (count == 0) continue;
         const std::size_t all = std::min(kLanes, positions.size() - begin);
         seen.set(view, positions.subspan(begin, all), normals.subspan(begin, all));
-        const LaneView::TablePositions at = seen.positions_in(ResponseTable::kAngles);
+        const LaneView::TablePositions at = seen.positions_in(response.angles());
         for (std::size_t channel = 0; channel < out.size(); ++channel) {
             if (alike && channel > 0) {
                 put_fours(stokes.data(), show.data(), all, out[channel].data() + begin);
@@ -58,11 +59,10 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
                     low[lane] = response.rows(at.angle[lane], row_channel).data();
                 }
                 to_lanes_between(low, step, at.fraction, numbers, table.data());
-                prepare_rows(terms_, row_size_, rows, table.data());
             }
             const int light_channel = light.channels() == 1 ? 0 : static_cast<int>(channel);
             stokes = {};
-            respond(terms_, row_size_, rows, table.data(), light.block(begin / kLanes, light_channel).data(),
+            respond(layout_, rows, table.data(), light.block(begin / kLanes, light_channel).data(),
                     seen.cosines(), seen.sines(), stokes.data());
             const Lanes& c = seen.frame_cosine();
             const Lanes& s = seen.frame_sine();

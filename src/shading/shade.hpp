@@ -31,11 +31,9 @@ public:
              std::span<const std::span<glm::vec4>> out) const;
 
 private:
-    int order_;
-    std::size_t row_size_;
     std::size_t least_;
     std::size_t most_;
-    ShadeTerms terms_;
+    LightLayout layout_;
 };
 
 }  // namespace nicol

@@ -213,23 +213,25 @@ std::vector<SplitFit::Moments> SplitFit::of_matrices(
         const int order = std::min(l_high_, matrix.order_in());
         if (order <= l_low_) continue;
         const LightLayout layout(order, LightKind::full);
-        std::vector<double> rows(4 * layout.size());
+        std::vector<double> rows(4 * layout.row_size());
+        std::vector<double> numbers(layout.size());
         rows_from_matrix(matrix, theta_out, layout, rows);
         for (std::size_t p = 0; p < 4; ++p) {
             for (std::size_t i = 0; i < probes.size(); ++i) {
                 const std::vector<double>& gain = gains_[static_cast<std::size_t>(probes[i].lobe)];
                 PshVector field(order, 1);
-                for (std::size_t j = 0; j < layout.size(); ++j) {
-                    const LightLayout::Entry& e = layout.entries()[j];
-                    const double value = gain[static_cast<std::size_t>(e.l)] * rows[p * layout.size() + j];
-                    if (e.part == LightKind::linear) {
-                        field.at(0, e.l, e.m, p < 2 ? 1 : 2) = value;
-                    } else if (e.part == LightKind::unpolarized) {
-                        if (p < 2) field.at(0, e.l, e.m, 0) = value;
-                        if (p >= 2 && e.m > 0) field.at(0, e.l, -e.m, 0) = value;
-                    } else {
-                        if (p < 2 && e.m > 0) field.at(0, e.l, -e.m, 3) = value;
-                        if (p >= 2) field.at(0, e.l, e.m, 3) = value;
+                std::ranges::fill(numbers, 0.0);
+                const double* row = &rows[p * layout.row_size()];
+                for (const LightLayout::Run& run : layout.runs()) {
+                    for (std::size_t k = 0; k < run.count; ++k) {
+                        const auto l =
+                            static_cast<std::size_t>(run.l) + k * static_cast<std::size_t>(run.step);
+                        numbers[(p < 2 ? run.even : run.odd) + k] += gain[l] * *row++;
+                    }
+                }
+                for (std::size_t j = 0; j < numbers.size(); ++j) {
+                    for (const LightLayout::Term& term : layout.terms()[j]) {
+                        field.channel(0)[term.coefficient] += term.factor * numbers[j];
                     }
                 }
                 const glm::dvec3 direction = probes[i].frame[2];

@@ -18,22 +18,6 @@ std::size_t padded(std::size_t rows) {
     return (rows + 7) / 8 * 8;
 }
 
-// Where a row of the packed layout comes from among plain coefficients; none for parts that are always zero.
-constexpr std::size_t none = ~std::size_t{0};
-
-std::size_t plain_position(const LightLayout::Entry& e, bool imaginary) {
-    switch (e.part) {
-        case LightKind::linear:
-            return 4 * psh_index(e.l, e.m) + (imaginary ? 2 : 1);
-        case LightKind::unpolarized:
-            if (imaginary && e.m == 0) return none;
-            return 4 * psh_index(e.l, imaginary ? -e.m : e.m);
-        default:
-            if (!imaginary && e.m == 0) return none;
-            return 4 * psh_index(e.l, imaginary ? e.m : -e.m) + 3;
-    }
-}
-
 std::vector<std::size_t> columns_of(int order, LightKind kind) {
     std::vector<std::size_t> columns;
     for (std::size_t p = 0; p < static_cast<std::size_t>(kind); ++p) {
@@ -97,25 +81,18 @@ LightKind kind_out(std::span<const IsotropicMatrix> channels, LightKind kind_in)
 
 }  // namespace
 
-void OutgoingLight::resize(const LightLayout& layout, int channels, std::size_t vertices) {
-    stride_ = padded(2 * layout.size());
-    channels_ = channels;
-    data_.resize(vertices * static_cast<std::size_t>(channels) * stride_);
-}
-
 DenseMaterial::DenseMaterial(std::span<const IsotropicMatrix> channels, LightKind kind)
     : outgoing_(channels.empty() ? -1 : channels.front().order_out(), kind_out(channels, kind)),
       columns_(columns_of(channels.front().order_in(), kind)) {
     for (const IsotropicMatrix& channel : channels) {
         const CoefficientMatrix matrix = channel.dense();
         std::vector<Entry>& entries = entries_.emplace_back();
-        const std::size_t size = outgoing_.size();
-        for (std::size_t j = 0; j < 2 * size; ++j) {
-            const std::size_t row = plain_position(outgoing_.entries()[j % size], j >= size);
-            if (row == none) continue;
+        for (std::size_t row = 0; row < outgoing_.size(); ++row) {
+            const auto& [first, second] = outgoing_.terms()[row];
             for (std::size_t column = 0; column < matrix.columns(); ++column) {
-                const double value = matrix(row, column);
-                if (value != 0) entries.push_back({j, column, static_cast<float>(value)});
+                const double value = first.factor * matrix(first.coefficient, column) +
+                                     second.factor * matrix(second.coefficient, column);
+                if (value != 0) entries.push_back({row, column, static_cast<float>(value)});
             }
         }
     }
@@ -124,16 +101,18 @@ DenseMaterial::DenseMaterial(std::span<const IsotropicMatrix> channels, LightKin
 DenseTransfer::DenseTransfer(std::shared_ptr<const DenseMaterial> material, std::size_t vertices)
     : material_(std::move(material)),
       vertices_(vertices),
-      row_stride_(padded(2 * material_->outgoing().size())),
+      row_stride_(padded(material_->outgoing().size())),
       vertex_stride_(row_stride_ * material_->columns().size() *
                      static_cast<std::size_t>(material_->channels())),
       data_(std::make_unique_for_overwrite<float[]>(vertices * vertex_stride_)) {}
 
 void DenseTransfer::apply(const PshVector& light, std::size_t first, std::size_t last, std::size_t out_first,
-                          OutgoingLight& out) const {
+                          VertexLight& out) const {
     const std::vector<std::size_t>& columns = material_->columns();
-    const std::span<float> x =
-        work_space<DenseTransfer, float>(static_cast<std::size_t>(light.channels()) * columns.size());
+    const std::size_t inputs = static_cast<std::size_t>(light.channels()) * columns.size();
+    const std::span<float> work = work_space<DenseTransfer, float>(inputs + row_stride_);
+    const std::span<float> x = work.first(inputs);
+    const std::span<float> sums = work.subspan(inputs);
     for (int c = 0; c < light.channels(); ++c) {
         float* values = x.data() + static_cast<std::size_t>(c) * columns.size();
         for (const std::size_t column : columns) *values++ = static_cast<float>(light.channel(c)[column]);
@@ -142,13 +121,15 @@ void DenseTransfer::apply(const PshVector& light, std::size_t first, std::size_t
     for (std::size_t v = first; v < last; ++v) {
         const float* matrices = data_.get() + v * vertex_stride_;
         for (int c = 0; c < out.channels(); ++c) {
-            const std::span<float> to = out.at(out_first + v, c);
-            std::ranges::fill(to, 0.0F);
+            std::ranges::fill(sums, 0.0F);
             const std::size_t channel = material_->channels() == 1 ? 0 : static_cast<std::size_t>(c);
             dispatch<multiply>(
                 row_stride_, columns.size(), matrices + channel * matrix_size,
                 x.data() + (light.channels() == 1 ? 0 : static_cast<std::size_t>(c)) * columns.size(),
-                to.data());
+                sums.data());
+            const std::size_t to = out_first + v;
+            const std::span<Lanes> numbers = out.block(to / kLanes, c);
+            for (std::size_t row = 0; row < numbers.size(); ++row) numbers[row][to % kLanes] = sums[row];
         }
     }
 }
@@ -160,13 +141,13 @@ DenseBuilder::DenseBuilder(std::shared_ptr<const DenseMaterial> material,
       identity_(material_->order(), material_->order()),
       rotated_(material_->order(), material_->order()),
       rows_(rotated_.rows() * material_->columns().size()),
-      products_(2 * material_->outgoing().size() * material_->columns().size()) {
+      products_(material_->outgoing().size() * material_->columns().size()) {
     for (std::size_t i = 0; i < identity_.rows(); ++i) identity_(i, i) = 1;
 }
 
 void DenseBuilder::build(const glm::vec3& normal, std::span<const double> visibility, std::span<float> out) {
-    // shadow x turn: since turns are orthogonal, the rows of the shadow matrix rotated as if they were
-    // fields.
+    // shadow x rotation: since rotations are orthogonal, the rows of the shadow matrix rotated as if they
+    // were fields.
     const PshRotation to_world(material_->order(), theta_phi_frame(glm::dvec3(normal)));
     if (visibility.empty()) {
         to_world.apply(identity_.data(), rotated_.data());
@@ -180,7 +161,7 @@ void DenseBuilder::build(const glm::vec3& normal, std::span<const double> visibi
             rows_[row * n + j] = static_cast<float>(rotated_(row, columns[j]));
     }
 
-    const std::size_t rows = 2 * material_->outgoing().size();
+    const std::size_t rows = material_->outgoing().size();
     const std::size_t stride = padded(rows);
     std::ranges::fill(out, 0.0F);
     for (std::size_t c = 0; c < material_->entries_.size(); ++c) {

@@ -11,40 +11,9 @@
 #include "harmonics/operator.hpp"
 #include "harmonics/product.hpp"
 #include "harmonics/psh.hpp"
+#include "transfer/vertex_light.hpp"
 
 namespace nicol {
-
-/// Reflected light of vertices: coefficients packed as an outgoing LightLayout in each vertex's own frame
-/// (theta_phi_frame of the normal), [vertex][channel][real parts, imaginary parts], 32-bit floats.
-class OutgoingLight {
-public:
-    OutgoingLight() = default;
-    OutgoingLight(const LightLayout& layout, int channels, std::size_t vertices) {
-        resize(layout, channels, vertices);
-    }
-    /// Without allocating where the size is the same; what it holds afterwards is unspecified.
-    void resize(const LightLayout& layout, int channels, std::size_t vertices);
-
-    [[nodiscard]] std::span<float> at(std::size_t vertex, int channel) {
-        return {data_.data() + offset(vertex, channel), stride_};
-    }
-    [[nodiscard]] std::span<const float> at(std::size_t vertex, int channel) const {
-        return {data_.data() + offset(vertex, channel), stride_};
-    }
-    /// Floats a vertex and channel: 2 * layout.size(), rounded up to what vector units like.
-    [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
-    [[nodiscard]] int channels() const noexcept { return channels_; }
-    [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(float); }
-
-private:
-    [[nodiscard]] std::size_t offset(std::size_t vertex, int channel) const {
-        return (vertex * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel)) * stride_;
-    }
-
-    std::size_t stride_ = 0;
-    int channels_ = 0;
-    std::vector<float> data_;
-};
 
 /// What the matrices of one material share: which coefficients go in, which come out, and the material's own
 /// matrix. Rows and columns that are zero for every vertex are not stored.
@@ -57,7 +26,7 @@ public:
 
     [[nodiscard]] int order() const noexcept { return outgoing_.order(); }
     [[nodiscard]] int channels() const noexcept { return static_cast<int>(entries_.size()); }
-    /// Stokes components that come out.
+    /// The numbers that come out, in each vertex's own frame.
     [[nodiscard]] const LightLayout& outgoing() const noexcept { return outgoing_; }
     /// Positions 4 * psh_index(l, m) + p of the light's coefficients that go in.
     [[nodiscard]] const std::vector<std::size_t>& columns() const noexcept { return columns_; }
@@ -65,7 +34,7 @@ public:
 private:
     friend class DenseBuilder;
     struct Entry {
-        std::size_t row;     // of the outgoing layout's real, then imaginary parts
+        std::size_t row;     // number of the outgoing layout
         std::size_t column;  // 4 * psh_index(l, m) + p in the surface's frame
         float value;
     };
@@ -98,7 +67,7 @@ public:
     /// out_first + v. `light` is in the world's axes; a light or material of one channel serves all channels
     /// of out. Runs on the calling thread; calls for different vertices may run side by side.
     void apply(const PshVector& light, std::size_t first, std::size_t last, std::size_t out_first,
-               OutgoingLight& out) const;
+               VertexLight& out) const;
 
 private:
     std::shared_ptr<const DenseMaterial> material_;
@@ -108,8 +77,8 @@ private:
     std::unique_ptr<float[]> data_;
 };
 
-/// Makes the matrices: reflected = material x shadow (Eq. 54, by triple products) x turn into the vertex's
-/// frame. Holds work space: one object a thread.
+/// Makes the matrices: reflected = material x shadow (Eq. 54, by triple products) x rotation into the
+/// vertex's frame. Holds work space: one object a thread.
 class DenseBuilder {
 public:
     /// `shadows` may be shared; its orders are those of the material, its scalar order that of the

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 #include <numbers>
-#include <utility>
 
 #include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
@@ -25,101 +26,32 @@ std::vector<std::complex<float>> complex_half(std::span<const double> channel, i
     return half;
 }
 
-// Of (-i)^m (x + i y): whether the real part comes from y, and the signs of both parts.
-struct Rotated {
-    bool exchange;
-    float re;
-    float im;
-};
-
-Rotated quarter_rotations(int m) {
-    switch (((m % 4) + 4) % 4) {
-        case 0:
-            return {false, 1, 1};
-        case 1:
-            return {true, 1, -1};
-        case 2:
-            return {false, -1, -1};
-        default:
-            return {true, -1, 1};
-    }
-}
-
-// A packed number as one result of LaneRotation: (-i)^m times it, and what the layout makes of that.
-struct Pick {
+// One result of LaneRotation, v_m, times a factor.
+struct Result {
     std::size_t position;
-    float factor;
+    double factor;
 };
 
-std::vector<Pick> picks(const LightLayout& layout) {
-    const std::size_t size = layout.size();
-    const std::size_t imaginary = psh_count(layout.order());
-    std::vector<Pick> out(2 * size);
-    for (std::size_t j = 0; j < size; ++j) {
-        const LightLayout::Entry& e = layout.entries()[j];
-        Rotated rotated = quarter_rotations(e.m);
-        std::size_t position = psh_index(e.l, e.m);
-        if (e.part != LightKind::linear) {
-            position = static_cast<std::size_t>(e.l * (e.l + 1) / 2 + e.m);
-            const float norm = e.m > 0 ? std::numbers::sqrt2_v<float> : 1.0F;
-            rotated.re *= norm;
-            rotated.im *= norm;
-            if (e.part == LightKind::unpolarized) {  // conj
-                rotated.im = -rotated.im;
-            } else {  // i times
-                rotated = {!rotated.exchange, -rotated.im, rotated.re};
-            }
-        }
-        out[j] = {position + (rotated.exchange ? imaginary : 0), rotated.re};
-        out[size + j] = {position + (rotated.exchange ? 0 : imaginary), rotated.im};
-    }
+// The real or imaginary part of f_m = (-i)^m v_m, whose complex number is at `position`.
+Result part_of(std::size_t position, int m, bool imaginary, std::size_t imaginary_begin) {
+    const bool exchanged = m % 2 != 0;  // (-i)^m is real or imaginary
+    const int quarter = (m % 4 + 4) % 4;
+    const bool negative = imaginary ? quarter == 1 || quarter == 2 : quarter == 2 || quarter == 3;
+    return {position + (imaginary != exchanged ? imaginary_begin : 0), negative ? -1.0 : 1.0};
+}
+
+// The result that a coefficient 4 psh_index(l, m) + p of the rotated light is.
+Result result_of(std::size_t coefficient, std::size_t imaginary_begin) {
+    const std::size_t p = coefficient % 4;
+    const std::size_t index = coefficient / 4;
+    const auto l = static_cast<int>(std::sqrt(static_cast<double>(index)));
+    const int m = static_cast<int>(index) - l * l - l;
+    if (p == 1 || p == 2) return part_of(index, m, p == 2, imaginary_begin);
+    // a_lm + i a_l-m = sqrt 2 conj(f_lm) over real harmonics.
+    const int degree = std::abs(m);
+    Result out = part_of(static_cast<std::size_t>(l * (l + 1) / 2 + degree), degree, m < 0, imaginary_begin);
+    if (m != 0) out.factor *= m > 0 ? std::numbers::sqrt2 : -std::numbers::sqrt2;
     return out;
-}
-
-Relight::Term sum(const Pick& a, float a_factor, const Pick& b, float b_factor) {
-    return {a.position, b.position, a_factor * a.factor, b_factor * b.factor};
-}
-
-Relight::Term alone(const Pick& a, float factor) {
-    return {a.position, a.position, factor * a.factor, 0};
-}
-
-// s0 keeps the coefficients of m >= 0 as real parts of packed numbers and s3 as imaginary ones.
-std::vector<Relight::Term> scalar_terms(const MirrorBasis& basis, const std::vector<Pick>& packed,
-                                        std::size_t first_cosine, std::size_t first_sine) {
-    std::vector<Relight::Term> terms(basis.spin_begin());
-    for (const MirrorBasis::ScalarPair& pair : basis.scalar_pairs()) {
-        terms[pair.cosine] = alone(packed[first_cosine + pair.entry], 1);
-        if (pair.m > 0) terms[pair.sine] = alone(packed[first_sine + pair.entry], 1);
-    }
-    return terms;
-}
-
-// What MirrorBasis::split makes of them.
-std::vector<Relight::Term> spin_terms(const MirrorBasis& basis, const std::vector<Pick>& packed) {
-    constexpr float root2 = std::numbers::sqrt2_v<float>;
-    const std::size_t imaginary = packed.size() / 2;
-    const std::size_t odd = basis.spin().size();
-    std::vector<Relight::Term> terms(2 * odd);
-    for (const MirrorBasis::SpinPair& pair : basis.spin_pairs()) {
-        const float sign = pair.l % 2 == 0 ? 1.0F : -1.0F;
-        const Pick& re = packed[pair.plus];
-        const Pick& im = packed[imaginary + pair.plus];
-        const Pick& re_minus = packed[pair.minus];
-        const Pick& im_minus = packed[imaginary + pair.minus];
-        const std::size_t cosine = pair.cosine - basis.spin_begin();
-        const std::size_t sine = pair.sine - basis.spin_begin();
-        if (pair.m > 0) {
-            terms[cosine] = sum(re, 1, re_minus, sign);
-            terms[sine] = sum(im, 1, im_minus, -sign);
-            terms[odd + cosine] = sum(im, 1, im_minus, sign);
-            terms[odd + sine] = sum(re, -1, re_minus, sign);
-        } else {
-            terms[cosine] = alone(pair.l % 2 == 0 ? re : im, root2);
-            terms[odd + cosine] = alone(pair.l % 2 == 0 ? im : re, sign * root2);
-        }
-    }
-    return terms;
 }
 
 [[gnu::always_inline]] inline void add_up(const std::vector<Relight::Term>& terms, const Lanes* results,
@@ -141,55 +73,37 @@ std::vector<Relight::Term> spin_terms(const MirrorBasis& basis, const std::vecto
 }  // namespace
 
 void VertexLight::resize(const LightLayout& layout, int channels, std::size_t vertices) {
-    if (!basis_ || order_ != layout.order() || basis_->kind() != layout.kind()) {
-        basis_ = std::make_shared<const MirrorBasis>(layout);
-        order_ = layout.order();
-    }
+    size_ = layout.size();
     channels_ = channels;
     blocks_ = (vertices + kLanes - 1) / kLanes;
-    data_.resize(blocks_ * static_cast<std::size_t>(channels) * basis_->size());
-}
-
-std::vector<float> VertexLight::packed(std::size_t vertex, int channel) const {
-    const std::span<const Lanes> lanes = block(vertex / kLanes, channel);
-    std::vector<float> split;
-    for (const Lanes& number : lanes) split.push_back(number[vertex % kLanes]);
-    std::vector<float> out(basis_->packed_size());
-    basis_->join(split.data(), out.data());
-    return out;
-}
-
-void VertexLight::set_packed(std::size_t vertex, int channel, std::span<const float> numbers) {
-    std::vector<float> split(basis_->size());
-    basis_->split(numbers.data(), split.data());
-    const std::span<Lanes> lanes = block(vertex / kLanes, channel);
-    for (std::size_t k = 0; k < split.size(); ++k) lanes[k][vertex % kLanes] = split[k];
+    data_.resize(blocks_ * static_cast<std::size_t>(channels) * size_);
 }
 
 Relight::Relight(const LightLayout& layout, const PshVector& light)
     : order_(layout.order()), rotation_(layout.order()) {
-    const MirrorBasis basis(layout);
-    const std::vector<Pick> packed = picks(layout);
-    const std::size_t imaginary = layout.size();
-    add_part(light, LightKind::unpolarized, 0, scalar_terms(basis, packed, 0, imaginary));
-    if (layout.kind() != LightKind::unpolarized) {
-        add_part(light, LightKind::linear, basis.spin_begin(), spin_terms(basis, packed));
-    }
-    if (layout.kind() == LightKind::full) {
-        const std::size_t first = basis.s3_entry();
-        add_part(light, LightKind::full, basis.s3_begin(),
-                 scalar_terms(basis, packed, imaginary + first, first));
-    }
+    const std::size_t spin = layout.spin_begin();
+    const std::size_t s3 = layout.s3_begin();
+    add_part(layout, light, LightKind::unpolarized, 0, spin);
+    if (s3 > spin) add_part(layout, light, LightKind::linear, spin, s3);
+    if (layout.size() > s3) add_part(layout, light, LightKind::full, s3, layout.size());
 }
 
-void Relight::add_part(const PshVector& light, LightKind part, std::size_t begin, std::vector<Term> terms) {
-    Part& made = parts_.emplace_back(
-        Part{.channels = {}, .terms = std::move(terms), .begin = begin, .spin = part == LightKind::linear});
+void Relight::add_part(const LightLayout& layout, const PshVector& light, LightKind kind, std::size_t begin,
+                       std::size_t end) {
+    Part& part = parts_.emplace_back(
+        Part{.channels = {}, .terms = {}, .begin = begin, .spin = kind == LightKind::linear});
+    for (std::size_t j = begin; j < end; ++j) {
+        const auto& [first, second] = layout.terms()[j];
+        const Result a = result_of(first.coefficient, psh_count(order_));
+        const Result b = result_of(second.coefficient, psh_count(order_));
+        part.terms.push_back({a.position, b.position, static_cast<float>(first.factor * a.factor),
+                              static_cast<float>(second.factor * b.factor)});
+    }
     for (int c = 0; c < light.channels(); ++c) {
         const std::span<const double> from = light.channel(c);
-        Field& field = made.channels.emplace_back();
-        if (!made.spin) {
-            field = complex_half(from, order_, part == LightKind::full ? 3 : 0);
+        Field& field = part.channels.emplace_back();
+        if (!part.spin) {
+            field = complex_half(from, order_, kind == LightKind::full ? 3 : 0);
             continue;
         }
         for (std::size_t index = 0; index < psh_count(order_); ++index) {

@@ -4,20 +4,18 @@
 
 #include <complex>
 #include <glm/vec3.hpp>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "harmonics/light_layout.hpp"
-#include "harmonics/mirror_basis.hpp"
 #include "simd/lanes.hpp"
 #include "transfer/lane_rotation.hpp"
 
 namespace nicol {
 
 /// Coefficients of the light arriving at vertices, in each vertex's own frame: z along the normal, x and y
-/// along theta-hat and phi-hat at the normal (theta_phi_frame). 32-bit floats, split as MirrorBasis says,
-/// sixteen consecutive vertices side by side; the last block may have lanes to spare.
+/// along theta-hat and phi-hat at the normal (theta_phi_frame). 32-bit floats, sixteen consecutive vertices
+/// side by side; the last block may have lanes to spare.
 class VertexLight {
 public:
     VertexLight() = default;
@@ -27,37 +25,30 @@ public:
     /// Without allocating where the size is the same; what it holds afterwards is unspecified.
     void resize(const LightLayout& layout, int channels, std::size_t vertices);
 
-    [[nodiscard]] const MirrorBasis& basis() const { return *basis_; }
     [[nodiscard]] int channels() const noexcept { return channels_; }
     [[nodiscard]] std::size_t blocks() const noexcept { return blocks_; }
-    /// The split light of vertices 16 block to 16 block + 15.
+    /// The numbers of LightLayout of vertices 16 block to 16 block + 15.
     [[nodiscard]] std::span<const Lanes> block(std::size_t block, int channel) const {
-        return {data_.data() + offset(block, channel), basis_->size()};
+        return {data_.data() + offset(block, channel), size_};
     }
     [[nodiscard]] std::span<Lanes> block(std::size_t block, int channel) {
-        return {data_.data() + offset(block, channel), basis_->size()};
+        return {data_.data() + offset(block, channel), size_};
     }
-
-    /// One vertex: real, then imaginary parts of its packed coefficients (LightLayout).
-    [[nodiscard]] std::vector<float> packed(std::size_t vertex, int channel) const;
-    void set_packed(std::size_t vertex, int channel, std::span<const float> numbers);
 
     [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(Lanes); }
 
 private:
     [[nodiscard]] std::size_t offset(std::size_t block, int channel) const {
-        return (block * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel)) *
-               basis_->size();
+        return (block * static_cast<std::size_t>(channels_) + static_cast<std::size_t>(channel)) * size_;
     }
 
-    std::shared_ptr<const MirrorBasis> basis_;
-    int order_ = -1;
+    std::size_t size_ = 0;
     int channels_ = 0;
     std::size_t blocks_ = 0;
     std::vector<Lanes> data_;
 };
 
-/// A distant light ready to be turned into many vertices' frames.
+/// A distant light, ready to be rotated into many vertices' frames.
 class Relight {
 public:
     /// `light`: coefficients in the world's axes, of at least the layout's order.
@@ -68,7 +59,7 @@ public:
     /// side.
     void run(std::span<const glm::vec3> normals, std::size_t first, std::size_t last, VertexLight& out) const;
 
-    /// A number of a split light as a sum of results of LaneRotation.
+    /// A number of a light as a sum of results of LaneRotation.
     struct Term {
         std::size_t first;
         std::size_t second;
@@ -79,7 +70,7 @@ public:
 private:
     // Complex fields: s0 and s3 over complex harmonics, m >= 0, s1 + i s2 for all m.
     using Field = std::vector<std::complex<float>>;
-    // The fields of one kind, and how they make the numbers of a split light from `begin` on.
+    // The fields of one kind, and how they make the numbers of a light from `begin` on.
     struct Part {
         std::vector<Field> channels;
         std::vector<Term> terms;
@@ -87,7 +78,8 @@ private:
         bool spin;
     };
 
-    void add_part(const PshVector& light, LightKind part, std::size_t begin, std::vector<Term> terms);
+    void add_part(const LightLayout& layout, const PshVector& light, LightKind kind, std::size_t begin,
+                  std::size_t end);
     void run_part(const Part& part, LaneRotation::Work& work, std::size_t block, VertexLight& out) const;
 
     int order_;

@@ -57,14 +57,14 @@ bool all_ones(std::span<const std::uint8_t> flags) {
 VisibilityProduct::VisibilityProduct(const Visibility& visibility, const DirectionSet& directions,
                                      std::span<const glm::vec3> normals, const LightLayout& layout,
                                      VisibilityBlocks* keep)
-    : order_(layout.order()), basis_(layout) {
+    : layout_(layout) {
     check_sizes(visibility, directions, normals);
-    check_keep(keep, visibility, 2 * order_);
-    const VisibilityHarmonics harmonics(directions, 2 * order_);
-    if (order_ <= kHighestMatrixOrder) {
-        size_ = matrices_.emplace(basis_, 2 * order_).size();
+    check_keep(keep, visibility, 2 * layout.order());
+    const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
+    if (layout.order() <= kHighestMatrixOrder) {
+        size_ = matrices_.emplace(layout).size();
     } else {
-        size_ = grid_.emplace(order_, basis_).samples();
+        size_ = grid_.emplace(layout).samples();
     }
     find_vertices(visibility);
     numbers_.resize(blocks() * size_ / 2);
@@ -95,7 +95,7 @@ VisibilityProduct::VisibilityProduct(VisibilityProduct&& before, std::span<const
         numbers_before = std::move(numbers_);
         numbers_ = std::vector<NumberPair>(blocks() * size_ / 2);
     }
-    const VisibilityHarmonics harmonics(directions, 2 * order_);
+    const VisibilityHarmonics harmonics(directions, 2 * layout_.order());
     tbb::parallel_for(std::size_t{0}, block_of_.size(), [&](std::size_t sixteen) {
         const std::size_t block = block_of_[sixteen];
         if (block == kUnoccluded) return;
@@ -173,7 +173,7 @@ void VisibilityProduct::store_block(std::size_t block, std::span<const Lanes> nu
 
 void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t last) const {
     constexpr std::size_t most = ShadowMatrices::kMostChannels;
-    const std::size_t size = basis_.size();
+    const std::size_t size = layout_.size();
     const auto channels = static_cast<std::size_t>(light.channels());
     const std::span<Lanes> work = work_space<VisibilityProduct, Lanes>(size * most);
     std::array<const Lanes*, most> lights{};
@@ -201,35 +201,6 @@ void VisibilityProduct::run(VertexLight& light, std::size_t first, std::size_t l
             }
         }
     }
-}
-
-std::optional<VisibilityProduct::Matrices> VisibilityProduct::matrices() const {
-    if (!matrices_) return std::nullopt;
-    const std::vector<std::size_t> whole = matrices_->whole();
-    Matrices out{.basis = basis_,
-                 .vertices = vertices_,
-                 .unit = unit_,
-                 .numbers = std::vector<std::int16_t>(blocks() * whole.size() * kLanes),
-                 .numbers_of_vertex = whole.size()};
-    auto to = out.numbers.begin();
-    for (std::size_t block = 0; block < blocks(); ++block) {
-        for (const std::size_t number : whole) {
-            const NumberPair& pair = numbers_[(block * size_ + number) / 2];
-            for (std::size_t i = 0; i < kLanes; ++i) *to++ = pair.value[2 * i + number % 2];
-        }
-    }
-    return out;
-}
-
-std::optional<VisibilityProduct::Grid> VisibilityProduct::grid() const {
-    if (!grid_) return std::nullopt;
-    return Grid{
-        .basis = basis_,
-        .vertices = vertices_,
-        .unit = unit_,
-        .grid = *grid_,
-        .samples = {reinterpret_cast<const std::int16_t*>(numbers_.data()), blocks() * size_ * kLanes},
-        .samples_of_vertex = size_};
 }
 
 std::size_t VisibilityProduct::bytes() const noexcept {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "harmonics/light_layout.hpp"
-#include "harmonics/mirror_basis.hpp"
 #include "transfer/vertex_light.hpp"
 #include "visibility/shadow_grid.hpp"
 #include "visibility/shadow_matrices.hpp"
@@ -52,28 +51,24 @@ public:
     /// left alone. Calls for different blocks may run side by side.
     void run(VertexLight& light, std::size_t first, std::size_t last) const;
 
-    /// For other processors: views of the object, and the whole matrices.
-    struct Matrices {
-        const MirrorBasis& basis;                 ///< the light is split before, joined after
-        std::span<const std::uint32_t> vertices;  ///< of all blocks, ascending
-        float unit;                               ///< times numbers over kFixedOne
-        /// [block][number][lane]. The numbers are three square matrices, even to even, odd to
-        /// odd and spin, each by tiles of kShadowTile rows, in them column after column.
-        std::vector<std::int16_t> numbers;
-        std::size_t numbers_of_vertex;
-    };
-    /// None above kHighestMatrixOrder.
-    [[nodiscard]] std::optional<Matrices> matrices() const;
-    struct Grid {
-        const MirrorBasis& basis;
-        std::span<const std::uint32_t> vertices;
-        float unit;
-        const ShadowGrid& grid;
-        std::span<const std::int16_t> samples;  ///< [block][sample][lane]
-        std::size_t samples_of_vertex;
-    };
-    /// None up to kHighestMatrixOrder.
-    [[nodiscard]] std::optional<Grid> grid() const;
+    /// For other processors: views of the object.
+    [[nodiscard]] std::span<const std::uint32_t> vertices() const noexcept {
+        return vertices_;
+    }  ///< of all blocks
+    /// What a number counts; a number is stored as a multiple of unit() / kFixedOne.
+    [[nodiscard]] float unit() const noexcept { return unit_; }
+    [[nodiscard]] std::size_t numbers_of_vertex() const noexcept { return size_; }
+    /// Up to kHighestMatrixOrder [block][two elements of the matrices][lane][either], above it
+    /// [block][sample of the grid][lane].
+    [[nodiscard]] std::span<const std::int16_t> numbers() const noexcept {
+        return {numbers_.empty() ? nullptr : numbers_.front().value.data(), numbers_.size() * 2 * kLanes};
+    }
+    /// One of the two is null.
+    [[nodiscard]] const ShadowMatrices* matrices() const noexcept {
+        return matrices_ ? &*matrices_ : nullptr;
+    }
+    [[nodiscard]] const ShadowGrid* grid() const noexcept { return grid_ ? &*grid_ : nullptr; }
+    [[nodiscard]] const LightLayout& layout() const noexcept { return layout_; }
     [[nodiscard]] std::size_t bytes() const noexcept;
 
 private:
@@ -95,8 +90,7 @@ private:
     void compute_block(std::size_t block, const Input& input, std::span<Lanes> numbers) const;
     void store_block(std::size_t block, std::span<const Lanes> numbers);
 
-    int order_;
-    MirrorBasis basis_;
+    LightLayout layout_;
     std::optional<ShadowMatrices> matrices_;  // one of the two
     std::optional<ShadowGrid> grid_;
     std::vector<std::uint32_t> vertices_;  // of all blocks, ascending

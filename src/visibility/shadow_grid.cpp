@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-using Harmonic = MirrorBasis::Harmonic;
+using Harmonic = LightLayout::Harmonic;
 
 // Those of even l + m.
 std::vector<Harmonic> mirrored_harmonics(int order) {
@@ -71,14 +71,14 @@ std::uint32_t ShadowGrid::Slots::of(int m) const {
 
 // The integrand has degree 4 order: rows integrate polynomials below twice their count, columns degrees below
 // theirs.
-ShadowGrid::ShadowGrid(int order, const MirrorBasis& basis)
-    : rows_(2 * order + 1),
-      quarter_(static_cast<std::size_t>(order) + 1),
-      slots_(order, quarter_),
-      slots_visibility_(2 * order, quarter_) {
-    add_pairs(basis, false, pairs_in_);
-    add_pairs(basis, true, pairs_out_);
-    const std::vector<Harmonic> harmonics = mirrored_harmonics(2 * order);
+ShadowGrid::ShadowGrid(const LightLayout& layout)
+    : rows_(2 * layout.order() + 1),
+      quarter_(static_cast<std::size_t>(layout.order()) + 1),
+      slots_(layout.order(), quarter_),
+      slots_visibility_(2 * layout.order(), quarter_) {
+    add_pairs(layout, false, pairs_in_);
+    add_pairs(layout, true, pairs_out_);
+    const std::vector<Harmonic> harmonics = mirrored_harmonics(2 * layout.order());
     visibility_ =
         component(separate_scalars(harmonics, rows_), false, 1, rows_, false, quarter_, slots_visibility_, 0);
     for (const Harmonic& h : harmonics) visibility_index_.push_back(psh_index(h.l, h.m));
@@ -86,9 +86,9 @@ ShadowGrid::ShadowGrid(int order, const MirrorBasis& basis)
 
 // The light's s0, s1, s2 and s3. With e and i o for even and odd parts of s1 + i s2, the even part of s1 is
 // that of e and its odd part minus the s2 of o, and so on.
-void ShadowGrid::add_pairs(const MirrorBasis& basis, bool weighted, std::vector<Pair>& pairs) const {
-    const std::vector<SeparatedHarmonic> even = separate_scalars(basis.even(), rows_);
-    const std::vector<SeparatedHarmonic> odd = separate_scalars(basis.odd(), rows_);
+void ShadowGrid::add_pairs(const LightLayout& layout, bool weighted, std::vector<Pair>& pairs) const {
+    const std::vector<SeparatedHarmonic> even = separate_scalars(layout.even(), rows_);
+    const std::vector<SeparatedHarmonic> odd = separate_scalars(layout.odd(), rows_);
     const auto make = [&](const std::vector<SeparatedHarmonic>& harmonics, bool second, double factor,
                           std::size_t begin) {
         return component(harmonics, second, factor, rows_, weighted, quarter_, slots_, begin);
@@ -97,13 +97,13 @@ void ShadowGrid::add_pairs(const MirrorBasis& basis, bool weighted, std::vector<
         pairs.push_back({make(even, false, 1, begin), make(odd, false, 1, begin + even.size())});
     };
     add_scalar(0);
-    if (basis.kind() == LightKind::unpolarized) return;
-    const std::vector<SeparatedHarmonic> spin = separate_spins(basis.spin(), rows_);
-    const std::size_t e = basis.spin_begin();
+    if (layout.kind() == LightKind::unpolarized) return;
+    const std::vector<SeparatedHarmonic> spin = separate_spins(layout.spin(), rows_);
+    const std::size_t e = layout.spin_begin();
     const std::size_t o = e + spin.size();
     pairs.push_back({make(spin, false, 1, e), make(spin, true, -1, o)});
     pairs.push_back({make(spin, true, 1, e), make(spin, false, 1, o)});
-    if (basis.kind() == LightKind::full) add_scalar(basis.s3_begin());
+    if (layout.kind() == LightKind::full) add_scalar(layout.s3_begin());
 }
 
 void ShadowGrid::sample(const Lanes* visibility, Lanes* samples) const {

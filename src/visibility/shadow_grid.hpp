@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "harmonics/mirror_basis.hpp"
+#include "harmonics/light_layout.hpp"
 #include "harmonics/mirror_harmonics.hpp"
 #include "simd/lanes.hpp"
 
@@ -19,15 +19,15 @@ namespace nicol {
 /// either, so that only a quarter of the columns is summed. Sixteen vertices at once.
 class ShadowGrid {
 public:
-    /// For light of this order and basis; exact for visibility of twice the order.
-    ShadowGrid(int order, const MirrorBasis& basis);
+    /// For light of this layout; exact for visibility of twice its order.
+    explicit ShadowGrid(const LightLayout& layout);
 
     [[nodiscard]] std::size_t samples() const noexcept { return 4 * quarter_ * rows_.count(); }
     /// From coefficients of visibility over real harmonics, by psh_index, of twice the order:
     /// [row][column of the quarter][phi, -phi, pi - phi, pi + phi].
     void sample(const Lanes* visibility, Lanes* samples) const;
 
-    /// out = visibility times in, both split lights. Samples are multiples of 1 / kFixedOne, [sample][lane].
+    /// out = visibility times in, both lights. Samples are multiples of 1 / kFixedOne, [sample][lane].
     void multiply(const std::int16_t* samples, const Lanes* in, Lanes* out) const;
 
     /// Sums over m that the four columns share: of cosines of even m, odd m, sines of even m, odd m.
@@ -49,7 +49,7 @@ public:
         std::vector<Run> runs;
         std::vector<float> on_rows;  // [row][harmonic]
         std::size_t harmonics = 0;
-        std::size_t begin = 0;  // in the split light
+        std::size_t begin = 0;  // in the light
     };
     /// A function: its even part, its odd part.
     using Pair = std::array<Component, 2>;
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] const std::vector<Pair>& pairs_out() const noexcept { return pairs_out_; }
 
 private:
-    void add_pairs(const MirrorBasis& basis, bool weighted, std::vector<Pair>& pairs) const;
+    void add_pairs(const LightLayout& layout, bool weighted, std::vector<Pair>& pairs) const;
 
     UpperRows rows_;
     std::size_t quarter_;

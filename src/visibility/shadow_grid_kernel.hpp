@@ -17,7 +17,7 @@ inline constexpr std::size_t kMostSlots = 2 * 64 + 1;
 void synthesize_row(const ShadowGrid::Component& component, const ShadowGrid::Slots& slots, std::size_t row,
                     std::size_t quarter, const Lanes* in, Lanes* samples);
 
-/// Adds visibility times the pair `from` of the split light `in` to the pair `to` of the split light `out`.
+/// Adds visibility times the pair `from` of the light `in` to the pair `to` of the light `out`.
 void multiply_pair(const ShadowGrid::Pair& from, const ShadowGrid::Pair& to, const ShadowGrid::Slots& slots,
                    std::size_t rows, std::size_t quarter, const std::int16_t* samples, const Lanes* in,
                    Lanes* out);

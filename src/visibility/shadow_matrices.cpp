@@ -9,15 +9,15 @@ namespace nicol {
 
 using Group = TripleProductTensor::Group;
 
-ShadowMatrices::ShadowMatrices(const MirrorBasis& basis, int visibility_order)
-    : blocks_{Block{{Group::even, basis, visibility_order},
-                    {0, basis.s3_begin()},
-                    basis.kind() == LightKind::full ? 2U : 1U},
-              Block{{Group::odd, basis, visibility_order},
-                    {basis.even().size(), basis.s3_begin() + basis.even().size()},
-                    basis.kind() == LightKind::full ? 2U : 1U},
-              Block{{Group::spin, basis, visibility_order},
-                    {basis.spin_begin(), basis.spin_begin() + basis.spin().size()},
+ShadowMatrices::ShadowMatrices(const LightLayout& layout)
+    : blocks_{Block{{Group::even, layout, 2 * layout.order()},
+                    {0, layout.s3_begin()},
+                    layout.kind() == LightKind::full ? 2U : 1U},
+              Block{{Group::odd, layout, 2 * layout.order()},
+                    {layout.even().size(), layout.s3_begin() + layout.even().size()},
+                    layout.kind() == LightKind::full ? 2U : 1U},
+              Block{{Group::spin, layout, 2 * layout.order()},
+                    {layout.spin_begin(), layout.spin_begin() + layout.spin().size()},
                     2U}} {}
 
 std::size_t ShadowMatrices::size() const noexcept {
@@ -48,26 +48,6 @@ void ShadowMatrices::multiply(const std::int16_t* numbers, std::span<const Lanes
         multiply_shadows(numbers, block.triples.size(), from.data(), to.data(), count);
         numbers += block.triples.elements() * kLanes;
     }
-}
-
-std::vector<std::size_t> ShadowMatrices::whole() const {
-    std::vector<std::size_t> places;
-    std::size_t number = 0;
-    for (const Block& block : blocks_) {
-        const std::size_t size = block.triples.size();
-        std::vector<std::size_t> position(size * size);
-        for (const auto& [row, column] : shadow_elements(size)) {
-            position[row * size + column] = position[column * size + row] = number++;
-        }
-        for (std::size_t first = 0; first < size; first += kShadowTile) {
-            for (std::size_t column = 0; column < size; ++column) {
-                for (std::size_t row = first; row < std::min(first + kShadowTile, size); ++row) {
-                    places.push_back(position[row * size + column]);
-                }
-            }
-        }
-    }
-    return places;
 }
 
 }  // namespace nicol

@@ -8,43 +8,41 @@
 #include <span>
 #include <vector>
 
-#include "harmonics/mirror_basis.hpp"
+#include "harmonics/light_layout.hpp"
 #include "simd/lanes.hpp"
 #include "visibility/triple_product_tensor.hpp"
 
 namespace nicol {
 
-/// The shadow matrix (Eq. 54) of mirrored visibility falls into three symmetric blocks over MirrorBasis: even
+/// The shadow matrix (Eq. 54) of mirrored visibility falls into three symmetric blocks over LightLayout: even
 /// to even, odd to odd, and one of spin harmonics that serves e and o. Sixteen vertices at once.
 class ShadowMatrices {
 public:
     /// Light that is multiplied at once.
     static constexpr std::size_t kMostChannels = 3;
 
-    explicit ShadowMatrices(const MirrorBasis& basis, int visibility_order);
+    explicit ShadowMatrices(const LightLayout& layout);
 
     /// Numbers of one vertex: each element of the blocks once.
     [[nodiscard]] std::size_t size() const noexcept;
-    /// From coefficients by psh_index, of the visibility's order.
+    /// From coefficients by psh_index, of twice the light's order.
     void make(const Lanes* visibility, Lanes* numbers) const;
 
-    /// out[c] = matrix in[c] for the split lights of at most kMostChannels channels. Numbers are multiples of
+    /// out[c] = matrix in[c] for the lights of at most kMostChannels channels. Numbers are multiples of
     /// 1 / kFixedOne, in pairs: [two numbers][lane][either].
     void multiply(const std::int16_t* numbers, std::span<const Lanes* const> in,
                   std::span<Lanes* const> out) const;
 
-    /// Which of one vertex's numbers stands where in whole blocks, one after another: tiles of kShadowTile
-    /// rows, in them column after column.
-    [[nodiscard]] std::vector<std::size_t> whole() const;
-
-private:
-    // A block of the matrix and where the two parts of a light begin that it multiplies.
+    /// A block of the matrix, which multiplies one or two parts of a light: where they begin.
     struct Block {
         TripleProductTensor triples;
         std::array<std::size_t, 2> begin;
         std::size_t parts;
     };
+    /// Their numbers, each block's in the sequence of shadow_elements(), follow one another.
+    [[nodiscard]] const std::array<Block, 3>& blocks() const noexcept { return blocks_; }
 
+private:
     std::array<Block, 3> blocks_;
 };
 

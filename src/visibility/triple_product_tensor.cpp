@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-using Harmonic = MirrorBasis::Harmonic;
+using Harmonic = LightLayout::Harmonic;
 
 // The integral over phi of three factors, each cos m phi for m >= 0 or sin |m| phi.
 double phi_integral(int a, int b, int c) {
@@ -51,9 +51,9 @@ double phi_integral(int a, int b, int c) {
     }
 }
 
-const std::vector<Harmonic>& harmonics_of(const MirrorBasis& basis, TripleProductTensor::Group group) {
-    if (group == TripleProductTensor::Group::spin) return basis.spin();
-    return group == TripleProductTensor::Group::even ? basis.even() : basis.odd();
+const std::vector<Harmonic>& harmonics_of(const LightLayout& layout, TripleProductTensor::Group group) {
+    if (group == TripleProductTensor::Group::spin) return layout.spin();
+    return group == TripleProductTensor::Group::even ? layout.even() : layout.odd();
 }
 
 // The integral of <a, b> times the visibility harmonic c.
@@ -74,8 +74,8 @@ double triple(const UpperRows& rows, const SeparatedHarmonic& a, const Separated
 
 }  // namespace
 
-TripleProductTensor::TripleProductTensor(Group group, const MirrorBasis& basis, int visibility_order) {
-    const std::vector<Harmonic>& harmonics = harmonics_of(basis, group);
+TripleProductTensor::TripleProductTensor(Group group, const LightLayout& layout, int visibility_order) {
+    const std::vector<Harmonic>& harmonics = harmonics_of(layout, group);
     size_ = harmonics.size();
     const UpperRows grid((2 * highest_order(harmonics) + visibility_order) / 2 + 1);
     const auto separate = group == Group::spin ? separate_spins : separate_scalars;

@@ -5,18 +5,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "harmonics/mirror_basis.hpp"
+#include "harmonics/light_layout.hpp"
 #include "simd/lanes.hpp"
 
 namespace nicol {
 
-/// The matrix between the MirrorBasis harmonics of one group as a sparse function of visibility's
+/// The matrix between the LightLayout harmonics of one group as a sparse function of visibility's
 /// coefficients v_lm: each element is a sum of value * v[coefficient] (Eqs. 55 and 56). It is symmetric.
 class TripleProductTensor {
 public:
     enum class Group { even, odd, spin };
 
-    TripleProductTensor(Group group, const MirrorBasis& basis, int visibility_order);
+    TripleProductTensor(Group group, const LightLayout& layout, int visibility_order);
 
     /// Rows, and columns.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }

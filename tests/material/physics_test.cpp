@@ -228,7 +228,7 @@ TEST_CASE("a callback in s-frames is the material it computes") {
     const LightLayout layout(3, LightKind::full);
     const ResponseTable expected(*metal, layout, 2);
     const ResponseTable found(*made, layout, 2);
-    for (std::size_t j = 0; j < 4 * layout.size(); ++j)
+    for (std::size_t j = 0; j < 4 * layout.row_size(); ++j)
         CHECK(std::abs(found.rows(500, 1)[j] - 2 * expected.rows(500, 0)[j]) < 1e-6F);
 }
 

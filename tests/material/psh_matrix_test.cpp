@@ -3,6 +3,7 @@
 #include "directions.hpp"
 #include "files/npz.hpp"
 #include "harmonics/evaluate.hpp"
+#include "harmonics/light_numbers.hpp"
 #include "harmonics/random_operators.hpp"
 #include "material/conductor.hpp"
 #include "material/material_projection.hpp"
@@ -41,7 +42,7 @@ double difference(const IsotropicMatrix& a, const IsotropicMatrix& b) {
 }
 
 Stokes respond(const ResponseTable& table, const LightLayout& layout, const PshVector& light, int angle) {
-    const auto packed = layout.pack(light.channel(0));
+    const auto packed = test::light_pairs(layout, light.channel(0));
     const std::span<const float> rows = table.rows(angle, 0);
     Stokes out(0.0);
     for (std::size_t j = 0; j < packed.size(); ++j) {
@@ -82,8 +83,8 @@ TEST_CASE("rows of a matrix equal the matrix applied to light, seen from a direc
     const PshVector light = test::random_light(order, 1, 4, 3);
     PshVector out(order, 1);
     matrix.apply(light.channel(0), out.channel(0));
-    std::vector<double> rows(4 * layout.size());
-    const auto packed = layout.pack(light.channel(0));
+    std::vector<double> rows(4 * layout.row_size());
+    const auto packed = test::light_pairs(layout, light.channel(0));
     for (const double theta : {0.0, 0.3, 1.2, 1.57, 2.4}) {
         rows_from_matrix(matrix, theta, layout, rows);
         Stokes sum(0.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Energies of responses against what rotated light really gives.
 #include "material/response_power.hpp"
+#include "harmonics/light_numbers.hpp"
 
 #include <glm/gtc/quaternion.hpp>
 
@@ -40,7 +41,7 @@ std::array<double, 2> mean_squares(const ResponseTable& table, const LightLayout
     for (int i = 0; i < rotations; ++i) {
         const glm::dquat q =
             glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random)));
-        const auto z = layout.pack(rotated(light, glm::mat3_cast(q)).channel(0));
+        const auto z = test::light_pairs(layout, rotated(light, glm::mat3_cast(q)).channel(0));
         const double theta = std::acos(std::sqrt(uniform(random)));
         const auto angle = static_cast<int>(theta / std::acos(0.0) * (ResponseTable::kAngles - 1));
         const auto rows = table.rows(angle, 0);

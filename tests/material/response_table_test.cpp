@@ -2,6 +2,7 @@
 #include "material/response_table.hpp"
 
 #include "brute_force.hpp"
+#include "harmonics/light_numbers.hpp"
 #include "material/lobe_quadrature.hpp"
 #include "test.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 // Rows of the table applied to light in the surface's own frame, viewer at that table angle and azimuth 0.
 Stokes respond(const ResponseTable& table, const LightLayout& layout, const PshVector& light, int angle,
                int channel) {
-    const auto packed = layout.pack(light.channel(channel));
+    const auto packed = test::light_pairs(layout, light.channel(channel));
     const std::span<const float> rows = table.rows(angle, table.channels() == 1 ? 0 : channel);
     Stokes out(0.0);
     for (std::size_t j = 0; j < packed.size(); ++j) {
@@ -40,22 +41,6 @@ TEST_CASE("quadrature around a lobe integrates peaks and plain functions") {
         CHECK(lobe == Approx(0.01 * (std::atan((2 - peak) / 0.01) + std::atan(peak / 0.01))).epsilon(1e-7));
         CHECK(plain == Approx(std::sin(6.0) / 3).epsilon(1e-9));
     }
-}
-
-TEST_CASE("packing keeps every coefficient, and rotating the viewer is a phase") {
-    const PshVector light = test::random_light(5, 1, 4, 7);
-    for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
-        const LightLayout layout(5, kind);
-        const auto packed = layout.pack(light.channel(0));
-        // As many real numbers as the light has, and zeros for the parts that m = 0 lacks.
-        const std::size_t scalar = 36 + 6;
-        const std::size_t linear = 2 * (36 - 4);
-        const std::size_t expected =
-            scalar + (kind >= LightKind::linear ? linear : 0) + (kind == LightKind::full ? scalar : 0);
-        CHECK(2 * packed.size() == expected);
-    }
-    CHECK_THROWS_AS(LightLayout(-1, LightKind::full), Error);
-    CHECK_THROWS_AS(LightLayout(6, LightKind::full).pack(light.channel(0)), Error);
 }
 
 TEST_CASE("rows times light equals the reflection integral in the angular domain") {

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "harmonics/light_layout.hpp"
+#include "harmonics/light_numbers.hpp"
 #include "harmonics/rotation.hpp"
 #include "material/conductor.hpp"
 #include "material/material.hpp"
@@ -75,14 +75,14 @@ struct SphereView {
     struct LocalLight {
         LightLayout layout;
         int channels;
-        std::vector<std::vector<std::complex<double>>> packed;  // [vertex * channels + channel]
+        std::vector<std::vector<std::complex<double>>> pairs;  // [vertex * channels + channel]
     };
     [[nodiscard]] LocalLight local(const PshVector& light, LightKind kind) const {
         LocalLight out{LightLayout(light.order(), kind), light.channels(), {}};
         for (const glm::vec3& normal : normals) {
             const PshVector rotated_light = rotated(light, glm::transpose(surface(normal)));
             for (int c = 0; c < light.channels(); ++c)
-                out.packed.push_back(out.layout.pack(rotated_light.channel(c)));
+                out.pairs.push_back(light_pairs(out.layout, rotated_light.channel(c)));
         }
         return out;
     }
@@ -100,15 +100,18 @@ struct SphereView {
             const Frame from = frame * theta_phi_frame(glm::transpose(frame) * towards);
             const double angle_to_camera = angle_between(from, view.frame(towards));
             for (std::size_t c = 0; c < channels; ++c) {
-                const auto& z = light.packed[v * channels + c];
+                const auto& z = light.pairs[v * channels + c];
                 const double* row = rows[ring[v]].data() + 4 * z.size() * c;
                 for (std::size_t i = 0; i < tops.size(); ++i) {
                     Stokes sum(0.0);
-                    for (std::size_t j = 0; j < z.size(); ++j) {
-                        if (layout.entries()[j].l > tops[i]) continue;
-                        for (std::size_t p = 0; p < 4; ++p)
-                            sum[static_cast<int>(p)] +=
-                                row[p * z.size() + j] * (p < 2 ? z[j].real() : z[j].imag());
+                    std::size_t j = 0;
+                    for (const LightLayout::Run& run : layout.runs()) {
+                        for (std::size_t k = 0; k < run.count; ++k, ++j) {
+                            if (run.l + static_cast<int>(k) * run.step > tops[i]) continue;
+                            for (std::size_t p = 0; p < 4; ++p)
+                                sum[static_cast<int>(p)] +=
+                                    row[p * z.size() + j] * (p < 2 ? z[j].real() : z[j].imag());
+                        }
                     }
                     out[i][c][v] = glm::vec4(rotated(sum, angle_to_camera));
                 }
@@ -142,7 +145,7 @@ private:
     [[nodiscard]] std::vector<std::vector<double>> response_rows(const Material& material,
                                                                  const LightLayout& layout,
                                                                  int channels) const {
-        const std::size_t set = 4 * layout.size();
+        const std::size_t set = 4 * layout.row_size();
         std::vector<std::vector<double>> out;
         RowIntegral integral(material, layout);
         for (const double angle : angles) {

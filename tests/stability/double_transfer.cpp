@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "harmonics/evaluate.hpp"
+#include "harmonics/light_numbers.hpp"
 #include "harmonics/product.hpp"
 #include "harmonics/rotation.hpp"
 
@@ -177,13 +178,17 @@ Stokes respond(const ResponseTable& response, int channel, const LightLayout& la
     const std::span<const float> low = response.rows(angle, row);
     const std::span<const float> high = response.rows(angle + 1, row);
     Stokes sum(0.0);
-    for (std::size_t j = 0; j < light.size(); ++j) {
-        const auto z = light[j] * std::polar(1.0, layout.entries()[j].azimuthal_frequency() * sight.azimuth);
-        for (std::size_t p = 0; p < 4; ++p) {
-            const std::size_t k = p * light.size() + j;
-            sum[static_cast<int>(p)] +=
-                mix(static_cast<double>(low[k]), static_cast<double>(high[k]), position - angle) *
-                (p < 2 ? z.real() : z.imag());
+    std::size_t j = 0;
+    for (const LightLayout::Run& run : layout.runs()) {
+        const auto phase = std::polar(1.0, -static_cast<double>(run.sign) * run.m * sight.azimuth);
+        for (const std::size_t end = j + run.count; j < end; ++j) {
+            const auto z = light[j] * phase;
+            for (std::size_t p = 0; p < 4; ++p) {
+                const std::size_t k = p * light.size() + j;
+                sum[static_cast<int>(p)] +=
+                    mix(static_cast<double>(low[k]), static_cast<double>(high[k]), position - angle) *
+                    (p < 2 ? z.real() : z.imag());
+            }
         }
     }
     return rotated(sum, sight.turn);
@@ -207,7 +212,7 @@ std::vector<Image> shaded_in_double(const Vertices& vertices, const DirectionSet
         for (std::size_t i = 0; i < lights.size(); ++i) {
             const PshVector local = rotated(lights[i], glm::transpose(surface));
             for (int c = 0; c < channels; ++c) {
-                const auto z = layout.pack(product.times(local.channel(c)));
+                const auto z = light_pairs(layout, product.times(local.channel(c)));
                 for (std::size_t r = 0; r < responses.size(); ++r)
                     out[i * responses.size() + r][static_cast<std::size_t>(c)][v] =
                         respond(responses[r], c, layout, z, sight);

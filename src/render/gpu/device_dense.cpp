@@ -37,8 +37,8 @@ void DeviceDense::mirror(const DenseMethod& method, int light_channels) {
     for (const DenseMethod::Run& run : method.runs()) {
         const DenseTransfer& transfer = run.matrices;
         const LightLayout& outgoing = transfer.material().outgoing();
-        const auto table = tables_.try_emplace(run.shade, context_, outgoing, run.shade->harmonics()).first;
-        const std::size_t numbers = 2 * outgoing.size();
+        const auto table = tables_.try_emplace(run.response, context_, outgoing, *run.response).first;
+        const std::size_t numbers = outgoing.size();
         const gl::Limits& limits = context_->limits();
         const std::size_t step = std::max<std::size_t>(
             1, std::min({DeviceLight::most_vertices(*context_, numbers),

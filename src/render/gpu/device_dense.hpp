@@ -37,7 +37,7 @@ private:
 
     std::shared_ptr<gl::Context> context_;
     std::optional<gl::Program> program_;
-    std::map<std::shared_ptr<const OutgoingShade>, DeviceTable> tables_;
+    std::map<std::shared_ptr<const ResponseTable>, DeviceTable> tables_;
     std::vector<Piece> pieces_;
     std::uint64_t runs_revision_ = 0;
     int light_channels_ = 0;

@@ -46,15 +46,15 @@ void DeviceFactored::mirror_shadows(const FactoredMethod& method, const Transfer
     shadow_matrices_.reset();
     shadow_grid_.reset();
     if (method.shadows()) {
-        if (const auto matrices = method.shadows()->matrices()) shadow_matrices_.emplace(context_, *matrices);
-        if (const auto grid = method.shadows()->grid()) shadow_grid_.emplace(context_, *grid);
+        if (method.shadows()->matrices() != nullptr) shadow_matrices_.emplace(context_, *method.shadows());
+        if (method.shadows()->grid() != nullptr) shadow_grid_.emplace(context_, *method.shadows());
     }
     shadows_for_ = key;
 }
 
 void DeviceFactored::allocate_light(const TransferInput& input) {
     const std::size_t vertices = input.geometry.positions.size();
-    const std::size_t numbers = 2 * input.layout.size();
+    const std::size_t numbers = input.layout.size();
     const std::size_t step =
         DeviceLight::most_vertices(*context_, std::max(numbers, DeviceRotation::work_space(input.layout)));
     const bool same = !light_.empty() && light_.back().last() == vertices &&

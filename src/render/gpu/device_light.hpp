@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Packed light of vertices on the device.
+// Light of vertices on the device.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ template <class Element>
     return {context, gl::BufferUse::storage, std::as_bytes(std::span(elements))};
 }
 
-/// Light of the scene's vertices first .. first + count - 1: [channel][real, imaginary][entry][vertex].
+/// Light of the scene's vertices first .. first + count - 1: [channel][number][vertex].
 class DeviceLight {
 public:
     /// The most vertices that one holds: what the context lets a shader reach, and no more than keeps its
@@ -48,7 +48,7 @@ public:
         return std::clamp(fit / kGroupOfVertices * kGroupOfVertices, kGroupOfVertices, std::size_t{65536});
     }
 
-    /// numbers: twice the entries.
+    /// numbers: of a vertex in a channel.
     DeviceLight(const std::shared_ptr<gl::Context>& context, std::size_t first, std::size_t count,
                 std::size_t numbers, int channels)
         : first_(first),

@@ -41,6 +41,42 @@ std::vector<glm::vec2> complex_fields(const LightLayout& layout, std::span<const
     return fields;
 }
 
+// As in rotate_zenith.comp.
+std::vector<std::array<std::int32_t, 8>> entries_of(const LightLayout& layout) {
+    std::vector<std::array<std::int32_t, 8>> entries;
+    std::vector<std::size_t> places(2 * psh_count(layout.order()));  // [field][psh_index] in entries
+    for (std::int32_t field = 0; field < static_cast<std::int32_t>(field_count(layout)); ++field) {
+        for (int l = 2 * field; l <= layout.order(); ++l) {
+            for (int m = 0; m <= l; ++m) {
+                places[static_cast<std::size_t>(field) * psh_count(layout.order()) + psh_index(l, m)] =
+                    entries.size();
+                entries.push_back({field, l, m, 0, -1, -1, -1, -1});
+            }
+        }
+    }
+    for (const LightLayout::Run& run : layout.runs()) {
+        const bool spin = run.part == LightKind::linear;
+        for (std::size_t i = 0; i < run.count; ++i) {
+            const std::size_t index = psh_index(run.l + static_cast<int>(i) * run.step, run.m);
+            std::array<std::int32_t, 8>& entry =
+                entries[places[(spin ? psh_count(layout.order()) : 0) + index]];
+            const auto even = static_cast<std::int32_t>(run.even + i);
+            const auto odd = static_cast<std::int32_t>(run.odd + i);
+            if (run.m == 0 && spin) {  // a cosine of one part and one of the other, or sines
+                entry[run.sign > 0 ? 4 : 5] = run.sign > 0 ? even : odd;
+                entry[run.sign > 0 ? 6 : 7] = run.sign > 0 ? odd : even;
+            } else if (run.sign > 0) {
+                entry[4] = even;
+                if (run.m > 0) entry[5] = odd;
+            } else {
+                entry[6] = odd;
+                if (run.m > 0) entry[7] = even;
+            }
+        }
+    }
+    return entries;
+}
+
 }  // namespace
 
 std::size_t DeviceRotation::work_space(const LightLayout& layout) {
@@ -58,14 +94,9 @@ void DeviceRotation::set_light(const LightLayout& layout, const PshVector& light
         const std::vector<double> d = wigner_d(layout.order(), -std::numbers::pi / 2);
         const std::vector<float> quarter(d.begin(), d.end());
         quarter_rotation_.emplace(context_, gl::BufferUse::storage, std::as_bytes(std::span(quarter)));
-        std::vector<std::array<std::int32_t, 4>> entries;
-        for (const LightLayout::Entry& e : layout.entries()) {
-            const std::int32_t part = e.part == LightKind::unpolarized ? 0
-                                      : e.part == LightKind::linear    ? 1
-                                                                       : 2;
-            entries.push_back({part, e.l, e.m, 0});
-        }
-        entries_.emplace(context_, gl::BufferUse::storage, std::as_bytes(std::span(entries)));
+        const std::vector<std::array<std::int32_t, 8>> entries = entries_of(layout);
+        entries_.emplace(storage(context_, entries));
+        entry_count_ = static_cast<unsigned>(entries.size());
         layout_ = layout;
     }
     fields_.clear();
@@ -96,7 +127,7 @@ void DeviceRotation::run(const WorldGeometry& geometry, VertexBuffers& buffers, 
         entries_->bind_storage(1);
         work_->bind_storage(2, 0, bytes);
         out.bind(3, c);
-        gl::dispatch(zenith_, groups_for(out.count()), static_cast<unsigned>(layout_->size()));
+        gl::dispatch(zenith_, groups_for(out.count()), entry_count_);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relight, first half, on the device: distant light turned into vertices' frames.
+// relight, first half, on the device: distant light rotated into vertices' frames.
 #pragma once
 
 #include <memory>
@@ -32,6 +32,7 @@ private:
     std::optional<LightLayout> layout_;
     std::optional<gl::Buffer> quarter_rotation_;
     std::optional<gl::Buffer> entries_;
+    unsigned entry_count_ = 0;
     std::vector<gl::Buffer> fields_;  // by channel
     std::optional<gl::Buffer> work_;
 };

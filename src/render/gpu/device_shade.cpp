@@ -1,19 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "render/gpu/device_shade.hpp"
 
-#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
 
 #include "gl/draw.hpp"
 #include "render/view_uniforms.hpp"
 
 namespace nicol {
 
+namespace {
+
+// As in shade.comp.
+std::vector<std::array<std::int32_t, 4>> runs_of(const LightLayout& layout) {
+    std::vector<std::array<std::int32_t, 4>> runs;
+    for (const LightLayout::Run& run : layout.runs()) {
+        runs.push_back({static_cast<std::int32_t>(run.even), static_cast<std::int32_t>(run.odd),
+                        static_cast<std::int32_t>(run.count), run.sign > 0 ? run.m : -run.m});
+    }
+    return runs;
+}
+
+}  // namespace
+
 DeviceTable::DeviceTable(const std::shared_ptr<gl::Context>& context, const LightLayout& layout,
                          const ResponseTable& table)
-    : layout_(layout),
-      angles_(ResponseTable::kAngles),
+    : row_size_(static_cast<int>(layout.row_size())),
+      runs_(static_cast<int>(layout.runs().size())),
+      angles_(table.angles()),
       makes_linear_(table.makes(1) || table.makes(2)),
-      makes_circular_(table.makes(3)) {
+      makes_circular_(table.makes(3)),
+      run_buffer_(storage(context, runs_of(layout))) {
     std::vector<float> rows;
     for (int c = 0; c < table.channels(); ++c) {
         rows.clear();
@@ -21,33 +39,8 @@ DeviceTable::DeviceTable(const std::shared_ptr<gl::Context>& context, const Ligh
             const std::span<const float> from = table.rows(angle, c);
             rows.insert(rows.end(), from.begin(), from.end());
         }
-        upload(context, rows);
+        channels_.push_back(storage(context, rows));
     }
-}
-
-DeviceTable::DeviceTable(const std::shared_ptr<gl::Context>& context, const LightLayout& layout,
-                         std::span<const float> harmonics)
-    : layout_(layout),
-      angles_(static_cast<int>(harmonics.size() / layout.size())),
-      makes_linear_(layout.kind() != LightKind::unpolarized),
-      makes_circular_(layout.kind() == LightKind::full) {
-    const std::size_t n = layout.size();
-    std::vector<float> rows(4 * harmonics.size());
-    for (std::size_t angle = 0; angle < static_cast<std::size_t>(angles_); ++angle) {
-        for (std::size_t j = 0; j < n; ++j) {
-            const float value = harmonics[angle * n + j];
-            float* row = &rows[4 * n * angle + j];
-            const LightKind part = layout.entries()[j].part;
-            if (part == LightKind::unpolarized) row[0] = value;
-            if (part == LightKind::linear) row[n] = row[2 * n] = value;
-            if (part == LightKind::full) row[3 * n] = value;
-        }
-    }
-    upload(context, rows);
-}
-
-void DeviceTable::upload(const std::shared_ptr<gl::Context>& context, std::span<const float> rows) {
-    channels_.emplace_back(context, gl::BufferUse::storage, std::as_bytes(rows));
 }
 
 DeviceShade::DeviceShade(const std::shared_ptr<gl::Context>& context)
@@ -65,13 +58,12 @@ void DeviceShade::run(const DeviceTable& table, const DeviceLight& light, std::s
     program_.set("light_first", static_cast<int>(first - light.first()));
     program_.set("count", static_cast<int>(last - first));
     program_.set("stride", static_cast<int>(light.stride()));
-    program_.set("order", table.layout_.order());
-    program_.set("entries", static_cast<int>(table.layout_.size()));
+    program_.set("row_size", table.row_size_);
+    program_.set("runs_of_row", table.runs_);
     program_.set("angles", table.angles_);
-    program_.set("polarized", table.layout_.kind() != LightKind::unpolarized ? 1 : 0);
-    program_.set("circular", table.layout_.kind() == LightKind::full ? 1 : 0);
     program_.set("makes_linear", table.makes_linear_ ? 1 : 0);
     program_.set("makes_circular", table.makes_circular_ ? 1 : 0);
+    table.run_buffer_.bind_storage(5);
     for (int c = 0; c < channels; ++c) {
         light.bind(2, light.channels() == 1 ? 0 : c);
         table.channels_[table.channels_.size() == 1 ? 0 : static_cast<std::size_t>(c)].bind_storage(3);

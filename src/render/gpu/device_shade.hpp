@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// shade on the device, for every method: packed light dotted with rows of a table.
+// shade on the device, for every method: light dotted with rows of a table.
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "gl/program.hpp"
@@ -15,24 +14,21 @@
 
 namespace nicol {
 
-/// Rows for each zenith angle from 0 to pi/2, as those of a ResponseTable: s0 and s1 are dot products with
-/// real parts of the light, s2 and s3 with imaginary ones.
+/// A ResponseTable.
 class DeviceTable {
 public:
     DeviceTable(const std::shared_ptr<gl::Context>& context, const LightLayout& layout,
                 const ResponseTable& table);
-    /// The harmonics of an OutgoingShade, [angle][entry].
-    DeviceTable(const std::shared_ptr<gl::Context>& context, const LightLayout& layout,
-                std::span<const float> harmonics);
 
 private:
     friend class DeviceShade;
-    void upload(const std::shared_ptr<gl::Context>& context, std::span<const float> rows);
 
-    LightLayout layout_;
+    int row_size_;
+    int runs_;
     int angles_;
     bool makes_linear_;
     bool makes_circular_;
+    gl::Buffer run_buffer_;
     std::vector<gl::Buffer> channels_;  // one, or one each
 };
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "gl/draw.hpp"
-#include "render/gpu/sparse_rows.hpp"
 #include "simd/lane_vector.hpp"
 
 namespace nicol {
@@ -37,6 +36,11 @@ std::size_t numbers_on_slots(const ShadowGrid& grid) {
     return components(grid) * grid.rows() * grid.slots().begin[4];
 }
 
+// Rows times columns times Stokes components.
+unsigned points(const ShadowGrid& grid) {
+    return static_cast<unsigned>(grid.pairs_in().size() * grid.rows() * grid.columns());
+}
+
 // As many vertices as keep the work space small; work groups are many even where that is a few.
 std::size_t chunk(const ShadowGrid& grid, std::size_t vertices) {
     constexpr std::size_t work_bytes = std::size_t{1} << 25;
@@ -47,34 +51,31 @@ std::size_t chunk(const ShadowGrid& grid, std::size_t vertices) {
 }  // namespace
 
 DeviceShadowGrid::DeviceShadowGrid(const std::shared_ptr<gl::Context>& context,
-                                   const VisibilityProduct::Grid& grid)
+                                   const VisibilityProduct& shadows)
     : context_(context),
-      split_(gl::Program::compute(context, "shadow_split.comp")),
+      gather_(gl::Program::compute(context, "shadow_gather.comp")),
       sums_(gl::Program::compute(context, "sums.comp")),
       multiply_(gl::Program::compute(context, "shadow_grid.comp")),
-      join_(gl::Program::compute(context, "shadow_join.comp")),
-      samples_(context, grid.vertices, grid.samples, grid.samples_of_vertex),
-      size_(static_cast<unsigned>(grid.basis.size())),
-      points_(static_cast<unsigned>(grid.grid.pairs_in().size() * grid.grid.rows() * grid.grid.columns())),
-      chunk_(chunk(grid.grid, grid.vertices.size())),
-      split_terms_(split_rows(context, grid.basis)),
-      join_terms_(join_rows(context, grid.basis)),
-      orders_(over_orders(grid.grid)),
-      degrees_(over_degrees(grid.grid)),
-      columns_(over_columns(grid.grid)),
-      rows_(over_rows(grid.grid, grid.basis.size())),
-      on_columns_(context, gl::BufferUse::storage, numbers_on_columns(grid.grid) * chunk_ * sizeof(float),
-                  gl::BufferUpdate::fixed),
-      on_slots_(context, gl::BufferUse::storage, numbers_on_slots(grid.grid) * chunk_ * sizeof(float),
+      store_(gl::Program::compute(context, "shadow_store.comp")),
+      samples_(context, shadows),
+      points_(points(*shadows.grid())),
+      chunk_(chunk(*shadows.grid(), shadows.vertices().size())),
+      orders_(over_orders(*shadows.grid())),
+      degrees_(over_degrees(*shadows.grid())),
+      columns_(over_columns(*shadows.grid())),
+      rows_(over_rows(*shadows.grid(), shadows.layout().size())),
+      on_columns_(context, gl::BufferUse::storage,
+                  numbers_on_columns(*shadows.grid()) * chunk_ * sizeof(float), gl::BufferUpdate::fixed),
+      on_slots_(context, gl::BufferUse::storage, numbers_on_slots(*shadows.grid()) * chunk_ * sizeof(float),
                 gl::BufferUpdate::fixed) {
     const auto stride = static_cast<int>(chunk_);
-    split_.set("product_stride", stride);
-    join_.set("product_stride", stride);
+    gather_.set("gathered_stride", stride);
+    store_.set("gathered_stride", stride);
     sums_.set("stride", stride);
     multiply_.set("stride", stride);
-    multiply_.set("points", static_cast<int>(grid.grid.rows() * grid.grid.columns()));
-    multiply_.set("samples_of_vertex", static_cast<int>(grid.samples_of_vertex));
-    multiply_.set("scale", grid.unit / kFixedOne);
+    multiply_.set("points", static_cast<int>(shadows.grid()->rows() * shadows.grid()->columns()));
+    multiply_.set("samples_of_vertex", static_cast<int>(shadows.numbers_of_vertex()));
+    multiply_.set("scale", shadows.unit() / kFixedOne);
 }
 
 DeviceShadowGrid::Sums DeviceShadowGrid::over_orders(const ShadowGrid& grid) const {
@@ -180,27 +181,25 @@ void DeviceShadowGrid::run(DeviceLight& light) {
                 to.bind_storage(3);
                 gl::dispatch(sums_, groups, sums.count);
             };
-            const auto convert = [&](const gl::Program& program, const gl::Buffer& terms, int channel,
-                                     std::size_t numbers) {
+            const auto copy = [&](const gl::Program& program, int channel) {
                 samples_.vertices().bind_storage(0);
                 on_columns_.bind_storage(1);
                 light.bind(2, channel);
-                terms.bind_storage(3);
-                gl::dispatch(program, groups, static_cast<unsigned>(numbers));
+                gl::dispatch(program, groups, static_cast<unsigned>(light.numbers()));
             };
-            for (gl::Program* program : {&split_, &sums_, &multiply_, &join_}) {
+            for (gl::Program* program : {&gather_, &sums_, &multiply_, &store_}) {
                 program->set("count", static_cast<int>(last - first));
             }
-            for (gl::Program* program : {&split_, &multiply_, &join_}) {
+            for (gl::Program* program : {&gather_, &multiply_, &store_}) {
                 program->set("first", static_cast<int>(first));
             }
-            for (gl::Program* program : {&split_, &join_}) {
+            for (gl::Program* program : {&gather_, &store_}) {
                 program->set("first_vertex", static_cast<int>(light.first()));
                 program->set("stride", static_cast<int>(light.stride()));
             }
             multiply_.set("first_block", static_cast<int>(first_block));
             for (int c = 0; c < light.channels(); ++c) {
-                convert(split_, split_terms_, c, size_);
+                copy(gather_, c);
                 add(orders_, on_columns_, on_slots_);
                 add(degrees_, on_slots_, on_columns_);
                 samples.bind_storage(0);
@@ -208,7 +207,7 @@ void DeviceShadowGrid::run(DeviceLight& light) {
                 gl::dispatch(multiply_, groups, points_);
                 add(columns_, on_columns_, on_slots_);
                 add(rows_, on_slots_, on_columns_);
-                convert(join_, join_terms_, c, light.numbers());
+                copy(store_, c);
             }
         });
 }

@@ -14,19 +14,19 @@
 namespace nicol {
 
 /// ShadowGrid in passes over all vertices of a chunk, each from the one work space into the other:
-///   split light      [harmonic]
+///   light            [harmonic]
 ///   sums over l      [component][row][slot]
 ///   sums over m      [component][cosines of even, odd m, sines of even, odd m][row][column]
-///     ... turned into samples, times visibility, and folded back in place
+///     ... made samples, multiplied by visibility, and made sums again in place
 ///   sums over phi    [component][slot][row]
 ///   sums over rows   [harmonic]
 /// A component is the even or odd part of a Stokes component; rows, columns and slots are ShadowGrid's.
 class DeviceShadowGrid {
 public:
-    /// The same samples as the host's.
-    DeviceShadowGrid(const std::shared_ptr<gl::Context>& context, const VisibilityProduct::Grid& grid);
+    /// The same samples as the host's; `shadows` has a grid.
+    DeviceShadowGrid(const std::shared_ptr<gl::Context>& context, const VisibilityProduct& shadows);
 
-    /// light = V light for its vertices that do not see all.
+    /// light = V light for its vertices that are not in unoccluded blocks.
     void run(DeviceLight& light);
 
 private:
@@ -43,16 +43,13 @@ private:
     [[nodiscard]] Sums over_rows(const ShadowGrid& grid, std::size_t size) const;
 
     std::shared_ptr<gl::Context> context_;
-    gl::Program split_;
+    gl::Program gather_;
     gl::Program sums_;
     gl::Program multiply_;
-    gl::Program join_;
+    gl::Program store_;
     DeviceShadowNumbers samples_;
-    unsigned size_;      // of split light
     unsigned points_;    // rows times columns times Stokes components
     std::size_t chunk_;  // vertices
-    gl::Buffer split_terms_;
-    gl::Buffer join_terms_;
     Sums orders_;
     Sums degrees_;
     Sums columns_;

@@ -14,23 +14,19 @@ namespace nicol {
 
 class DeviceShadowMatrices {
 public:
-    /// The same matrices as the host's.
-    DeviceShadowMatrices(const std::shared_ptr<gl::Context>& context,
-                         const VisibilityProduct::Matrices& matrices);
+    /// The same matrices as the host's; `shadows` has some.
+    DeviceShadowMatrices(const std::shared_ptr<gl::Context>& context, const VisibilityProduct& shadows);
 
-    /// light = V light for its vertices that do not see all.
+    /// light = V light for its vertices that are not in unoccluded blocks.
     void run(DeviceLight& light);
 
 private:
     std::shared_ptr<gl::Context> context_;
     gl::Program multiply_;
-    gl::Program join_;
-    std::size_t size_;  // of split light
+    gl::Program store_;
     DeviceShadowNumbers numbers_;
-    gl::Buffer split_terms_;
-    gl::Buffer join_terms_;
     gl::Buffer rows_;
-    std::optional<gl::Buffer> work_;
+    std::optional<gl::Buffer> product_;
 };
 
 }  // namespace nicol

@@ -13,26 +13,25 @@
 #include "gl/context.hpp"
 #include "render/gpu/device_light.hpp"
 #include "simd/lanes.hpp"
+#include "transfer/visibility_product.hpp"
 
 namespace nicol {
 
-/// The 16-bit numbers of a VisibilityProduct, [block][number][lane], in pieces that one binding reaches.
+/// The numbers() of a VisibilityProduct with at least one block, in pieces that one binding reaches.
 class DeviceShadowNumbers {
 public:
-    /// `vertices`: of all blocks, ascending; at least one.
-    DeviceShadowNumbers(const std::shared_ptr<gl::Context>& context, std::span<const std::uint32_t> vertices,
-                        std::span<const std::int16_t> numbers, std::size_t numbers_of_vertex)
-        : vertices_(vertices.begin(), vertices.end()),
-          vertex_buffer_(context, gl::BufferUse::storage, std::as_bytes(vertices)) {
-        const std::size_t of_block = numbers_of_vertex * kLanes;
-        const std::size_t blocks = numbers.size() / of_block;
+    DeviceShadowNumbers(const std::shared_ptr<gl::Context>& context, const VisibilityProduct& shadows)
+        : vertices_(shadows.vertices().begin(), shadows.vertices().end()),
+          vertex_buffer_(context, gl::BufferUse::storage, std::as_bytes(shadows.vertices())) {
+        const std::size_t of_block = shadows.numbers_of_vertex() * kLanes;
+        const std::size_t blocks = shadows.blocks();
         const std::size_t most = context->limits().storage_bytes / (of_block * sizeof(std::int16_t));
         for (std::size_t first = 0; first < blocks; first += most) {
             const std::size_t last = std::min(blocks, first + most);
-            pieces_.push_back(
-                {first, last,
-                 gl::Buffer(context, gl::BufferUse::storage,
-                            std::as_bytes(numbers.subspan(first * of_block, (last - first) * of_block)))});
+            pieces_.push_back({first, last,
+                               gl::Buffer(context, gl::BufferUse::storage,
+                                          std::as_bytes(shadows.numbers().subspan(
+                                              first * of_block, (last - first) * of_block)))});
         }
     }
 

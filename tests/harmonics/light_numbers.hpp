@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Lights in the layout of tables and vertices.
+#pragma once
+
+#include <complex>
+#include <span>
+#include <vector>
+
+#include "harmonics/light_layout.hpp"
+
+namespace nicol::test {
+
+/// The numbers of one channel's coefficients, [psh_index(l, m)][4].
+inline std::vector<double> light_numbers(const LightLayout& layout, std::span<const double> channel) {
+    std::vector<double> out;
+    for (const auto& [first, second] : layout.terms())
+        out.push_back(first.factor * channel[first.coefficient] +
+                      second.factor * channel[second.coefficient]);
+    return out;
+}
+
+/// For each pair of a row, even + i odd; a part that m = 0 lacks is 0.
+inline std::vector<std::complex<double>> light_pairs(const LightLayout& layout,
+                                                     std::span<const double> channel) {
+    const std::vector<double> numbers = light_numbers(layout, channel);
+    std::vector<std::complex<double>> out;
+    for (const LightLayout::Run& run : layout.runs()) {
+        for (std::size_t i = 0; i < run.count; ++i) {
+            const bool both = run.even != run.odd;
+            out.emplace_back(both || run.sign > 0 ? numbers[run.even + i] : 0,
+                             both || run.sign < 0 ? numbers[run.odd + i] : 0);
+        }
+    }
+    return out;
+}
+
+}  // namespace nicol::test
