@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rotating light into vertices' frames by Ry(-theta) Rz(-phi): d(theta) = i^m D exp(-i k theta) D^T i^-n, D =
-// d(-pi/2). Stokes vectors are two complex fields, s0 + i s3 and s1 + i s2, which turn alike.
+// d(-pi/2). Stokes vectors are two complex fields, s0 + i s3 and s1 + i s2, which rotate alike.
 
 #include "complex.glsl"
 

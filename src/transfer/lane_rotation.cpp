@@ -81,7 +81,7 @@ template <int Fields>
 }
 
 template <int Fields>
-[[gnu::always_inline]] inline void turn(Lanes* re, Lanes* im, const Angles& by, int m, float sign) {
+[[gnu::always_inline]] inline void multiply_phase(Lanes* re, Lanes* im, const Angles& by, int m, float sign) {
     LaneVector c;
     LaneVector s;
     load(by.cosine + m, c);
@@ -97,7 +97,7 @@ template <int Fields>
     }
 }
 
-// What a turn of fields needs.
+// What a rotation of fields needs.
 struct Rotation {
     int order;
     const float* first;
@@ -125,7 +125,7 @@ template <int Fields>
         }
         multiply_real<Fields>(first, l, re, im, other_re, other_im);
         for (int k = 1; k <= l; ++k) {
-            turn<Fields>(other_re + Fields * k, other_im + Fields * k, t.zenith, k, 1);
+            multiply_phase<Fields>(other_re + Fields * k, other_im + Fields * k, t.zenith, k, 1);
         }
         multiply_real<Fields>(second, l, other_re, other_im, re, im);
         first += (l + 1) * (l + 1);
@@ -185,7 +185,8 @@ template <int Fields>
         multiply_complex<Fields>(first, l, re, t.scratch);
         multiply_complex<Fields>(first, l, im, t.scratch);
         for (int k = -l; k <= l; ++k) {
-            turn<Fields>(re + Fields * k, im + Fields * k, t.zenith, k < 0 ? -k : k, k < 0 ? -1.0F : 1.0F);
+            multiply_phase<Fields>(re + Fields * k, im + Fields * k, t.zenith, k < 0 ? -k : k,
+                                   k < 0 ? -1.0F : 1.0F);
         }
         multiply_complex<Fields>(second, l, re, t.scratch);
         multiply_complex<Fields>(second, l, im, t.scratch);
@@ -207,7 +208,7 @@ template <int Fields>
     if (fields == 3) rotate_complex_fields<3>(t);
 }
 
-// Of the turns by phi + pi / 2 and by -theta.
+// Of the rotations by phi + pi / 2 and by -theta.
 struct Rotations {
     DoubleLanes azimuth_cosine;
     DoubleLanes azimuth_sine;
@@ -219,7 +220,7 @@ struct Rotations {
                                                   const DoubleLanes& z, Rotations& out) {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const double rho = std::sqrt(x.value[i] * x.value[i] + y.value[i] * y.value[i]);
-        // At a pole theta_phi_frame takes phi as 0, and so must this. The quarter turn is i exp(i phi).
+        // At a pole theta_phi_frame takes phi as 0, and so must this. The right angle is i exp(i phi).
         const double inverse = 1 / (rho > 0 ? rho : 1);
         out.azimuth_cosine.value[i] = -y.value[i] * inverse;
         out.azimuth_sine.value[i] = rho > 0 ? x.value[i] * inverse : 1;
@@ -272,12 +273,12 @@ void LaneRotation::set_normals(std::span<const glm::vec3> normals, Work& work) c
         y.value[i] = n.y;
         z.value[i] = n.z;
     }
-    Rotations turns;
-    dispatch<find_rotations>(x, y, z, turns);
+    Rotations rotations;
+    dispatch<find_rotations>(x, y, z, rotations);
     const auto count = static_cast<std::size_t>(order_) + 1;
-    raise_phases(turns.azimuth_cosine, turns.azimuth_sine, count, work.azimuth_.cosine.data(),
+    raise_phases(rotations.azimuth_cosine, rotations.azimuth_sine, count, work.azimuth_.cosine.data(),
                  work.azimuth_.sine.data());
-    raise_phases(turns.zenith_cosine, turns.zenith_sine, count, work.zenith_.cosine.data(),
+    raise_phases(rotations.zenith_cosine, rotations.zenith_sine, count, work.zenith_.cosine.data(),
                  work.zenith_.sine.data());
 }
 

@@ -25,7 +25,7 @@ public:
     /// One thread's: normals and results.
     class Work {
     public:
-        /// Of the last turn of `fields` fields: those of one position stand side by side, first the real
+        /// Of the last rotation of `fields` fields: those of one position stand side by side, first the real
         /// parts of all positions, then from imaginary() positions on the imaginary ones.
         [[nodiscard]] const Lanes* results() const { return results_.data(); }
         [[nodiscard]] std::size_t imaginary() const { return results_.size() / (2 * kMostFields); }
@@ -61,7 +61,7 @@ private:
         std::vector<float> second;  // as it is
     };
 
-    // Hands what a turn works on to `run`.
+    // Calls `run` with what a rotation needs.
     template <class Run>
     void rotate_by(const Quarters& quarters, std::span<const std::complex<float>* const> in, Work& work,
                    Run run) const;

@@ -24,7 +24,7 @@
 namespace nicol {
 namespace {
 
-// Rays between two looks at the progress callback.
+// Rays between two calls of the progress callback.
 constexpr std::size_t rays_at_a_time = std::size_t{1} << 21;
 
 // Below this sine of elevation a ray could meet the plane that it starts from: far away the plane is known to
@@ -68,14 +68,14 @@ struct Former {
 };
 
 // Fills the bits of one vertex; returns the number of rays.
-std::uint64_t look_around(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
-                          const glm::vec3& normal, std::size_t vertex, const std::optional<Former>& former,
-                          Visibility& visibility) {
+std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
+                           const glm::vec3& normal, std::size_t vertex, const std::optional<Former>& former,
+                           Visibility& visibility) {
     const std::span<std::uint64_t> words = visibility.at(vertex);
     const std::size_t last = directions.bundles().size() - 1;
     const std::size_t rest = directions.size() - last * RayBundle::kRays;
     std::uint64_t rays = 0;
-    bool open = true;
+    bool unoccluded = true;
     for (std::size_t b = 0; b <= last; ++b) {
         const RayBundle& bundle = directions.bundles()[b];
         const unsigned real = b < last || rest == RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
@@ -85,14 +85,14 @@ std::uint64_t look_around(const RayScene& scene, const DirectionSet& directions,
         if (former && former->disturbed[b] == 0) {
             blocked = static_cast<std::uint16_t>(up & ~(former->bits[b / 4] >> (16 * (b % 4))));
         } else {
-            const auto asked = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, grazing) & real);
-            if (asked != 0) blocked = scene.occluded(origin, bundle, asked);
-            rays += static_cast<std::uint64_t>(std::popcount(asked));
+            const auto needed = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, grazing) & real);
+            if (needed != 0) blocked = scene.occluded(origin, bundle, needed);
+            rays += static_cast<std::uint64_t>(std::popcount(needed));
         }
-        open = open && blocked == 0;
+        unoccluded = unoccluded && blocked == 0;
         words[b / 4] |= static_cast<std::uint64_t>(up & ~blocked) << (16 * (b % 4));
     }
-    visibility.set_unoccluded(vertex, open);
+    visibility.set_unoccluded(vertex, unoccluded);
     return rays;
 }
 
@@ -126,12 +126,12 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
                " directions and this one " + std::to_string(directions.size()) + "; they must be the same");
     }
     const std::vector<glm::vec3> normals = unit_normals(geometry.normals);
-    const auto tell = [&](std::size_t done) {
+    const auto report = [&](std::size_t done) {
         if (progress)
             progress(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(vertices, 1)));
     };
 
-    tell(0);
+    report(0);
     const Stopwatch building;
     const RaySurface surface{.positions = geometry.positions, .triangles = geometry.triangles};
     const RayScene scene({&surface, 1});
@@ -165,14 +165,14 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
                     known = {.bits = former->visibility.at(before[v]), .disturbed = disturbed};
                 }
                 const std::uint64_t count =
-                    look_around(scene, directions, origins[v], normals[v], v, known, visibility);
+                    trace_vertex(scene, directions, origins[v], normals[v], v, known, visibility);
                 traced += count;
                 tracing_vertices += count > 0 ? 1 : 0;
             }
             rays += traced;
             from += tracing_vertices;
         });
-        tell(last);
+        report(last);
     }
     if (statistics != nullptr) {
         *statistics = {.rays = rays,

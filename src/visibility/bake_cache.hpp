@@ -12,7 +12,7 @@ namespace nicol {
 /// bake(), or its result from `folder` if it is there; else it is kept there (as a file named after the
 /// geometry). The folder is made if it is missing; an empty path means no cache.
 ///
-/// A file serves only if format version, every byte of the geometry, directions and checksum are those asked
+/// A file is used only if format version, every byte of the geometry, directions and checksum are those asked
 /// for and its length is exact; anything else is baked and overwritten, with a notice. Files appear complete
 /// or not at all, so processes may share a folder. A folder that cannot be written is a notice, never an
 /// error. Throws what bake() throws.

@@ -14,7 +14,7 @@ namespace {
 constexpr float slack = 1e-4F;
 
 // disturbed[b] = 1 where the angle between an axis and the unit vector is at most the sum of half the opening
-// angle and an angle of this cosine and sine, which is below a quarter turn.
+// angle and an angle of this cosine and sine, which is below a right angle.
 [[gnu::always_inline]] inline void mark_near(std::size_t count, const float* x, const float* y,
                                              const float* z, const float* cosine, const float* sine,
                                              const glm::vec3& to, float ball_cosine, float ball_sine,
@@ -39,7 +39,7 @@ BundleCones::BundleCones(const DirectionSet& directions) {
         const glm::dvec3 axis = length > 1e-6 ? sum / length : ray(0);
         double cosine = 1;
         for (std::size_t i = 0; i < RayBundle::kRays; ++i) cosine = std::min(cosine, glm::dot(axis, ray(i)));
-        // A cone wider than a half sphere is one of everything.
+        // A cone wider than a half sphere is the whole sphere.
         const bool wide = cosine <= 0;
         x_.push_back(static_cast<float>(axis.x));
         y_.push_back(static_cast<float>(axis.y));

@@ -181,9 +181,8 @@ struct Vertex {
     return count;
 }
 
-// The directions above the horizon that the vertex sees count what they weigh, the others nothing, less the
-// fraction `seen` of the whole that is added exactly: so quadrature need not know where the horizon is.
-// Returns the fraction.
+// Weights of the visible directions above the horizon, less the visible fraction of all above it, which is
+// added exactly: so the quadrature need not know where the horizon is. Returns the fraction.
 float gather(const DirectionSet& directions, std::span<const Lanes> weights, const Visibility& visibility,
              std::size_t index, const Frame& frame, std::vector<Samples>& samples) {
     Vertex vertex{.frame = {}, .seen = visibility.at(index).data(), .all = {}, .part = {}};

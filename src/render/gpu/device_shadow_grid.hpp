@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// relight, second half, on the device: light times what its vertices see, on a grid.
+// relight, second half, on the device: light times the visibility of its vertices, on a grid.
 #pragma once
 
 #include <cstdint>

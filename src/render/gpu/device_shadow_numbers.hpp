@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What shadowed vertices see, on the device.
+// The visibility of shadowed vertices, on the device.
 #pragma once
 
 #include <algorithm>
