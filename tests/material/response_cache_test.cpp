@@ -162,7 +162,7 @@ TEST_CASE("a file of the cache is read by its name alone") {
     refuse(with(" channels=1", " channels=0"), ErrorCode::invalid_file);
     refuse(with(" angles=1021", " angles=1020"), ErrorCode::invalid_file);
     std::string bytes = good;
-    bytes[8] = 2;
+    bytes[8] = static_cast<char>(bytes[8] + 1);
     refuse(bytes, ErrorCode::unsupported);
     bytes = good;
     bytes[good.size() / 2] = static_cast<char>(bytes[good.size() / 2] ^ 1);

@@ -36,7 +36,7 @@ test::Deviation compare(const test::Vertices& vertices, const Material& material
     const double width = kLobeWidths[static_cast<std::size_t>(factors.centre())];
 
     const VisibilityHarmonics harmonics(directions(), visibility_order);
-    VisibilityBlocks seen(vertices.visibility, harmonics);
+    VisibilityBlocks seen(vertices.visibility, visibility_order);
     std::vector<Lanes> lanes(psh_count(visibility_order));
     for (std::size_t first = 0; first < count; first += kLanes) {
         project_block(harmonics, vertices.visibility, vertices.normals, first,
