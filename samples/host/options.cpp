@@ -8,7 +8,8 @@
 
 const char* const usage =
     "usage: nicol-host [OPTION...]\n"
-    "Shows polarized light inside an application with OpenGL of its own. Left and right rotate the polarizer.\n"
+    "Shows polarized light inside an application with OpenGL of its own. Left and right rotate the "
+    "polarizer.\n"
     "  --polarizer ANGLE   degrees counter-clockwise from the right\n"
     "  --frames N          end after N frames; the first one faces the viewer\n"
     "  --screenshot FILE   write the last frame as a PPM image; needs --frames\n"

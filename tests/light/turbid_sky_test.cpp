@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sky with haze: colour, radiance, polarization and ground.
-#include "light/images.hpp"
 #include "light/turbid_sky.hpp"
+#include "light/images.hpp"
 #include "temporary_folder.hpp"
 #include "test.hpp"
 
