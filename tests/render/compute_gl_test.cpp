@@ -211,9 +211,7 @@ TEST_CASE("compute shaders take more vertices than one buffer of light holds") {
         {.mesh = std::make_shared<const Mesh>(make_rectangle(264)),
          .material = diffuse({0.5}),
          .to_world = glm::translate(glm::dmat4(1), {0, 0, -2}) * glm::scale(glm::dmat4(1), glm::dvec3(3))});
-    for (const int order : {2, 10}) {  // by matrices and by the grid
-        comparison.run(scene, {.order_low = order, .order_high = order, .progress = {}});
-    }
+    comparison.run(scene, {.order_low = 2, .order_high = 2, .progress = {}});
     CHECK(comparison.by_shaders.statistics().vertices > 65536 + 1000);
 }
 
