@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "render/aov_layout.hpp"
-#include "render/view_uniforms.hpp"
 
 namespace nicol {
 namespace {
@@ -46,10 +45,10 @@ void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, 
     if (planes == 0) {
         vertices_.reset();
         batches_.clear();
-        bound_ = 0;
+        binding_.reset();
         return;
     }
-    if (bound_ != buffers.revision()) bind(geometry, buffers);
+    binding_.run(buffers.version(), [&] { bind(geometry, buffers); });
     if (programs_.find(planes) == programs_.end()) {
         const std::vector<gl::Define> defines = defines_of(AovLayout(planes));
         programs_.emplace(planes, gl::Program::graphics(context_, "aovs.vert", "aovs.frag", defines));
@@ -58,7 +57,6 @@ void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, 
 }
 
 void AovPainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
-    bound_ = 0;
     vertices_.reset();
     batches_.clear();
     if (!buffers.empty()) {
@@ -82,7 +80,6 @@ void AovPainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
             batches_.back().last = 3 * (i + 1);
         }
     }
-    bound_ = buffers.revision();
 }
 
 void AovPainter::draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target) {

@@ -45,7 +45,7 @@ private:
     std::map<std::uint32_t, gl::Program> programs_;  // by planes
     std::optional<gl::VertexArray> vertices_;
     std::vector<Batch> batches_;
-    std::uint64_t bound_ = 0;  // revision of the buffers
+    Stage<Version> binding_;  // buffers
     std::uint32_t planes_ = 0;
     std::shared_ptr<gl::RenderTarget> attachments_;
 };

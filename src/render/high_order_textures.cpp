@@ -45,11 +45,13 @@ gl::Texture2D texture_of(const std::shared_ptr<gl::Context>& context, const Lobe
 }  // namespace
 
 void HighOrderTextures::update(const HighOrderTransfer& transfer, int channels) {
-    if (parts_revision_ == transfer.parts_revision() && channels_ == channels) return;
-    parts_revision_ = 0;
+    copying_.run(transfer.parts().version(), channels, [&] { copy(transfer, channels); });
+}
+
+void HighOrderTextures::copy(const HighOrderTransfer& transfer, int channels) {
     parts_.clear();
     maps_.clear();
-    for (const auto& [material, from] : transfer.parts()) {
+    for (const auto& [material, from] : *transfer.parts()) {
         polarized_ = from.maps.centre->polarized();
         Part part{.factors = {},
                   .centre = textures(from.maps.centre, channels),
@@ -71,8 +73,6 @@ void HighOrderTextures::update(const HighOrderTransfer& transfer, int channels) 
         }
         parts_.emplace(material, std::move(part));
     }
-    channels_ = channels;
-    parts_revision_ = transfer.parts_revision();
 }
 
 const HighOrderTextures::Textures* HighOrderTextures::textures(const LobeMap* map, int channels) {

@@ -2,7 +2,6 @@
 // Filtered light and the materials' factors as textures.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <vector>
@@ -41,13 +40,13 @@ public:
     static void bind(gl::Program& program, const Part& part, std::size_t group);
 
 private:
+    void copy(const HighOrderTransfer& transfer, int channels);
     const Textures* textures(const LobeMap* map, int channels);
 
     std::shared_ptr<gl::Context> context_;
     std::map<const LobeMap*, Textures> maps_;
     std::map<MaterialPtr, Part> parts_;
-    std::uint64_t parts_revision_ = 0;
-    int channels_ = 0;
+    Stage<Version, int> copying_;  // parts, channels
     bool polarized_ = false;
 };
 

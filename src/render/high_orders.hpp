@@ -1,30 +1,27 @@
 // SPDX-License-Identifier: MIT
-// The orders of light above order_low, for every vertex.
+// The orders of light above order_low: the light filtered, materials fitted, visibility expanded.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <glm/vec2.hpp>
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "material/response_cache.hpp"
-#include "render/render.hpp"
-#include "render/transfer_input.hpp"
+#include "render/transfer_method.hpp"
+#include "render/vertex_stage.hpp"
 #include "specular/high_order.hpp"
 #include "specular/high_order_light.hpp"
 #include "specular/high_order_visibility.hpp"
 
 namespace nicol {
 
-/// Distant light to a high order, in its own axes: filtering commutes with turning, so a turn costs nothing.
+/// Distant light to a high order, in its own axes: filtering commutes with rotation, so that a rotation costs
+/// nothing.
 struct DistantLight {
     const PshVector& coefficients;  ///< of order `high`, scaled
-    std::uint64_t revision;         ///< counts the changes of the coefficients
-    glm::dmat3 to_world;
+    Version version;                ///< of the coefficients
     int low;
     int high;  ///< above low
     bool polarized;
@@ -35,20 +32,13 @@ public:
     /// Where to keep what takes long to fit; an empty folder: nowhere.
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
-    /// For the input of a method that runs before update() and may compute what update() with `input` would:
-    /// null where that has all it needs.
-    [[nodiscard]] AwaitedVisibility* await(const TransferInput& input, int low);
     /// project: filters the light and fits the materials, as far as changes make it necessary.
-    void update(const TransferInput& input, const DistantLight& light, HighOrders form, Workers& workers,
-                Progress& progress, Statistics& statistics);
-    /// shade, where high orders are looked up at pixels: what the vertices with visible[v] != 0 see of what
-    /// they reflect to the viewer, into fractions(). Only after update() with the same input.
-    void see(const TransferInput& input, const Viewpoint& view, std::span<const std::uint8_t> visible,
-             Workers& workers, Progress& progress);
-    /// shade: adds to the vertices with visible[v] != 0. Only after update() with the same input.
-    void shade(const TransferInput& input, const DistantLight& light, const Viewpoint& view,
-               std::span<const std::uint8_t> visible, Workers& workers, Progress& progress,
-               VertexStokes& out);
+    void project(const TransferInput& input, const DistantLight& light, HighOrders form, RenderRun& run);
+    /// The visibility that bake() would compute for all vertices; none where it has what it needs of them.
+    [[nodiscard]] std::optional<VisibilityRequest> request(const TransferInput& input, int low);
+    /// bake: coefficients of visibility, those of a request that has been filled.
+    void bake(const TransferInput& input, int low, std::optional<VisibilityRequest> request, RenderRun& run);
+    /// Adds what it keeps to the statistics.
     void count(Statistics& statistics) const;
 
     /// A material and what it makes of the light.
@@ -58,58 +48,35 @@ public:
         bool filtered = false;             ///< the maps are there
         HighOrderMaps maps;
     };
-    [[nodiscard]] const std::map<MaterialPtr, Part>& parts() const noexcept { return parts_; }
-    /// Counts the changes of parts().
-    [[nodiscard]] std::uint64_t parts_revision() const noexcept { return parts_revision_; }
+    using Parts = std::map<MaterialPtr, Part>;
+    [[nodiscard]] const Versioned<Parts>& parts() const noexcept { return parts_; }
     /// Of twice the order that high orders begin above; empty where nothing casts shadows.
-    [[nodiscard]] const VisibilityBlocks& visibility() const noexcept { return visibility_; }
-    /// Counts the changes of visibility().
-    [[nodiscard]] std::uint64_t visibility_count() const noexcept { return visibility_count_; }
-    /// Of the last see(), of the lobe about the mirror direction and of the hemisphere; empty where nothing
-    /// casts shadows.
-    [[nodiscard]] std::span<const glm::vec2> fractions() const noexcept { return fractions_; }
-    /// Of the lobe that the first of them is of, radians.
+    [[nodiscard]] const Versioned<VisibilityBlocks>& visibility() const noexcept { return visibility_; }
+    /// Of a material's lobe about the mirror direction, radians: of whose part that a vertex sees fractions
+    /// are computed.
     [[nodiscard]] double lobe_width(const MaterialPtr& material) const {
-        return kLobeWidths[static_cast<std::size_t>(parts_.at(material).factors.centre())];
+        return kLobeWidths[static_cast<std::size_t>(parts_->at(material).factors.centre())];
     }
 
 private:
-    // What the parts belong to.
-    struct Key {
-        HighOrders form = HighOrders::none;
-        int low = -1;
-        int high = -1;
-        int channels = 0;
-        bool polarized = false;
-        bool operator==(const Key&) const = default;
-    };
-
-    void fit(const TransferInput& input, const Key& key, Workers& workers, Progress& progress,
-             Statistics& statistics);
-    void filter(const DistantLight& light, Workers& workers);
-    /// Whether visibility has to be expanded, and whether what there is of it helps.
-    [[nodiscard]] bool is_current(const TransferInput& input, int order) const;
-    [[nodiscard]] bool follows(const TransferInput& input, int order) const;
-    void expand_visibility(const TransferInput& input, int order, bool follows, Workers& workers,
-                           Progress& progress);
+    void fit(const TransferInput& input, const DistantLight& light, HighOrders form, RenderRun& run);
+    void filter(const DistantLight& light, HighOrders form);
+    [[nodiscard]] VisibilityBlocks expanded(const TransferInput& input, int order, RenderRun& run) const;
 
     std::filesystem::path folder_;
     CacheNotice notice_;
-    Key key_;
-    std::map<MaterialPtr, Part> parts_;
+    // Form, low and high order, channels, whether the light is polarized.
+    Stage<HighOrders, int, int, int, bool> sizing_;
+    Stage<Version, HighOrders, int, int, int, bool> fitting_;
+    Versioned<Parts> parts_;
+    Version fitted_ = 0;  // of the parts without what is filtered for them
     std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels_;
+    Stage<Version> lighting_;
+    Stage<Version, Version> filtering_;
     std::optional<HighOrderLight> light_;
-    std::uint64_t parts_revision_ = 0;
-    std::uint64_t filtered_ = 0;  // revision of the light that the maps are of
-    std::uint64_t fitted_ = 0;    // revision of the materials
 
-    VisibilityBlocks visibility_;
-    std::optional<AwaitedVisibility> awaited_;
-    int visibility_order_ = -1;  // that it was made for, also where it is empty
-    std::uint64_t visibility_count_ = 0;
-    std::uint64_t visibility_revision_ = 0;
-    std::uint64_t visibility_geometry_ = 0;
-    std::vector<glm::vec2> fractions_;
+    VertexStage<int> expanding_{{}};  // order
+    Versioned<VisibilityBlocks> visibility_;
 };
 
 }  // namespace nicol

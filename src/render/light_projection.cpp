@@ -57,46 +57,39 @@ LightKind light_kind(const Environment* light) {
 
 void LightProjection::update(const Scene& scene, const RenderOptions& options, const glm::dmat3& rotation,
                              Statistics& statistics) {
-    const Stopwatch watch;
-    const int high = options.high_orders == HighOrders::none ? options.order_low : options.order_high;
+    const int low = options.order_low;
+    const int high = options.high_orders == HighOrders::none ? low : options.order_high;
     const LightKind kind = (options.disabled_optimisations & skip_light_components) != 0
                                ? LightKind::full
                                : light_kind(scene.environment().get());
-    const bool same_layout = layout_ && layout_->order() == options.order_low && layout_->kind() == kind;
-    if (!projected_ || environment_ != scene.environment() || !same_layout || light_.order() != high ||
-        dering_ != options.dering || disabled_optimisations_ != options.disabled_optimisations) {
-        projected_ = false;
-        scale_ = -1;
-        environment_ = scene.environment();
-        light_ = environment_ ? environment_->project(high) : PshVector(high, 1);
-        if ((options.disabled_optimisations & skip_channels) == 0)
-            light_ = without_repeats(std::move(light_));
-        dering_ = options.dering;
-        suppress_ringing(light_, dering_);
-        disabled_optimisations_ = options.disabled_optimisations;
-        layout_.emplace(options.order_low, kind);
-        last_order_ = (options.disabled_optimisations & skip_orders) != 0
-                          ? high
-                          : std::max(options.order_low, last_order_of(light_));
-        projected_ = true;
-        ++statistics.lights_projected;
-        statistics.project_ms += watch.milliseconds();
-    }
-    const bool same_scale = scale_ == scene.light_scale();
-    if (same_scale && rotated_by_ == rotation && rotated_from_ == distant_revision_) return;
-    const Stopwatch relight_watch;
-    if (!same_scale) {
-        distant_ = light_;
-        for (double& coefficient : distant_.data()) coefficient *= scene.light_scale();
-        scale_ = scene.light_scale();
-        ++distant_revision_;
-    }
-    rotated_from_ = 0;
-    rotated_ = nicol::rotated(with_order(distant_, options.order_low), rotation);
-    ++rotated_revision_;
-    rotated_by_ = rotation;
-    rotated_from_ = distant_revision_;
-    statistics.relight_ms += relight_watch.milliseconds();
+    projecting_.run(scene.environment(), low, high, kind, options.dering, options.disabled_optimisations,
+                    [&] {
+                        const Stopwatch watch;
+                        project(scene.environment().get(), low, high, kind, options);
+                        ++statistics.lights_projected;
+                        statistics.project_ms += watch.milliseconds();
+                    });
+    const Stopwatch watch;
+    bool changed = scaling_.run(light_.version(), scene.light_scale(), [&] {
+        PshVector& distant = distant_.change();
+        distant = *light_;
+        for (double& coefficient : distant.data()) coefficient *= scene.light_scale();
+    });
+    changed |= rotating_.run(distant_.version(), rotation, [&] {
+        rotated_.change() = nicol::rotated(with_order(*distant_, low), rotation);
+    });
+    if (changed) statistics.relight_ms += watch.milliseconds();
+}
+
+void LightProjection::project(const Environment* environment, int low, int high, LightKind kind,
+                              const RenderOptions& options) {
+    PshVector& light = light_.change();
+    light = environment != nullptr ? environment->project(high) : PshVector(high, 1);
+    if ((options.disabled_optimisations & skip_channels) == 0) light = without_repeats(std::move(light));
+    suppress_ringing(light, options.dering);
+    layout_.emplace(low, kind);
+    last_order_ =
+        (options.disabled_optimisations & skip_orders) != 0 ? high : std::max(low, last_order_of(light));
 }
 
 }  // namespace nicol

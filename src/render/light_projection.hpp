@@ -9,6 +9,7 @@
 #include "harmonics/light_layout.hpp"
 #include "render/render.hpp"
 #include "scene/scene.hpp"
+#include "versioned.hpp"
 
 namespace nicol {
 
@@ -26,31 +27,25 @@ public:
 
     /// Of the low orders.
     [[nodiscard]] const LightLayout& layout() const { return *layout_; }
-    [[nodiscard]] const PshVector& rotated() const noexcept { return rotated_; }
-    /// Counts the changes of rotated().
-    [[nodiscard]] std::uint64_t rotated_revision() const noexcept { return rotated_revision_; }
-
-    [[nodiscard]] const PshVector& distant() const noexcept { return distant_; }
-    /// Counts the changes of distant().
-    [[nodiscard]] std::uint64_t distant_revision() const noexcept { return distant_revision_; }
+    /// Its version is another where the layout is, too.
+    [[nodiscard]] const Versioned<PshVector>& rotated() const noexcept { return rotated_; }
+    [[nodiscard]] const Versioned<PshVector>& distant() const noexcept { return distant_; }
     /// The last order of distant() that is worth rendering: order_low where there is nothing above it.
     [[nodiscard]] int last_order() const noexcept { return last_order_; }
 
 private:
-    EnvironmentPtr environment_;  // that light_ was projected from
-    bool projected_ = false;
-    PshVector light_;  // in the environment's axes, unscaled, windowed
+    void project(const Environment* environment, int low, int high, LightKind kind,
+                 const RenderOptions& options);
+
+    // Environment, low and high order, kind, dering, disabled optimisations.
+    Stage<EnvironmentPtr, int, int, LightKind, double, std::uint32_t> projecting_;
+    Versioned<PshVector> light_;  // in the environment's axes, unscaled, windowed
     std::optional<LightLayout> layout_;
     int last_order_ = -1;
-    double dering_ = 0;
-    std::uint32_t disabled_optimisations_ = 0;
-    double scale_ = 1;  // of distant_
-    PshVector rotated_;
-    glm::dmat3 rotated_by_{1.0};
-    std::uint64_t rotated_from_ = 0;  // revision of distant_
-    std::uint64_t rotated_revision_ = 0;
-    PshVector distant_;
-    std::uint64_t distant_revision_ = 0;
+    Stage<Version, double> scaling_;
+    Versioned<PshVector> distant_;
+    Stage<Version, glm::dmat3> rotating_;
+    Versioned<PshVector> rotated_;
 };
 
 }  // namespace nicol

@@ -38,7 +38,7 @@ LightKind kind_of(const Scene& scene, const RenderOptions& options) {
     return light_kind(scene.environment().get());
 }
 
-// Vertices come by sixteen, so what sixteen of them take tells what all do.
+// Vertices are kept by sixteen: all take a multiple of what sixteen do.
 constexpr std::uint64_t block = 16;
 
 std::uint64_t blocks(std::uint64_t vertices) {
@@ -112,7 +112,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     const bool high_orders =
         options.high_orders != HighOrders::none && options.order_high > options.order_low;
     if (high_orders && shadows && options.high_order_shadows) {
-        // What is seen has twice the orders that materials resolve.
+        // Visibility has twice the orders that materials resolve.
         estimate.transfer += size.vertices * (psh_count(2 * order) * sizeof(float) + sizeof(glm::vec2));
         estimate.buffers += size.vertices * sizeof(glm::vec2);
     }
@@ -121,18 +121,16 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
 
 void MemoryLimit::check(const Scene& scene, const RenderOptions& options) {
     if (bytes_ == 0) return;
-    const Key key{
-        scene.geometry_revision(),  scene.channels(),       kind_of(scene, options), options.method,
-        options.order_low,          options.order_high,     options.high_orders,     options.shadows,
-        options.high_order_shadows, options.bake_directions};
-    if (fits_ == key) return;
-    const std::uint64_t needed = estimate_memory(scene, options).total();
-    if (needed > bytes_) {
-        throw Error(ErrorCode::out_of_memory, "the scene needs up to " + std::to_string(needed) +
-                                                  " bytes at run time; the context's memory_limit is " +
-                                                  std::to_string(bytes_));
-    }
-    fits_ = key;
+    checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), options.method,
+                  options.order_low, options.order_high, options.high_orders, options.shadows,
+                  options.high_order_shadows, options.bake_directions, [&] {
+                      const std::uint64_t needed = estimate_memory(scene, options).total();
+                      if (needed <= bytes_) return;
+                      throw Error(ErrorCode::out_of_memory,
+                                  "the scene needs up to " + std::to_string(needed) +
+                                      " bytes at run time; the context's memory_limit is " +
+                                      std::to_string(bytes_));
+                  });
 }
 
 }  // namespace nicol

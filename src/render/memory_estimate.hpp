@@ -3,12 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <tuple>
 
 #include "harmonics/light_layout.hpp"
 #include "render/render.hpp"
 #include "scene/scene.hpp"
+#include "versioned.hpp"
 
 namespace nicol {
 
@@ -37,11 +36,9 @@ public:
     void check(const Scene& scene, const RenderOptions& options);
 
 private:
-    /// Revision of the geometry, channels, components of the light, and the options that matter.
-    using Key = std::tuple<std::uint64_t, int, LightKind, Method, int, int, HighOrders, bool, bool, int>;
-
     std::uint64_t bytes_;
-    std::optional<Key> fits_;
+    // Geometry, channels, components of the light, and the options that matter.
+    Stage<Version, int, LightKind, Method, int, int, HighOrders, bool, bool, int> checking_;
 };
 
 }  // namespace nicol

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "harmonics/energy.hpp"
 #include "render/light_projection.hpp"
@@ -14,13 +15,13 @@ namespace {
 
 constexpr std::array<int, 4> kSplitOrders{9, 16, 32, 64};
 
-// Below, too little is known of the visibility to shadow high orders with.
+// Below, visibility has too few orders to shadow high orders with.
 constexpr int kLowestSplit = 3;
 
 // Of which a fit takes the best, or a better.
 constexpr std::array<SplitProbes, 3> kUsualProbes{{{0, 1, 0.05}, {1, 2, 0.1}, {2, 3, 0.2}}};
 
-// Time of a frame in which the light turns, over an order's part of it: the power of its size, and what
+// Time of a frame in which the light rotates, over an order's part of it: the power of its size, and what
 // looking up filtered light costs (nicol-bench frame).
 double cost(int low, bool split) {
     return std::pow(low + 1.0, 3) + (split ? 60 : 0);
@@ -45,22 +46,20 @@ std::size_t parts_of(LightKind kind) {
 
 }  // namespace
 
-OrderSelector::Orders OrderSelector::choose(const Scene& scene, const WorldGeometry& geometry,
-                                            std::uint64_t revision, const Shadows& shadows, double tolerance,
-                                            bool split) {
-    const Key key(scene.environment().get(), revision, shadows.visibility == nullptr ? 0 : shadows.revision);
-    if (key_ != key) {
-        key_.reset();
-        asked_.reset();
+OrderSelector::Orders OrderSelector::choose(const Scene& scene, const SurfaceState& surfaces,
+                                            double tolerance, bool split) {
+    measuring_.run(scene.environment(), surfaces.materials, surfaces.versions, [&] {
+        choosing_.reset();
         missed_.clear();
         shares_.clear();
         mean_square_ = 0;
-        environment_ = scene.environment();
-        if (environment_) measure(scene, geometry, shadows);
-        key_ = key;
-    }
-    if (asked_ == std::pair(tolerance, split)) return chosen_;
+        if (scene.environment()) measure(scene, surfaces);
+    });
+    choosing_.run(tolerance, split, [&] { chosen_ = cheapest(tolerance, split); });
+    return chosen_;
+}
 
+OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
     std::vector<Orders> candidates;
     for (int low = 0; low <= kHighestLow; ++low) {
         candidates.push_back({.low = low, .high = low});
@@ -69,22 +68,22 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const WorldGeome
     }
     std::ranges::stable_sort(candidates, {},
                              [](const Orders& orders) { return cost(orders.low, orders.high > orders.low); });
-    chosen_ = {.error = std::numeric_limits<double>::infinity()};
+    Orders best{.error = std::numeric_limits<double>::infinity()};
     for (Orders& orders : candidates) {
         orders.error = error(orders.low, orders.high);
-        if (orders.error < chosen_.error) chosen_ = orders;
+        if (orders.error < best.error) best = orders;
         if (orders.error <= tolerance) break;
     }
-    asked_ = {tolerance, split};
-    return chosen_;
+    return best;
 }
 
-void OrderSelector::measure(const Scene& scene, const WorldGeometry& geometry, const Shadows& shadows) {
-    const PshVector light = environment_->project(kOrder);
-    kind_ = light_kind(environment_.get());
+void OrderSelector::measure(const Scene& scene, const SurfaceState& surfaces) {
+    const PshVector light = scene.environment()->project(kOrder);
+    const WorldGeometry& geometry = surfaces.geometry;
+    kind_ = light_kind(scene.environment().get());
     std::optional<VisibilityPower> visible;
-    if (shadows.visibility != nullptr)
-        visible.emplace(*shadows.visibility, *shadows.directions, geometry.normals);
+    if (surfaces.visibility != nullptr)
+        visible.emplace(*surfaces.visibility, *surfaces.directions, geometry.normals);
     const double fraction = visible ? visible->fraction() : 1;
 
     std::map<MaterialPtr, std::size_t> vertices;

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The orders that an image needs for an error that is asked for.
+// The orders that an image needs for a given error.
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <map>
-#include <optional>
 #include <tuple>
 #include <vector>
 
 #include "material/response_power.hpp"
-#include "render/geometry.hpp"
-#include "render/render.hpp"
+#include "render/surface_state.hpp"
 #include "scene/scene.hpp"
+#include "versioned.hpp"
 #include "visibility/visibility_power.hpp"
 
 namespace nicol {
@@ -33,18 +31,9 @@ public:
         double error = 0;  ///< of s0, or of s1 and s2 where that is more; relative to the RMS of s0
     };
 
-    /// What is shadowed, and by what; null where nothing is.
-    struct Shadows {
-        const Visibility* visibility;
-        const DirectionSet* directions;
-        std::uint64_t revision;
-    };
-
     /// The fastest orders for the factored method with a predicted error of at most `tolerance`, or where
     /// there are none those of the least error. split: whether there may be high orders in that form.
-    /// `revision` counts the changes of the geometry and its materials.
-    Orders choose(const Scene& scene, const WorldGeometry& geometry, std::uint64_t revision,
-                  const Shadows& shadows, double tolerance, bool split);
+    Orders choose(const Scene& scene, const SurfaceState& surfaces, double tolerance, bool split);
 
 private:
     static constexpr std::size_t kOutputs = ResponsePower::kOutputs;
@@ -57,20 +46,18 @@ private:
         std::array<Spectrum, kOutputs> all;
         std::array<Spectrum, kOutputs> seen;  // without what shadows' edges bring in from other orders
     };
-    // Everything that the spectra depend on.
-    using Key = std::tuple<const Environment*, std::uint64_t, std::uint64_t>;
 
-    void measure(const Scene& scene, const WorldGeometry& geometry, const Shadows& shadows);
+    [[nodiscard]] Orders cheapest(double tolerance, bool split);
+    void measure(const Scene& scene, const SurfaceState& surfaces);
     double error(int low, int high);
     const std::array<double, kOutputs>& missed(std::size_t share, int low, int high);
 
-    std::optional<Key> key_;
-    EnvironmentPtr environment_;  // keeps the key's alive
+    Stage<EnvironmentPtr, Version, SurfaceVersions> measuring_;
     LightKind kind_ = LightKind::unpolarized;
     std::vector<Share> shares_;
     double mean_square_ = 0;  // of s0
     std::map<std::tuple<std::size_t, int, int>, std::array<double, kOutputs>> missed_;
-    std::optional<std::pair<double, bool>> asked_;  // that chosen_ is the answer to
+    Stage<double, bool> choosing_;
     Orders chosen_;
 };
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "render/rigid_motion.hpp"
-#include "render/view_uniforms.hpp"
 
 namespace nicol {
 namespace {
@@ -65,33 +64,23 @@ void Painter::draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuff
                    Framebuffer& target) {
     const int channels = target.channels();
     const bool by_material = high_orders.textures != nullptr;
-    const Binding binding{.buffers = buffers.revision(),
-                          .materials = by_material ? surfaces.material_revision() : 0,
-                          .channels = channels,
-                          .high_orders = by_material,
-                          .shadowed = high_orders.shadowed};
-    if (bound_ != binding) {
-        bound_ = {};
-        bind_vertices(surfaces.geometry(), buffers, binding);
-        bound_ = binding;
-    }
-    if (environment_ != scene.environment() || channels_ != channels) {
-        upload_environment(scene.environment().get(), channels);
-    }
-    environment_ = scene.environment();
-    channels_ = channels;
+    binding_.run(buffers.version(), by_material ? surfaces.material_version() : 0, channels, by_material,
+                 high_orders.shadowed,
+                 [&] { bind_vertices(surfaces.geometry(), buffers, high_orders, channels); });
+    uploading_.run(scene.environment(), channels,
+                   [&] { upload_environment(scene.environment().get(), channels); });
     planes_.prepare(surfaces.geometry(), buffers, wanted.planes, target);
 
     const Projection of_surfaces = in_axes(projection, surfaces.to_world());
     const glm::mat3 to_light(glm::transpose(scene.light_rotation()) * glm::dmat3(surfaces.to_world()));
     for (std::size_t g = 0; g < groups_.size(); ++g)
-        draw_surface(high_orders, wanted.components, of_surfaces, to_light, g, target);
-    if (environment_) draw_background(scene, wanted.components, projection, target);
+        draw_surface(scene, high_orders, wanted.components, of_surfaces, to_light, g, target);
+    if (scene.environment()) draw_background(scene, wanted.components, projection, target);
     planes_.draw(projection, surfaces.to_world(), target);
     gl::finish(*context_);
 }
 
-void Painter::draw_surface(const HighOrdersOfPixels& high_orders, int components,
+void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
                            const Projection& projection, const glm::mat3& to_light, std::size_t group,
                            Framebuffer& target) {
     gl::RenderTarget& image = target.groups()[group];
@@ -109,7 +98,7 @@ void Painter::draw_surface(const HighOrdersOfPixels& high_orders, int components
         surface.set("to_light", to_light);
         surface.set("physical", high_orders.physical ? 1 : 0);
     }
-    if (environment_ && components == 4) {
+    if (scene.environment() && components == 4) {
         image.clear_depth();
     } else {
         image.clear();
@@ -136,25 +125,26 @@ gl::Program& Painter::program(const char* vertex, const char* fragment, int chan
     return found->second;
 }
 
-void Painter::bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers, const Binding& binding) {
-    const auto count =
-        static_cast<std::size_t>((binding.channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
+void Painter::bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers,
+                            const HighOrdersOfPixels& high_orders, int channels) {
+    const bool by_material = high_orders.textures != nullptr;
+    const auto count = static_cast<std::size_t>((channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
     groups_.resize(count);
     for (Group& group : groups_) group.vertices.reset();
     batches_.clear();
     if (buffers.empty()) return;
-    batches_ = binding.high_orders ? batches_by_material(geometry) : batches_by_side(geometry);
+    batches_ = by_material ? batches_by_material(geometry) : batches_by_side(geometry);
     for (std::size_t g = 0; g < count; ++g) {
         std::vector<gl::Attribute> attributes{
             {.location = 0, .components = 3, .buffer = buffers.positions()}};
-        for (int c = 0; c < group_size(binding.channels, g); ++c) {
+        for (int c = 0; c < group_size(channels, g); ++c) {
             attributes.push_back({.location = static_cast<unsigned>(1 + c),
                                   .components = 4,
                                   .buffer = buffers.stokes(static_cast<int>(g) * Framebuffer::kGroup + c)});
         }
-        if (binding.high_orders) {
+        if (by_material) {
             attributes.push_back({.location = 5, .components = 3, .buffer = buffers.normals(geometry)});
-            if (binding.shadowed) {
+            if (high_orders.shadowed) {
                 attributes.push_back({.location = 6, .components = 2, .buffer = buffers.fractions()});
             }
         }

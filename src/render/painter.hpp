@@ -50,15 +50,6 @@ private:
         std::vector<gl::Texture2D> environment;  // one of all s0, or one Stokes texture a channel
     };
 
-    // What vertex arrays are bound for.
-    struct Binding {
-        std::uint64_t buffers = 0;    // revision
-        std::uint64_t materials = 0;  // likewise, where they matter
-        int channels = 0;
-        bool high_orders = false;
-        bool shadowed = false;
-        bool operator==(const Binding&) const = default;
-    };
     // Consecutive triangles that are drawn alike.
     struct Batch {
         MaterialPtr material;  // null: any
@@ -71,10 +62,12 @@ private:
     static std::vector<Batch> batches_by_material(const WorldGeometry& geometry);
     gl::Program& program(const char* vertex, const char* fragment, int channels,
                          const std::set<std::string>& features);
-    void bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers, const Binding& binding);
+    void bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers,
+                       const HighOrdersOfPixels& high_orders, int channels);
     // `projection` and `to_light` are of the surfaces' axes.
-    void draw_surface(const HighOrdersOfPixels& high_orders, int components, const Projection& projection,
-                      const glm::mat3& to_light, std::size_t group, Framebuffer& target);
+    void draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
+                      const Projection& projection, const glm::mat3& to_light, std::size_t group,
+                      Framebuffer& target);
     void upload_environment(const Environment* environment, int channels);
     void draw_background(const Scene& scene, int components, const Projection& projection,
                          Framebuffer& target);
@@ -83,9 +76,9 @@ private:
     std::map<std::tuple<std::string, int, std::set<std::string>>, gl::Program> programs_;
     std::vector<Group> groups_;
     std::vector<Batch> batches_;
-    Binding bound_;
-    int channels_ = 0;
-    EnvironmentPtr environment_;  // that the textures show
+    // Buffers, materials where batches are by material, channels, whether batches are, fractions.
+    Stage<Version, Version, int, bool, bool> binding_;
+    Stage<EnvironmentPtr, int> uploading_;  // environment, channels
     AovPainter planes_;
 };
 

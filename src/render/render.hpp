@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a render is asked for and what it reports.
+// Options of a render, and what it reports.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <tuple>
 
 namespace nicol {
 
@@ -86,6 +87,16 @@ struct RenderOptions {
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
     /// false stops the render with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;
+
+    /// All but the callback.
+    bool operator==(const RenderOptions& o) const {
+        const auto values = [](const RenderOptions& a) {
+            return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.order_low, a.order_high,
+                            a.high_orders, a.high_orders_at, a.high_order_shadows, a.tolerance, a.dering,
+                            a.physical, a.components, a.planes, a.samples, a.seed, a.disabled_optimisations);
+        };
+        return values(*this) == values(o);
+    }
 };
 
 /// Milliseconds are 0 for verbs that did not have to run.
@@ -128,6 +139,13 @@ struct Statistics {
     std::uint64_t matrices_baked = 0;   ///< dense: of vertices
     std::uint64_t vertices_relit = 0;   ///< into whose frames light was brought
     std::uint64_t vertices_shaded = 0;  ///< whose Stokes vectors were computed
+
+    /// Sets times and counts of what was made to 0, for a render that could keep all.
+    void nothing_ran() {
+        project_ms = bake_ms = bake_trace_ms = relight_ms = shade_ms = draw_ms = observe_ms = trace_ms = 0;
+        bake_rays = lights_projected = materials_projected = vertices_traced = 0;
+        matrices_baked = vertices_relit = vertices_shaded = camera_rays = shadow_rays = 0;
+    }
 };
 
 }  // namespace nicol

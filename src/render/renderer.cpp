@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "arguments.hpp"
@@ -49,39 +48,35 @@ void check(const RenderOptions& options) {
     }
 }
 
-// All but the callback.
-auto values(const RenderOptions& o) {
-    return std::tie(o.method, o.executor, o.shadows, o.bake_directions, o.order_low, o.order_high,
-                    o.high_orders, o.high_orders_at, o.high_order_shadows, o.tolerance, o.dering, o.physical,
-                    o.components, o.planes, o.samples, o.seed, o.disabled_optimisations);
-}
-
 }  // namespace
 
 Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
     : context_(context),
       threads_(threads),
-      transfer_(threads),
+      workers_(threads),
       buffers_(context),
       textures_(context),
       painter_(std::move(context)) {}
 
-ComputeExecutor* Renderer::device_for(Executor executor) {
-    if (executor == Executor::cpu) return nullptr;
-    const std::string obstacle = ComputeExecutor::obstacle(*context_);
-    if (executor == Executor::automatic && (context_->info().software || !obstacle.empty())) return nullptr;
+bool Renderer::on_device(Executor executor) const {
+    if (executor == Executor::cpu) return false;
+    const std::string obstacle = GpuExecutor::obstacle(*context_);
+    if (executor == Executor::automatic) return !context_->info().software && obstacle.empty();
     if (!obstacle.empty()) {
         throw Error(ErrorCode::unsupported, "the executor cannot be compute shaders: " + obstacle);
     }
-    if (!device_) device_.emplace(context_, buffers_, textures_);
-    return &*device_;
+    return true;
 }
 
-bool Renderer::holds(const Framebuffer& target, const Scene& scene, const Camera& camera,
-                     const RenderOptions& options) const {
-    return made_ && made_->content == target.content() && made_->geometry == scene.geometry_revision() &&
-           made_->materials == scene.material_revision() && made_->light == scene.light_revision() &&
-           made_->camera == camera && values(made_->options) == values(options);
+RenderExecutor& Renderer::executor_for(Executor executor) {
+    if (on_device(executor)) {
+        cpu_.reset();
+        if (!gpu_) gpu_.emplace(context_, buffers_, textures_);
+        return *gpu_;
+    }
+    gpu_.reset();  // and with it all that only compute shaders work on
+    if (!cpu_) cpu_.emplace();
+    return *cpu_;
 }
 
 void Renderer::render(const Scene& scene, const Camera& camera, const RenderOptions& options,
@@ -115,31 +110,21 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
 
 void Renderer::render_channels(const Scene& scene, const Camera& camera, const RenderOptions& options,
                                Framebuffer& target) {
-    if ((options.disabled_optimisations & skip_unchanged) == 0 && holds(target, scene, camera, options)) {
-        Statistics& kept = target.statistics();
-        for (double* ms : {&kept.project_ms, &kept.bake_ms, &kept.bake_trace_ms, &kept.relight_ms,
-                           &kept.shade_ms, &kept.draw_ms, &kept.observe_ms, &kept.trace_ms}) {
-            *ms = 0;
-        }
-        for (std::uint64_t* made : {&kept.bake_rays, &kept.lights_projected, &kept.materials_projected,
-                                    &kept.vertices_traced, &kept.matrices_baked, &kept.vertices_relit,
-                                    &kept.vertices_shaded, &kept.camera_rays, &kept.shadow_rays}) {
-            *made = 0;
-        }
-        return;
+    if ((options.disabled_optimisations & skip_unchanged) != 0 || content_ != target.content()) {
+        rendering_.reset();
     }
-    if (options.method == Method::reference) {
-        render_by_reference(scene, camera, options, threads_, target);
-    } else {
-        draw(scene, camera, options, target);
-    }
-    made_ = {.content = target.content(),
-             .geometry = scene.geometry_revision(),
-             .materials = scene.material_revision(),
-             .light = scene.light_revision(),
-             .camera = camera,
-             .options = options};
-    made_->options.progress = nullptr;
+    RenderOptions values = options;
+    values.progress = nullptr;
+    const bool rendered = rendering_.run(
+        scene.geometry_version(), scene.material_version(), scene.light_version(), camera, values, [&] {
+            if (options.method == Method::reference) {
+                render_by_reference(scene, camera, options, threads_, target);
+            } else {
+                draw(scene, camera, options, target);
+            }
+        });
+    content_ = target.content();
+    if (!rendered) target.statistics().nothing_ran();
 }
 
 void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOptions& options,
@@ -147,29 +132,27 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
-    ComputeExecutor* const device = device_for(options.executor);
-    if (device == nullptr) device_.reset();  // and with it all that only compute shaders work on
+    RenderExecutor& executor = executor_for(options.executor);
+    statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
     if (chosen.high_orders_at == HighOrdersAt::automatic) {
         // Look-ups are dear where the processor rasterises.
         chosen.high_orders_at = context_->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
     }
-    transfer_.update(scene, projection, chosen, device, progress, statistics);
+    RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};
+    pipeline_.run(scene, projection, chosen, executor, run);
     progress.report("draw", 0);
 
     const Stopwatch watch;
     context_->run([&] {
-        const SceneGeometry& surfaces = transfer_.surfaces();
-        buffers_.update(surfaces.geometry(), surfaces.revision(), target.channels());
-        if (device == nullptr) buffers_.upload(transfer_.stokes());
-        const HighOrderTransfer* const high_orders = transfer_.pixel_high_orders();
-        if (high_orders != nullptr) {
-            textures_.update(*high_orders, target.channels());
-            if (device == nullptr) buffers_.upload(high_orders->fractions());
-        }
+        const SceneGeometry& surfaces = pipeline_.surfaces();
+        buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
+        const HighOrderTransfer* const high_orders = pipeline_.pixel_high_orders();
+        executor.store(buffers_, high_orders != nullptr);
+        if (high_orders != nullptr) textures_.update(*high_orders, target.channels());
         painter_.draw(scene, surfaces, buffers_,
                       {.textures = high_orders != nullptr ? &textures_ : nullptr,
-                       .shadowed = high_orders != nullptr && !high_orders->visibility().empty(),
+                       .shadowed = high_orders != nullptr && !high_orders->visibility()->empty(),
                        .physical = options.physical},
                       {.components = options.components, .planes = options.planes}, projection, target);
     });

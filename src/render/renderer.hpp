@@ -7,10 +7,11 @@
 #include <memory>
 #include <optional>
 
-#include "render/gpu/compute_executor.hpp"
+#include "render/cpu/cpu_executor.hpp"
+#include "render/gpu/gpu_executor.hpp"
 #include "render/memory_estimate.hpp"
 #include "render/painter.hpp"
-#include "render/transfer_cache.hpp"
+#include "render/pipeline.hpp"
 
 namespace nicol {
 
@@ -19,9 +20,9 @@ public:
     /// threads = 0: one a core.
     Renderer(std::shared_ptr<gl::Context> context, int threads);
 
-    /// See TransferCache::set_cache().
+    /// See Pipeline::set_cache().
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
-        transfer_.set_cache(folder, notice);
+        pipeline_.set_cache(folder, notice);
     }
 
     /// See MemoryLimit.
@@ -40,31 +41,25 @@ private:
     void render_channels(const Scene& scene, const Camera& camera, const RenderOptions& options,
                          Framebuffer& target);
     void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
-    // Null for threads.
-    [[nodiscard]] ComputeExecutor* device_for(Executor executor);
+    // Whether compute shaders are the executor.
+    [[nodiscard]] bool on_device(Executor executor) const;
+    [[nodiscard]] RenderExecutor& executor_for(Executor executor);
 
-    // What an image was made of; where all of it is the same, so is the image.
-    struct Made {
-        std::uint64_t content;   // of the framebuffer
-        std::uint64_t geometry;  // revisions of the scene
-        std::uint64_t materials;
-        std::uint64_t light;
-        Camera camera;
-        RenderOptions options;
-    };
-    [[nodiscard]] bool holds(const Framebuffer& target, const Scene& scene, const Camera& camera,
-                             const RenderOptions& options) const;
-
-    std::optional<Made> made_;  // last
     std::shared_ptr<gl::Context> context_;
     int threads_;
     MemoryLimit memory_limit_;
     std::unique_ptr<Framebuffer> colours_;  // drawn into where the luminance is asked for
-    TransferCache transfer_;
+    Workers workers_;
+    Pipeline pipeline_;
     VertexBuffers buffers_;
     HighOrderTextures textures_;
-    std::optional<ComputeExecutor> device_;
+    std::optional<CpuExecutor> cpu_;  // one or the other
+    std::optional<GpuExecutor> gpu_;
     Painter painter_;
+
+    // What the last image was made of: versions of the scene, camera, options.
+    Stage<Version, Version, Version, Camera, RenderOptions> rendering_;
+    Version content_ = 0;  // of the framebuffer that has it
 };
 
 }  // namespace nicol

@@ -21,15 +21,15 @@ glm::dmat3 rotate_in(const glm::dmat3& m) {
     // Newton's iteration for the polar decomposition; halves logarithms of singular values until they are
     // small, then their error squares.
     constexpr int most_steps = 200;
-    glm::dmat3 turn = m / largest(m);
-    if (glm::determinant(turn) < 0) turn = -turn;
+    glm::dmat3 rotation = m / largest(m);
+    if (glm::determinant(rotation) < 0) rotation = -rotation;
     for (int step = 0; step < most_steps; ++step) {
-        const glm::dmat3 next = 0.5 * (turn + glm::transpose(glm::inverse(turn)));
-        const double change = largest(next - turn);
-        turn = next;
+        const glm::dmat3 next = 0.5 * (rotation + glm::transpose(glm::inverse(rotation)));
+        const double change = largest(next - rotation);
+        rotation = next;
         if (change < 1e-15) break;
     }
-    return turn;
+    return rotation;
 }
 
 std::optional<glm::dmat4> rigid_motion(const glm::dmat4& before, const glm::dmat4& after) {
@@ -37,9 +37,9 @@ std::optional<glm::dmat4> rigid_motion(const glm::dmat4& before, const glm::dmat
     const glm::dmat3 linear = glm::dmat3(after) * glm::inverse(glm::dmat3(before));
     const glm::dmat3 deviation = glm::transpose(linear) * linear - glm::dmat3(1.0);
     if (!(largest(deviation) < kRotationTolerance) || glm::determinant(linear) < 0) return std::nullopt;
-    const glm::dmat3 turn = glm::dmat3(before) == glm::dmat3(after) ? glm::dmat3(1.0) : rotate_in(linear);
-    glm::dmat4 motion(turn);
-    motion[3] = glm::dvec4(glm::dvec3(after[3]) - turn * glm::dvec3(before[3]), 1);
+    const glm::dmat3 rotation = glm::dmat3(before) == glm::dmat3(after) ? glm::dmat3(1.0) : rotate_in(linear);
+    glm::dmat4 motion(rotation);
+    motion[3] = glm::dvec4(glm::dvec3(after[3]) - rotation * glm::dvec3(before[3]), 1);
     return motion;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Placements of surfaces that differ by a turn and a shift.
+// Placements of surfaces that differ by a rotation and a shift.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -10,11 +10,11 @@
 
 namespace nicol {
 
-/// How far turns may be off, relative: matrices may come from 32-bit floats.
+/// How far rotations may be off, relative: matrices may come from 32-bit floats.
 inline constexpr double kRotationTolerance = 1e-6;
 
-/// The proper rotation nearest to an invertible matrix, or to its negative where it mirrors: the turn in
-/// R * m is R times that in m.
+/// The proper rotation nearest to an invertible matrix, or to its negative where it mirrors: the rotation
+/// in R * m is R times that in m.
 [[nodiscard]] glm::dmat3 rotate_in(const glm::dmat3& m);
 
 /// The motion with after = motion * before, where that is a proper rotation and a shift; exactly the identity

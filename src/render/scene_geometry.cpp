@@ -67,18 +67,13 @@ void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::ve
 }  // namespace
 
 void SceneGeometry::update(const Scene& scene) {
-    if (scene_geometry_ != scene.geometry_revision()) {
-        scene_geometry_ = 0;
+    placing_.run(scene.geometry_version(), [&] {
         std::vector<Piece> pieces = place(scene);
-        bool same = revision_ != 0 && pieces.size() == pieces_.size();
+        bool same = version_ != 0 && pieces.size() == pieces_.size();
         for (const Piece& piece : pieces) same = same && piece.former != none;
         if (!same) build(scene, pieces);
-        scene_geometry_ = scene.geometry_revision();
-    }
-    if (scene_materials_ != scene.material_revision()) {
-        set_materials(scene);
-        scene_materials_ = scene.material_revision();
-    }
+    });
+    assigning_.run(scene.material_version(), [&] { set_materials(scene); });
 }
 
 void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
@@ -140,7 +135,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
 
 void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     WorldGeometry next;
-    Change change{.before = revision_, .kept = {}, .disturbances = {}, .same_normals = {}, .same_places = {}};
+    Change change{.before = version_, .kept = {}, .disturbances = {}, .same_normals = {}, .same_places = {}};
     std::vector<glm::uvec3> two_sided;
     std::vector<char> stays(pieces_.size(), 0);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -191,11 +186,11 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
 
     change.same_normals = same(geometry_.normals, next.normals);
     change.same_places = same(geometry_.positions, next.positions);
-    if (geometry_.ranges != next.ranges) ++material_revision_;
+    if (geometry_.ranges != next.ranges) material_version_ = new_version();
     geometry_ = std::move(next);
     pieces_ = std::move(pieces);
     change_ = std::move(change);
-    ++revision_;
+    version_ = new_version();
 }
 
 void SceneGeometry::set_materials(const Scene& scene) {
@@ -206,7 +201,7 @@ void SceneGeometry::set_materials(const Scene& scene) {
         range.material = material;
         changed = true;
     }
-    if (changed) ++material_revision_;
+    if (changed) material_version_ = new_version();
 }
 
 }  // namespace nicol

@@ -10,36 +10,38 @@
 
 #include "render/geometry.hpp"
 #include "scene/scene.hpp"
+#include "versioned.hpp"
 #include "visibility/bake.hpp"
 
 namespace nicol {
 
-/// Keeps surfaces in axes that ride on the scene's largest instance, that with the most vertices. What turns
-/// and shifts as a whole stays as it is in them, and with it all that was computed for it: light and camera
-/// move instead. The axes are the world's when an instance becomes the largest or changes its shape.
+/// Keeps surfaces in axes that move with the scene's largest instance, that with the most vertices. A scene
+/// that is rotated and shifted as a whole stays as it is in them, and with it all that was computed for it:
+/// light and camera move instead. The axes are the world's when an instance becomes the largest or changes
+/// its shape.
 class SceneGeometry {
 public:
-    /// Follows the scene's changes. Throws Error(invalid_argument) where there are more than 2^32 vertices;
-    /// then the next call begins anew.
+    /// Takes over the scene's changes. Throws Error(invalid_argument) where there are more than 2^32
+    /// vertices; then the next call begins anew.
     void update(const Scene& scene);
 
     [[nodiscard]] const WorldGeometry& geometry() const noexcept { return geometry_; }
-    /// Counts the changes of vertices and triangles.
-    [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
-    /// Counts the changes of the ranges' materials.
-    [[nodiscard]] std::uint64_t material_revision() const noexcept { return material_revision_; }
+    /// Of vertices and triangles.
+    [[nodiscard]] Version version() const noexcept { return version_; }
+    /// Of the ranges and their materials.
+    [[nodiscard]] Version material_version() const noexcept { return material_version_; }
 
-    /// From geometry()'s axes to the world's: a turn and a shift.
+    /// From geometry()'s axes to the world's: a rotation and a shift.
     [[nodiscard]] const glm::dmat4& to_world() const noexcept { return to_world_; }
-    /// The axes of the largest instance, which turn with its transform and its vertices.
+    /// The axes of the largest instance, which rotate with its transform and its vertices.
     [[nodiscard]] const glm::dmat3& own_axes() const noexcept { return own_axes_; }
 
-    /// From the revision before to this one.
+    /// From the version before to this one.
     struct Change {
-        std::uint64_t before = 0;        ///< revision; 0: nothing is as it was
+        Version before = 0;              ///< 0: there was none
         std::vector<VertexRun> kept;     ///< vertices of instances that stand where they stood
-        std::vector<Ball> disturbances;  ///< all other triangles of both revisions lie in these
-        /// 1 for vertices of this revision that had the same normal, or place, under the same number.
+        std::vector<Ball> disturbances;  ///< all other triangles of both versions lie in these
+        /// 1 for vertices of this version that had the same normal, or place, under the same number.
         std::vector<std::uint8_t> same_normals;
         std::vector<std::uint8_t> same_places;
     };
@@ -72,10 +74,10 @@ private:
     std::shared_ptr<const Mesh> largest_mesh_;
     std::uint32_t largest_ = 0;          // its id
     glm::dmat4 largest_placement_{1.0};  // in geometry()'s axes
-    std::uint64_t revision_ = 0;
-    std::uint64_t material_revision_ = 0;
-    std::uint64_t scene_geometry_ = 0;  // revisions of the scene that all this is of
-    std::uint64_t scene_materials_ = 0;
+    Version version_ = 0;
+    Version material_version_ = 0;
+    Stage<Version> placing_;    // of the scene's geometry
+    Stage<Version> assigning_;  // of its materials
     Change change_;
 };
 

@@ -8,31 +8,27 @@
 
 namespace nicol {
 
-void VertexBuffers::update(const WorldGeometry& geometry, std::uint64_t geometry_revision, int channels) {
-    const auto count = static_cast<std::size_t>(channels);
-    const bool same_geometry = geometry_revision_ == geometry_revision;
-    if (same_geometry && (empty() || stokes_.size() == count)) return;
-    ++revision_;
-    stokes_.clear();
-    if (!same_geometry) {
-        geometry_revision_ = 0;
-        indices_.reset();
-        positions_.reset();
-        normals_.reset();
-        fractions_.reset();
-        if (!geometry.triangles.empty()) {
+void VertexBuffers::update(const WorldGeometry& geometry, Version geometry_version, int channels) {
+    sizing_.run(geometry_version, channels, [&] {
+        version_ = new_version();
+        stokes_.clear();
+        placing_.run(geometry_version, [&] {
+            indices_.reset();
+            positions_.reset();
+            normals_.reset();
+            fractions_.reset();
+            if (geometry.triangles.empty()) return;
             positions_ = std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
                                                       std::as_bytes(std::span(geometry.positions)));
             indices_ = std::make_shared<gl::IndexBuffer>(
                 context_, std::span(&geometry.triangles.front().x, 3 * geometry.triangles.size()));
+        });
+        for (int c = 0; !empty() && c < channels; ++c) {
+            stokes_.push_back(std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
+                                                           geometry.positions.size() * sizeof(glm::vec4),
+                                                           gl::BufferUpdate::dynamic));
         }
-        geometry_revision_ = geometry_revision;
-    }
-    while (!empty() && stokes_.size() < count) {
-        stokes_.push_back(std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,
-                                                       geometry.positions.size() * sizeof(glm::vec4),
-                                                       gl::BufferUpdate::dynamic));
-    }
+    });
 }
 
 void VertexBuffers::upload(const VertexStokes& stokes) {
@@ -60,6 +56,19 @@ const std::shared_ptr<gl::Buffer>& VertexBuffers::fractions() {
                                                   vertices * sizeof(glm::vec2), gl::BufferUpdate::dynamic);
     }
     return fractions_;
+}
+
+void set_view_uniforms(gl::Program& program, const Viewpoint& view) {
+    const auto set = [&](const char* name, const auto& value) {
+        if (program.uses(name)) program.set(name, value);
+    };
+    const glm::vec3 eye(view.eye);
+    set("eye", eye);
+    set("eye_rest", glm::vec3(view.eye - glm::dvec3(eye)));
+    set("forward", glm::vec3(view.forward));
+    set("up", glm::vec3(view.up));
+    set("right", glm::vec3(view.right));
+    set("orthographic", view.orthographic ? 1 : 0);
 }
 
 }  // namespace nicol

@@ -2,13 +2,14 @@
 // A scene's vertices on the device: what shading writes and drawing reads.
 #pragma once
 
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "gl/buffer.hpp"
+#include "gl/program.hpp"
+#include "polarization/viewpoint.hpp"
 #include "render/transfer_input.hpp"
 
 namespace nicol {
@@ -19,7 +20,7 @@ public:
     explicit VertexBuffers(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
     /// Makes the buffers for this geometry and these channels, as far as changes make it necessary.
-    void update(const WorldGeometry& geometry, std::uint64_t geometry_revision, int channels);
+    void update(const WorldGeometry& geometry, Version geometry_version, int channels);
     /// Stokes vectors made on the host.
     void upload(const VertexStokes& stokes);
     /// Fractions made on the host; empty where there are none.
@@ -27,8 +28,8 @@ public:
 
     /// Whether there is nothing to draw; then the buffers below do not exist.
     [[nodiscard]] bool empty() const noexcept { return indices_ == nullptr; }
-    /// Counts the times the buffers were made anew.
-    [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
+    /// Another each time that buffers are made anew.
+    [[nodiscard]] Version version() const noexcept { return version_; }
 
     [[nodiscard]] const std::shared_ptr<const gl::IndexBuffer>& indices() const noexcept { return indices_; }
     /// Three floats a vertex.
@@ -39,18 +40,22 @@ public:
     [[nodiscard]] const std::shared_ptr<gl::Buffer>& stokes(int channel) const {
         return stokes_[static_cast<std::size_t>(channel)];
     }
-    /// A vec2 a vertex: what it sees of what it reflects of high orders. Made when first asked for.
+    /// A vec2 a vertex: the visible fractions of the lobes of high orders. Made when first asked for.
     [[nodiscard]] const std::shared_ptr<gl::Buffer>& fractions();
 
 private:
     std::shared_ptr<gl::Context> context_;
-    std::uint64_t revision_ = 0;
-    std::uint64_t geometry_revision_ = 0;
+    Version version_ = 0;
+    Stage<Version> placing_;
+    Stage<Version, int> sizing_;
     std::shared_ptr<const gl::IndexBuffer> indices_;
     std::shared_ptr<const gl::Buffer> positions_;
     std::shared_ptr<const gl::Buffer> normals_;
     std::vector<std::shared_ptr<gl::Buffer>> stokes_;
     std::shared_ptr<gl::Buffer> fractions_;
 };
+
+/// Sets those uniforms of glsl/vertex_view.glsl that the program uses.
+void set_view_uniforms(gl::Program& program, const Viewpoint& view);
 
 }  // namespace nicol

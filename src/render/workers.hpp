@@ -11,6 +11,7 @@
 #include <cstddef>
 
 #include "progress.hpp"
+#include "render/render.hpp"
 
 namespace nicol {
 
@@ -46,7 +47,7 @@ public:
 
 private:
     static constexpr std::size_t lanes = 16;
-    static constexpr std::size_t chunk = 1024;  // blocks between two looks at the progress callback
+    static constexpr std::size_t chunk = 1024;  // blocks between two reports
     static constexpr std::size_t grain = 16;    // blocks of one task
 
     template <class Body>
@@ -64,6 +65,13 @@ private:
     }
 
     tbb::task_arena arena_;
+};
+
+/// What the steps of one render work with, report to and count in.
+struct RenderRun {
+    Workers& workers;
+    Progress& progress;
+    Statistics& statistics;
 };
 
 }  // namespace nicol

@@ -67,8 +67,8 @@ std::uint32_t Scene::add(Instance instance) {
     if (ids_.size() == ids_.capacity()) ids_.reserve(2 * ids_.size() + 1);
     instances_.push_back(std::move(instance));
     ids_.push_back(next_id_);
-    ++geometry_revision_;
-    ++material_revision_;
+    geometry_version_ = new_version();
+    material_version_ = new_version();
     return next_id_++;
 }
 
@@ -76,8 +76,8 @@ void Scene::remove(std::uint32_t id) {
     const auto index = static_cast<std::ptrdiff_t>(index_of(id));
     instances_.erase(instances_.begin() + index);
     ids_.erase(ids_.begin() + index);
-    ++geometry_revision_;
-    ++material_revision_;
+    geometry_version_ = new_version();
+    material_version_ = new_version();
 }
 
 void Scene::set_transform(std::uint32_t id, const glm::dmat4& to_world) {
@@ -85,7 +85,7 @@ void Scene::set_transform(std::uint32_t id, const glm::dmat4& to_world) {
     check_transform(to_world);
     if (instance.to_world == to_world) return;
     instance.to_world = to_world;
-    ++geometry_revision_;
+    geometry_version_ = new_version();
 }
 
 void Scene::set_material(std::uint32_t id, MaterialPtr material) {
@@ -94,8 +94,8 @@ void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     check_channels(material->channels(), channels_without(index));
     Instance& instance = instances_[index];
     if (instance.material == material) return;
-    if (instance.material->twosided() != material->twosided()) ++geometry_revision_;
-    ++material_revision_;
+    if (instance.material->twosided() != material->twosided()) geometry_version_ = new_version();
+    material_version_ = new_version();
     instance.material = std::move(material);
 }
 
@@ -130,7 +130,7 @@ void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotati
     environment_ = std::move(environment);
     rotation_ = rotation;
     scale_ = scale;
-    ++light_revision_;
+    light_version_ = new_version();
 }
 
 }  // namespace nicol

@@ -11,6 +11,7 @@
 #include "geometry/mesh.hpp"
 #include "light/environment.hpp"
 #include "material/material.hpp"
+#include "versioned.hpp"
 
 namespace nicol {
 
@@ -20,8 +21,8 @@ struct Instance {
     glm::dmat4 to_world{1.0};
 };
 
-/// Counts its changes, so that a renderer knows what it must compute again. Not for use by two threads at
-/// once.
+/// Versions name its states, so that a renderer knows what it must compute again. Not for use by two threads
+/// at once.
 class Scene {
 public:
     /// Returns the new instance's id. They count up from 0 and are never given twice. Throws
@@ -47,11 +48,12 @@ public:
     /// Colour channels: the largest number of any part; parts of one channel serve all.
     [[nodiscard]] int channels() const;
 
-    /// Counts the changes of where triangles are and which of their sides reflect.
-    [[nodiscard]] std::uint64_t geometry_revision() const noexcept { return geometry_revision_; }
-    /// Counts the changes of which materials there are, and where.
-    [[nodiscard]] std::uint64_t material_revision() const noexcept { return material_revision_; }
-    [[nodiscard]] std::uint64_t light_revision() const noexcept { return light_revision_; }
+    /// Of where triangles are and which of their sides reflect.
+    [[nodiscard]] Version geometry_version() const noexcept { return geometry_version_; }
+    /// Of which materials there are, and where.
+    [[nodiscard]] Version material_version() const noexcept { return material_version_; }
+    /// Of the environment, its rotation and scale.
+    [[nodiscard]] Version light_version() const noexcept { return light_version_; }
 
 private:
     [[nodiscard]] std::size_t index_of(std::uint32_t id) const;
@@ -64,9 +66,9 @@ private:
     EnvironmentPtr environment_;
     glm::dmat3 rotation_{1.0};
     double scale_ = 1;
-    std::uint64_t geometry_revision_ = 1;
-    std::uint64_t material_revision_ = 1;
-    std::uint64_t light_revision_ = 1;
+    Version geometry_version_ = new_version();
+    Version material_version_ = new_version();
+    Version light_version_ = new_version();
 };
 
 }  // namespace nicol

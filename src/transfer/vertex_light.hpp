@@ -22,7 +22,8 @@ public:
     VertexLight(const LightLayout& layout, int channels, std::size_t vertices) {
         resize(layout, channels, vertices);
     }
-    /// Without allocating where the size is the same; what it holds afterwards is unspecified.
+    /// Vertices that both sizes have keep their light where layout and channels are the same; else what it
+    /// holds is unspecified. Does not allocate where the size is the same.
     void resize(const LightLayout& layout, int channels, std::size_t vertices);
 
     [[nodiscard]] int channels() const noexcept { return channels_; }

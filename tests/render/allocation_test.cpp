@@ -4,8 +4,9 @@
 #include <new>
 
 #include "progress.hpp"
+#include "render/cpu/cpu_executor.hpp"
+#include "render/pipeline.hpp"
 #include "render/scenes.hpp"
-#include "render/transfer_cache.hpp"
 #include "scene/projection.hpp"
 #include "test.hpp"
 
@@ -56,7 +57,9 @@ Projection seen_from(double angle) {
 
 struct Frames {
     Scene scene;
-    TransferCache transfer{1};
+    Workers workers{1};
+    Pipeline pipeline;
+    CpuExecutor executor;
     std::function<bool(const char*, double)> nobody;
     Progress progress{nobody};
     RenderOptions options;
@@ -79,9 +82,10 @@ struct Frames {
                               glm::dmat3(glm::rotate(glm::dmat4(1), light, glm::dvec3(0, 1, 0))), 1);
         const Projection projection = seen_from(camera);
         Statistics statistics;
+        RenderRun run{.workers = workers, .progress = progress, .statistics = statistics};
         allocations = 0;
         counting = true;
-        transfer.update(scene, projection, options, nullptr, progress, statistics);
+        pipeline.run(scene, projection, options, executor, run);
         counting = false;
         return allocations;
     }

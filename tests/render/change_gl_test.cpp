@@ -338,6 +338,30 @@ TEST_CASE("instances come and go, and a cancelled render leaves nothing half don
     }
 }
 
+TEST_CASE("options that change and change back leave no trace") {
+    const auto context = gl::make_context(gl::Backend::osmesa);
+    const Scene scene = balls_on_plate();
+    Studio studio(context, Method::factored);
+    const RenderOptions usual = studio.options;
+    RenderOptions physical = usual;
+    physical.physical = true;
+    RenderOptions dense = usual;
+    dense.method = Method::dense;
+    RenderOptions compute = usual;
+    compute.executor = Executor::compute;
+    RenderOptions convolved = usual;
+    convolved.high_orders = HighOrders::convolution;
+    RenderOptions unpolarized = usual;
+    unpolarized.components = 1;
+    for (const RenderOptions& other : {physical, dense, compute, convolved, unpolarized}) {
+        for (const RenderOptions& options : {usual, other, usual}) {
+            studio.options = options;
+            studio(scene);
+            CHECK(studio.target.image().data == studio.fresh(scene).data);
+        }
+    }
+}
+
 TEST_CASE("any row of changes ends where a fresh start does") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     for (const Method method : methods) {

@@ -2,8 +2,9 @@
 // Orders that are chosen for an error, and the error they then have.
 #include "render/order_selector.hpp"
 
+#include "render/cpu/cpu_executor.hpp"
+#include "render/pipeline.hpp"
 #include "render/scenes.hpp"
-#include "render/transfer_cache.hpp"
 #include "scene/projection.hpp"
 #include "test.hpp"
 
@@ -66,17 +67,17 @@ public:
         for (const glm::dvec3& eye :
              {glm::dvec3(0, 1, 7), glm::dvec3(6, 2, -2), glm::dvec3(-4, 5, -4), glm::dvec3(1, -6, 2)}) {
             Statistics unused;
-            exact_.update(scene_, from(eye), all, nullptr, progress_, unused);
+            exact_.run(scene_, from(eye), all, unused);
             result.statistics = {};
-            chosen_.update(scene_, from(eye), chosen, nullptr, progress_, result.statistics);
-            const WorldGeometry& geometry = exact_.surfaces().geometry();
+            chosen_.run(scene_, from(eye), chosen, result.statistics);
+            const WorldGeometry& geometry = exact_.pipeline.surfaces().geometry();
             for (std::size_t v = 0; v < geometry.positions.size(); ++v) {
                 const double seen = glm::dot(glm::dvec3(geometry.normals[v]),
                                              glm::normalize(eye - glm::dvec3(geometry.positions[v])));
                 if (!(seen > 0)) continue;
-                for (std::size_t c = 0; c < exact_.stokes().size(); ++c) {
-                    const glm::dvec4 a(exact_.stokes()[c][v]);
-                    const glm::dvec4 d = glm::dvec4(chosen_.stokes()[c][v]) - a;
+                for (std::size_t c = 0; c < exact_.executor.stokes().size(); ++c) {
+                    const glm::dvec4 a(exact_.executor.stokes()[c][v]);
+                    const glm::dvec4 d = glm::dvec4(chosen_.executor.stokes()[c][v]) - a;
                     scale += seen * a.x * a.x;
                     for (int p = 0; p < 3; ++p) error[static_cast<std::size_t>(p)] += seen * d[p] * d[p];
                 }
@@ -87,12 +88,23 @@ public:
     }
 
 private:
+    struct Shading {
+        Workers workers{0};
+        Pipeline pipeline;
+        CpuExecutor executor;
+
+        void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
+                 Statistics& statistics) {
+            Progress progress(options.progress);
+            RenderRun run{.workers = workers, .progress = progress, .statistics = statistics};
+            pipeline.run(scene, projection, options, executor, run);
+        }
+    };
+
     const Scene& scene_;
     bool shadows_;
-    TransferCache exact_{0};
-    TransferCache chosen_{0};
-    Progress::Callback callback_;
-    Progress progress_{callback_};
+    Shading exact_;
+    Shading chosen_;
 };
 
 }  // namespace
@@ -139,10 +151,14 @@ TEST_CASE("what cannot be reached is said, and the least error taken") {
     OrderSelector budget;
     SceneGeometry surfaces;
     surfaces.update(scene);
-    const WorldGeometry& geometry = surfaces.geometry();
-    const OrderSelector::Shadows none{nullptr, nullptr, 0};
-    const auto orders = budget.choose(scene, geometry, 1, none, 1e-9, false);
+    const SurfaceState unshadowed{.geometry = surfaces.geometry(),
+                                  .visibility = nullptr,
+                                  .directions = nullptr,
+                                  .versions = {.geometry = surfaces.version()},
+                                  .materials = surfaces.material_version(),
+                                  .change = {}};
+    const auto orders = budget.choose(scene, unshadowed, 1e-9, false);
     CHECK(orders.error > 1e-9);
     CHECK(orders.low == OrderSelector::kHighestLow);
-    CHECK(budget.choose(scene, geometry, 1, none, 1e-9, true).error < orders.error);
+    CHECK(budget.choose(scene, unshadowed, 1e-9, true).error < orders.error);
 }

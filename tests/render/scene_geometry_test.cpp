@@ -30,12 +30,12 @@ TEST_CASE("the largest instance carries the axes") {
     Scene scene = two_balls();
     SceneGeometry surfaces;
     surfaces.update(scene);
-    const std::uint64_t first = surfaces.revision();
+    const Version first = surfaces.version();
     const glm::dmat4 motion = glm::rotate(at(1, 2, 3), 0.5, glm::dvec3(1, 1, 0));
     const glm::dmat3 axes = surfaces.own_axes();
     for (const auto id : scene.ids()) scene.set_transform(id, motion * scene.at(id).to_world);
     surfaces.update(scene);
-    CHECK(surfaces.revision() == first);
+    CHECK(surfaces.version() == first);
     CHECK(surfaces.own_axes() == axes);
     for (int i = 0; i < 4; ++i) CHECK(glm::distance(surfaces.to_world()[i], motion[i]) < 1e-12);
 
@@ -49,7 +49,7 @@ TEST_CASE("the largest instance carries the axes") {
     // Scaled, it is another shape; the other one is where it was.
     scene.set_transform(0, glm::scale(motion, glm::dvec3(1.1)));
     surfaces.update(scene);
-    CHECK(surfaces.revision() > first);
+    CHECK(surfaces.version() > first);
     CHECK(surfaces.to_world() == glm::dmat4(1));
 }
 
@@ -59,11 +59,13 @@ TEST_CASE("a change says what is kept and where the rest is") {
     surfaces.update(scene);
     CHECK(surfaces.change().before == 0);
     const WorldGeometry before = surfaces.geometry();
+    const Version first = surfaces.version();
     scene.set_transform(1, at(3, 1, 0));
     surfaces.update(scene);
     const WorldGeometry& after = surfaces.geometry();
     const SceneGeometry::Change& change = surfaces.change();
-    CHECK(change.before + 1 == surfaces.revision());
+    CHECK(change.before == first);
+    CHECK(surfaces.version() > first);
     REQUIRE(change.kept.size() == 1);
     CHECK(change.kept[0].first == 0);
     CHECK(change.kept[0].last == after.ranges[1].first);
@@ -91,17 +93,17 @@ TEST_CASE("materials change without the geometry, unless sides do") {
     Scene scene = two_balls();
     SceneGeometry surfaces;
     surfaces.update(scene);
-    const std::uint64_t geometry = surfaces.revision();
-    const std::uint64_t materials = surfaces.material_revision();
+    const Version geometry = surfaces.version();
+    const Version materials = surfaces.material_version();
     const MaterialPtr other = diffuse({0.1});
     scene.set_material(1, other);
     surfaces.update(scene);
-    CHECK(surfaces.revision() == geometry);
-    CHECK(surfaces.material_revision() > materials);
+    CHECK(surfaces.version() == geometry);
+    CHECK(surfaces.material_version() > materials);
     CHECK(surfaces.geometry().ranges[1].material == other);
     scene.set_material(1, twosided(other));
     surfaces.update(scene);
-    CHECK(surfaces.revision() > geometry);
+    CHECK(surfaces.version() > geometry);
     CHECK(surfaces.geometry().ranges.size() == 3);
     CHECK(surfaces.geometry().ranges[2].instance == 1);
 }

@@ -29,15 +29,15 @@ Projection looking_down_z(double distance) {
 TEST_CASE("every change counts, and nothing else does") {
     Scene scene;
     const auto id = scene.add({.mesh = cube(), .material = diffuse({0.5})});
-    const auto geometry = scene.geometry_revision();
-    const auto light = scene.light_revision();
+    const auto geometry = scene.geometry_version();
+    const auto light = scene.light_version();
     scene.set_transform(id, glm::dmat4(1.0));
-    CHECK(scene.geometry_revision() == geometry);
+    CHECK(scene.geometry_version() == geometry);
     scene.set_transform(id, glm::dmat4(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1));
-    CHECK(scene.geometry_revision() > geometry);
-    CHECK(scene.light_revision() == light);
+    CHECK(scene.geometry_version() > geometry);
+    CHECK(scene.light_version() == light);
     scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
-    CHECK(scene.light_revision() > light);
+    CHECK(scene.light_version() > light);
 }
 
 TEST_CASE("what does not fit is refused and changes nothing") {
@@ -115,22 +115,22 @@ TEST_CASE("instances are removed and their materials swapped by ids that are not
     Scene scene;
     const auto first = scene.add({.mesh = cube(), .material = diffuse({0.5})});
     const auto second = scene.add({.mesh = cube(), .material = diffuse({0.1, 0.2, 0.3})});
-    const auto materials = scene.material_revision();
-    const auto geometry = scene.geometry_revision();
+    const auto materials = scene.material_version();
+    const auto geometry = scene.geometry_version();
     CHECK_THROWS_AS(scene.set_material(first, diffuse({0.1, 0.2})), Error);
     CHECK_THROWS_AS(scene.set_material(first, nullptr), Error);
     CHECK_THROWS_AS(scene.set_material(7, diffuse({0.1})), Error);
-    CHECK(scene.material_revision() == materials);
+    CHECK(scene.material_version() == materials);
     // The only one with three channels may get others.
     const MaterialPtr two = diffuse({0.1, 0.2});
     scene.set_material(second, two);
     CHECK(scene.at(second).material == two);
     CHECK(scene.channels() == 2);
-    CHECK(scene.material_revision() > materials);
-    CHECK(scene.geometry_revision() == geometry);
+    CHECK(scene.material_version() > materials);
+    CHECK(scene.geometry_version() == geometry);
 
     scene.remove(first);
-    CHECK(scene.geometry_revision() > geometry);
+    CHECK(scene.geometry_version() > geometry);
     CHECK(scene.ids() == std::vector{second});
     CHECK_THROWS_AS(scene.remove(first), Error);
     CHECK_THROWS_AS(scene.set_transform(first, glm::dmat4(1.0)), Error);

@@ -7,34 +7,21 @@
 
 namespace nicol {
 
-void DeviceDense::relight(const DenseMethod& method, const TransferInput& input, Progress& progress,
-                          Statistics& statistics, VertexBuffers& /*buffers*/) {
-    const RelightKey key(input);
-    if (lit_for_ == key && runs_revision_ == method.runs_revision()) return;
-    lit_for_ = {};
-    const Stopwatch watch;
-    if (runs_revision_ != method.runs_revision() || light_channels_ != input.light.channels()) {
-        runs_revision_ = 0;
-        mirror(method, input.light.channels());
-        light_channels_ = input.light.channels();
-        runs_revision_ = method.runs_revision();
-    }
+void DeviceDense::relight(const DenseMethod& method, const TransferInput& input, Progress& progress) {
+    copying_.run(method.runs().version(), input.light.channels(),
+                 [&] { copy(method, input.light.channels()); });
     if (!program_) program_ = gl::Program::compute(context_, "dense.comp");
     for (Piece& piece : pieces_) {
         progress.report("relight", static_cast<double>(piece.light.first()) /
                                        static_cast<double>(input.geometry.positions.size()));
         multiply(input, piece);
     }
-    gl::finish(*context_);
-    lit_for_ = key;
-    statistics.vertices_relit += input.geometry.positions.size();
-    statistics.relight_ms += watch.milliseconds();
 }
 
-void DeviceDense::mirror(const DenseMethod& method, int light_channels) {
+void DeviceDense::copy(const DenseMethod& method, int light_channels) {
     pieces_.clear();
     tables_.clear();
-    for (const DenseMethod::Run& run : method.runs()) {
+    for (const DenseMethod::Run& run : *method.runs()) {
         const DenseTransfer& transfer = run.matrices;
         const LightLayout& outgoing = transfer.material().outgoing();
         const auto table = tables_.try_emplace(run.response, context_, outgoing, *run.response).first;

@@ -12,14 +12,14 @@
 
 namespace nicol {
 
-/// Holds the matrices of a DenseMethod and the outgoing light of its vertices. All members inside run().
+/// Holds copies of the matrices of a DenseMethod and the outgoing light of its vertices. All members inside
+/// run().
 class DeviceDense {
 public:
     explicit DeviceDense(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// relight, as far as changes make it necessary.
-    void relight(const DenseMethod& method, const TransferInput& input, Progress& progress,
-                 Statistics& statistics, VertexBuffers& buffers);
+    /// relight of all vertices.
+    void relight(const DenseMethod& method, const TransferInput& input, Progress& progress);
     void shade(const TransferInput& input, DeviceShade& shade, VertexBuffers& buffers);
 
 private:
@@ -32,16 +32,14 @@ private:
         DeviceLight light;
     };
 
-    void mirror(const DenseMethod& method, int light_channels);
+    void copy(const DenseMethod& method, int light_channels);
     void multiply(const TransferInput& input, Piece& piece);
 
     std::shared_ptr<gl::Context> context_;
     std::optional<gl::Program> program_;
     std::map<std::shared_ptr<const ResponseTable>, DeviceTable> tables_;
     std::vector<Piece> pieces_;
-    std::uint64_t runs_revision_ = 0;
-    int light_channels_ = 0;
-    RelightKey lit_for_;
+    Stage<Version, int> copying_;  // runs, channels of the light
 };
 
 }  // namespace nicol

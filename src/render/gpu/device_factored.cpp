@@ -6,14 +6,9 @@
 namespace nicol {
 
 void DeviceFactored::relight(const FactoredMethod& method, const TransferInput& input, Progress& progress,
-                             Statistics& statistics, VertexBuffers& buffers) {
-    mirror_tables(method, input);
-    const RelightKey key(input);
-    if (lit_for_ == key) return;
-    lit_for_ = {};
+                             VertexBuffers& buffers) {
     allocate_light(input);
-    mirror_shadows(method, input);
-    const Stopwatch watch;
+    copy_shadows(method);
     if (!rotation_) rotation_.emplace(context_);
     rotation_->set_light(input.layout, input.light);
     for (DeviceLight& light : light_) {
@@ -23,33 +18,26 @@ void DeviceFactored::relight(const FactoredMethod& method, const TransferInput& 
         if (shadow_matrices_) shadow_matrices_->run(light);
         if (shadow_grid_) shadow_grid_->run(light);
     }
-    gl::finish(*context_);
-    statistics.vertices_relit += input.geometry.positions.size();
-    statistics.relight_ms += watch.milliseconds();
-    lit_for_ = key;
 }
 
-void DeviceFactored::mirror_tables(const FactoredMethod& method, const TransferInput& input) {
-    if (tables_revision_ == method.tables_revision()) return;
-    tables_revision_ = 0;
-    tables_.clear();
-    for (const auto& [material, table] : method.tables()) {
-        tables_.emplace(material, DeviceTable(context_, input.layout, table));
-    }
-    tables_revision_ = method.tables_revision();
+void DeviceFactored::copy_tables(const FactoredMethod& method, const TransferInput& input) {
+    copying_tables_.run(method.tables().version(), [&] {
+        tables_.clear();
+        for (const auto& [material, table] : *method.tables()) {
+            tables_.emplace(material, DeviceTable(context_, input.layout, table));
+        }
+    });
 }
 
-void DeviceFactored::mirror_shadows(const FactoredMethod& method, const TransferInput& input) {
-    const RelightKey key = RelightKey(input).without_light();
-    if (shadows_for_ == key) return;
-    shadows_for_ = {};
-    shadow_matrices_.reset();
-    shadow_grid_.reset();
-    if (method.shadows()) {
-        if (method.shadows()->matrices() != nullptr) shadow_matrices_.emplace(context_, *method.shadows());
-        if (method.shadows()->grid() != nullptr) shadow_grid_.emplace(context_, *method.shadows());
-    }
-    shadows_for_ = key;
+void DeviceFactored::copy_shadows(const FactoredMethod& method) {
+    copying_shadows_.run(method.shadows().version(), [&] {
+        shadow_matrices_.reset();
+        shadow_grid_.reset();
+        const std::optional<VisibilityProduct>& shadows = *method.shadows();
+        if (!shadows) return;
+        if (shadows->matrices() != nullptr) shadow_matrices_.emplace(context_, *shadows);
+        if (shadows->grid() != nullptr) shadow_grid_.emplace(context_, *shadows);
+    });
 }
 
 void DeviceFactored::allocate_light(const TransferInput& input) {
@@ -69,7 +57,9 @@ void DeviceFactored::allocate_light(const TransferInput& input) {
     }
 }
 
-void DeviceFactored::shade(const TransferInput& input, DeviceShade& shade, VertexBuffers& buffers) {
+void DeviceFactored::shade(const FactoredMethod& method, const TransferInput& input, DeviceShade& shade,
+                           VertexBuffers& buffers) {
+    copy_tables(method, input);
     for (const DeviceLight& light : light_) {
         for (const VertexRange& range : input.geometry.ranges) {
             const std::size_t first = std::max(range.first, light.first());

@@ -15,30 +15,30 @@
 
 namespace nicol {
 
-/// Holds what a FactoredMethod prepared and the light of its vertices. All members inside run().
+/// Holds copies of what a FactoredMethod made and the light of its vertices. All members inside run().
 class DeviceFactored {
 public:
     explicit DeviceFactored(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// relight, as far as changes make it necessary.
+    /// relight of all vertices.
     void relight(const FactoredMethod& method, const TransferInput& input, Progress& progress,
-                 Statistics& statistics, VertexBuffers& buffers);
-    void shade(const TransferInput& input, DeviceShade& shade, VertexBuffers& buffers);
+                 VertexBuffers& buffers);
+    void shade(const FactoredMethod& method, const TransferInput& input, DeviceShade& shade,
+               VertexBuffers& buffers);
 
 private:
-    void mirror_tables(const FactoredMethod& method, const TransferInput& input);
-    void mirror_shadows(const FactoredMethod& method, const TransferInput& input);
+    void copy_tables(const FactoredMethod& method, const TransferInput& input);
+    void copy_shadows(const FactoredMethod& method);
     void allocate_light(const TransferInput& input);
 
     std::shared_ptr<gl::Context> context_;
+    Stage<Version> copying_tables_;
     std::map<MaterialPtr, DeviceTable> tables_;
-    std::uint64_t tables_revision_ = 0;
     std::optional<DeviceRotation> rotation_;
+    Stage<Version> copying_shadows_;
     std::optional<DeviceShadowMatrices> shadow_matrices_;  // of shadows, one form or the other
     std::optional<DeviceShadowGrid> shadow_grid_;
-    RelightKey shadows_for_;  // light not counted
     std::vector<DeviceLight> light_;
-    RelightKey lit_for_;
 };
 
 }  // namespace nicol

@@ -8,23 +8,22 @@
 
 #include "gl/draw.hpp"
 #include "render/framebuffer.hpp"
-#include "render/view_uniforms.hpp"
 
 namespace nicol {
 
-void DeviceHighOrders::see(const HighOrderTransfer& transfer, const TransferInput& input,
-                           const Viewpoint& view, VertexBuffers& buffers) {
-    mirror_visibility(transfer, input);
+void DeviceHighOrders::compute_fractions(const HighOrderTransfer& transfer, const ShadeInput& input,
+                                         VertexBuffers& buffers) {
+    copy_visibility(transfer);
     if (visibility_.empty()) return;
-    if (!see_) see_ = gl::Program::compute(context_, "high_order_fraction.comp");
-    set_view_uniforms(*see_, view);
-    see_->set("visibility_order", transfer.visibility().order());
+    if (!fraction_) fraction_ = gl::Program::compute(context_, "high_order_fraction.comp");
+    set_view_uniforms(*fraction_, input.view);
+    fraction_->set("visibility_order", transfer.visibility()->order());
     for (const VertexRange& range : input.geometry.ranges) {
         const double width = transfer.lobe_width(range.material);
         auto lobe = lobes_.find(width);
         if (lobe == lobes_.end()) {
             const std::vector<float> constants =
-                HighOrderVisibility(transfer.visibility().order(), width).constants();
+                HighOrderVisibility(transfer.visibility()->order(), width).constants();
             lobe =
                 lobes_
                     .try_emplace(width, context_, gl::BufferUse::storage, std::as_bytes(std::span(constants)))
@@ -39,35 +38,34 @@ void DeviceHighOrders::see(const HighOrderTransfer& transfer, const TransferInpu
             seen.bind(2, 0);
             lobe->second.bind_storage(3);
             std::ignore = bind_vertices(*buffers.fractions(), 4, 2, first, last);
-            see_->set("first", static_cast<int>(first - begin));
-            see_->set("count", static_cast<int>(last - first));
-            see_->set("visibility_first", static_cast<int>(first - seen.first()));
-            see_->set("stride", static_cast<int>(seen.stride()));
-            gl::dispatch(*see_, groups_for(last - first));
+            fraction_->set("first", static_cast<int>(first - begin));
+            fraction_->set("count", static_cast<int>(last - first));
+            fraction_->set("visibility_first", static_cast<int>(first - seen.first()));
+            fraction_->set("stride", static_cast<int>(seen.stride()));
+            gl::dispatch(*fraction_, groups_for(last - first));
         }
     }
 }
 
-void DeviceHighOrders::shade(const HighOrderTransfer& transfer, const TransferInput& input,
-                             const DistantLight& light, const Viewpoint& view, VertexBuffers& buffers) {
+void DeviceHighOrders::add(const HighOrderTransfer& transfer, const ShadeInput& input,
+                           VertexBuffers& buffers) {
     constexpr std::size_t step = std::size_t{1} << 20;
     textures_.update(transfer, input.channels);
     for (const VertexRange& range : input.geometry.ranges) {
         const HighOrderTextures::Part& part = textures_.part(range.material);
         for (std::size_t first = range.first; first < range.last; first += step) {
-            run(part, first, std::min(first + step, range.last), input, light, view, buffers);
+            run(part, first, std::min(first + step, range.last), input, buffers);
         }
     }
 }
 
 void DeviceHighOrders::run(const HighOrderTextures::Part& part, std::size_t first, std::size_t last,
-                           const TransferInput& input, const DistantLight& light, const Viewpoint& view,
-                           VertexBuffers& buffers) {
+                           const ShadeInput& input, VertexBuffers& buffers) {
     constexpr int group_of = Framebuffer::kGroup;
     for (int from = 0; from < input.channels; from += group_of) {
         const int channels = std::min(group_of, input.channels - from);
         gl::Program& program = this->program(channels, textures_.polarized(), !visibility_.empty());
-        set_view_uniforms(program, view);
+        set_view_uniforms(program, input.view);
         const std::size_t begin = bind_vertices(*buffers.positions(), 0, 3, first, last);
         std::ignore = bind_vertices(*buffers.normals(input.geometry), 1, 3, first, last);
         if (!visibility_.empty()) std::ignore = bind_vertices(*buffers.fractions(), 2, 2, first, last);
@@ -78,18 +76,17 @@ void DeviceHighOrders::run(const HighOrderTextures::Part& part, std::size_t firs
         HighOrderTextures::bind(program, part, static_cast<std::size_t>(from / group_of));
         program.set("first", static_cast<int>(first - begin));
         program.set("count", static_cast<int>(last - first));
-        program.set("to_light", glm::mat3(glm::transpose(light.to_world)));
+        program.set("to_light", glm::mat3(glm::transpose(input.light_to_geometry)));
         gl::dispatch(program, groups_for(last - first));
     }
 }
 
-void DeviceHighOrders::mirror_visibility(const HighOrderTransfer& transfer, const TransferInput& input) {
-    if (visibility_count_ == transfer.visibility_count()) return;
-    visibility_count_ = 0;
-    visibility_.clear();
-    lobes_.clear();
-    if (input.visibility != nullptr) {
-        const VisibilityBlocks& all = transfer.visibility();
+void DeviceHighOrders::copy_visibility(const HighOrderTransfer& transfer) {
+    copying_.run(transfer.visibility().version(), [&] {
+        visibility_.clear();
+        lobes_.clear();
+        if (transfer.visibility()->empty()) return;
+        const VisibilityBlocks& all = *transfer.visibility();
         const std::size_t numbers = psh_count(all.order());
         const std::size_t vertices = all.vertices();
         std::vector<float> one(numbers);
@@ -101,8 +98,7 @@ void DeviceHighOrders::mirror_visibility(const HighOrderTransfer& transfer, cons
                 return std::span<const float>(one);
             });
         }
-    }
-    visibility_count_ = transfer.visibility_count();
+    });
 }
 
 gl::Program& DeviceHighOrders::program(int channels, bool polarized, bool shadowed) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "gl/program.hpp"
-#include "polarization/viewpoint.hpp"
 #include "render/gpu/device_light.hpp"
 #include "render/high_order_textures.hpp"
 #include "render/high_orders.hpp"
@@ -16,7 +15,7 @@
 
 namespace nicol {
 
-/// Holds the visibility of a HighOrderTransfer. All members inside run().
+/// Holds a copy of the visibility of a HighOrderTransfer. All members inside run().
 class DeviceHighOrders {
 public:
     /// `textures` must outlive the object.
@@ -24,26 +23,24 @@ public:
         : context_(std::move(context)), textures_(textures) {}
 
     /// Fills buffers.fractions() where anything casts shadows.
-    void see(const HighOrderTransfer& transfer, const TransferInput& input, const Viewpoint& view,
-             VertexBuffers& buffers);
-    /// Adds to the Stokes vectors of every vertex. Only after see() with the same arguments.
-    void shade(const HighOrderTransfer& transfer, const TransferInput& input, const DistantLight& light,
-               const Viewpoint& view, VertexBuffers& buffers);
+    void compute_fractions(const HighOrderTransfer& transfer, const ShadeInput& input,
+                           VertexBuffers& buffers);
+    /// Adds to the Stokes vectors of every vertex. Only after compute_fractions() with the same arguments.
+    void add(const HighOrderTransfer& transfer, const ShadeInput& input, VertexBuffers& buffers);
 
 private:
-    void mirror_visibility(const HighOrderTransfer& transfer, const TransferInput& input);
+    void copy_visibility(const HighOrderTransfer& transfer);
     void run(const HighOrderTextures::Part& part, std::size_t first, std::size_t last,
-             const TransferInput& input, const DistantLight& light, const Viewpoint& view,
-             VertexBuffers& buffers);
+             const ShadeInput& input, VertexBuffers& buffers);
     gl::Program& program(int channels, bool polarized, bool shadowed);
 
     std::shared_ptr<gl::Context> context_;
     HighOrderTextures& textures_;
     std::map<std::tuple<int, bool, bool>, gl::Program> programs_;
-    std::optional<gl::Program> see_;
+    std::optional<gl::Program> fraction_;
+    Stage<Version> copying_;
     std::vector<DeviceLight> visibility_;  // coefficients instead of light
     std::map<double, gl::Buffer> lobes_;   // by width
-    std::uint64_t visibility_count_ = 0;
 };
 
 }  // namespace nicol

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "gl/draw.hpp"
-#include "render/view_uniforms.hpp"
 
 namespace nicol {
 

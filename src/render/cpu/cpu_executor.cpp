@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "render/cpu/cpu_executor.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include "render/dense_method.hpp"
+#include "render/factored_method.hpp"
+#include "render/high_orders.hpp"
+#include "render/vertex_buffers.hpp"
+#include "shading/physical_range.hpp"
+#include "shading/shade.hpp"
+
+namespace nicol {
+namespace {
+
+// Calls body(begin, end) for the longest runs of first <= i < last with stale(i).
+template <class Stale, class Body>
+void for_runs(std::size_t first, std::size_t last, const Stale& stale, const Body& body) {
+    for (std::size_t i = first; i < last;) {
+        if (!stale(i)) {
+            ++i;
+            continue;
+        }
+        const std::size_t begin = i;
+        while (i < last && stale(i)) ++i;
+        body(begin, i);
+    }
+}
+
+}  // namespace
+
+std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferInput& input,
+                                   std::span<const std::uint8_t> current, RenderRun& run) {
+    const std::size_t vertices = input.geometry.positions.size();
+    light_.resize(input.layout, input.light.channels(), vertices);
+    const std::span normals(input.geometry.normals);
+    const Relight rotation(input.layout, input.light);
+    const std::optional<VisibilityProduct>& shadows = *method.shadows();
+    const auto stale = [&](std::size_t block) {
+        const auto vertices_of = current.subspan(block * kLanes);
+        return std::ranges::any_of(vertices_of.first(std::min(kLanes, vertices_of.size())),
+                                   [](std::uint8_t one) { return one == 0; });
+    };
+    std::atomic<std::uint64_t> relit = 0;
+    run.workers.for_blocks(light_.blocks(), "relight", run.progress,
+                           [&](std::size_t first, std::size_t last) {
+                               for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
+                                   rotation.run(normals, begin, end, light_);
+                                   if (shadows) shadows->run(light_, begin, end);
+                                   relit += std::min(end * kLanes, vertices) - begin * kLanes;
+                               });
+                           });
+    return relit;
+}
+
+std::uint64_t CpuExecutor::relight(const DenseMethod& method, const TransferInput& input,
+                                   std::span<const std::uint8_t> current, RenderRun& run) {
+    const std::vector<DenseMethod::Run>& runs = *method.runs();
+    outgoing_.resize(runs.size());
+    std::atomic<std::uint64_t> relit = 0;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const DenseTransfer& matrices = runs[i].matrices;
+        VertexLight& light = outgoing_[i];
+        const std::size_t count = matrices.vertices();
+        const int channels = std::max(input.light.channels(), matrices.material().channels());
+        light.resize(matrices.material().outgoing(), channels, count);
+        const auto stale = [&](std::size_t v) { return current[runs[i].first + v] == 0; };
+        run.workers.for_vertices(0, count, count, "relight", run.progress,
+                                 [&](std::size_t first, std::size_t last) {
+                                     for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
+                                         matrices.apply(input.light, begin, end, 0, light);
+                                         relit += end - begin;
+                                     });
+                                 });
+    }
+    return relit;
+}
+
+void CpuExecutor::resize(const ShadeInput& input) {
+    stokes_.resize(static_cast<std::size_t>(input.channels));
+    for (auto& channel : stokes_) channel.resize(input.geometry.positions.size());
+}
+
+void CpuExecutor::shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) {
+    resize(input);
+    const WorldGeometry& geometry = input.geometry;
+    const Shade shade(input.layout, input.least_components, input.most_components);
+    const std::vector<std::span<glm::vec4>> channels(stokes_.begin(), stokes_.end());
+    for (const VertexRange& range : geometry.ranges) {
+        const ResponseTable& table = method.tables()->at(range.material);
+        run.workers.for_vertices(range.first, range.last, geometry.positions.size(), "shade", run.progress,
+                                 [&](std::size_t begin, std::size_t end) {
+                                     shade.run(table, light_, input.view, geometry.positions,
+                                               geometry.normals, input.chosen, begin, end, channels);
+                                 });
+    }
+}
+
+void CpuExecutor::shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) {
+    resize(input);
+    for (std::size_t i = 0; i < method.runs()->size(); ++i) {
+        const DenseMethod::Run& of = (*method.runs())[i];
+        const std::size_t count = of.matrices.vertices();
+        const std::span positions = std::span(input.geometry.positions).subspan(of.first, count);
+        const std::span normals = std::span(input.geometry.normals).subspan(of.first, count);
+        const Shade shade(of.matrices.material().outgoing());
+        std::vector<std::span<glm::vec4>> channels;
+        for (auto& channel : stokes_) channels.push_back(std::span(channel).subspan(of.first, count));
+        run.workers.for_vertices(0, count, count, "shade", run.progress,
+                                 [&](std::size_t begin, std::size_t end) {
+                                     shade.run(*of.response, outgoing_[i], input.view, positions, normals,
+                                               input.chosen.subspan(of.first, count), begin, end, channels);
+                                 });
+    }
+}
+
+void CpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
+                           RenderRun& run) {
+    if (at_pixels) {
+        compute_fractions(high_orders, input, run);
+    } else {
+        add_high_orders(high_orders, input, run);
+    }
+}
+
+void CpuExecutor::compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input,
+                                    RenderRun& run) {
+    const WorldGeometry& geometry = input.geometry;
+    const std::size_t vertices = geometry.positions.size();
+    const VisibilityBlocks& visibility = *high_orders.visibility();
+    fractions_.resize(visibility.empty() ? 0 : vertices);
+    if (visibility.empty()) return;
+    for (const VertexRange& range : geometry.ranges) {
+        const HighOrderVisibility seen(visibility.order(), high_orders.lobe_width(range.material));
+        run.workers.for_vertices(range.first, range.last, vertices, "shade", run.progress,
+                                 [&](std::size_t begin, std::size_t end) {
+                                     seen.run(input.view, geometry.positions, geometry.normals, input.chosen,
+                                              visibility, begin, end, fractions_);
+                                 });
+    }
+}
+
+void CpuExecutor::add_high_orders(const HighOrderTransfer& high_orders, const ShadeInput& input,
+                                  RenderRun& run) {
+    const WorldGeometry& geometry = input.geometry;
+    const VisibilityBlocks& visibility = *high_orders.visibility();
+    const std::vector<std::span<glm::vec4>> channels(stokes_.begin(), stokes_.end());
+    for (const VertexRange& range : geometry.ranges) {
+        const HighOrderTransfer::Part& part = high_orders.parts()->at(range.material);
+        const HighOrder high(part.factors, part.maps, input.light_to_geometry);
+        const HighOrderVisibility seen(visibility.order(), high_orders.lobe_width(range.material));
+        const HighOrderShadows shadows{
+            .fractions = {}, .visibility = visibility.empty() ? nullptr : &seen, .seen = &visibility};
+        run.workers.for_vertices(range.first, range.last, geometry.positions.size(), "shade", run.progress,
+                                 [&](std::size_t begin, std::size_t end) {
+                                     high.run(input.view, geometry.positions, geometry.normals, input.chosen,
+                                              shadows, begin, end, channels);
+                                 });
+    }
+}
+
+std::uint64_t CpuExecutor::make_physical(const ShadeInput& /*input*/) {
+    std::uint64_t moved = 0;
+    for (auto& channel : stokes_) moved += nicol::make_physical(channel);
+    return moved;
+}
+
+void CpuExecutor::store(VertexBuffers& buffers, bool fractions) const {
+    buffers.upload(stokes_);
+    if (fractions) buffers.upload(fractions_);
+}
+
+void CpuExecutor::count(Statistics& statistics) const {
+    for (const VertexLight& light : outgoing_) statistics.transfer_bytes += light.bytes();
+    for (const auto& channel : stokes_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
+    statistics.transfer_bytes += light_.bytes() + fractions_.size() * sizeof(glm::vec2);
+}
+
+}  // namespace nicol

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Where the work of a frame runs: relight, shade and specular.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <span>
+
+#include "polarization/viewpoint.hpp"
+#include "render/render.hpp"
+#include "render/transfer_input.hpp"
+#include "render/workers.hpp"
+#include "versioned.hpp"
+
+namespace nicol {
+
+class DenseMethod;
+class FactoredMethod;
+class HighOrderTransfer;
+class VertexBuffers;
+
+/// What shade and specular start from.
+struct ShadeInput : TransferInput {
+    const Viewpoint& view;                 ///< in the geometry's axes
+    std::span<const std::uint8_t> chosen;  ///< 1 for each vertex to be shaded
+    glm::dmat3 light_to_geometry;          ///< rotates the distant light's axes into the geometry's
+};
+
+/// Computes, and keeps the results: light and Stokes vectors of vertices. What is to be computed and when is
+/// decided by its callers. All executors give the same results.
+class RenderExecutor {
+public:
+    virtual ~RenderExecutor() = default;
+
+    /// Names the object, and with it what it keeps.
+    [[nodiscard]] Version version() const noexcept { return version_; }
+    /// Whether shade() and specular() leave out vertices that are not chosen.
+    [[nodiscard]] virtual bool can_choose() const noexcept = 0;
+
+    /// relight: the light of the vertices with current[v] == 0, at least, in their own frames and times what
+    /// they see. Returns how many those were.
+    virtual std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
+                                  std::span<const std::uint8_t> current, RenderRun& run) = 0;
+    /// The same after reflection, in the world's axes.
+    virtual std::uint64_t relight(const DenseMethod& method, const TransferInput& input,
+                                  std::span<const std::uint8_t> current, RenderRun& run) = 0;
+
+    /// shade: Stokes vectors in the camera's frame field.
+    virtual void shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) = 0;
+    virtual void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) = 0;
+
+    /// specular: adds the high orders to what shade() left or, where pixels look them up, computes the
+    /// fractions that vertices see of their lobes.
+    virtual void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
+                          RenderRun& run) = 0;
+
+    /// Moves Stokes vectors into the physical range. Returns how many it moved.
+    virtual std::uint64_t make_physical(const ShadeInput& input) = 0;
+
+    /// Returns once all of the above is done.
+    virtual void finish() = 0;
+    /// Puts Stokes vectors and, where pixels look high orders up, fractions into the buffers that are drawn.
+    /// Inside run() of the context.
+    virtual void store(VertexBuffers& buffers, bool fractions) const = 0;
+    /// Adds the memory it keeps outside the context to the statistics.
+    virtual void count(Statistics& statistics) const = 0;
+
+private:
+    Version version_ = new_version();
+};
+
+}  // namespace nicol

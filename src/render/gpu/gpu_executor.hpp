@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// relight, shade and specular as compute shaders: what the methods make is copied to the device, where the
+// results stay.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "render/executor.hpp"
+#include "render/gpu/device_dense.hpp"
+#include "render/gpu/device_factored.hpp"
+#include "render/gpu/device_high_orders.hpp"
+#include "render/gpu/device_shade.hpp"
+
+namespace nicol {
+
+class GpuExecutor final : public RenderExecutor {
+public:
+    /// Why a context cannot; empty where it can.
+    [[nodiscard]] static std::string obstacle(const gl::Context& context);
+
+    /// Stokes vectors go into `buffers`; both must outlive the object.
+    GpuExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers, HighOrderTextures& textures);
+
+    [[nodiscard]] bool can_choose() const noexcept override { return false; }
+    std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
+                          std::span<const std::uint8_t> current, RenderRun& run) override;
+    std::uint64_t relight(const DenseMethod& method, const TransferInput& input,
+                          std::span<const std::uint8_t> current, RenderRun& run) override;
+    void shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) override;
+    void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) override;
+    void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
+                  RenderRun& run) override;
+    std::uint64_t make_physical(const ShadeInput& input) override;
+    void finish() override;
+    void store(VertexBuffers& /*buffers*/, bool /*fractions*/) const override {}
+    void count(Statistics& /*statistics*/) const override {}
+
+private:
+    /// Makes buffers of the size of the input; false where there is nothing in it.
+    bool prepare(const TransferInput& input);
+    DeviceShade& shade_for(const Viewpoint& view);
+
+    std::shared_ptr<gl::Context> context_;
+    VertexBuffers& buffers_;
+    std::optional<DeviceShade> shade_;
+    DeviceFactored factored_;
+    DeviceDense dense_;
+    DeviceHighOrders high_orders_;
+    std::optional<gl::Program> physical_;
+};
+
+}  // namespace nicol

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "render/pipeline.hpp"
+
+#include <algorithm>
+#include <glm/matrix.hpp>
+
+#include "render/rigid_motion.hpp"
+
+namespace nicol {
+
+void Pipeline::set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
+    visibility_.set_cache(folder, notice);
+    factored_.set_cache(folder, notice);
+    high_orders_.set_cache(folder, notice);
+}
+
+void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderOptions& given,
+                   RenderExecutor& executor, RenderRun& run) {
+    TransferMethod& method = method_for(given.method);
+
+    // bake, first half: the orders below may depend on it.
+    surfaces_.update(scene);
+    visibility_.update(surfaces_, scene.environment() != nullptr, given, run.workers, run.progress,
+                       run.statistics);
+    const SurfaceState surfaces = visibility_.state(surfaces_);
+
+    // project. That the scene is rotated as a whole is a rotation of light and camera the other way.
+    const RenderOptions options = choose_orders(scene, given, run);
+    const Projection projection = in_axes(of_world, surfaces_.to_world());
+    const glm::dmat3 light_to_geometry =
+        glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
+    light_.update(scene, options, light_to_geometry, run.statistics);
+    const TransferInput input{
+        surfaces,
+        light_.layout(),
+        *light_.rotated(),
+        light_.rotated().version(),
+        scene.channels(),
+        (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
+        static_cast<std::size_t>(options.components)};
+    const DistantLight distant{.coefficients = *light_.distant(),
+                               .version = light_.distant().version(),
+                               .low = options.order_low,
+                               .high = light_.last_order(),
+                               .polarized = input.layout.kind() != LightKind::unpolarized};
+    const bool high_orders = distant.high > distant.low;
+    at_pixels_ = high_orders && options.high_orders_at == HighOrdersAt::pixels;
+    method.project(input, run);
+    if (high_orders) high_orders_.project(input, distant, options.high_orders, run);
+
+    // bake, second half.
+    TransferInput high_input = input;
+    if (!options.high_order_shadows) {
+        high_input.visibility = nullptr;
+        high_input.versions.visibility = 0;
+        high_input.change.reset();
+    }
+    std::optional<VisibilityRequest> request;
+    if (high_orders) request = high_orders_.request(high_input, distant.low);
+    method.bake(input, request ? &*request : nullptr, run);
+    if (high_orders) high_orders_.bake(high_input, distant.low, std::move(request), run);
+
+    method.relight(input, executor, run);
+
+    shade({input, projection.view, {}, light_to_geometry}, projection, options, distant, executor, run);
+
+    method.count(input, run.statistics);
+    executor.count(run.statistics);
+    count(input, distant, run.statistics);
+}
+
+TransferMethod& Pipeline::method_for(Method method) {
+    if (method == Method::dense) return dense_;
+    return factored_;
+}
+
+RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run) {
+    RenderOptions chosen = options;
+    if (!(options.tolerance > 0)) return chosen;
+    const Stopwatch watch;
+    run.workers.run([&] {
+        const OrderSelector::Orders orders = selector_.choose(
+            scene, visibility_.state(surfaces_), options.tolerance, options.high_orders == HighOrders::split);
+        chosen.order_low = orders.low;
+        chosen.order_high = orders.high;
+        run.statistics.predicted_error = orders.error;
+    });
+    run.statistics.project_ms += watch.milliseconds();
+    return chosen;
+}
+
+void Pipeline::shade(ShadeInput input, const Projection& projection, const RenderOptions& options,
+                     const DistantLight& distant, RenderExecutor& executor, RenderRun& run) {
+    const Stopwatch watch;
+    const bool high_orders = distant.high > distant.low;
+    const bool physical = options.physical && !at_pixels_;  // else it comes once all orders are there
+    // Where all are moved into the physical range, all are shaded, so that none is counted again.
+    if (physical || (options.disabled_optimisations & skip_unchanged) != 0) shading_.reset();
+    shading_.update(input, executor.version(), options.method, input.view, input.light_version,
+                    distant.version, high_orders ? options.high_orders : HighOrders::none, at_pixels_,
+                    high_orders && !high_orders_.visibility()->empty(), physical, input.channels,
+                    input.least_components, input.most_components);
+    if (executor.can_choose()) {
+        choose_vertices(input.geometry, projection, options, run);
+    } else {
+        chosen_.assign(input.geometry.positions.size(), 1);
+    }
+    input.chosen = chosen_;
+    method_for(options.method).shade(input, executor, run);
+    if (high_orders) executor.specular(high_orders_, input, at_pixels_, run);
+    if (physical) run.statistics.vertices_unphysical += executor.make_physical(input);
+    executor.finish();
+    shading_.complete(chosen_);
+    run.statistics.vertices_shaded += static_cast<std::uint64_t>(std::ranges::count(chosen_, 1));
+    run.statistics.shade_ms += watch.milliseconds();
+}
+
+void Pipeline::choose_vertices(const WorldGeometry& geometry, const Projection& projection,
+                               const RenderOptions& options, RenderRun& run) {
+    if ((options.disabled_optimisations & skip_hidden) != 0) {
+        chosen_.assign(geometry.positions.size(), 1);
+    } else {
+        run.workers.run(
+            [&] { run.statistics.vertices_skipped = find_visible(geometry, projection, chosen_); });
+    }
+    const std::span current = shading_.current();
+    for (std::size_t v = 0; v < chosen_.size(); ++v) chosen_[v] = chosen_[v] != 0 && current[v] == 0 ? 1 : 0;
+}
+
+void Pipeline::count(const TransferInput& input, const DistantLight& distant, Statistics& statistics) const {
+    statistics.order_low = distant.low;
+    statistics.order = distant.high;
+    if (distant.high > distant.low) {
+        statistics.high_orders_at = at_pixels_ ? HighOrdersAt::pixels : HighOrdersAt::vertices;
+        high_orders_.count(statistics);
+    }
+    statistics.vertices = input.geometry.positions.size();
+    statistics.triangles = input.geometry.triangles.size();
+    const int light_channels = input.light.channels();
+    statistics.light_columns_skipped =
+        static_cast<std::uint64_t>((4 - static_cast<int>(input.layout.kind())) * light_channels);
+    statistics.channels_shared = static_cast<std::uint64_t>(input.channels - light_channels);
+    statistics.transfer_bytes += input.geometry.bytes() + chosen_.size();
+}
+
+}  // namespace nicol

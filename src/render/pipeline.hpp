@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What lies between a scene and its shaded vertices: project, bake, relight and shade, each computed again
+// only where what it depends on has changed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "render/dense_method.hpp"
+#include "render/executor.hpp"
+#include "render/factored_method.hpp"
+#include "render/high_orders.hpp"
+#include "render/light_projection.hpp"
+#include "render/order_selector.hpp"
+#include "render/scene_geometry.hpp"
+#include "render/scene_visibility.hpp"
+#include "render/vertex_stage.hpp"
+#include "scene/projection.hpp"
+#include "scene/scene.hpp"
+
+namespace nicol {
+
+class Pipeline {
+public:
+    /// Where to keep what takes long to compute; an empty folder: nowhere.
+    void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
+
+    /// Shades every vertex that can be seen; `executor` keeps the results. High orders are at vertices where
+    /// `options` leaves that open. Adds times and counts to the statistics. `projection`: of the world. What
+    /// throws leaves nothing half done: the next call computes it again.
+    void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
+             RenderExecutor& executor, RenderRun& run);
+
+    /// What is drawn, in axes of its own.
+    [[nodiscard]] const SceneGeometry& surfaces() const noexcept { return surfaces_; }
+    /// What the last run() left for pixels to add; null where nothing.
+    [[nodiscard]] const HighOrderTransfer* pixel_high_orders() const noexcept {
+        return at_pixels_ ? &high_orders_ : nullptr;
+    }
+
+private:
+    [[nodiscard]] TransferMethod& method_for(Method method);
+    /// The options with the orders that their tolerance allows.
+    RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run);
+    void shade(ShadeInput input, const Projection& projection, const RenderOptions& options,
+               const DistantLight& distant, RenderExecutor& executor, RenderRun& run);
+    /// Sets chosen_ to 1 for each vertex that can be seen and whose Stokes vector is not current.
+    void choose_vertices(const WorldGeometry& geometry, const Projection& projection,
+                         const RenderOptions& options, RenderRun& run);
+    void count(const TransferInput& input, const DistantLight& distant, Statistics& statistics) const;
+
+    SceneGeometry surfaces_;
+    SceneVisibility visibility_;
+    OrderSelector selector_;
+    LightProjection light_;
+    FactoredMethod factored_;
+    DenseMethod dense_;
+    HighOrderTransfer high_orders_;
+    bool at_pixels_ = false;
+
+    // Executor, method, view, light of low and high orders, form of the high orders, at pixels, with shadows,
+    // physical, channels, least and most components.
+    VertexStage<Version, Method, Viewpoint, Version, Version, HighOrders, bool, bool, bool, int, std::size_t,
+                std::size_t>
+        shading_{{.on_places = true, .on_materials = true}};
+    std::vector<std::uint8_t> chosen_;
+};
+
+}  // namespace nicol

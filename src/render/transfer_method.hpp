@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// How light becomes reflected light: what project and bake make of a scene, for executors to compute with.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "render/executor.hpp"
+#include "render/render.hpp"
+#include "render/transfer_input.hpp"
+#include "render/workers.hpp"
+#include "visibility/visibility_blocks.hpp"
+
+namespace nicol {
+
+/// Coefficients of visibility that are needed beside what a method needs.
+struct VisibilityRequest {
+    VisibilityBlocks blocks;
+    bool filled = false;
+};
+
+/// Every function computes as far as changes of its input make it necessary, and adds its times and counts to
+/// the statistics. They are called in this order, each with the same input.
+class TransferMethod {
+public:
+    virtual ~TransferMethod() = default;
+
+    /// project: what materials make of light.
+    virtual void project(const TransferInput& input, RenderRun& run) = 0;
+    /// bake: shadows. Fills `request`, which may be null, where it computes all that it is for.
+    virtual void bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) = 0;
+    /// relight: the light of all vertices, kept by the executor.
+    virtual void relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) = 0;
+    /// shade: the Stokes vectors of the vertices with chosen[v] != 0, by the executor that has relit them.
+    virtual void shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const = 0;
+
+    /// Adds what it keeps to the statistics.
+    virtual void count(const TransferInput& input, Statistics& statistics) const = 0;
+};
+
+}  // namespace nicol
