@@ -578,8 +578,8 @@ typedef uint32_t nicol_components;
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
-    /* Options of the factored and the dense method; the reference method uses samples, seed and `shadows`
-     * only. */
+    /* Options of the factored and the dense method; the reference method uses samples, seed, `shadows` and
+     * NICOL_OPTIMISATION_UNCHANGED only. */
     int32_t order_low;  /* light up to this order is shaded with the material's full response; 0: 4;
                            -1: order 0; at most NICOL_MAX_ORDER */
     int32_t order_high; /* light up to this order is rendered, above order_low by high_orders; 0: 9, or

@@ -46,6 +46,7 @@ nicol_render_options traced() {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.method = NICOL_METHOD_REFERENCE;
     options.samples = 2;
+    options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
     return options;
 }
 

@@ -168,7 +168,7 @@ class CallTest(unittest.TestCase):
 
     def test_planes_of_surfaces_and_formats(self):
         framebuffer = nicol.Framebuffer.create(self.context, 32, 32, 1)
-        nicol.render(self.scene, camera(), nicol.RenderOptions(planes=nicol.PLANES_ALL), framebuffer)
+        nicol.render(self.scene, camera(), nicol.RenderOptions(planes=nicol.AOV_ALL), framebuffer)
         depth = planes_of(framebuffer, array.array("f", bytes(4 * 1024)), plane=nicol.PLANE_DEPTH)
         self.assertAlmostEqual(depth[16 * 32 + 16], 3, places=2)
         self.assertEqual(depth[0], math.inf)
@@ -190,8 +190,10 @@ class CallTest(unittest.TestCase):
         self.assertEqual((status.state, status.result, status.fraction), (nicol.JOB_DONE, 0, 1))
         self.assertEqual(set(seen), {"trace"})
         self.assertEqual(float(framebuffer.plane(nicol.PLANE_S0)[0, 0]), 2)
-        job = nicol.render_async(self.scene, camera(), nicol.RenderOptions(order_low=-7), framebuffer)
         with self.assertRaisesRegex(nicol.Error, "order_low"):
+            nicol.render_async(self.scene, camera(), nicol.RenderOptions(order_low=-7), framebuffer)
+        job = nicol.render_async(self.scene, camera(), None, nicol.Framebuffer.create(self.context, 4, 4, 2))
+        with self.assertRaisesRegex(nicol.Error, "colour channels"):
             job.wait(nicol.WAIT_FOREVER)
 
     @unittest.skipIf(numpy is None, "numpy is absent")
