@@ -52,16 +52,16 @@ void HighOrderTextures::copy(const HighOrderTransfer& transfer, int channels) {
     parts_.clear();
     maps_.clear();
     for (const auto& [material, from] : *transfer.parts()) {
-        polarized_ = from.maps.centre->polarized();
+        polarized_ = from.maps.central->polarized();
         Part part{.factors = {},
-                  .centre = textures(from.maps.centre, channels),
-                  .around = textures(from.maps.around, channels),
-                  .base = textures(from.maps.normal, channels),
+                  .central = textures(from.maps.central, channels),
+                  .outer = textures(from.maps.outer, channels),
+                  .base = textures(from.maps.base, channels),
                   .spread = static_cast<float>(from.factors.spread()),
-                  .has_base = from.maps.normal != nullptr};
+                  .has_base = from.maps.base != nullptr};
         // A sampler wants a texture, used or not.
-        if (part.around == nullptr) part.around = part.centre;
-        if (part.base == nullptr) part.base = part.centre;
+        if (part.outer == nullptr) part.outer = part.central;
+        if (part.base == nullptr) part.base = part.central;
         for (int g = 0; g < group_count(channels); ++g) {
             part.factors.emplace_back(
                 context_,
@@ -88,8 +88,8 @@ void HighOrderTextures::bind(gl::Program& program, const Part& part, std::size_t
     program.set("spread", part.spread);
     program.set("has_base", part.has_base ? 1 : 0);
     part.factors[group].bind(0);
-    (*part.centre)[group].bind(1);
-    (*part.around)[group].bind(2);
+    (*part.central)[group].bind(1);
+    (*part.outer)[group].bind(2);
     (*part.base)[group].bind(3);
 }
 

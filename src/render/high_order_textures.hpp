@@ -19,8 +19,8 @@ public:
 
     struct Part {
         Textures factors;
-        const Textures* centre;
-        const Textures* around;
+        const Textures* central;
+        const Textures* outer;
         const Textures* base;
         float spread;
         bool has_base;

@@ -75,7 +75,7 @@ void HighOrderTransfer::filter(const DistantLight& light, HighOrders form) {
         if (part.filtered) continue;
         if (form == HighOrders::convolution) {
             part.convolved = convolved_map(light.coefficients, kernels_.at(material), light.low, light.high);
-            part.maps = {.centre = &*part.convolved};
+            part.maps = {.central = &*part.convolved};
         } else {
             if (!light_) light_.emplace(light.coefficients, light.low, light.high, light.polarized);
             part.maps = light_->maps(part.factors);

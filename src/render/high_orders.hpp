@@ -55,7 +55,7 @@ public:
     /// Of a material's lobe about the mirror direction, radians: of whose part that a vertex sees fractions
     /// are computed.
     [[nodiscard]] double lobe_width(const MaterialPtr& material) const {
-        return kLobeWidths[static_cast<std::size_t>(parts_->at(material).factors.centre())];
+        return kLobeWidths[static_cast<std::size_t>(parts_->at(material).factors.central_lobe())];
     }
 
 private:

@@ -19,7 +19,7 @@ constexpr std::array<int, 4> kSplitOrders{9, 16, 32, 64};
 constexpr int kLowestSplit = 3;
 
 // Of which a fit takes the best, or a better.
-constexpr std::array<SplitProbes, 3> kUsualProbes{{{0, 1, 0.05}, {1, 2, 0.1}, {2, 3, 0.2}}};
+constexpr std::array<SplitStencil, 3> kUsualStencils{{{0, 1, 0.05}, {1, 2, 0.1}, {2, 3, 0.2}}};
 
 // Time of a frame in which the light rotates, over an order's part of it: the power of its size, and what
 // looking up filtered light costs (nicol-bench frame).
@@ -149,11 +149,11 @@ const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(std::si
                         SplitFit::prior(l) * of.power.of(c, output, part)[static_cast<std::size_t>(l)];
     }
     found->second.fill(1);
-    for (const SplitProbes& probes : kUsualProbes) {
+    for (const SplitStencil& stencil : kUsualStencils) {
         std::array<double, kOutputs> caught{};
         for (std::size_t k = 0; k < angles; ++k) {
             const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / angles);
-            for (const SplitFactors& factors : fit.at(std::acos(cosine), probes)) {
+            for (const SplitFactors& factors : fit.at(std::acos(cosine), stencil)) {
                 for (std::size_t part = 0; part < parts_of(kind_); ++part) {
                     caught[0] += factors.energy[0][part] / angles;
                     caught[1] += (factors.energy[1][part] + factors.energy[2][part]) / angles;

@@ -10,7 +10,7 @@
 #include "harmonics/light_layout.hpp"
 #include "material/response_table.hpp"
 #include "polarization/viewpoint.hpp"
-#include "shading/shade_kernel.hpp"
+#include "shading/lane_response.hpp"
 #include "transfer/vertex_light.hpp"
 
 namespace nicol {

@@ -10,9 +10,9 @@
 #include "arguments.hpp"
 #include "simd/lane_transpose.hpp"
 #include "simd/work_space.hpp"
-#include "specular/high_order_kernel.hpp"
 #include "specular/lane_lobe.hpp"
 #include "specular/lane_mirror.hpp"
+#include "specular/lane_reflection.hpp"
 
 namespace nicol {
 namespace {
@@ -47,20 +47,20 @@ std::array<Lanes, 2> fractions(const HighOrderShadows& shadows, const LaneMirror
     return out;
 }
 
-// What the probes of a block of vertices find.
-struct Probes {
+// Filtered light at the taps of a block of vertices.
+struct Taps {
     // Numbers of all channels, and those to spare.
-    explicit Probes(std::size_t numbers) {
-        const std::span<Lanes> all = work_space<Probes, Lanes>(6 * numbers);
+    explicit Taps(std::size_t numbers) {
+        const std::span<Lanes> all = work_space<Taps, Lanes>(6 * numbers);
         std::ranges::fill(all, Lanes{});
         std::size_t begin = 0;
-        for (std::span<Lanes>* some : {&centre, &up, &down, &right, &left, &normal}) {
+        for (std::span<Lanes>* some : {&central, &up, &down, &right, &left, &base}) {
             *some = all.subspan(begin, numbers);
             begin += numbers;
         }
     }
 
-    std::span<Lanes> centre, up, down, right, left, normal;
+    std::span<Lanes> central, up, down, right, left, base;
 };
 
 }  // namespace
@@ -68,23 +68,22 @@ struct Probes {
 HighOrder::HighOrder(const HighOrderFactors& factors, const HighOrderMaps& maps,
                      const glm::dmat3& light_to_world)
     : factors_(factors), maps_(maps), world_to_light_(glm::transpose(light_to_world)) {
-    require(maps.centre != nullptr, "high orders need a map for the mirror direction");
-    require(factors.spread() == 0 || maps.around != nullptr,
-            "high orders need a map around the mirror direction");
-    require(!factors.normal() || maps.normal != nullptr, "high orders need a map for the normal");
-    for (const LobeMap* map : {maps.centre, maps.around, maps.normal}) {
+    require(maps.central != nullptr, "high orders need a map for the mirror direction");
+    require(factors.spread() == 0 || maps.outer != nullptr, "high orders need a map for the outer taps");
+    require(!factors.has_base() || maps.base != nullptr, "high orders need a map for the base");
+    for (const LobeMap* map : {maps.central, maps.outer, maps.base}) {
         if (map == nullptr) continue;
-        require(map->channels() == maps.centre->channels() && map->channels() >= 1 &&
+        require(map->channels() == maps.central->channels() && map->channels() >= 1 &&
                     map->channels() <= most_channels,
                 "the maps of high orders must have the same 1 to " + std::to_string(most_channels) +
                     " channels; one has " + std::to_string(map->channels()));
-        require(map->polarized() == maps.centre->polarized(),
+        require(map->polarized() == maps.central->polarized(),
                 "the maps of high orders must be all polarized or all not");
     }
-    require(factors.channels() == 1 || maps.centre->channels() == 1 ||
-                factors.channels() == maps.centre->channels(),
+    require(factors.channels() == 1 || maps.central->channels() == 1 ||
+                factors.channels() == maps.central->channels(),
             "factors of " + std::to_string(factors.channels()) + " channels cannot serve maps of " +
-                std::to_string(maps.centre->channels()));
+                std::to_string(maps.central->channels()));
 }
 
 void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
@@ -93,18 +92,18 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
                     std::span<const std::span<glm::vec4>> out) const {
     require(out.size() >= 1 && out.size() <= most_channels,
             "high orders of " + std::to_string(out.size()) + " channels");
-    const bool polarized = maps_.centre->polarized();
-    const bool around = factors_.spread() > 0;
+    const bool polarized = maps_.central->polarized();
+    const bool outer = factors_.spread() > 0;
     const auto cosine = static_cast<float>(std::cos(factors_.spread()));
     const auto sine = static_cast<float>(std::sin(factors_.spread()));
     const std::size_t components = polarized ? 4 : 1;
-    const bool alike = factors_.channels() == 1 && maps_.centre->channels() == 1;
+    const bool alike = factors_.channels() == 1 && maps_.central->channels() == 1;
     const std::size_t step = HighOrderFactors::kElements * static_cast<std::size_t>(factors_.channels());
     // Whole squares are faster to transpose.
     constexpr std::size_t few = std::max<std::size_t>(kLanes, HighOrderFactors::kUnpolarized);
     const std::size_t used = polarized ? HighOrderFactors::kElements : few;
 
-    Probes probes(4 * static_cast<std::size_t>(maps_.centre->layers()));
+    Taps taps(4 * static_cast<std::size_t>(maps_.central->layers()));
     std::array<Lanes, HighOrderFactors::kElements> table;
     std::array<Lanes, 4> stokes;
     for (std::size_t begin = first / kLanes * kLanes; begin < last; begin += kLanes) {
@@ -115,17 +114,17 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
         const std::size_t all = std::min(kLanes, positions.size() - begin);
         const LaneMirror mirror =
             mirror_views(view, world_to_light_, positions.subspan(begin, all), normals.subspan(begin, all));
-        probe_lobe(*maps_.centre, mirror.d, mirror.x, probes.centre.data());
-        if (around) {
-            const LobeMap& map = *maps_.around;
+        sample_lobe(*maps_.central, mirror.d, mirror.x, taps.central.data());
+        if (outer) {
+            const LobeMap& map = *maps_.outer;
             const LaneVectors& d = mirror.d;
             const LaneVectors& x = mirror.x;
-            probe_lobe(map, rotated(d, mirror.y, cosine, sine), x, probes.up.data());
-            probe_lobe(map, rotated(d, mirror.y, cosine, -sine), x, probes.down.data());
-            probe_lobe(map, rotated(d, x, cosine, sine), rotated(x, d, cosine, -sine), probes.right.data());
-            probe_lobe(map, rotated(d, x, cosine, -sine), rotated(x, d, cosine, sine), probes.left.data());
+            sample_lobe(map, rotated(d, mirror.y, cosine, sine), x, taps.up.data());
+            sample_lobe(map, rotated(d, mirror.y, cosine, -sine), x, taps.down.data());
+            sample_lobe(map, rotated(d, x, cosine, sine), rotated(x, d, cosine, -sine), taps.right.data());
+            sample_lobe(map, rotated(d, x, cosine, -sine), rotated(x, d, cosine, sine), taps.left.data());
         }
-        if (factors_.normal()) probe_lobe(*maps_.normal, mirror.inward, mirror.x, probes.normal.data());
+        if (factors_.has_base()) sample_lobe(*maps_.base, mirror.inward, mirror.x, taps.base.data());
 
         const std::array<Lanes, 2> dimmed = fractions(shadows, mirror, begin, all);
         std::array<std::size_t, kLanes> angle;
@@ -143,14 +142,14 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
                         rows[i] = factors_.row(angle[i], factors_.channels() > 1 ? c : 0);
                     to_lanes_between(rows, step, fraction, used, table.data());
                 }
-                const std::size_t own = maps_.centre->channels() == 1 ? 0 : c * components;
-                reflect_probes({.centre = &probes.centre[own],
-                                .up = around ? &probes.up[own] : nullptr,
-                                .down = &probes.down[own],
-                                .right = &probes.right[own],
-                                .left = &probes.left[own],
-                                .normal = factors_.normal() ? &probes.normal[own] : nullptr},
-                               polarized, table.data(), mirror, dimmed[0], dimmed[1], stokes.data());
+                const std::size_t own = maps_.central->channels() == 1 ? 0 : c * components;
+                reflect_taps({.central = &taps.central[own],
+                              .up = outer ? &taps.up[own] : nullptr,
+                              .down = &taps.down[own],
+                              .right = &taps.right[own],
+                              .left = &taps.left[own],
+                              .base = factors_.has_base() ? &taps.base[own] : nullptr},
+                             polarized, table.data(), mirror, dimmed[0], dimmed[1], stokes.data());
             }
             add_fours(stokes.data(), shown.data(), all, out[c].data() + begin);
         }

@@ -21,9 +21,9 @@ namespace nicol {
 /// The maps a material's factors are multiplied with; null where the factors do not ask for one. All have the
 /// same channels and kind.
 struct HighOrderMaps {
-    const LobeMap* centre = nullptr;
-    const LobeMap* around = nullptr;  ///< where factors.spread() > 0
-    const LobeMap* normal = nullptr;  ///< where factors.normal()
+    const LobeMap* central = nullptr;
+    const LobeMap* outer = nullptr;  ///< where factors.spread() > 0
+    const LobeMap* base = nullptr;   ///< where factors.has_base()
 };
 
 /// What dims high orders.

@@ -35,14 +35,14 @@ HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, in
     if (content.empty()) return HighOrderFactors(material, l_low, l_high, channels);
     const int factor_channels = ResponseTable::channels_for(material, channels);
     const CacheFile file(folder, magic, kVersion, key_of(content, l_low, l_high, factor_channels), ".lobes");
-    std::array<std::int32_t, 3> probes{};  // centre, around, normal
+    std::array<std::int32_t, 3> stencil{};  // central lobe, outer lobe, base
     std::vector<float> data(std::size_t{HighOrderFactors::kElements} * HighOrderFactors::kAngles *
                             static_cast<std::size_t>(factor_channels));
     CacheFile::Outcome outcome = file.read(
-        std::array{writable_bytes_of(std::span<std::int32_t>(probes)), writable_bytes_of(std::span(data))});
+        std::array{writable_bytes_of(std::span<std::int32_t>(stencil)), writable_bytes_of(std::span(data))});
     if (outcome.state == CacheFile::State::complete) {
-        std::optional<HighOrderFactors> kept =
-            HighOrderFactors::stored(factor_channels, probes[0], probes[1], probes[2] != 0, std::move(data));
+        std::optional<HighOrderFactors> kept = HighOrderFactors::stored(
+            factor_channels, stencil[0], stencil[1], stencil[2] != 0, std::move(data));
         if (kept) return *std::move(kept);
         outcome = {CacheFile::State::unfit, "is damaged"};
     }
@@ -50,9 +50,9 @@ HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, in
         notice(file.path().string() + ": " + outcome.reason + "; the factors are fitted anew");
     }
     HighOrderFactors factors(material, l_low, l_high, channels);
-    probes = {factors.centre(), factors.around(), factors.normal() ? 1 : 0};
+    stencil = {factors.central_lobe(), factors.outer_lobe(), factors.has_base() ? 1 : 0};
     const std::string failure =
-        file.write(std::array{bytes_of(std::span<const std::int32_t>(probes)), bytes_of(factors.data())});
+        file.write(std::array{bytes_of(std::span<const std::int32_t>(stencil)), bytes_of(factors.data())});
     if (!failure.empty() && notice) notice(failure);
     return factors;
 }

@@ -27,45 +27,45 @@ double zenith(std::size_t angle) {
     return std::min(std::acos(static_cast<double>(angle) / (kAngleCount - 1)), pi / 2 - 1e-3);
 }
 
-// The elements in their stored order, from the factors of each probe.
+// The elements in their stored order, from the factors of each tap.
 std::array<double, HighOrderFactors::kElements> elements_of(const SplitFactors& factors) {
-    const auto f = [&](std::size_t probe, std::size_t row, std::size_t column) {
-        return factors.of[row][4 * probe + column];
+    const auto f = [&](std::size_t tap, std::size_t row, std::size_t column) {
+        return factors.of[row][4 * tap + column];
     };
-    const auto even = [&](std::size_t probe, std::size_t row, std::size_t column) {
-        return probe < 3 ? f(probe, row, column) : (f(3, row, column) + f(4, row, column)) / 2;
+    const auto even = [&](std::size_t tap, std::size_t row, std::size_t column) {
+        return tap < 3 ? f(tap, row, column) : (f(3, row, column) + f(4, row, column)) / 2;
     };
     const auto odd = [&](std::size_t row, std::size_t column) {
         return (f(3, row, column) - f(4, row, column)) / 2;
     };
     std::array<double, HighOrderFactors::kElements> out{};
     std::size_t i = 0;
-    for (std::size_t probe = 0; probe < 4; ++probe) {
-        out[i++] = even(probe, 0, 0);
-        out[i++] = even(probe, 1, 0);
+    for (std::size_t tap = 0; tap < 4; ++tap) {
+        out[i++] = even(tap, 0, 0);
+        out[i++] = even(tap, 1, 0);
     }
     out[i++] = odd(2, 0);
     out[i++] = odd(3, 0);
     out[i++] = f(5, 0, 0);
     out[i++] = f(5, 1, 0);
     constexpr std::size_t rest[6][2] = {{0, 1}, {1, 1}, {2, 2}, {3, 2}, {2, 3}, {3, 3}};
-    for (std::size_t probe = 0; probe < 4; ++probe)
-        for (const auto& [row, column] : rest) out[i++] = even(probe, row, column);
+    for (std::size_t tap = 0; tap < 4; ++tap)
+        for (const auto& [row, column] : rest) out[i++] = even(tap, row, column);
     constexpr std::size_t odd_rest[6][2] = {{0, 2}, {1, 2}, {2, 1}, {3, 1}, {0, 3}, {1, 3}};
     for (const auto& [row, column] : odd_rest) out[i++] = odd(row, column);
     return out;
 }
 
-// Energy of the response to unpolarized light that the probes catch, by channel, of s0, s1 and s2.
+// Energy of the response to unpolarized light that the taps catch, by channel, of s0, s1 and s2.
 using Energy = std::vector<std::array<double, 3>>;
 
-Energy caught(const SplitFit& fit, const SplitProbes& probes) {
+Energy caught(const SplitFit& fit, const SplitStencil& stencil) {
     // Angles by the projected area they have on a sphere.
     constexpr std::size_t samples = 6;
     Energy sum;
     for (std::size_t k = 0; k < samples; ++k) {
         const double cosine = std::sqrt((static_cast<double>(k) + 0.5) / samples);
-        const std::vector<SplitFactors> factors = fit.at(std::acos(cosine), probes);
+        const std::vector<SplitFactors> factors = fit.at(std::acos(cosine), stencil);
         sum.resize(factors.size());
         for (std::size_t c = 0; c < factors.size(); ++c)
             for (std::size_t p = 0; p < 3; ++p)
@@ -76,11 +76,11 @@ Energy caught(const SplitFit& fit, const SplitProbes& probes) {
 
 // The lobes and their spread that catch most, each Stokes component counted by the part of it that the best
 // of them catches.
-SplitProbes best_probes(const SplitFit& fit) {
-    std::vector<SplitProbes> candidates;
-    for (int around = 1; around < static_cast<int>(kLobeWidths.size()); ++around)
-        for (int centre = 0; centre <= around; ++centre)
-            candidates.push_back({centre, around, kLobeWidths[static_cast<std::size_t>(around)]});
+SplitStencil best_stencil(const SplitFit& fit) {
+    std::vector<SplitStencil> candidates;
+    for (int outer = 1; outer < static_cast<int>(kLobeWidths.size()); ++outer)
+        for (int central = 0; central <= outer; ++central)
+            candidates.push_back({central, outer, kLobeWidths[static_cast<std::size_t>(outer)]});
     std::vector<Energy> energy(candidates.size());
     tbb::parallel_for(std::size_t{0}, candidates.size(),
                       [&](std::size_t i) { energy[i] = caught(fit, candidates[i]); });
@@ -99,13 +99,13 @@ SplitProbes best_probes(const SplitFit& fit) {
     };
     const auto best = static_cast<std::size_t>(std::ranges::max_element(energy, {}, score) - energy.begin());
 
-    // A metal has nothing to gain from the normal's probe, which is for diffuse bases.
-    SplitProbes probes = candidates[best];
-    probes.normal = false;
-    const Energy without = caught(fit, probes);
+    // A metal has nothing to gain from the tap at -n, which is for diffuse bases.
+    SplitStencil stencil = candidates[best];
+    stencil.base = false;
+    const Energy without = caught(fit, stencil);
     for (std::size_t c = 0; c < without.size(); ++c)
-        probes.normal = probes.normal || without[c][0] < (1 - kNegligible) * energy[best][c][0];
-    return probes;
+        stencil.base = stencil.base || without[c][0] < (1 - kNegligible) * energy[best][c][0];
+    return stencil;
 }
 
 }  // namespace
@@ -121,19 +121,20 @@ HighOrderFactors HighOrderFactors::mirror() {
     return out;
 }
 
-std::optional<HighOrderFactors> HighOrderFactors::stored(int channels, int centre, int around, bool normal,
-                                                         std::vector<float> data) {
+std::optional<HighOrderFactors> HighOrderFactors::stored(int channels, int central_lobe, int outer_lobe,
+                                                         bool has_base, std::vector<float> data) {
     constexpr int lobes = static_cast<int>(kLobeWidths.size());
-    const bool fits = channels >= 1 && centre >= 0 && centre <= around && around < lobes &&
+    const bool fits = channels >= 1 && central_lobe >= 0 && central_lobe <= outer_lobe &&
+                      outer_lobe < lobes &&
                       data.size() == kElements * kAngleCount * static_cast<std::size_t>(channels) &&
                       std::ranges::all_of(data, [](float value) { return std::isfinite(value); });
     if (!fits) return std::nullopt;
     HighOrderFactors out;
     out.channels_ = channels;
-    out.centre_ = centre;
-    out.around_ = around;
-    out.spread_ = kLobeWidths[static_cast<std::size_t>(around)];
-    out.normal_ = normal;
+    out.central_lobe_ = central_lobe;
+    out.outer_lobe_ = outer_lobe;
+    out.spread_ = kLobeWidths[static_cast<std::size_t>(outer_lobe)];
+    out.has_base_ = has_base;
     out.data_ = std::move(data);
     return out;
 }
@@ -146,15 +147,15 @@ HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_hi
                         "; they must ascend within 0 to " + std::to_string(kMaxOrder));
     }
     const SplitFit fit(material, l_low, l_high, channels_);
-    const SplitProbes probes = best_probes(fit);
-    centre_ = probes.centre;
-    around_ = probes.around;
-    spread_ = probes.spread;
-    normal_ = probes.normal;
+    const SplitStencil stencil = best_stencil(fit);
+    central_lobe_ = stencil.central;
+    outer_lobe_ = stencil.outer;
+    spread_ = stencil.spread;
+    has_base_ = stencil.base;
     const auto count = static_cast<std::size_t>(channels_);
     data_.resize(kElements * kAngleCount * count);
     tbb::parallel_for(std::size_t{0}, kAngleCount, [&](std::size_t angle) {
-        const std::vector<SplitFactors> factors = fit.at(zenith(angle), probes);
+        const std::vector<SplitFactors> factors = fit.at(zenith(angle), stencil);
         for (std::size_t c = 0; c < count; ++c) {
             const auto elements = elements_of(factors[c]);
             float* to = &data_[(angle * count + c) * elements.size()];

@@ -17,14 +17,14 @@ namespace nicol {
 /// light is filtered once a lobe.
 inline constexpr std::array<double, 4> kLobeWidths{0.0, 0.05, 0.1, 0.2};
 
-/// Filtered light is probed around the mirror direction d = v - 2 n (n.v) of the view direction v (both
-/// propagation directions, n the surface's normal): at d itself, at up/down = d cos a +- y sin a within the
-/// plane of incidence, and at right/left = d cos a +- x sin a across it. x = n x v, y = d x x are the frame
-/// of s1, s2 at d; x is made orthogonal to the direction at left and right, and is the outgoing light's
-/// frame, too. What a diffuse base reflects is probed at -n, through the lobe of cosine_gains(). With S the
-/// probed Stokes vectors, outgoing light is
-///     F_centre S_d + F_up S_up + F_down S_down + F_sum (S_right + S_left) + F_difference (S_right - S_left)
-///     + F_normal S_-n.
+/// The stencil: filtered light is looked up at six taps. With the view direction v and the mirror direction
+/// d = v - 2 n (n.v) (both propagation directions, n the surface's normal), the central tap is at d; the
+/// outer taps are up/down = d cos a +- y sin a within the plane of incidence and right/left = d cos a +- x
+/// sin a across it. x = n x v, y = d x x are the frame of s1, s2 at d; x is made orthogonal to the direction
+/// at left and right, and is the outgoing light's frame, too. The base tap, for what a diffuse base reflects,
+/// is at -n in light filtered by cosine_gains(). With S the Stokes vectors at the taps, outgoing light is
+///     F_central S_d + F_up S_up + F_down S_down + F_sum (S_right + S_left) + F_difference (S_right - S_left)
+///     + F_base S_-n.
 /// Mirror symmetry leaves eight elements each (the last: s0 to s0 and s1).
 class HighOrderFactors {
 public:
@@ -32,13 +32,13 @@ public:
     static constexpr int kAngles = 129;
 
     /// Elements in the order they are stored, (row, column): those that unpolarized light needs come first.
-    /// (0,0) (1,0) of centre, up, down and sum; (2,0) (3,0) of difference; (0,0) (1,0) of normal; then of
-    /// centre, up, down and sum (0,1) (1,1) (2,2) (3,2) (2,3) (3,3); of difference (0,2) (1,2) (2,1) (3,1)
+    /// (0,0) (1,0) of central, up, down and sum; (2,0) (3,0) of difference; (0,0) (1,0) of base; then of
+    /// central, up, down and sum (0,1) (1,1) (2,2) (3,2) (2,3) (3,3); of difference (0,2) (1,2) (2,1) (3,1)
     /// (0,3) (1,3).
     static constexpr int kUnpolarized = 12;
     static constexpr int kElements = 42;
 
-    /// The mirror itself: a single probe in the centre, for light that is convolved with a material's kernel.
+    /// A perfect mirror: the central tap alone, for light that is convolved with a material's kernel.
     [[nodiscard]] static HighOrderFactors mirror();
 
     /// The nearest to a material, in orders l_low + 1 .. l_high of light whose power falls with l (l + 1), by
@@ -47,18 +47,19 @@ public:
     HighOrderFactors(const Material& material, int l_low, int l_high, int channels);
 
     /// From what the members below gave of another; nothing where that cannot be.
-    [[nodiscard]] static std::optional<HighOrderFactors> stored(int channels, int centre, int around,
-                                                                bool normal, std::vector<float> data);
+    [[nodiscard]] static std::optional<HighOrderFactors> stored(int channels, int central_lobe,
+                                                                int outer_lobe, bool has_base,
+                                                                std::vector<float> data);
 
     /// 1 where all channels have the same factors.
     [[nodiscard]] int channels() const noexcept { return channels_; }
-    /// Positions in kLobeWidths of the lobe for the centre and for the four probes around it.
-    [[nodiscard]] int centre() const noexcept { return centre_; }
-    [[nodiscard]] int around() const noexcept { return around_; }
-    /// The angle a between the centre and these, radians; 0 where only the centre is probed.
+    /// Positions in kLobeWidths of the lobes for the central tap and for the four outer ones.
+    [[nodiscard]] int central_lobe() const noexcept { return central_lobe_; }
+    [[nodiscard]] int outer_lobe() const noexcept { return outer_lobe_; }
+    /// The angle a between the central tap and the outer ones, radians; 0 where there are no outer taps.
     [[nodiscard]] double spread() const noexcept { return spread_; }
-    /// Whether light is probed at -n.
-    [[nodiscard]] bool normal() const noexcept { return normal_; }
+    /// Whether there is a tap at -n.
+    [[nodiscard]] bool has_base() const noexcept { return has_base_; }
 
     /// [angle][channel][element]
     [[nodiscard]] std::span<const float> data() const noexcept { return data_; }
@@ -86,10 +87,10 @@ private:
     HighOrderFactors() = default;
 
     int channels_ = 1;
-    int centre_ = 0;
-    int around_ = 0;
+    int central_lobe_ = 0;
+    int outer_lobe_ = 0;
     double spread_ = 0;
-    bool normal_ = false;
+    bool has_base_ = false;
     std::vector<float> data_;
 };
 

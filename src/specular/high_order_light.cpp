@@ -21,9 +21,9 @@ HighOrderLight::HighOrderLight(PshVector light, int l_low, int l_high, bool pola
 
 HighOrderMaps HighOrderLight::maps(const HighOrderFactors& factors) {
     HighOrderMaps maps;
-    maps.centre = lobe(static_cast<std::size_t>(factors.centre()));
-    if (factors.spread() > 0) maps.around = lobe(static_cast<std::size_t>(factors.around()));
-    if (factors.normal()) maps.normal = lobe(kLobeWidths.size());
+    maps.central = lobe(static_cast<std::size_t>(factors.central_lobe()));
+    if (factors.spread() > 0) maps.outer = lobe(static_cast<std::size_t>(factors.outer_lobe()));
+    if (factors.has_base()) maps.base = lobe(kLobeWidths.size());
     return maps;
 }
 

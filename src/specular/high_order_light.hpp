@@ -36,9 +36,9 @@ private:
 };
 
 /// The published form: orders l_low + 1 .. l_high of a light convolved with a material's kernels
-/// (mirrored_kernels(), one for all channels or one each), to be the centre for HighOrderFactors::mirror().
-/// It has the kernels' channels where the light has one. Always polarized. Throws Error(invalid_argument)
-/// where channels do not fit or a kernel is shorter than l_high.
+/// (mirrored_kernels(), one for all channels or one each), to be the central map of
+/// HighOrderFactors::mirror(). It has the kernels' channels where the light has one. Always polarized. Throws
+/// Error(invalid_argument) where channels do not fit or a kernel is shorter than l_high.
 [[nodiscard]] LobeMap convolved_map(const PshVector& light, std::span<const ConvolutionKernel> kernels,
                                     int l_low, int l_high, double tolerance = LobeMap::kTolerance);
 

@@ -108,7 +108,7 @@ template <int Layers>
     for (int layer = 0; layer < Layers; ++layer) spread_fours(fours[layer], out[layer]);
 }
 
-[[gnu::always_inline]] inline void probe_plain(const Grid& grid, const LaneVectors& d, Lanes* out) {
+[[gnu::always_inline]] inline void sample_plain(const Grid& grid, const LaneVectors& d, Lanes* out) {
     Positions at;
     find_texels(grid, d, at);
     for (std::int32_t layer = 0; layer < grid.layers; ++layer) {
@@ -119,8 +119,8 @@ template <int Layers>
 }
 
 // s1 = (x T x - y T y) / 2 and s2 = x T y by the five elements of T.
-[[gnu::always_inline]] inline void probe_polarized(const Grid& grid, const LaneVectors& d,
-                                                   const LaneVectors& x, Lanes* out) {
+[[gnu::always_inline]] inline void sample_polarized(const Grid& grid, const LaneVectors& d,
+                                                    const LaneVectors& x, Lanes* out) {
     Positions at;
     find_texels(grid, d, at);
     LaneVector dx;
@@ -163,13 +163,13 @@ template <int Layers>
 
 }  // namespace
 
-void probe_lobe(const LobeMap& map, const LaneVectors& direction, const LaneVectors& x, Lanes* out) {
+void sample_lobe(const LobeMap& map, const LaneVectors& direction, const LaneVectors& x, Lanes* out) {
     const Grid grid{
         .texels = map.texels().data(), .rows = map.rows(), .columns = map.columns(), .layers = map.layers()};
     if (map.polarized()) {
-        dispatch<probe_polarized>(grid, direction, x, out);
+        dispatch<sample_polarized>(grid, direction, x, out);
     } else {
-        dispatch<probe_plain>(grid, direction, out);
+        dispatch<sample_plain>(grid, direction, out);
     }
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t kLobes = kLobeWidths.size() + 1;
-// Keeps factors of nearly equal probes small, relative to the diagonal.
+// Keeps factors of nearly equal taps small, relative to the diagonal.
 constexpr double kRidge = 1e-4;
 
 // a x = b for symmetric positive definite a (row-major, destroyed) and four right-hand sides.
@@ -52,8 +52,8 @@ void add_other_side(std::array<SplitVector, 4>& moments) {
     for (std::size_t p = 0; p < 4; ++p) {
         const SplitVector half = moments[p];
         for (std::size_t u = 0; u < kSplitUnknowns; ++u) {
-            const std::size_t probe = u / 4;
-            const std::size_t other = probe == 3 ? u + 4 : probe == 4 ? u - 4 : u;
+            const std::size_t tap = u / 4;
+            const std::size_t other = tap == 3 ? u + 4 : tap == 4 ? u - 4 : u;
             moments[p][u] += (p < 2) == (u % 4 < 2) ? half[other] : -half[other];
         }
     }
@@ -62,26 +62,26 @@ void add_other_side(std::array<SplitVector, 4>& moments) {
 // The s-frame x of outgoing light is phi-hat: a quarter turn from theta-hat.
 constexpr std::array<double, 4> quarter_rotation{1, -1, -1, 1};
 
-// Of incident components: s0, (s1, s2), s3. Probes of one part know nothing of the others.
+// Of incident components: s0, (s1, s2), s3. Taps of one part get no light of the others.
 constexpr std::array<std::size_t, 4> parts{0, 1, 1, 2};
 
 }  // namespace
 
-std::array<Probe, SplitProbes::kCount> SplitProbes::at(double theta_out) const {
+std::array<Tap, SplitStencil::kCount> SplitStencil::taps(double theta_out) const {
     const glm::dvec3 d(std::sin(theta_out), 0, -std::cos(theta_out));
     const glm::dvec3 x(0, 1, 0);
     const glm::dvec3 y = glm::cross(d, x);
     const double c = std::cos(spread);
     const double s = std::sin(spread);
-    const auto probe = [](const glm::dvec3& direction, const glm::dvec3& x_axis, int lobe) {
-        return Probe{Frame(x_axis, glm::cross(direction, x_axis), direction), lobe};
+    const auto tap = [](const glm::dvec3& direction, const glm::dvec3& x_axis, int lobe) {
+        return Tap{Frame(x_axis, glm::cross(direction, x_axis), direction), lobe};
     };
-    return {probe(d, x, centre),
-            probe(c * d + s * y, x, around),
-            probe(c * d - s * y, x, around),
-            probe(c * d + s * x, c * x - s * d, around),
-            probe(c * d - s * x, c * x + s * d, around),
-            probe({0, 0, -1}, x, static_cast<int>(kLobeWidths.size()))};
+    return {tap(d, x, central),
+            tap(c * d + s * y, x, outer),
+            tap(c * d - s * y, x, outer),
+            tap(c * d + s * x, c * x - s * d, outer),
+            tap(c * d - s * x, c * x + s * d, outer),
+            tap({0, 0, -1}, x, static_cast<int>(kLobeWidths.size()))};
 }
 
 SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels)
@@ -103,17 +103,17 @@ SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels
     }
 }
 
-std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& probes) const {
-    const auto at = probes.at(theta_out);
+std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitStencil& stencil) const {
+    const auto taps = stencil.taps(theta_out);
     constexpr std::size_t n = kSplitUnknowns;
     std::vector<double> normal(n * n);
     for (std::size_t i = 0; i < n; i += 4) {
         for (std::size_t j = 0; j < n; j += 4) {
-            const Probe& a = at[i / 4];
-            const Probe& b = at[j / 4];
+            const Tap& a = taps[i / 4];
+            const Tap& b = taps[j / 4];
             const auto lobes = static_cast<std::size_t>(a.lobe) * kLobes + static_cast<std::size_t>(b.lobe);
             const double cosine = glm::dot(a.frame[2], b.frame[2]);
-            const Sight k = sight(a, zonal_sum(products_[lobes], cosine), b.frame);
+            const TapResponse k = tap_response(a, zonal_sum(products_[lobes], cosine), b.frame);
             normal[i * n + j] = k.scalar;
             if (i + 4 > n || j + 4 > n) continue;
             normal[(i + 1) * n + j + 1] = normal[(i + 2) * n + j + 2] = k.spin2.real();
@@ -123,14 +123,14 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& prob
         }
     }
     for (std::size_t i = 0; i < n; ++i) {
-        // A probe may be blind in these orders: a cosine to odd ones, spin 2 below the second.
+        // A tap may get nothing of these orders: a cosine of odd ones, spin 2 of those below the second.
         double& diagonal = normal[i * n + i];
         diagonal = diagonal > 0 ? diagonal * (1 + kRidge) : 1;
     }
-    if (!probes.normal) {
+    if (!stencil.base) {
         for (std::size_t i = 0; i + 1 < n; ++i) normal[i * n + n - 1] = normal[(n - 1) * n + i] = 0;
     }
-    std::vector<Moments> of_terms = moments(theta_out, at);
+    std::vector<Moments> of_terms = moments(theta_out, taps);
     std::vector<SplitFactors> out;
     const bool by_matrix = material_.matrix(0) != nullptr;
     std::vector<Moments> of_channels(static_cast<std::size_t>(channels_));
@@ -142,7 +142,7 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& prob
                 for (std::size_t u = 0; u < n; ++u)
                     of_channels[c][p][u] += weight * quarter_rotation[p] * of_terms[t][p][u];
         }
-        if (!probes.normal)
+        if (!stencil.base)
             for (SplitVector& row : of_channels[c]) row[n - 1] = 0;
         SplitFactors factors{of_channels[c], {}};
         std::vector<double> matrix = normal;
@@ -156,12 +156,12 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitProbes& prob
 }
 
 std::vector<SplitFit::Moments> SplitFit::moments(double theta_out,
-                                                 const std::array<Probe, SplitProbes::kCount>& probes) const {
-    return material_.matrix(0) != nullptr ? of_matrices(theta_out, probes) : integrated(theta_out, probes);
+                                                 const std::array<Tap, SplitStencil::kCount>& taps) const {
+    return material_.matrix(0) != nullptr ? of_matrices(theta_out, taps) : integrated(theta_out, taps);
 }
 
-std::vector<SplitFit::Moments> SplitFit::integrated(
-    double theta_out, const std::array<Probe, SplitProbes::kCount>& probes) const {
+std::vector<SplitFit::Moments> SplitFit::integrated(double theta_out,
+                                                    const std::array<Tap, SplitStencil::kCount>& taps) const {
     const auto terms = static_cast<std::size_t>(material_.terms());
     double lobe = 0.25;
     for (std::size_t t = 0; t < terms; ++t) lobe = std::min(lobe, material_.lobe_width(static_cast<int>(t)));
@@ -180,11 +180,11 @@ std::vector<SplitFit::Moments> SplitFit::integrated(
                                    cos_theta);
             material_.evaluate_terms(light, viewer, muellers);
             const Frame frame = theta_phi_frame(-light);
-            for (std::size_t i = 0; i < probes.size(); ++i) {
-                const auto lobe_index = static_cast<std::size_t>(probes[i].lobe);
-                const glm::dvec3 distance = probes[i].frame[2] - frame[2];
+            for (std::size_t i = 0; i < taps.size(); ++i) {
+                const auto lobe_index = static_cast<std::size_t>(taps[i].lobe);
+                const glm::dvec3 distance = taps[i].frame[2] - frame[2];
                 const ZonalKernel::Value kernel = kernels_[lobe_index].at(glm::dot(distance, distance));
-                const Sight k = sight(probes[i], kernel, frame);
+                const TapResponse k = tap_response(taps[i], kernel, frame);
                 const double scalar = weight * k.scalar;
                 const std::complex<double> spin2 = weight * k.spin2;
                 for (std::size_t t = 0; t < terms; ++t) {
@@ -192,7 +192,7 @@ std::vector<SplitFit::Moments> SplitFit::integrated(
                     for (std::size_t p = 0; p < 4; ++p) {
                         double* to = &out[t][p][4 * i];
                         to[0] += scalar * m(p, 0);
-                        if (i + 1 == probes.size()) continue;
+                        if (i + 1 == taps.size()) continue;
                         to[1] += m(p, 1) * spin2.real() - m(p, 2) * spin2.imag();
                         to[2] += m(p, 1) * spin2.imag() + m(p, 2) * spin2.real();
                         to[3] += scalar * m(p, 3);
@@ -206,7 +206,7 @@ std::vector<SplitFit::Moments> SplitFit::integrated(
 }
 
 std::vector<SplitFit::Moments> SplitFit::of_matrices(
-    double theta_out, const std::array<Probe, SplitProbes::kCount>& probes) const {
+    double theta_out, const std::array<Tap, SplitStencil::kCount>& taps) const {
     std::vector<Moments> out(static_cast<std::size_t>(channels_));
     for (std::size_t c = 0; c < out.size(); ++c) {
         const IsotropicMatrix& matrix = *material_.matrix(static_cast<int>(c));
@@ -217,8 +217,8 @@ std::vector<SplitFit::Moments> SplitFit::of_matrices(
         std::vector<double> numbers(layout.size());
         rows_from_matrix(matrix, theta_out, layout, rows);
         for (std::size_t p = 0; p < 4; ++p) {
-            for (std::size_t i = 0; i < probes.size(); ++i) {
-                const std::vector<double>& gain = gains_[static_cast<std::size_t>(probes[i].lobe)];
+            for (std::size_t i = 0; i < taps.size(); ++i) {
+                const std::vector<double>& gain = gains_[static_cast<std::size_t>(taps[i].lobe)];
                 PshVector field(order, 1);
                 std::ranges::fill(numbers, 0.0);
                 const double* row = &rows[p * layout.row_size()];
@@ -234,10 +234,10 @@ std::vector<SplitFit::Moments> SplitFit::of_matrices(
                         field.channel(0)[term.coefficient] += term.factor * numbers[j];
                     }
                 }
-                const glm::dvec3 direction = probes[i].frame[2];
+                const glm::dvec3 direction = taps[i].frame[2];
                 const Stokes s = rotated(evaluate(field, 0, direction),
-                                         angle_between(theta_phi_frame(direction), probes[i].frame));
-                const std::size_t count = i + 1 == probes.size() ? 1 : 4;
+                                         angle_between(theta_phi_frame(direction), taps[i].frame));
+                const std::size_t count = i + 1 == taps.size() ? 1 : 4;
                 for (std::size_t q = 0; q < count; ++q) out[c][p][4 * i + q] = s[static_cast<int>(q)];
             }
         }

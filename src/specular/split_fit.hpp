@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "material/material.hpp"
-#include "specular/split_fit_kernel.hpp"
+#include "specular/lobe_tap.hpp"
 
 namespace nicol {
 
-/// The probes of HighOrderFactors in the surface's frame for outgoing light at azimuth 0: centre, up, down,
-/// right, left, normal.
-struct SplitProbes {
-    int centre;
-    int around;
-    double spread;
-    bool normal = true;  ///< whether the last probe counts
+/// The stencil of HighOrderFactors.
+struct SplitStencil {
+    int central;  ///< lobes, positions in kLobeWidths
+    int outer;
+    double spread;     ///< radians
+    bool base = true;  ///< whether the last tap counts
 
     static constexpr std::size_t kCount = 6;
-    [[nodiscard]] std::array<Probe, kCount> at(double theta_out) const;
+    /// Central, up, down, right, left, base in the surface's frame, for outgoing light at azimuth 0.
+    [[nodiscard]] std::array<Tap, kCount> taps(double theta_out) const;
 };
 
-/// Unknowns: (probe, component) of the first five probes, then s0 of the last.
+/// Unknowns: (tap, component) of the first five taps, then s0 of the last.
 inline constexpr std::size_t kSplitUnknowns = 21;
 using SplitVector = std::array<double, kSplitUnknowns>;
 
@@ -44,17 +44,17 @@ public:
     SplitFit(const Material& material, int l_low, int l_high, int channels);
 
     /// Factors [channel] at theta_out in [0, pi/2). Calls may run side by side.
-    [[nodiscard]] std::vector<SplitFactors> at(double theta_out, const SplitProbes& probes) const;
+    [[nodiscard]] std::vector<SplitFactors> at(double theta_out, const SplitStencil& stencil) const;
 
 private:
     using Moments = std::array<SplitVector, 4>;
 
     [[nodiscard]] std::vector<Moments> moments(double theta_out,
-                                               const std::array<Probe, SplitProbes::kCount>& probes) const;
+                                               const std::array<Tap, SplitStencil::kCount>& taps) const;
     [[nodiscard]] std::vector<Moments> integrated(double theta_out,
-                                                  const std::array<Probe, SplitProbes::kCount>& probes) const;
-    [[nodiscard]] std::vector<Moments> of_matrices(
-        double theta_out, const std::array<Probe, SplitProbes::kCount>& probes) const;
+                                                  const std::array<Tap, SplitStencil::kCount>& taps) const;
+    [[nodiscard]] std::vector<Moments> of_matrices(double theta_out,
+                                                   const std::array<Tap, SplitStencil::kCount>& taps) const;
 
     const Material& material_;
     int l_low_;

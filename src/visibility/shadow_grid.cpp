@@ -7,7 +7,7 @@
 #include <span>
 
 #include "harmonics/psh.hpp"
-#include "visibility/shadow_grid_kernel.hpp"
+#include "visibility/shadow_grid_lanes.hpp"
 
 namespace nicol {
 namespace {

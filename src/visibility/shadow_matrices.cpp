@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "visibility/shadow_matrix_kernel.hpp"
+#include "visibility/shadow_matrix_lanes.hpp"
 
 namespace nicol {
 

@@ -7,7 +7,7 @@
 
 #include "harmonics/mirror_harmonics.hpp"
 #include "simd/dispatch.hpp"
-#include "visibility/shadow_matrix_kernel.hpp"
+#include "visibility/shadow_matrix_lanes.hpp"
 
 namespace nicol {
 namespace {

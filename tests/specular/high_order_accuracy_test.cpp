@@ -38,7 +38,7 @@ test::Image convolved(const test::SphereView& sphere, const Material& material, 
     const LobeMap map =
         convolved_map(light, mirrored_kernels(material, order, light.channels()), l_low, order);
     const HighOrderFactors mirror = HighOrderFactors::mirror();
-    return sphere.with(low, HighOrder(mirror, {.centre = &map}, glm::dmat3(1.0)));
+    return sphere.with(low, HighOrder(mirror, {.central = &map}, glm::dmat3(1.0)));
 }
 
 test::Image split(const test::SphereView& sphere, const Material& material, const PshVector& light,
@@ -63,7 +63,7 @@ TEST_CASE("of a material that is a convolution about the mirror direction, convo
     const auto error = [&](double tolerance) {
         const LobeMap map = convolved_map(light, kernels, l_low, order, tolerance);
         return test::relative_error(
-            sphere.with(images[0], HighOrder(mirror, {.centre = &map}, glm::dmat3(1.0))), images[1]);
+            sphere.with(images[0], HighOrder(mirror, {.central = &map}, glm::dmat3(1.0))), images[1]);
     };
     // What is left is the interpolation in the map.
     const auto fine = error(2e-4);

@@ -11,8 +11,9 @@ using test::Counting;
 namespace {
 
 bool same(const HighOrderFactors& a, const HighOrderFactors& b) {
-    return a.channels() == b.channels() && a.centre() == b.centre() && a.around() == b.around() &&
-           a.spread() == b.spread() && a.normal() == b.normal() && std::ranges::equal(a.data(), b.data());
+    return a.channels() == b.channels() && a.central_lobe() == b.central_lobe() &&
+           a.outer_lobe() == b.outer_lobe() && a.spread() == b.spread() && a.has_base() == b.has_base() &&
+           std::ranges::equal(a.data(), b.data());
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ TEST_CASE("fitted factors come back from the cache as they were") {
     const HighOrderFactors fitted = load_or_fit(material, 4, 9, 3, scratch.path());
     const int calls = material.calls;
     CHECK(calls > 0);
-    CHECK(fitted.normal());
+    CHECK(fitted.has_base());
     CHECK(fitted.spread() > 0);
     CHECK(same(load_or_fit(material, 4, 9, 3, scratch.path()), fitted));
     CHECK(material.calls == calls);

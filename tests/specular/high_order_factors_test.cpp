@@ -118,7 +118,7 @@ TEST_CASE("the kernel without a dense matrix is the kernel") {
 TEST_CASE("the factors of a mirror that blurs by one of the lobes are the mirror's") {
     const MaterialPtr material = blurring_mirror(gaussian_gains(kLobeWidths[3], 0, 24));
     const HighOrderFactors factors(*material, 4, 24, 1);
-    CHECK(factors.centre() == 3);
+    CHECK(factors.central_lobe() == 3);
     const double expected[4] = {1, 0.8, -0.8, -0.5};
     Elements f{};
     for (const float cosine : {1.0F, 0.77F, 0.3F}) {
@@ -145,8 +145,8 @@ TEST_CASE("factors from samples of a material and from its rows agree") {
     const MaterialPtr by_rows = psh_matrix_material({project_material(*sampled, 0, 24)});
     const HighOrderFactors a(*sampled, 2, 9, 1);
     const HighOrderFactors b(*by_rows, 2, 9, 1);
-    REQUIRE(a.centre() == b.centre());
-    REQUIRE(a.around() == b.around());
+    REQUIRE(a.central_lobe() == b.central_lobe());
+    REQUIRE(a.outer_lobe() == b.outer_lobe());
     for (const float cosine : {0.98F, 0.8F, 0.5F}) {
         const Elements x = elements_at(a, cosine, 0);
         const Elements y = elements_at(b, cosine, 0);
@@ -181,7 +181,7 @@ TEST_CASE("factors are linear between angles, by channel, and laid out for a tex
 
     const Elements mirror = elements_at(HighOrderFactors::mirror(), 0.4F, 0);
     CHECK(HighOrderFactors::mirror().spread() == 0);
-    CHECK_FALSE(HighOrderFactors::mirror().normal());
+    CHECK_FALSE(HighOrderFactors::mirror().has_base());
     CHECK(mirror[0] == 1);
     CHECK(mirror[14] == -1);
 }
@@ -189,10 +189,10 @@ TEST_CASE("factors are linear between angles, by channel, and laid out for a tex
 TEST_CASE("lobes follow the roughness, and the base has a tap where there is one") {
     const HighOrderFactors sharp(*rough_conductor({.alpha = 0.05}), 4, 32, 1);
     const HighOrderFactors blunt(*rough_conductor({.alpha = 0.25}), 4, 32, 1);
-    CHECK(sharp.around() < blunt.around());
-    CHECK(sharp.spread() == kLobeWidths[static_cast<std::size_t>(sharp.around())]);
-    CHECK_FALSE(sharp.normal());
-    CHECK(HighOrderFactors(*pplastic({.alpha = 0.1}), 4, 9, 1).normal());
+    CHECK(sharp.outer_lobe() < blunt.outer_lobe());
+    CHECK(sharp.spread() == kLobeWidths[static_cast<std::size_t>(sharp.outer_lobe())]);
+    CHECK_FALSE(sharp.has_base());
+    CHECK(HighOrderFactors(*pplastic({.alpha = 0.1}), 4, 9, 1).has_base());
 }
 
 TEST_CASE("few orders, which some taps do not contain, leave factors finite") {

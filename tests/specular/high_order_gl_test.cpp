@@ -81,7 +81,7 @@ void compare(const std::shared_ptr<Context>& context, const HighOrderFactors& fa
         }
     }
 
-    const bool polarized = maps.centre->polarized();
+    const bool polarized = maps.central->polarized();
     std::vector<Define> defines{{"CHANNELS", std::to_string(channels)}};
     if (polarized) defines.push_back({"HIGH_ORDER_POLARIZED"});
     Program program =
@@ -94,15 +94,15 @@ void compare(const std::shared_ptr<Context>& context, const HighOrderFactors& fa
         {.width = HighOrderFactors::kAngles,
          .height = polarized ? HighOrderFactors::kElements : HighOrderFactors::kUnpolarized},
         factors.texels(0, channels, polarized));
-    const Texture2D centre = texture(context, maps.centre, channels);
-    const Texture2D around = texture(context, maps.around != nullptr ? maps.around : maps.centre, channels);
-    const Texture2D base = texture(context, maps.normal != nullptr ? maps.normal : maps.centre, channels);
+    const Texture2D central = texture(context, maps.central, channels);
+    const Texture2D outer = texture(context, maps.outer != nullptr ? maps.outer : maps.central, channels);
+    const Texture2D base = texture(context, maps.base != nullptr ? maps.base : maps.central, channels);
     table.bind(0);
-    centre.bind(1);
-    around.bind(2);
+    central.bind(1);
+    outer.bind(2);
     base.bind(3);
     std::vector<Point> drawn = points;
-    if (maps.normal == nullptr)
+    if (maps.base == nullptr)
         for (Point& point : drawn) point.fraction.y = 0;
     const Buffer buffer(context, BufferUse::storage, std::as_bytes(std::span(drawn)));
     buffer.bind_storage(0);
@@ -152,7 +152,7 @@ TEST_CASE("shaders look up high orders as the CPU does, split and convolved") {
             compare(context, coloured, full.maps(coloured), 3);
             compare(context, colourless, single.maps(colourless), 1);
             compare(context, colourless, four.maps(colourless), 4);
-            compare(context, mirror, {.centre = &convolved}, 3);
+            compare(context, mirror, {.central = &convolved}, 3);
         });
     });
 }

@@ -113,11 +113,11 @@ TEST_CASE("maps and channels must fit") {
     HighOrderLight one(test::random_light(6, 1, 1, 4), l_low, 6, false);
     HighOrderMaps maps = one.maps(factors);
     CHECK_NOTHROW(HighOrder(factors, maps, glm::dmat3(1.0)));
-    maps.around = nullptr;
+    maps.outer = nullptr;
     CHECK_THROWS_AS(HighOrder(factors, maps, glm::dmat3(1.0)), Error);
     maps = one.maps(factors);
     const LobeMap polarized(light, gaussian_gains(0.1, 5, 6), true);
-    maps.normal = &polarized;
+    maps.base = &polarized;
     CHECK_THROWS_AS(HighOrder(factors, maps, glm::dmat3(1.0)), Error);
     CHECK_THROWS_AS(HighOrder(factors, {}, glm::dmat3(1.0)), Error);
     CHECK_THROWS_AS(HighOrderLight(light, 6, 6, false), Error);

@@ -33,7 +33,7 @@ public:
         for (std::size_t e = 0; e < elements_.size(); ++e)
             elements_[e] = mix(at(angle, e), at(angle + 1, e), x - angle);
     }
-    // Of centre, up, down and sum.
+    // Of central, up, down and sum.
     [[nodiscard]] Stokes even(std::size_t probe, const Stokes& s) const {
         const double* a = &elements_[2 * probe];
         const double* b = &elements_[HighOrderFactors::kUnpolarized + 6 * probe];
@@ -85,19 +85,19 @@ Image high_orders_in_double(const Vertices& vertices, const HighOrderFactors& fa
                 return look_up(map, map.channels() == 1 ? 0 : c, to_light * direction, to_light * axis);
             };
             const Elements f(factors, c, cosine);
-            Stokes sum = f.even(0, look(*maps.centre, d, x));
+            Stokes sum = f.even(0, look(*maps.central, d, x));
             if (factors.spread() > 0) {
-                sum += f.even(1, look(*maps.around, cos_spread * d + sin_spread * y, x));
-                sum += f.even(2, look(*maps.around, cos_spread * d - sin_spread * y, x));
+                sum += f.even(1, look(*maps.outer, cos_spread * d + sin_spread * y, x));
+                sum += f.even(2, look(*maps.outer, cos_spread * d - sin_spread * y, x));
                 const Stokes right =
-                    look(*maps.around, cos_spread * d + sin_spread * x, cos_spread * x - sin_spread * d);
+                    look(*maps.outer, cos_spread * d + sin_spread * x, cos_spread * x - sin_spread * d);
                 const Stokes left =
-                    look(*maps.around, cos_spread * d - sin_spread * x, cos_spread * x + sin_spread * d);
+                    look(*maps.outer, cos_spread * d - sin_spread * x, cos_spread * x + sin_spread * d);
                 sum += f.even(3, right + left) + f.difference(right - left);
             }
             const glm::dvec2 fraction = fractions.empty() ? glm::dvec2(1) : fractions[i];
             sum *= fraction[0];
-            if (factors.normal()) sum += fraction[1] * f.normal(look(*maps.normal, -n, x));
+            if (factors.has_base()) sum += fraction[1] * f.normal(look(*maps.base, -n, x));
             out[static_cast<std::size_t>(c)][i] = rotated(sum, turn);
         }
     }

@@ -33,7 +33,7 @@ test::Deviation compare(const test::Vertices& vertices, const Material& material
     HighOrderLight filtered(light, low, high, true);
     const HighOrderMaps maps = filtered.maps(factors);
     const glm::dmat3 turn = frame_with_x(glm::normalize(glm::dvec3(1, -2, 0.5)), {0.3, 0.1, 1});
-    const double width = kLobeWidths[static_cast<std::size_t>(factors.centre())];
+    const double width = kLobeWidths[static_cast<std::size_t>(factors.central_lobe())];
 
     const VisibilityHarmonics harmonics(directions(), visibility_order);
     VisibilityBlocks seen(vertices.visibility, visibility_order);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "visibility/shadow_matrix_kernel.hpp"
+#include "visibility/shadow_matrix_lanes.hpp"
 
 #include <algorithm>
 

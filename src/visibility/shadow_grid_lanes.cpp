@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "visibility/shadow_grid_kernel.hpp"
+#include "visibility/shadow_grid_lanes.hpp"
 
 #include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "specular/high_order_kernel.hpp"
+#include "specular/lane_reflection.hpp"
 
 #include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
@@ -43,9 +43,8 @@ template <bool Polarized>
 }
 
 template <bool Polarized>
-[[gnu::always_inline]] inline void reflect(const ProbedChannel& probed, const Lanes* f,
-                                           const LaneMirror& mirror, const Lanes& lobe,
-                                           const Lanes& hemisphere, Lanes* stokes) {
+[[gnu::always_inline]] inline void reflect(const ChannelTaps& taps, const Lanes* f, const LaneMirror& mirror,
+                                           const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
     constexpr int components = Polarized ? 4 : 1;
     LaneVector s[4];
     LaneVector difference[4];
@@ -53,23 +52,23 @@ template <bool Polarized>
     const auto take = [&](const Lanes* from) {
         for (int p = 0; p < components; ++p) s[p] = at(from + p);
     };
-    take(probed.centre);
+    take(taps.central);
     add_even<Polarized>(f, f + kRest, s, sum);
-    if (probed.up != nullptr) {
-        take(probed.up);
+    if (taps.up != nullptr) {
+        take(taps.up);
         add_even<Polarized>(f + 2, f + kRest + 6, s, sum);
-        take(probed.down);
+        take(taps.down);
         add_even<Polarized>(f + 4, f + kRest + 12, s, sum);
         for (int p = 0; p < components; ++p) {
-            s[p] = at(probed.right + p) + at(probed.left + p);
-            difference[p] = at(probed.right + p) - at(probed.left + p);
+            s[p] = at(taps.right + p) + at(taps.left + p);
+            difference[p] = at(taps.right + p) - at(taps.left + p);
         }
         add_even<Polarized>(f + 6, f + kRest + 18, s, sum);
         add_odd<Polarized>(f + 8, f + kRest + 24, difference, sum);
     }
     for (LaneVector& component : sum) component *= at(&lobe);
-    if (probed.normal != nullptr) {
-        const LaneVector base = at(&hemisphere) * at(probed.normal);
+    if (taps.base != nullptr) {
+        const LaneVector base = at(&hemisphere) * at(taps.base);
         sum[0] += base * at(f + 10);
         sum[1] += base * at(f + 11);
     }
@@ -83,12 +82,12 @@ template <bool Polarized>
 
 }  // namespace
 
-void reflect_probes(const ProbedChannel& probed, bool polarized, const Lanes* factors,
-                    const LaneMirror& mirror, const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
+void reflect_taps(const ChannelTaps& taps, bool polarized, const Lanes* factors, const LaneMirror& mirror,
+                  const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
     if (polarized) {
-        dispatch<reflect<true>>(probed, factors, mirror, lobe, hemisphere, stokes);
+        dispatch<reflect<true>>(taps, factors, mirror, lobe, hemisphere, stokes);
     } else {
-        dispatch<reflect<false>>(probed, factors, mirror, lobe, hemisphere, stokes);
+        dispatch<reflect<false>>(taps, factors, mirror, lobe, hemisphere, stokes);
     }
 }
 

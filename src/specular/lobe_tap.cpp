@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "specular/split_fit_kernel.hpp"
+#include "specular/lobe_tap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,19 +11,19 @@ namespace {
 
 using std::numbers::pi;
 
-// exp(2 i c) for the angle c that turns `from` into `to` after it went along the great circle to there.
+// exp(2 i c) for the angle c between `to` and `from` transported to it along their great circle.
 std::complex<double> transport(const Frame& from, const Frame& to) {
     const glm::dvec3 along = to[2] - from[2] * glm::dot(to[2], from[2]);
     const glm::dvec3 arrived = to[2] * glm::dot(to[2], from[2]) - from[2];
     std::complex<double> start(glm::dot(along, from[0]), glm::dot(along, from[1]));
     std::complex<double> end(glm::dot(arrived, to[0]), glm::dot(arrived, to[1]));
-    if (std::norm(start) < 1e-16) {  // no circle: nearly the same place
+    if (std::norm(start) < 1e-16) {  // no great circle: nearly the same direction
         start = {glm::dot(to[0], from[0]), glm::dot(to[0], from[1])};
         end = 1;
     }
-    const std::complex<double> turn = start * std::conj(end);
-    const double size = std::norm(turn);
-    return size > 0 ? turn * turn / size : 1.0;
+    const std::complex<double> rotation = start * std::conj(end);
+    const double size = std::norm(rotation);
+    return size > 0 ? rotation * rotation / size : 1.0;
 }
 
 }  // namespace
@@ -68,8 +68,8 @@ ZonalKernel::Value ZonalKernel::at(double distance2) const {
             table_[i].spin2 + f * (table_[i + 1].spin2 - table_[i].spin2)};
 }
 
-Sight sight(const Probe& probe, const ZonalKernel::Value& k, const Frame& from) {
-    return {k.spin0, k.spin2 * std::conj(transport(from, probe.frame))};
+TapResponse tap_response(const Tap& tap, const ZonalKernel::Value& k, const Frame& from) {
+    return {k.spin0, k.spin2 * std::conj(transport(from, tap.frame))};
 }
 
 }  // namespace nicol

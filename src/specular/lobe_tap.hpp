@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How light of some direction counts in filtered light that is measured at another.
+// Taps into filtered light, and how light from elsewhere contributes to them.
 #pragma once
 
 #include <complex>
@@ -30,20 +30,20 @@ private:
 /// Exactly, at the cosine of an angle.
 [[nodiscard]] ZonalKernel::Value zonal_sum(const std::vector<double>& gain, double cosine);
 
-/// A direction at which light filtered by a lobe is measured, in a frame whose z it is.
-struct Probe {
+/// Where light filtered by a lobe is looked up: in the direction of its frame's z.
+struct Tap {
     Frame frame;
     int lobe;  ///< position in kLobeWidths; that many: cosine_gains(), of which only s0 counts
 };
 
-/// A probe as a function of light from elsewhere: (s0, s3) = scalar (s0, s3) and s1 + i s2 = spin2 (s1 + i
+/// What light in some frame contributes to a tap: (s0, s3) = scalar (s0, s3) and s1 + i s2 = spin2 (s1 + i
 /// s2) there.
-struct Sight {
+struct TapResponse {
     double scalar;
     std::complex<double> spin2;
 };
 
-/// What the probe sees of light in the frame `from`, by the value of its kernel at the angle between them.
-[[nodiscard]] Sight sight(const Probe& probe, const ZonalKernel::Value& kernel, const Frame& from);
+/// For light in the frame `from`, by the value of the tap's kernel at the angle between them.
+[[nodiscard]] TapResponse tap_response(const Tap& tap, const ZonalKernel::Value& kernel, const Frame& from);
 
 }  // namespace nicol

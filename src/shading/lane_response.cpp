@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "shading/shade_kernel.hpp"
+#include "shading/lane_response.hpp"
 
 #include <vector>
 
