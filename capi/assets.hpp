@@ -24,7 +24,7 @@ nicol_result create(nicol_context context, Impl** out, const char* name, Make&& 
 template <class T>
 std::shared_ptr<void> owned_user(const T* given, void (*T::*release)(void*), void* T::*user,
                                  std::size_t end) {
-    if (given == nullptr || given->struct_size < end || given->struct_size > max_struct_size) return nullptr;
+    if (given == nullptr || given->struct_size < end || given->struct_size > kMaxStructSize) return nullptr;
     if (given->*release == nullptr) return nullptr;
     return {given->*user, given->*release};
 }

@@ -44,7 +44,7 @@ void require(T* pointer, const char* name) {
 }
 
 /// Larger descriptors are taken for uninitialised memory.
-inline constexpr std::uint32_t max_struct_size = 65536;
+inline constexpr std::uint32_t kMaxStructSize = 65536;
 
 /// A caller's descriptor as this version knows it: fields that an older caller does not have are zero, fields
 /// that a newer caller has must be.
@@ -53,7 +53,7 @@ T read_struct(const T* from, const char* name) {
     require(from, name);
     std::uint32_t size = 0;
     std::memcpy(&size, from, sizeof size);
-    if (size < sizeof size || size > max_struct_size) {
+    if (size < sizeof size || size > kMaxStructSize) {
         refuse(std::string(name) + "->struct_size is " + std::to_string(size) +
                "; it must be sizeof(the struct), " + std::to_string(sizeof(T)) + " in this version");
     }

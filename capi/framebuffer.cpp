@@ -82,8 +82,8 @@ nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const ch
         const SessionLock lock(self.session);
         const StokesImage& image = self.content->image();
         const Stopwatch watch;
-        const Aovs* surfaces = self.content->planes() != 0 ? &self.content->surfaces() : nullptr;
-        write_exr(path, image, {.surfaces = surfaces});
+        const Aovs* aovs = self.content->aov_mask() != 0 ? &self.content->aovs() : nullptr;
+        write_exr(path, image, {.aovs = aovs});
         self.content->statistics().observe_ms += watch.milliseconds();
     });
 }

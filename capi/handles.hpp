@@ -148,25 +148,25 @@ void forget(const void* handle) noexcept;
 
 // The names in nicol.h.
 struct nicol_context_impl : nicol::capi::Handle<const nicol::gl::ContextInfo> {
-    static constexpr auto kind = nicol::capi::HandleKind::context;
+    static constexpr auto kKind = nicol::capi::HandleKind::context;
 };
 struct nicol_environment_impl : nicol::capi::Handle<const nicol::Environment> {
-    static constexpr auto kind = nicol::capi::HandleKind::environment;
+    static constexpr auto kKind = nicol::capi::HandleKind::environment;
 };
 struct nicol_material_impl : nicol::capi::Handle<const nicol::Material> {
-    static constexpr auto kind = nicol::capi::HandleKind::material;
+    static constexpr auto kKind = nicol::capi::HandleKind::material;
 };
 struct nicol_mesh_impl : nicol::capi::Handle<const nicol::Mesh> {
-    static constexpr auto kind = nicol::capi::HandleKind::mesh;
+    static constexpr auto kKind = nicol::capi::HandleKind::mesh;
 };
 struct nicol_scene_impl : nicol::capi::Handle<nicol::capi::SceneState> {
-    static constexpr auto kind = nicol::capi::HandleKind::scene;
+    static constexpr auto kKind = nicol::capi::HandleKind::scene;
 };
 struct nicol_framebuffer_impl : nicol::capi::Handle<nicol::Framebuffer> {
-    static constexpr auto kind = nicol::capi::HandleKind::framebuffer;
+    static constexpr auto kKind = nicol::capi::HandleKind::framebuffer;
 };
 struct nicol_job_impl : nicol::capi::Handle<nicol::capi::Job> {
-    static constexpr auto kind = nicol::capi::HandleKind::job;
+    static constexpr auto kKind = nicol::capi::HandleKind::job;
 };
 
 namespace nicol::capi {
@@ -199,7 +199,7 @@ private:
 /// Throws Error(invalid_handle).
 template <class Impl>
 Impl resolve(Impl* handle) {
-    const auto lock = registry::hold(handle, Impl::kind);
+    const auto lock = registry::hold(handle, Impl::kKind);
     return *handle;
 }
 
@@ -217,14 +217,14 @@ Impl* make_handle(const SessionPtr& session, std::shared_ptr<Content> content) {
     auto handle = std::make_unique<Impl>();
     handle->session = session;
     handle->content = std::move(content);
-    registry::add(handle.get(), Impl::kind);
+    registry::add(handle.get(), Impl::kKind);
     return handle.release();
 }
 
 template <class Impl>
 nicol_result retain(Impl* handle) noexcept {
     return guarded([&] {
-        const auto lock = registry::hold(handle, Impl::kind);
+        const auto lock = registry::hold(handle, Impl::kKind);
         ++handle->references;
     });
 }
@@ -234,7 +234,7 @@ nicol_result release(Impl* handle) noexcept {
     if (handle == nullptr) return NICOL_OK;
     return guarded([&] {
         std::unique_ptr<Impl> last;  // destroyed after the lock, since that may take a while
-        const auto lock = registry::hold(handle, Impl::kind);
+        const auto lock = registry::hold(handle, Impl::kKind);
         if (--handle->references > 0) return;
         registry::forget(handle);
         last.reset(handle);

@@ -17,20 +17,20 @@ namespace {
 struct PlaneKind {
     const char* name;
     std::size_t components;
-    std::uint32_t surface = 0;  // the AovBit of those that a render must be asked for
+    std::uint32_t aov = 0;  // the AovBit of planes that a render makes on request
 };
 
-constexpr std::array<PlaneKind, 11> kinds{{{"NICOL_PLANE_S0", 1},
-                                           {"NICOL_PLANE_S1", 1},
-                                           {"NICOL_PLANE_S2", 1},
-                                           {"NICOL_PLANE_S3", 1},
-                                           {"NICOL_PLANE_STOKES", 4},
-                                           {"NICOL_PLANE_DOLP", 1},
-                                           {"NICOL_PLANE_AOLP", 1},
-                                           {"NICOL_PLANE_DEPTH", 1, aov_depth},
-                                           {"NICOL_PLANE_NORMAL", 3, aov_normals},
-                                           {"NICOL_PLANE_POSITION", 3, aov_positions},
-                                           {"NICOL_PLANE_INSTANCE", 1, aov_instances}}};
+constexpr std::array<PlaneKind, 11> kKinds{{{"NICOL_PLANE_S0", 1},
+                                            {"NICOL_PLANE_S1", 1},
+                                            {"NICOL_PLANE_S2", 1},
+                                            {"NICOL_PLANE_S3", 1},
+                                            {"NICOL_PLANE_STOKES", 4},
+                                            {"NICOL_PLANE_DOLP", 1},
+                                            {"NICOL_PLANE_AOLP", 1},
+                                            {"NICOL_PLANE_DEPTH", 1, aov_depth},
+                                            {"NICOL_PLANE_NORMAL", 3, aov_normals},
+                                            {"NICOL_PLANE_POSITION", 3, aov_positions},
+                                            {"NICOL_PLANE_INSTANCE", 1, aov_instances}}};
 
 // A request that has been understood.
 struct Request {
@@ -47,7 +47,7 @@ std::size_t bytes_of(nicol_format format) {
 Request understand(const nicol_plane_buffer& given, int channels) {
     require_constant(given.plane, NICOL_PLANE_INSTANCE, "plane", "NICOL_PLANE_...");
     require_constant(given.format, NICOL_FORMAT_UINT32, "format", "NICOL_FORMAT_...");
-    const PlaneKind& kind = kinds[given.plane];
+    const PlaneKind& kind = kKinds[given.plane];
     const bool ids = given.plane == NICOL_PLANE_INSTANCE;
     const nicol_format own = ids ? NICOL_FORMAT_UINT32 : NICOL_FORMAT_FLOAT32;
     const nicol_format format = given.format == NICOL_FORMAT_AUTOMATIC ? own : given.format;
@@ -55,7 +55,7 @@ Request understand(const nicol_plane_buffer& given, int channels) {
         refuse(std::string("the format of ") + kind.name + " must be " +
                (ids ? "NICOL_FORMAT_UINT32" : "NICOL_FORMAT_FLOAT32 or NICOL_FORMAT_FLOAT16"));
     }
-    if (kind.surface != 0) {
+    if (kind.aov != 0) {
         if (given.channel != 0) refuse(std::string("channel must be 0: ") + kind.name + " has none");
         return {given.plane, format, 0, 1};
     }
@@ -99,9 +99,9 @@ private:
 class Source {
 public:
     Source(Framebuffer& from, const Request& request)
-        : request_(request), components_(kinds[request.plane].components) {
-        if (kinds[request.plane].surface != 0) {
-            surfaces_ = &from.surfaces();
+        : request_(request), components_(kKinds[request.plane].components) {
+        if (kKinds[request.plane].aov != 0) {
+            aovs_ = &from.aovs();
             return;
         }
         image_ = &from.image();
@@ -118,10 +118,10 @@ public:
 
     // [column][channel][component]
     void read(int y, std::span<float> row) const {
-        if (surfaces_ != nullptr) {
-            const std::vector<float>& plane = request_.plane == NICOL_PLANE_DEPTH    ? surfaces_->depth
-                                              : request_.plane == NICOL_PLANE_NORMAL ? surfaces_->normals
-                                                                                     : surfaces_->positions;
+        if (aovs_ != nullptr) {
+            const std::vector<float>& plane = request_.plane == NICOL_PLANE_DEPTH    ? aovs_->depth
+                                              : request_.plane == NICOL_PLANE_NORMAL ? aovs_->normals
+                                                                                     : aovs_->positions;
             std::copy_n(plane.data() + static_cast<std::size_t>(y) * row.size(), row.size(), row.data());
             return;
         }
@@ -147,22 +147,21 @@ public:
     }
 
     [[nodiscard]] const std::uint32_t* instances(int y) const {
-        return surfaces_->instances.data() +
-               static_cast<std::size_t>(y) * static_cast<std::size_t>(surfaces_->width);
+        return aovs_->instances.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(aovs_->width);
     }
 
 private:
     Request request_;
     std::size_t components_;
     const StokesImage* image_ = nullptr;
-    const Aovs* surfaces_ = nullptr;
+    const Aovs* aovs_ = nullptr;
     std::vector<Plane> planes_;  // a channel each
 };
 
 void read(Framebuffer& from, const nicol_plane_buffer& to) {
     const Request request = understand(to, from.channels());
-    const PlaneKind& kind = kinds[request.plane];
-    if ((from.planes() & kind.surface) != kind.surface) {
+    const PlaneKind& kind = kKinds[request.plane];
+    if ((from.aov_mask() & kind.aov) != kind.aov) {
         refuse(std::string("the plane ") + kind.name +
                " is not there: the options of the last render into the framebuffer did not ask for it");
     }

@@ -12,15 +12,15 @@ using namespace nicol::capi;
 
 namespace {
 
-constexpr std::size_t band_size = NICOL_PSH_BAND_SIZE;
+constexpr std::size_t kBandSize = NICOL_PSH_BAND_SIZE;
 
 ConvolutionKernel read_kernel(const double* bands, std::uint64_t count, int order) {
     const auto bands_in_order = static_cast<std::uint64_t>(order) + 1;
-    const auto values = read_array(bands, count, bands_in_order, band_size, "bands");
+    const auto values = read_array(bands, count, bands_in_order, kBandSize, "bands");
     ConvolutionKernel kernel(bands_in_order);
     for (std::size_t l = 0; l < kernel.size(); ++l) {
-        const double* b = values.data() + l * band_size;
-        if (l < 2 && std::any_of(b + 4, b + band_size, [](double x) { return x != 0; }))
+        const double* b = values.data() + l * kBandSize;
+        if (l < 2 && std::any_of(b + 4, b + kBandSize, [](double x) { return x != 0; }))
             refuse("bands: band " + std::to_string(l) + " has a part with spin 2; it must be 0 below l = 2");
         kernel[l] = {b[0],         b[1],         b[2],           b[3],           {b[4], b[5]},
                      {b[6], b[7]}, {b[8], b[9]}, {b[10], b[11]}, {b[12], b[13]}, {b[14], b[15]}};
@@ -40,7 +40,7 @@ void write_kernel(const ConvolutionKernel& kernel, std::span<double> out) {
 }
 
 std::span<double> write_bands(double* bands, std::uint64_t count, int order) {
-    return write_array(bands, count, static_cast<std::uint64_t>(order) + 1, band_size, "bands");
+    return write_array(bands, count, static_cast<std::uint64_t>(order) + 1, kBandSize, "bands");
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ using namespace nicol::capi;
 
 namespace {
 
-constexpr std::uint32_t max_samples = 4096;
+constexpr std::uint32_t kMaxSamples = 4096;
 // Between the quadrature over the incoming and that over the outgoing directions.
-constexpr std::uint64_t max_work_bytes = std::uint64_t{1} << 32;
+constexpr std::uint64_t kMaxWorkBytes = std::uint64_t{1} << 32;
 
 int read_matrix_order(std::uint32_t order, const char* name) {
     return read_order(order, name, NICOL_PSH_MAX_MATRIX_ORDER);
@@ -38,9 +38,9 @@ CoefficientMatrix matrix_from(std::span<const double> values, int order_out, int
 
 int read_samples(std::uint32_t given, std::uint32_t least, std::uint32_t fallback, const char* name) {
     const std::uint32_t count = given == 0 ? fallback : given;
-    if (count < least || count > max_samples) {
+    if (count < least || count > kMaxSamples) {
         refuse("field->" + std::string(name) + " is " + std::to_string(count) + "; it must lie in " +
-               std::to_string(least) + " to " + std::to_string(max_samples));
+               std::to_string(least) + " to " + std::to_string(kMaxSamples));
     }
     return static_cast<int>(count);
 }
@@ -83,10 +83,10 @@ CoefficientMatrix project_field(const nicol_psh_mueller_field& field, int order_
     const std::uint64_t work = static_cast<std::uint64_t>(rows_out) *
                                static_cast<std::uint64_t>(columns_out) * 4 * vector_size(order_in) *
                                sizeof(double);
-    if (work > max_work_bytes) {
+    if (work > kMaxWorkBytes) {
         refuse("field->rows_out x field->columns_out is " + std::to_string(rows_out) + " x " +
                std::to_string(columns_out) + "; that takes " + std::to_string(work) +
-               " bytes of work space, at most " + std::to_string(max_work_bytes) + " are given");
+               " bytes of work space, at most " + std::to_string(kMaxWorkBytes) + " are given");
     }
     const auto at = [&](const glm::dvec3& in, const glm::dvec3& out) { return value(field, in, out); };
     return project(at, order_out, {gauss_legendre_rows(rows_out), columns_out}, order_in,

@@ -27,7 +27,7 @@ struct SharedTransform {
 }  // namespace nicol::capi
 
 struct nicol_psh_transform_impl : nicol::capi::Handle<nicol::capi::SharedTransform> {
-    static constexpr auto kind = nicol::capi::HandleKind::psh_transform;
+    static constexpr auto kKind = nicol::capi::HandleKind::psh_transform;
 };
 
 using namespace nicol;
@@ -36,7 +36,7 @@ using namespace nicol::capi;
 namespace {
 
 // More than this is a mistake: order 4096 on its own grid takes half.
-constexpr std::uint64_t max_work_bytes = std::uint64_t{1} << 32;
+constexpr std::uint64_t kMaxWorkBytes = std::uint64_t{1} << 32;
 
 LatitudeRows rows_of(const nicol_psh_sampling& sampling) {
     const std::uint32_t exact =
@@ -50,10 +50,10 @@ LatitudeRows rows_of(const nicol_psh_sampling& sampling) {
                " to " + std::to_string(most));
     }
     const std::uint64_t work = std::uint64_t{rows} * (4 * std::uint64_t{sampling.order} + 3) * 16;
-    if (work > max_work_bytes) {
+    if (work > kMaxWorkBytes) {
         refuse("sampling->rows is " + std::to_string(rows) + "; at order " + std::to_string(sampling.order) +
                " that takes " + std::to_string(work) + " bytes of work space, at most " +
-               std::to_string(max_work_bytes) + " are given");
+               std::to_string(kMaxWorkBytes) + " are given");
     }
     const int count = static_cast<int>(rows);
     switch (sampling.grid) {

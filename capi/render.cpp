@@ -138,9 +138,9 @@ int components_from(nicol_components given) {
 static_assert(NICOL_AOV_DEPTH == aov_depth && NICOL_AOV_NORMALS == aov_normals &&
               NICOL_AOV_POSITIONS == aov_positions && NICOL_AOV_INSTANCES == aov_instances);
 
-std::uint32_t planes_from(std::uint32_t given) {
+std::uint32_t aovs_from(std::uint32_t given) {
     if ((given & ~NICOL_AOV_ALL) != 0) {
-        refuse("planes is " + std::to_string(given) + "; it must be a sum of NICOL_AOV_...");
+        refuse("aovs is " + std::to_string(given) + "; it must be a sum of NICOL_AOV_...");
     }
     return given;
 }
@@ -164,7 +164,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.physical = given.physical == 1;
     options.tolerance = given.tolerance;
     options.components = components_from(given.components);
-    options.planes = planes_from(given.planes);
+    options.aovs = aovs_from(given.aovs);
     options.disabled_optimisations = given.disabled_optimisations;
     options.samples = given.samples == 0 ? options.samples : given.samples;
     options.seed = given.seed;

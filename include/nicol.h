@@ -612,7 +612,7 @@ typedef struct nicol_render_options {
                                    save. Compute shaders shade all vertices and rows in any case. 0: none */
     int32_t high_order_shadows; /* whether high orders are multiplied by the visible fraction of their lobe;
                                    0: the default, which is on; 1: on; -1: off: unshadowed highlights */
-    uint32_t planes;            /* sum of NICOL_AOV_... to make. 0: none */
+    uint32_t aovs;              /* sum of NICOL_AOV_... to make. 0: none */
 } nicol_render_options;
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }

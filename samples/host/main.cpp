@@ -23,8 +23,8 @@ struct Window {
         SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 4);
         SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 5);
         SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
-        window = SDL_CreateWindow("Nicol", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, Stage::width,
-                                  Stage::height, SDL_WINDOW_OPENGL);
+        window = SDL_CreateWindow("Nicol", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, Stage::kWidth,
+                                  Stage::kHeight, SDL_WINDOW_OPENGL);
         if (window != nullptr) context = SDL_GL_CreateContext(window);
         if (context == nullptr) {
             const std::string reason = SDL_GetError();
@@ -75,13 +75,13 @@ void write(const std::string& path, const std::string& head, const void* data, s
 
 /// Top row first, as PPM has it.
 void write_screenshot(const Gl& gl, const std::string& path) {
-    constexpr std::size_t row = std::size_t{3} * Stage::width;
-    std::vector<unsigned char> pixels(row * Stage::height);
+    constexpr std::size_t row = std::size_t{3} * Stage::kWidth;
+    std::vector<unsigned char> pixels(row * Stage::kHeight);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    for (int y = 0; y < Stage::height; ++y)
-        gl.ReadPixels(0, Stage::height - 1 - y, Stage::width, 1, GL_RGB, GL_UNSIGNED_BYTE,
+    for (int y = 0; y < Stage::kHeight; ++y)
+        gl.ReadPixels(0, Stage::kHeight - 1 - y, Stage::kWidth, 1, GL_RGB, GL_UNSIGNED_BYTE,
                       pixels.data() + static_cast<std::size_t>(y) * row);
-    write(path, "P6\n" + std::to_string(Stage::width) + " " + std::to_string(Stage::height) + "\n255\n",
+    write(path, "P6\n" + std::to_string(Stage::kWidth) + " " + std::to_string(Stage::kHeight) + "\n255\n",
           pixels.data(), pixels.size());
 }
 

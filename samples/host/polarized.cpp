@@ -38,8 +38,8 @@ Polarized::Polarized() {
     ball.mesh = mesh.get();
     ball.material = material.get();
     check(nicol_scene_add_instance(scene_.get(), &ball, nullptr));
-    framebuffer_ = create<Framebuffer>(nicol_framebuffer_create, context_.get(), std::uint32_t{size},
-                                       std::uint32_t{size}, std::uint32_t{3});
+    framebuffer_ = create<Framebuffer>(nicol_framebuffer_create, context_.get(), std::uint32_t{kSize},
+                                       std::uint32_t{kSize}, std::uint32_t{3});
     const double origin[] = {0, 0.5, 3.5}, target[] = {0, 0, 0}, up[] = {0, 1, 0};
     check(nicol_camera_look_at(&camera_, origin, target, up));
 }
@@ -61,7 +61,7 @@ void Polarized::draw(double sun, double polarizer, unsigned texture) {
 }
 
 std::vector<float> Polarized::planes() const {
-    constexpr std::size_t plane = std::size_t{4} * size * size;
+    constexpr std::size_t plane = std::size_t{4} * kSize * kSize;
     std::vector<float> stokes(3 * plane);
     for (std::uint32_t c = 0; c < 3; ++c)
         check(nicol_framebuffer_read(framebuffer_.get(), NICOL_PLANE_STOKES, c, stokes.data() + c * plane, 0,

@@ -9,7 +9,7 @@
 
 class Polarized {
 public:
-    static constexpr int size = 256;
+    static constexpr int kSize = 256;
 
     /// The application's context must be current, here and in every call.
     Polarized();

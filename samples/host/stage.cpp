@@ -79,11 +79,11 @@ Stage::Stage(const Gl& gl)
     gl.GenTextures(1, &image_);
     gl.ActiveTexture(GL_TEXTURE3);
     gl.BindTexture(GL_TEXTURE_2D, image_);
-    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, quad_size, quad_size);
+    gl.TexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA8, kQuadSize, kQuadSize);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl.Viewport(0, 0, width, height);
+    gl.Viewport(0, 0, kWidth, kHeight);
     gl.ClearColor(0.1F, 0.2F, 0.3F, 1);
     gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl.Enable(GL_BLEND);
@@ -92,7 +92,7 @@ Stage::Stage(const Gl& gl)
 void Stage::draw_triangles(double angle) const {
     gl_.Disable(GL_SCISSOR_TEST);
     gl_.Clear(GL_COLOR_BUFFER_BIT);
-    gl_.Scissor(20, 20, 300, height - 40);
+    gl_.Scissor(20, 20, 300, kHeight - 40);
     gl_.Enable(GL_SCISSOR_TEST);
     gl_.UseProgram(triangles_);
     gl_.Uniform1f(gl_.GetUniformLocation(triangles_, "angle"), radians(angle));

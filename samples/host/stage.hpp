@@ -7,8 +7,8 @@
 /// Leaves its program, arrays, scissor and blending set between frames, as applications do.
 class Stage {
 public:
-    static constexpr int width = 640, height = 360;
-    static constexpr int quad_x = 352, quad_y = 52, quad_size = 256;  ///< pixels, while it faces the viewer
+    static constexpr int kWidth = 640, kHeight = 360;
+    static constexpr int kQuadX = 352, kQuadY = 52, kQuadSize = 256;  ///< pixels, while it faces the viewer
 
     explicit Stage(const Gl& gl);
 

@@ -167,7 +167,7 @@ typedef struct nicol_render_options {
     nicol_components components;
     uint32_t disabled_optimisations;
     int32_t high_order_shadows;
-    uint32_t planes;
+    uint32_t aovs;
 } nicol_render_options;
 typedef struct nicol_job_impl* nicol_job;
 typedef uint32_t nicol_job_state;

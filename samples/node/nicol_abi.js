@@ -357,7 +357,7 @@ export const types = [
       ["components", "nicol_components", 0],
       ["disabled_optimisations", "uint32_t", 0],
       ["high_order_shadows", "int32_t", 0],
-      ["planes", "uint32_t", 0],
+      ["aovs", "uint32_t", 0],
     ],
   },
   { kind: "handle", name: "nicol_job" },

@@ -69,7 +69,7 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.high_orders_at = options.high_orders_at;
     wanted.tolerance = options.tolerance;
     wanted.components = options.components;
-    wanted.planes = options.planes;
+    wanted.aovs = options.aovs;
     wanted.shadows = options.shadows ? 1 : -1;
     wanted.bake_directions = options.bake_directions;
     wanted.dering = options.dering;

@@ -16,7 +16,7 @@ const char* const usage =
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "      --device N           the device to use, of those that --list-devices shows\n"
     "      --list-devices       shows the devices that OpenGL can be opened on\n"
-    "      --planes NAMES       also writes planes of the surfaces: depth, normals, positions, ids or\n"
+    "      --aovs NAMES         also writes AOVs of the surfaces: depth, normals, positions, ids or\n"
     "                           several of them with commas in between\n"
     "      --method NAME        factored or dense, in real time, or reference, by rays: slow and noisy\n"
     "      --executor NAME      where relight and shade run: cpu (threads), compute (shaders) or automatic,\n"
@@ -99,25 +99,25 @@ nicol_backend parse_backend(std::string_view text) {
     throw Failure("--backend: '" + std::string(text) + "' is neither egl nor osmesa");
 }
 
-std::uint32_t parse_planes(std::string_view text) {
-    std::uint32_t planes = 0;
+std::uint32_t parse_aovs(std::string_view text) {
+    std::uint32_t aovs = 0;
     for (bool more = true; more;) {
         const std::size_t comma = text.find(',');
         const std::string_view name = text.substr(0, comma);
         if (name == "depth")
-            planes |= NICOL_AOV_DEPTH;
+            aovs |= NICOL_AOV_DEPTH;
         else if (name == "normals")
-            planes |= NICOL_AOV_NORMALS;
+            aovs |= NICOL_AOV_NORMALS;
         else if (name == "positions")
-            planes |= NICOL_AOV_POSITIONS;
+            aovs |= NICOL_AOV_POSITIONS;
         else if (name == "ids")
-            planes |= NICOL_AOV_INSTANCES;
+            aovs |= NICOL_AOV_INSTANCES;
         else
-            throw Failure("--planes: '" + std::string(name) + "' is none of: depth, normals, positions, ids");
+            throw Failure("--aovs: '" + std::string(name) + "' is none of: depth, normals, positions, ids");
         more = comma != std::string_view::npos;
         if (more) text.remove_prefix(comma + 1);
     }
-    return planes;
+    return aovs;
 }
 
 nicol_method parse_method(std::string_view text) {
@@ -203,8 +203,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.backend = parse_backend(value());
         else if (name == "--device")
             options.device = parse_count(name, value(), 1, 1024);
-        else if (name == "--planes")
-            options.planes = parse_planes(value());
+        else if (name == "--aovs")
+            options.aovs = parse_aovs(value());
         else if (name == "--method")
             options.method = parse_method(value());
         else if (name == "--executor")

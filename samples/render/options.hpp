@@ -21,7 +21,7 @@ struct Options {
     std::string stats;                     ///< file, empty: none
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     std::uint32_t device = 0;  ///< of the library's list, 0: any
-    std::uint32_t planes = 0;  ///< NICOL_AOV_...
+    std::uint32_t aovs = 0;    ///< NICOL_AOV_...
     nicol_method method = NICOL_METHOD_FACTORED;
     nicol_executor executor = NICOL_EXECUTOR_AUTOMATIC;
     std::optional<std::int32_t> order_low, order_high;

@@ -39,8 +39,8 @@ std::string worker_lines(const std::vector<WorkerState>& workers) {
 }  // namespace
 
 void Histogram::add(double seconds) {
-    for (std::size_t i = 0; i < bounds.size(); ++i)
-        if (seconds <= bounds[i]) ++counts_[i];
+    for (std::size_t i = 0; i < kBounds.size(); ++i)
+        if (seconds <= kBounds[i]) ++counts_[i];
     ++count_;
     sum_ += seconds;
 }
@@ -48,9 +48,9 @@ void Histogram::add(double seconds) {
 std::string Histogram::text(const std::string& name, const std::string& labels) const {
     const std::string comma = labels.empty() ? "" : labels + ",";
     std::string result;
-    for (std::size_t i = 0; i < bounds.size(); ++i)
+    for (std::size_t i = 0; i < kBounds.size(); ++i)
         result +=
-            line(name + "_bucket", comma + label("le", json_number(bounds[i])), std::to_string(counts_[i]));
+            line(name + "_bucket", comma + label("le", json_number(kBounds[i])), std::to_string(counts_[i]));
     result += line(name + "_bucket", comma + label("le", "+Inf"), std::to_string(count_));
     result += line(name + "_sum", labels, json_number(sum_));
     return result + line(name + "_count", labels, std::to_string(count_));

@@ -19,9 +19,9 @@ public:
     [[nodiscard]] double mean() const { return count_ == 0 ? 0 : sum_ / static_cast<double>(count_); }
 
 private:
-    static constexpr std::array<double, 13> bounds = {0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05,
-                                                      0.1,    0.25,  0.5,    1,     2.5,  10};
-    std::array<std::uint64_t, bounds.size()> counts_{};
+    static constexpr std::array<double, 13> kBounds = {0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05,
+                                                       0.1,    0.25,  0.5,    1,     2.5,  10};
+    std::array<std::uint64_t, kBounds.size()> counts_{};
     std::uint64_t count_ = 0;
     double sum_ = 0;
 };

@@ -74,7 +74,7 @@ double Stage::centre_depth() const {
     check(nicol_framebuffer_create(context_, kProbeSide, kProbeSide, info_.channels, &framebuffer));
     const Framebuffer owner(framebuffer);
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-    options.planes = NICOL_AOV_DEPTH;
+    options.aovs = NICOL_AOV_DEPTH;
     check(nicol_render(scene_.get(), &camera_, &options, framebuffer));
     std::vector<float> depth(std::size_t{kProbeSide} * kProbeSide);
     check(nicol_framebuffer_read(framebuffer, NICOL_PLANE_DEPTH, 0, depth.data(), 0,

@@ -8,15 +8,15 @@
 
 namespace nicol {
 
-Aovs::Aovs(int width_, int height_, std::uint32_t planes) : width(width_), height(height_) {
+Aovs::Aovs(int width_, int height_, std::uint32_t mask) : width(width_), height(height_) {
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if ((planes & aov_depth) != 0) depth.assign(pixels, std::numeric_limits<float>::infinity());
-    if ((planes & aov_normals) != 0) normals.resize(3 * pixels);
-    if ((planes & aov_positions) != 0) positions.resize(3 * pixels);
-    if ((planes & aov_instances) != 0) instances.assign(pixels, kNoInstance);
+    if ((mask & aov_depth) != 0) depth.assign(pixels, std::numeric_limits<float>::infinity());
+    if ((mask & aov_normals) != 0) normals.resize(3 * pixels);
+    if ((mask & aov_positions) != 0) positions.resize(3 * pixels);
+    if ((mask & aov_instances) != 0) instances.assign(pixels, kNoInstance);
 }
 
-std::uint32_t Aovs::planes() const noexcept {
+std::uint32_t Aovs::mask() const noexcept {
     const auto bit = [](const auto& plane, std::uint32_t value) { return plane.empty() ? 0U : value; };
     return bit(depth, aov_depth) | bit(normals, aov_normals) | bit(positions, aov_positions) |
            bit(instances, aov_instances);

@@ -36,9 +36,10 @@ struct Aovs {
 
     Aovs() = default;
     /// These AOVs (bits of AovBit) of an image without surfaces.
-    Aovs(int width, int height, std::uint32_t planes);
+    Aovs(int width, int height, std::uint32_t mask);
 
-    [[nodiscard]] std::uint32_t planes() const noexcept;
+    /// The AOVs that are here.
+    [[nodiscard]] std::uint32_t mask() const noexcept;
     /// Throws Error(invalid_argument) naming `what` unless every AOV is empty or fits the size.
     void check(const char* what) const;
 };

@@ -62,7 +62,7 @@ std::vector<std::string> exr_colours(const StokesImage& image) {
     return colours;
 }
 
-void insert_surfaces(const Aovs& surfaces, Imf::Header& header, Imf::FrameBuffer& buffer) {
+void insert_aovs(const Aovs& aovs, Imf::Header& header, Imf::FrameBuffer& buffer) {
     const auto insert = [&]<class Number>(const char* name, const std::vector<Number>& plane,
                                           std::size_t component, std::size_t components) {
         if (plane.empty()) return;
@@ -70,14 +70,14 @@ void insert_surfaces(const Aovs& surfaces, Imf::Header& header, Imf::FrameBuffer
         header.channels().insert(name, Imf::Channel(type));
         const std::size_t pixel_bytes = components * sizeof(Number);
         buffer.insert(name, Imf::Slice(type, writable(plane.data() + component), pixel_bytes,
-                                       static_cast<std::size_t>(surfaces.width) * pixel_bytes));
+                                       static_cast<std::size_t>(aovs.width) * pixel_bytes));
     };
-    insert("Z", surfaces.depth, 0, 1);
-    insert("id", surfaces.instances, 0, 1);
+    insert("Z", aovs.depth, 0, 1);
+    insert("id", aovs.instances, 0, 1);
     static constexpr std::array axes{"X", "Y", "Z"};
     for (std::size_t i = 0; i < 3; ++i) {
-        insert((std::string("N.") + axes[i]).c_str(), surfaces.normals, i, 3);
-        insert((std::string("P.") + axes[i]).c_str(), surfaces.positions, i, 3);
+        insert((std::string("N.") + axes[i]).c_str(), aovs.normals, i, 3);
+        insert((std::string("P.") + axes[i]).c_str(), aovs.positions, i, 3);
     }
 }
 
@@ -95,11 +95,11 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
     if ((options.components & ~kStokesAll) != 0)
         throw Error(ErrorCode::invalid_argument, "write_exr: components has bits beyond s0..s3 (0b1111)");
 
-    if (options.surfaces != nullptr) {
-        options.surfaces->check("write_exr: surfaces");
-        if (options.surfaces->width != image.width || options.surfaces->height != image.height)
+    if (options.aovs != nullptr) {
+        options.aovs->check("write_exr: aovs");
+        if (options.aovs->width != image.width || options.aovs->height != image.height)
             throw Error(ErrorCode::invalid_argument,
-                        "write_exr: surfaces must have the image's width and height");
+                        "write_exr: aovs must have the image's width and height");
     }
 
     Imf::Header header(image.width, image.height);
@@ -134,7 +134,7 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
                 insert(exr_channel(p, colour), c, p);
     }
 
-    if (options.surfaces != nullptr) insert_surfaces(*options.surfaces, header, buffer);
+    if (options.aovs != nullptr) insert_aovs(*options.aovs, header, buffer);
 
     AtomicFile file(path);
     try {

@@ -66,7 +66,7 @@ struct ExrOptions {
     std::string comment{};
     /// AOVs of the image's size to write too; null: none. Depth as Z, normals as N.X N.Y N.Z, positions as
     /// P.X P.Y P.Z, instances as the uint channel id.
-    const Aovs* surfaces = nullptr;
+    const Aovs* aovs = nullptr;
 };
 
 /// Writes float32 channels, p = 0..3:

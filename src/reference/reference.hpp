@@ -19,8 +19,8 @@ struct ReferenceOptions {
     bool shadows = true;  ///< whether surfaces hide the environment from each other
     /// The same seed gives the same image whatever the number of threads; another one gives other noise.
     std::uint64_t seed = 0;
-    int threads = 0;           ///< 0: one a core, which is also the most
-    std::uint32_t planes = 0;  ///< of surfaces, bits of AovBit (image/aovs.hpp)
+    int threads = 0;         ///< 0: one a core, which is also the most
+    std::uint32_t aovs = 0;  ///< to make, bits of AovBit (image/aovs.hpp)
     /// Called about ten times a second on the calling thread with "trace" and the fraction done; false stops
     /// the render with Error(cancelled).
     std::function<bool(const char* verb, double fraction)> progress;

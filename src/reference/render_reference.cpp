@@ -61,7 +61,7 @@ class Tracer {
 public:
     Tracer(const DirectLight& light, const CameraRays& rays, const ReferenceOptions& options,
            SharedProgress& progress, tbb::task_group_context& group, const Viewpoint& view,
-           StokesImage& image, Aovs& surfaces)
+           StokesImage& image, Aovs& aovs)
         : light_(light),
           rays_(rays),
           options_(options),
@@ -69,7 +69,7 @@ public:
           group_(group),
           view_(view),
           image_(image),
-          surfaces_(surfaces) {}
+          aovs_(aovs) {}
 
     void trace(const tbb::blocked_range2d<int>& tile) {
         DirectLight::Workspace workspace;
@@ -85,7 +85,7 @@ public:
                     for (std::size_t p = 0; p < 4; ++p)
                         pixel[p] = static_cast<float>(mean[static_cast<glm::length_t>(p)]);
                 }
-                if (surfaces_.planes() != 0) look_through(x, y);
+                if (aovs_.mask() != 0) record_aovs(x, y);
             }
         }
         shadow_rays_ += workspace.shadow_rays;
@@ -114,22 +114,20 @@ private:
         return true;
     }
 
-    void look_through(int x, int y) {
+    void record_aovs(int x, int y) {
         const std::optional<DirectLight::Surfel> surfel =
             light_.first_surface(rays_.through(x + 0.5, y + 0.5));
         if (!surfel) return;
-        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(surfaces_.width) +
-                           static_cast<std::size_t>(x);
-        if (!surfaces_.depth.empty()) {
-            surfaces_.depth[pixel] =
-                static_cast<float>(glm::dot(view_.forward, surfel->position - view_.eye));
+        const auto pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(aovs_.width) + static_cast<std::size_t>(x);
+        if (!aovs_.depth.empty()) {
+            aovs_.depth[pixel] = static_cast<float>(glm::dot(view_.forward, surfel->position - view_.eye));
         }
-        if (!surfaces_.instances.empty()) surfaces_.instances[pixel] = surfel->instance;
+        if (!aovs_.instances.empty()) aovs_.instances[pixel] = surfel->instance;
         for (glm::length_t i = 0; i < 3; ++i) {
             const std::size_t at = 3 * pixel + static_cast<std::size_t>(i);
-            if (!surfaces_.normals.empty()) surfaces_.normals[at] = static_cast<float>(surfel->normal[i]);
-            if (!surfaces_.positions.empty())
-                surfaces_.positions[at] = static_cast<float>(surfel->position[i]);
+            if (!aovs_.normals.empty()) aovs_.normals[at] = static_cast<float>(surfel->normal[i]);
+            if (!aovs_.positions.empty()) aovs_.positions[at] = static_cast<float>(surfel->position[i]);
         }
     }
 
@@ -140,17 +138,17 @@ private:
     tbb::task_group_context& group_;
     const Viewpoint& view_;
     StokesImage& image_;
-    Aovs& surfaces_;
+    Aovs& aovs_;
     std::atomic<std::uint64_t> shadow_rays_ = 0;
 };
 
 StokesImage render(const Scene& scene, const Projection& projection, int width, int height,
                    const ReferenceOptions& options, ReferenceStatistics& statistics, Strategy strategy,
-                   Aovs& surfaces) {
+                   Aovs& aovs) {
     const Stopwatch build;
     const DirectLight light(scene, strategy, options.shadows);
     StokesImage image(width, height, light.channels());
-    surfaces = Aovs(width, height, options.planes);
+    aovs = Aovs(width, height, options.aovs);
     statistics.triangles = light.triangles();
     statistics.build_ms = build.milliseconds();
 
@@ -160,7 +158,7 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
     SharedProgress progress(options.progress, static_cast<double>(samples));
     tbb::task_group_context group;
     const CameraRays rays(projection, width, height);
-    Tracer tracer(light, rays, options, progress, group, projection.view, image, surfaces);
+    Tracer tracer(light, rays, options, progress, group, projection.view, image, aovs);
     // More than there are would only make TBB complain.
     const int cores = tbb::info::default_concurrency();
     tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
@@ -180,12 +178,12 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
 
 StokesImage render_reference(const Scene& scene, const Projection& projection, int width, int height,
                              const ReferenceOptions& options, ReferenceStatistics& statistics,
-                             Strategy strategy, Aovs* surfaces) {
+                             Strategy strategy, Aovs* aovs) {
     check(options);
     try {
         Aovs made;
         StokesImage image = render(scene, projection, width, height, options, statistics, strategy, made);
-        if (surfaces != nullptr) *surfaces = std::move(made);
+        if (aovs != nullptr) *aovs = std::move(made);
         return image;
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::out_of_memory,

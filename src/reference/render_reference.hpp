@@ -17,11 +17,11 @@ namespace nicol {
 /// triangle is in the way if shadows are asked for; 0 where the viewer is behind that normal, unless the
 /// material is two-sided. Elsewhere it is the environment itself. `projection` must have been made for this
 /// width and height. Throws Error(invalid_argument) for options or sizes out of range, Error(out_of_memory),
-/// Error(cancelled), and what the environment and the materials throw. `surfaces`, where not null, gets the
-/// planes that the options ask for, by the rays through the pixels' centres.
+/// Error(cancelled), and what the environment and the materials throw. `aovs`, where not null, gets the
+/// AOVs of the options, by the rays through the pixels' centres.
 [[nodiscard]] StokesImage render_reference(const Scene& scene, const Projection& projection, int width,
                                            int height, const ReferenceOptions& options,
                                            ReferenceStatistics& statistics,
-                                           Strategy strategy = Strategy::both, Aovs* surfaces = nullptr);
+                                           Strategy strategy = Strategy::both, Aovs* aovs = nullptr);
 
 }  // namespace nicol

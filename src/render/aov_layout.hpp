@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where planes of surfaces lie in the attachments they are drawn into.
+// Where AOVs lie in the attachments they are drawn into.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace nicol {
 
-/// Planes packed one after another into as few RGBA32F attachments as hold them. Members are the first float
-/// of a pixel's, -1 where a plane is absent; float i is component i % 4 of attachment i / 4. Ids take two
-/// floats, the lower and the upper 16 bits.
+/// AOVs packed one after another into as few RGBA32F attachments as hold them. Each member is the index of
+/// the AOV's first float in a pixel, -1 where the AOV is absent; float i is component i % 4 of attachment i
+/// / 4. Ids take two floats, the lower and the upper 16 bits.
 struct AovLayout {
     int normals = -1;
     int depth = -1;
@@ -19,9 +19,9 @@ struct AovLayout {
     int instances = -1;
     int floats = 0;
 
-    explicit AovLayout(std::uint32_t planes) {
+    explicit AovLayout(std::uint32_t mask) {
         const auto place = [&](int& at, std::uint32_t bit, int count) {
-            if ((planes & bit) == 0) return;
+            if ((mask & bit) == 0) return;
             at = floats;
             floats += count;
         };

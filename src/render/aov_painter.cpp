@@ -38,22 +38,22 @@ glm::vec4 AovLayout::background(int attachment) const {
     return values;
 }
 
-void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t planes,
+void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t mask,
                          Framebuffer& target) {
     attachments_.reset();
-    planes_ = planes;
-    if (planes == 0) {
+    mask_ = mask;
+    if (mask == 0) {
         vertices_.reset();
         batches_.clear();
         binding_.reset();
         return;
     }
     binding_.run(buffers.version(), [&] { bind(geometry, buffers); });
-    if (programs_.find(planes) == programs_.end()) {
-        const std::vector<gl::Define> defines = defines_of(AovLayout(planes));
-        programs_.emplace(planes, gl::Program::graphics(context_, "aovs.vert", "aovs.frag", defines));
+    if (programs_.find(mask) == programs_.end()) {
+        const std::vector<gl::Define> defines = defines_of(AovLayout(mask));
+        programs_.emplace(mask, gl::Program::graphics(context_, "aovs.vert", "aovs.frag", defines));
     }
-    attachments_ = target.plane_attachments(planes);
+    attachments_ = target.aov_attachments(mask);
 }
 
 void AovPainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
@@ -83,9 +83,9 @@ void AovPainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
 }
 
 void AovPainter::draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target) {
-    if (planes_ != 0) {
-        const AovLayout layout(planes_);
-        gl::Program& program = programs_.at(planes_);
+    if (mask_ != 0) {
+        const AovLayout layout(mask_);
+        gl::Program& program = programs_.at(mask_);
         program.set("to_clip", glm::mat4(projection.world_to_clip * to_world));
         if (program.uses("to_world")) program.set("to_world", glm::mat4(to_world));
         set_view_uniforms(program, projection.view);
@@ -97,7 +97,7 @@ void AovPainter::draw(const Projection& projection, const glm::dmat4& to_world, 
                      {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
         }
     }
-    target.drew_planes(planes_, std::move(attachments_));
+    target.drew_aovs(mask_, std::move(attachments_));
     attachments_.reset();
 }
 

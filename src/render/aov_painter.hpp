@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// draw: depth, normals, positions and instances of surfaces beside a Stokes image.
+// draw: depth, normals, positions and instances beside a Stokes image.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@
 
 namespace nicol {
 
-/// Holds nothing on the device until planes are asked for, and gives it back when they no longer are. All
+/// Holds memory on the device only while AOVs are requested. All
 /// members inside run() of the context.
 class AovPainter {
 public:
     explicit AovPainter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Everything that can fail for want of memory; the framebuffer keeps its content. `planes`: bits of
+    /// Everything that can fail for want of memory; the framebuffer keeps its content. `mask`: bits of
     /// AovBit.
-    void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t planes,
+    void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t mask,
                  Framebuffer& target);
     /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the
     /// geometry.
@@ -42,11 +42,11 @@ private:
     void bind(const WorldGeometry& geometry, VertexBuffers& buffers);
 
     std::shared_ptr<gl::Context> context_;
-    std::map<std::uint32_t, gl::Program> programs_;  // by planes
+    std::map<std::uint32_t, gl::Program> programs_;  // by mask
     std::optional<gl::VertexArray> vertices_;
     std::vector<Batch> batches_;
     Stage<Version> binding_;  // buffers
-    std::uint32_t planes_ = 0;
+    std::uint32_t mask_ = 0;
     std::shared_ptr<gl::RenderTarget> attachments_;
 };
 

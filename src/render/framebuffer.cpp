@@ -15,11 +15,10 @@ namespace nicol {
 namespace {
 
 // What was drawn by a layout, one attachment after the other.
-void unpack(const gl::RenderTarget& attachments, const AovLayout& layout, Aovs& surfaces) {
-    const std::size_t pixels =
-        static_cast<std::size_t>(surfaces.width) * static_cast<std::size_t>(surfaces.height);
+void unpack(const gl::RenderTarget& attachments, const AovLayout& layout, Aovs& aovs) {
+    const std::size_t pixels = static_cast<std::size_t>(aovs.width) * static_cast<std::size_t>(aovs.height);
     std::vector<float> packed(4 * pixels);
-    std::vector<std::uint32_t>& ids = surfaces.instances;
+    std::vector<std::uint32_t>& ids = aovs.instances;
     for (int a = 0; a < attachments.colours(); ++a) {
         attachments.read(a, packed);
         const auto copy = [&](int place, std::size_t count, auto&& put) {
@@ -30,11 +29,10 @@ void unpack(const gl::RenderTarget& attachments, const AovLayout& layout, Aovs& 
                     put(p, i, packed[4 * p + static_cast<std::size_t>(at % 4)]);
             }
         };
-        copy(layout.depth, 1, [&](std::size_t p, std::size_t, float x) { surfaces.depth[p] = x; });
-        copy(layout.normals, 3,
-             [&](std::size_t p, std::size_t i, float x) { surfaces.normals[3 * p + i] = x; });
+        copy(layout.depth, 1, [&](std::size_t p, std::size_t, float x) { aovs.depth[p] = x; });
+        copy(layout.normals, 3, [&](std::size_t p, std::size_t i, float x) { aovs.normals[3 * p + i] = x; });
         copy(layout.positions, 3,
-             [&](std::size_t p, std::size_t i, float x) { surfaces.positions[3 * p + i] = x; });
+             [&](std::size_t p, std::size_t i, float x) { aovs.positions[3 * p + i] = x; });
         copy(layout.instances, 2, [&](std::size_t p, std::size_t i, float x) {
             const auto half = static_cast<std::uint32_t>(x);
             ids[p] = i == 0 ? half : ids[p] | half << 16;
@@ -84,38 +82,38 @@ const StokesImage& Framebuffer::image() {
     return *image_;
 }
 
-const Aovs& Framebuffer::surfaces() {
-    if (!surfaces_) {
+const Aovs& Framebuffer::aovs() {
+    if (!aovs_) {
         const Stopwatch watch;
-        Aovs surfaces(width_, height_, planes_);
-        if (plane_attachments_) {
-            context_->run([&] { unpack(*plane_attachments_, AovLayout(planes_), surfaces); });
+        Aovs aovs(width_, height_, aov_mask_);
+        if (aov_attachments_) {
+            context_->run([&] { unpack(*aov_attachments_, AovLayout(aov_mask_), aovs); });
         }
-        surfaces_ = std::move(surfaces);
+        aovs_ = std::move(aovs);
         statistics_.observe_ms += watch.milliseconds();
     }
-    return *surfaces_;
+    return *aovs_;
 }
 
-std::shared_ptr<gl::RenderTarget> Framebuffer::plane_attachments(std::uint32_t planes) const {
-    if (plane_attachments_ && planes == planes_) return plane_attachments_;
+std::shared_ptr<gl::RenderTarget> Framebuffer::aov_attachments(std::uint32_t mask) const {
+    if (aov_attachments_ && mask == aov_mask_) return aov_attachments_;
     return std::make_shared<gl::RenderTarget>(
         context_, gl::RenderTargetDescription{
-                      .width = width_, .height = height_, .colours = AovLayout(planes).attachments()});
+                      .width = width_, .height = height_, .colours = AovLayout(mask).attachments()});
 }
 
-void Framebuffer::drew_planes(std::uint32_t planes, std::shared_ptr<gl::RenderTarget> attachments) {
-    planes_ = planes;
-    plane_attachments_ = std::move(attachments);
-    surfaces_.reset();
+void Framebuffer::drew_aovs(std::uint32_t mask, std::shared_ptr<gl::RenderTarget> attachments) {
+    aov_mask_ = mask;
+    aov_attachments_ = std::move(attachments);
+    aovs_.reset();
 }
 
-void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs surfaces) {
+void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs aovs) {
     image.check("Framebuffer::show: the image");
-    surfaces.check("Framebuffer::show: the planes");
-    const bool same_size = surfaces.width == width_ && surfaces.height == height_;
+    aovs.check("Framebuffer::show: the AOVs");
+    const bool same_size = aovs.width == width_ && aovs.height == height_;
     if (image.width != width_ || image.height != height_ || image.channels != channels_ ||
-        (surfaces.planes() != 0 && !same_size)) {
+        (aovs.mask() != 0 && !same_size)) {
         throw Error(ErrorCode::invalid_argument,
                     "Framebuffer::show: the image must have the framebuffer's size and channels");
     }
@@ -129,8 +127,8 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs sur
     });
     rendered(statistics);
     image_ = std::move(image);
-    drew_planes(surfaces.planes(), nullptr);
-    surfaces_ = std::move(surfaces);
+    drew_aovs(aovs.mask(), nullptr);
+    aovs_ = std::move(aovs);
 }
 
 void Framebuffer::rendered(const Statistics& statistics) {

@@ -34,20 +34,20 @@ public:
     /// The image in memory, read back on first use after a render.
     [[nodiscard]] const StokesImage& image();
 
-    /// Which planes of surfaces the last render left, as bits of AovBit.
-    [[nodiscard]] std::uint32_t planes() const noexcept { return planes_; }
-    /// They, in memory, read back on first use after a render.
-    [[nodiscard]] const Aovs& surfaces();
+    /// Which AOVs the last render made, as bits of AovBit.
+    [[nodiscard]] std::uint32_t aov_mask() const noexcept { return aov_mask_; }
+    /// These AOVs in memory, read back on first use after a render.
+    [[nodiscard]] const Aovs& aovs();
 
-    /// Takes an image that was made without drawing, and the planes of its surfaces. Throws
+    /// Takes an image that was made without drawing, and its AOVs. Throws
     /// Error(invalid_argument) unless they have this size and these channels.
-    void show(StokesImage image, const Statistics& statistics, Aovs surfaces = {});
+    void show(StokesImage image, const Statistics& statistics, Aovs aovs = {});
 
-    /// Where to draw these planes, as AovLayout says: attachments that an earlier render left, or new ones.
+    /// Where to draw these AOVs, as AovLayout says: attachments that an earlier render left, or new ones.
     /// Inside run().
-    [[nodiscard]] std::shared_ptr<gl::RenderTarget> plane_attachments(std::uint32_t planes) const;
-    /// To be called once they are drawn; null: no planes. Inside run().
-    void drew_planes(std::uint32_t planes, std::shared_ptr<gl::RenderTarget> attachments);
+    [[nodiscard]] std::shared_ptr<gl::RenderTarget> aov_attachments(std::uint32_t mask) const;
+    /// To be called once they are drawn; null: no AOVs. Inside run().
+    void drew_aovs(std::uint32_t mask, std::shared_ptr<gl::RenderTarget> attachments);
 
     /// To be called once a render has drawn.
     void rendered(const Statistics& statistics);
@@ -62,9 +62,9 @@ private:
     int channels_;
     std::vector<gl::RenderTarget> groups_;
     std::optional<StokesImage> image_;
-    std::uint32_t planes_ = 0;
-    std::shared_ptr<gl::RenderTarget> plane_attachments_;  // of planes_; null where they were not drawn
-    std::optional<Aovs> surfaces_;
+    std::uint32_t aov_mask_ = 0;
+    std::shared_ptr<gl::RenderTarget> aov_attachments_;  // of aov_mask_; null where they were not drawn
+    std::optional<Aovs> aovs_;
     Statistics statistics_;
     std::uint64_t content_ = 0;
 };

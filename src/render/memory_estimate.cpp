@@ -39,16 +39,16 @@ LightKind kind_of(const Scene& scene, const RenderOptions& options) {
 }
 
 // Vertices are kept by sixteen: all take a multiple of what sixteen do.
-constexpr std::uint64_t block = 16;
+constexpr std::uint64_t kBlock = 16;
 
 std::uint64_t blocks(std::uint64_t vertices) {
-    return (vertices + block - 1) / block;
+    return (vertices + kBlock - 1) / kBlock;
 }
 
 std::uint64_t shadows_of_block(const LightLayout& layout) {
     const DirectionSet directions(DirectionSet::kFewest);
-    const Visibility nothing(directions.size(), block);
-    const std::vector<glm::vec3> normals(block, glm::vec3(0, 0, 1));
+    const Visibility nothing(directions.size(), kBlock);
+    const std::vector<glm::vec3> normals(kBlock, glm::vec3(0, 0, 1));
     return VisibilityProduct(nothing, directions, normals, layout).bytes();
 }
 
@@ -106,7 +106,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
         estimate.transfer += dense(scene, layout);
     } else {
         estimate.transfer +=
-            blocks(size.vertices) * VertexLight(layout, static_cast<int>(channels), block).bytes();
+            blocks(size.vertices) * VertexLight(layout, static_cast<int>(channels), kBlock).bytes();
         if (shadows) estimate.transfer += blocks(size.vertices) * shadows_of_block(layout);
     }
     const bool high_orders =

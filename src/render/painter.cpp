@@ -57,7 +57,7 @@ std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& ge
     return batches;
 }
 
-Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)), planes_(context_) {}
+Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)), aovs_(context_) {}
 
 void Painter::draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuffers& buffers,
                    const HighOrdersOfPixels& high_orders, const Wanted& wanted, const Projection& projection,
@@ -69,14 +69,14 @@ void Painter::draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuff
                  [&] { bind_vertices(surfaces.geometry(), buffers, high_orders, channels); });
     uploading_.run(scene.environment(), channels,
                    [&] { upload_environment(scene.environment().get(), channels); });
-    planes_.prepare(surfaces.geometry(), buffers, wanted.planes, target);
+    aovs_.prepare(surfaces.geometry(), buffers, wanted.aovs, target);
 
     const Projection of_surfaces = in_axes(projection, surfaces.to_world());
     const glm::mat3 to_light(glm::transpose(scene.light_rotation()) * glm::dmat3(surfaces.to_world()));
     for (std::size_t g = 0; g < groups_.size(); ++g)
         draw_surface(scene, high_orders, wanted.components, of_surfaces, to_light, g, target);
     if (scene.environment()) draw_background(scene, wanted.components, projection, target);
-    planes_.draw(projection, surfaces.to_world(), target);
+    aovs_.draw(projection, surfaces.to_world(), target);
     gl::finish(*context_);
 }
 

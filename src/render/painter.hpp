@@ -33,8 +33,8 @@ public:
     };
 
     struct Wanted {
-        int components = 4;        ///< Stokes components that are drawn; the others are 0
-        std::uint32_t planes = 0;  ///< of surfaces, bits of AovBit
+        int components = 4;      ///< Stokes components that are drawn; the others are 0
+        std::uint32_t aovs = 0;  ///< bits of AovBit
     };
 
     /// `buffers` are of `surfaces`; `projection` is of the world. Everything that can fail for want of memory
@@ -79,7 +79,7 @@ private:
     // Buffers, materials where batches are by material, channels, whether batches are, fractions.
     Stage<Version, Version, int, bool, bool> binding_;
     Stage<EnvironmentPtr, int> uploading_;  // environment, channels
-    AovPainter planes_;
+    AovPainter aovs_;
 };
 
 }  // namespace nicol

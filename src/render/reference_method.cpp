@@ -13,15 +13,15 @@ void render_by_reference(const Scene& scene, const Camera& camera, const RenderO
     const int width = target.width();
     const int height = target.height();
     ReferenceStatistics traced;
-    Aovs surfaces;
+    Aovs aovs;
     StokesImage image = render_reference(scene, project(camera, width, height), width, height,
                                          {.samples = options.samples,
                                           .shadows = options.shadows,
                                           .seed = options.seed,
                                           .threads = threads,
-                                          .planes = options.planes,
+                                          .aovs = options.aovs,
                                           .progress = options.progress},
-                                         traced, Strategy::both, &surfaces);
+                                         traced, Strategy::both, &aovs);
     Statistics statistics;
     for (const Instance& instance : scene.instances()) statistics.vertices += instance.mesh->positions.size();
     statistics.triangles = traced.triangles;
@@ -32,7 +32,7 @@ void render_by_reference(const Scene& scene, const Camera& camera, const RenderO
     const gl::MemoryUse memory = target.context()->memory();
     statistics.texture_bytes = memory.of(gl::MemoryKind::texture) + memory.of(gl::MemoryKind::render_target);
     const Stopwatch watch;
-    target.show(std::move(image), statistics, std::move(surfaces));
+    target.show(std::move(image), statistics, std::move(aovs));
     target.statistics().draw_ms = watch.milliseconds();
 }
 

@@ -52,7 +52,7 @@ enum Skip : std::uint32_t {
     skip_all = 127,
 };
 
-/// The reference method uses shadows, planes, samples, seed and progress alone.
+/// The reference method uses shadows, aovs, samples, seed and progress alone.
 struct RenderOptions {
     Method method = Method::factored;
     Executor executor = Executor::automatic;
@@ -76,8 +76,8 @@ struct RenderOptions {
     bool physical = false;
     /// Stokes components that the image has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;
-    /// Planes of surfaces beside the image, bits of AovBit (image/aovs.hpp).
-    std::uint32_t planes = 0;
+    /// AOVs to make beside the image, bits of AovBit (image/aovs.hpp).
+    std::uint32_t aovs = 0;
     /// Skips not to make use of, to measure what they save.
     std::uint32_t disabled_optimisations = 0;
     /// Of the reference method: camera rays a pixel, 1 to 2^20. Powers of two are stratified best.
@@ -93,7 +93,7 @@ struct RenderOptions {
         const auto values = [](const RenderOptions& a) {
             return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.order_low, a.order_high,
                             a.high_orders, a.high_orders_at, a.high_order_shadows, a.tolerance, a.dering,
-                            a.physical, a.components, a.planes, a.samples, a.seed, a.disabled_optimisations);
+                            a.physical, a.components, a.aovs, a.samples, a.seed, a.disabled_optimisations);
         };
         return values(*this) == values(o);
     }

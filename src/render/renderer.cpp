@@ -100,10 +100,10 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     }
     render_channels(scene, camera, options, *colours_);
     const StokesImage& image = colours_->image();
-    const Aovs& surfaces = colours_->surfaces();
+    const Aovs& aovs = colours_->aovs();
     const Stopwatch watch;
     const Statistics statistics = colours_->statistics();
-    target.show(luminance(image), statistics, surfaces);
+    target.show(luminance(image), statistics, aovs);
     target.statistics().observe_ms = 0;
     target.statistics().draw_ms += statistics.observe_ms + watch.milliseconds();
 }
@@ -154,7 +154,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
                       {.textures = high_orders != nullptr ? &textures_ : nullptr,
                        .shadowed = high_orders != nullptr && !high_orders->visibility()->empty(),
                        .physical = options.physical},
-                      {.components = options.components, .planes = options.planes}, projection, target);
+                      {.components = options.components, .aovs = options.aovs}, projection, target);
     });
     statistics.draw_ms = watch.milliseconds();
 

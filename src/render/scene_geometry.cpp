@@ -70,7 +70,7 @@ void SceneGeometry::update(const Scene& scene) {
     placing_.run(scene.geometry_version(), [&] {
         std::vector<Piece> pieces = place(scene);
         bool same = version_ != 0 && pieces.size() == pieces_.size();
-        for (const Piece& piece : pieces) same = same && piece.former != none;
+        for (const Piece& piece : pieces) same = same && piece.former != kNone;
         if (!same) build(scene, pieces);
     });
     assigning_.run(scene.material_version(), [&] { set_materials(scene); });
@@ -115,7 +115,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
                                       .first = 0,
                                       .last = 0,
                                       .ball = {},
-                                      .former = none});
+                                      .former = kNone});
         const auto former = std::ranges::lower_bound(pieces_, piece.id, {}, &Piece::id);
         if (former == pieces_.end() || former->id != piece.id || former->mesh != piece.mesh ||
             former->twosided != piece.twosided) {
@@ -148,7 +148,7 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
         if (piece.last > std::numeric_limits<std::uint32_t>::max()) {
             throw Error(ErrorCode::invalid_argument, "the scene has more than 2^32 vertices");
         }
-        if (piece.former != none) {
+        if (piece.former != kNone) {
             const Piece& former = pieces_[piece.former];
             stays[piece.former] = 1;
             const auto copy = [&](const std::vector<glm::vec3>& from, std::vector<glm::vec3>& to) {

@@ -57,9 +57,9 @@ private:
         std::size_t first;     // vertex
         std::size_t last;
         Ball ball;
-        std::size_t former;  // index among the pieces before where it stands as it stood, or none
+        std::size_t former;  // index among the pieces before where it stands as it stood, or kNone
     };
-    static constexpr std::size_t none = ~std::size_t{0};
+    static constexpr std::size_t kNone = ~std::size_t{0};
 
     [[nodiscard]] std::vector<Piece> place(const Scene& scene);
     void find_axes(const Scene& scene, std::size_t largest);

@@ -12,6 +12,7 @@
 
 #include "progress.hpp"
 #include "render/render.hpp"
+#include "simd/lanes.hpp"
 
 namespace nicol {
 
@@ -34,9 +35,9 @@ public:
     void for_vertices(std::size_t first, std::size_t last, std::size_t all, const char* verb,
                       Progress& progress, const Body& body) {
         if (first >= last) return;
-        for_chunks(first / lanes, (last + lanes - 1) / lanes, (all + lanes - 1) / lanes, verb, progress,
+        for_chunks(first / kLanes, (last + kLanes - 1) / kLanes, (all + kLanes - 1) / kLanes, verb, progress,
                    [&](std::size_t begin, std::size_t end) {
-                       body(std::max(first, begin * lanes), std::min(last, end * lanes));
+                       body(std::max(first, begin * kLanes), std::min(last, end * kLanes));
                    });
     }
     /// The same for blocks of sixteen vertices.
@@ -46,16 +47,15 @@ public:
     }
 
 private:
-    static constexpr std::size_t lanes = 16;
-    static constexpr std::size_t chunk = 1024;  // blocks between two reports
-    static constexpr std::size_t grain = 16;    // blocks of one task
+    static constexpr std::size_t kChunk = 1024;  // blocks between two reports
+    static constexpr std::size_t kGrain = 16;    // blocks of one task
 
     template <class Body>
     void for_chunks(std::size_t first, std::size_t last, std::size_t all, const char* verb,
                     Progress& progress, const Body& body) {
-        for (std::size_t begin = first; begin < last; begin += chunk) {
+        for (std::size_t begin = first; begin < last; begin += kChunk) {
             progress.report(verb, static_cast<double>(begin) / static_cast<double>(all));
-            const tbb::blocked_range<std::size_t> part(begin, std::min(begin + chunk, last), grain);
+            const tbb::blocked_range<std::size_t> part(begin, std::min(begin + kChunk, last), kGrain);
             arena_.execute([&] {
                 tbb::parallel_for(part, [&body](const tbb::blocked_range<std::size_t>& range) {
                     body(range.begin(), range.end());

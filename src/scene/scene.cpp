@@ -32,7 +32,7 @@ void check_channels(int channels, int others) {
            std::to_string(others) + "; it must have 1 or as many");
 }
 
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
@@ -55,7 +55,7 @@ int Scene::channels_without(std::size_t index) const {
 }
 
 int Scene::channels() const {
-    return channels_without(none);
+    return channels_without(kNone);
 }
 
 std::uint32_t Scene::add(Instance instance) {

@@ -9,13 +9,13 @@
 namespace nicol::scene {
 namespace {
 
-constexpr std::size_t max_bytes = std::size_t{16} << 20;
+constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
 /// A scene with all elements nested has 6 levels.
-constexpr int max_depth = 32;
+constexpr int kMaxDepth = 32;
 /// Mitsuba's limit.
-constexpr std::size_t max_include_depth = 15;
-constexpr std::size_t max_files = 1000;
-constexpr std::size_t max_folders = 100;
+constexpr std::size_t kMaxIncludeDepth = 15;
+constexpr std::size_t kMaxFiles = 1000;
+constexpr std::size_t kMaxFolders = 100;
 
 bool is(pugi::xml_node node, std::string_view name) {
     return node.name() == name;
@@ -44,8 +44,8 @@ public:
     explicit Walker(XmlDocument& document) : document_(document) {}
 
     bool for_each(pugi::xml_node& node) override {
-        if (depth() > max_depth)
-            document_.fail(node, "elements nested more than " + std::to_string(max_depth) + " deep");
+        if (depth() > kMaxDepth)
+            document_.fail(node, "elements nested more than " + std::to_string(kMaxDepth) + " deep");
         if (node.type() == pugi::node_pcdata || node.type() == pugi::node_cdata)
             document_.fail(node, "text " + in_quotes(node.value()) + " inside " + tag(node.parent()) +
                                      "; values go into attributes");
@@ -87,7 +87,7 @@ private:
 };
 
 XmlDocument::XmlDocument(const std::filesystem::path& file, const SceneParameters& parameters)
-    : parameters_(parameters), budget_(max_bytes) {
+    : parameters_(parameters), budget_(kMaxBytes) {
     load(file, {});
     parameters_.require_all_used(file.string());
 }
@@ -137,10 +137,10 @@ void XmlDocument::include(pugi::xml_node node) {
     if (!std::filesystem::is_regular_file(file, ignored))
         fail(node, "<include> of " + in_quotes(file.string()) + ": no such file", ErrorCode::file_not_found);
     const Source* including = &source_of(node);
-    if (including->depth == max_include_depth)
-        fail(node, "includes more than " + std::to_string(max_include_depth) + " deep");
-    if (sources_.size() == max_files)
-        fail(node, "more than " + std::to_string(max_files) + " included files", ErrorCode::unsupported);
+    if (including->depth == kMaxIncludeDepth)
+        fail(node, "includes more than " + std::to_string(kMaxIncludeDepth) + " deep");
+    if (sources_.size() == kMaxFiles)
+        fail(node, "more than " + std::to_string(kMaxFiles) + " included files", ErrorCode::unsupported);
     for (const Source* open = including; open; open = open->include ? &source_of(open->include) : nullptr)
         if (std::filesystem::equivalent(open->xml.path(), file, ignored))
             fail(node, "<include> of " + in_quotes(name) + " goes in a circle");
@@ -157,8 +157,8 @@ void XmlDocument::add_folder(pugi::xml_node node) {
     if (name.empty() || !std::filesystem::is_directory(folder, ignored))
         fail(node, "<path>: " + in_quotes(name) + " is no folder", ErrorCode::file_not_found);
     std::vector<std::filesystem::path>& folders = source_of(node).folders;
-    if (folders.size() > max_folders)
-        fail(node, "more than " + std::to_string(max_folders) + " folders to look into",
+    if (folders.size() > kMaxFolders)
+        fail(node, "more than " + std::to_string(kMaxFolders) + " folders to look into",
              ErrorCode::unsupported);
     folders.insert(folders.begin(), folder);
 }

@@ -17,7 +17,7 @@
 namespace nicol {
 namespace {
 
-constexpr int most_channels = 16;
+constexpr int kMostChannels = 16;
 
 // A direction rotated by an angle towards another, orthogonal one.
 LaneVectors rotated(const LaneVectors& from, const LaneVectors& towards, float cosine, float sine) {
@@ -74,8 +74,8 @@ HighOrder::HighOrder(const HighOrderFactors& factors, const HighOrderMaps& maps,
     for (const LobeMap* map : {maps.central, maps.outer, maps.base}) {
         if (map == nullptr) continue;
         require(map->channels() == maps.central->channels() && map->channels() >= 1 &&
-                    map->channels() <= most_channels,
-                "the maps of high orders must have the same 1 to " + std::to_string(most_channels) +
+                    map->channels() <= kMostChannels,
+                "the maps of high orders must have the same 1 to " + std::to_string(kMostChannels) +
                     " channels; one has " + std::to_string(map->channels()));
         require(map->polarized() == maps.central->polarized(),
                 "the maps of high orders must be all polarized or all not");
@@ -90,7 +90,7 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
                     std::span<const glm::vec3> normals, std::span<const std::uint8_t> visible,
                     const HighOrderShadows& shadows, std::size_t first, std::size_t last,
                     std::span<const std::span<glm::vec4>> out) const {
-    require(out.size() >= 1 && out.size() <= most_channels,
+    require(out.size() >= 1 && out.size() <= kMostChannels,
             "high orders of " + std::to_string(out.size()) + " channels");
     const bool polarized = maps_.central->polarized();
     const bool outer = factors_.spread() > 0;

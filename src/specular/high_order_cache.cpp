@@ -13,7 +13,7 @@
 namespace nicol {
 namespace {
 
-constexpr std::string_view magic("NICOLHO\0", 8);
+constexpr std::string_view kMagic("NICOLHO\0", 8);
 // Raise it whenever the numbers of any fit change.
 constexpr std::uint32_t kVersion = 1;
 
@@ -34,7 +34,7 @@ HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, in
     const std::string content = folder.empty() ? std::string() : material.content_key();
     if (content.empty()) return HighOrderFactors(material, l_low, l_high, channels);
     const int factor_channels = ResponseTable::channels_for(material, channels);
-    const CacheFile file(folder, magic, kVersion, key_of(content, l_low, l_high, factor_channels), ".lobes");
+    const CacheFile file(folder, kMagic, kVersion, key_of(content, l_low, l_high, factor_channels), ".lobes");
     std::array<std::int32_t, 3> stencil{};  // central lobe, outer lobe, base
     std::vector<float> data(std::size_t{HighOrderFactors::kElements} * HighOrderFactors::kAngles *
                             static_cast<std::size_t>(factor_channels));

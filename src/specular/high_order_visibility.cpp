@@ -14,7 +14,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kMostOrder = 64;
 
 struct Tables {

@@ -18,7 +18,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::size_t kLobes = kLobeWidths.size() + 1;
 // Keeps factors of nearly equal taps small, relative to the diagonal.
 constexpr double kRidge = 1e-4;
@@ -60,10 +60,10 @@ void add_other_side(std::array<SplitVector, 4>& moments) {
 }
 
 // The s-frame x of outgoing light is phi-hat: a quarter turn from theta-hat.
-constexpr std::array<double, 4> quarter_rotation{1, -1, -1, 1};
+constexpr std::array<double, 4> kQuarterRotation{1, -1, -1, 1};
 
 // Of incident components: s0, (s1, s2), s3. Taps of one part get no light of the others.
-constexpr std::array<std::size_t, 4> parts{0, 1, 1, 2};
+constexpr std::array<std::size_t, 4> kParts{0, 1, 1, 2};
 
 }  // namespace
 
@@ -140,7 +140,7 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitStencil& ste
                 by_matrix ? (t == c ? 1.0 : 0.0) : material_.weight(static_cast<int>(t), static_cast<int>(c));
             for (std::size_t p = 0; p < 4; ++p)
                 for (std::size_t u = 0; u < n; ++u)
-                    of_channels[c][p][u] += weight * quarter_rotation[p] * of_terms[t][p][u];
+                    of_channels[c][p][u] += weight * kQuarterRotation[p] * of_terms[t][p][u];
         }
         if (!stencil.base)
             for (SplitVector& row : of_channels[c]) row[n - 1] = 0;
@@ -149,7 +149,7 @@ std::vector<SplitFactors> SplitFit::at(double theta_out, const SplitStencil& ste
         solve(matrix, factors.of);
         for (std::size_t p = 0; p < 4; ++p)
             for (std::size_t u = 0; u < n; ++u)
-                factors.energy[p][parts[u % 4]] += factors.of[p][u] * of_channels[c][p][u];
+                factors.energy[p][kParts[u % 4]] += factors.of[p][u] * of_channels[c][p][u];
         out.push_back(factors);
     }
     return out;

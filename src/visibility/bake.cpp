@@ -25,11 +25,11 @@ namespace nicol {
 namespace {
 
 // Rays between two calls of the progress callback.
-constexpr std::size_t rays_at_a_time = std::size_t{1} << 21;
+constexpr std::size_t kRaysAtATime = std::size_t{1} << 21;
 
 // Below this sine of elevation a ray could meet the plane that it starts from: far away the plane is known to
 // a few units in the last place of its distance. Hardly any direction lies there, and it counts as free.
-constexpr float grazing = 0x1p-17F;
+constexpr float kGrazing = 0x1p-17F;
 
 std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
     std::vector<glm::vec3> out;
@@ -85,7 +85,7 @@ std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions
         if (former && former->disturbed[b] == 0) {
             blocked = static_cast<std::uint16_t>(up & ~(former->bits[b / 4] >> (16 * (b % 4))));
         } else {
-            const auto needed = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, grazing) & real);
+            const auto needed = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, kGrazing) & real);
             if (needed != 0) blocked = scene.occluded(origin, bundle, needed);
             rays += static_cast<std::uint64_t>(std::popcount(needed));
         }
@@ -97,10 +97,10 @@ std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions
 }
 
 // Where each vertex was in the list of a former bake, or none.
-constexpr std::size_t none = ~std::size_t{0};
+constexpr std::size_t kNone = ~std::size_t{0};
 
 std::vector<std::size_t> places_before(const FormerBake& former, std::size_t vertices) {
-    std::vector<std::size_t> places(vertices, none);
+    std::vector<std::size_t> places(vertices, kNone);
     for (const VertexRun& run : former.kept) {
         const std::size_t there = run.last - std::min(run.first, run.last) + run.before;
         if (run.first > run.last || run.last > vertices || there > former.visibility.vertices()) {
@@ -148,7 +148,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
     Visibility visibility(directions.size(), vertices);
     std::atomic<std::uint64_t> rays = 0;
     std::atomic<std::uint64_t> from = 0;
-    const std::size_t chunk = 2 * rays_at_a_time / directions.size();
+    const std::size_t chunk = 2 * kRaysAtATime / directions.size();
     for (std::size_t first = 0; first < vertices; first += chunk) {
         const std::size_t last = std::min(first + chunk, vertices);
         tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last, 4), [&](const auto& range) {
@@ -157,7 +157,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
             std::vector<std::uint8_t> disturbed(directions.bundles().size());
             for (std::size_t v = range.begin(); v < range.end(); ++v) {
                 std::optional<Former> known;
-                if (former != nullptr && before[v] != none) {
+                if (former != nullptr && before[v] != kNone) {
                     std::ranges::fill(disturbed, std::uint8_t{0});
                     for (const Ball& ball : former->disturbances) {
                         cones->mark(origins[v], normals[v], ball, disturbed);

@@ -14,9 +14,9 @@
 namespace nicol {
 namespace {
 
-constexpr std::string_view magic("NICOLVIS", 8);
+constexpr std::string_view kMagic("NICOLVIS", 8);
 // Raise it whenever the same geometry and directions give other bits.
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t kVersion = 1;
 
 template <class T>
 std::string hash_of(std::span<const T> numbers) {
@@ -56,7 +56,7 @@ Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& direct
                         const std::filesystem::path& folder, const CacheNotice& notice,
                         const BakeProgress& progress, BakeStatistics* statistics) {
     if (folder.empty()) return bake(geometry, directions, progress, statistics);
-    const CacheFile file(folder, magic, version, key_of(geometry, directions), ".visibility");
+    const CacheFile file(folder, kMagic, kVersion, key_of(geometry, directions), ".visibility");
     if (std::optional<Visibility> kept = read(file, directions.size(), geometry.positions.size(), notice)) {
         if (statistics != nullptr) *statistics = {.unoccluded = kept->unoccluded_count(), .from_cache = true};
         return std::move(*kept);

@@ -11,7 +11,7 @@ namespace nicol {
 namespace {
 
 // Against rounding: of radii, relative to the distance, and of cosines.
-constexpr float slack = 1e-4F;
+constexpr float kSlack = 1e-4F;
 
 // disturbed[b] = 1 where the angle between an axis and the unit vector is at most the sum of half the opening
 // angle and an angle of this cosine and sine, which is below a right angle.
@@ -21,7 +21,7 @@ constexpr float slack = 1e-4F;
                                              std::uint8_t* disturbed) {
     for (std::size_t b = 0; b < count; ++b) {
         const float along = x[b] * to.x + y[b] * to.y + z[b] * to.z;
-        const bool near = along >= cosine[b] * ball_cosine - sine[b] * ball_sine - slack;
+        const bool near = along >= cosine[b] * ball_cosine - sine[b] * ball_sine - kSlack;
         disturbed[b] = static_cast<std::uint8_t>(disturbed[b] | (near ? 1 : 0));
     }
 }
@@ -53,7 +53,7 @@ void BundleCones::mark(const glm::vec3& origin, const glm::vec3& normal, const B
                        std::span<std::uint8_t> disturbed) const {
     const glm::vec3 to = ball.centre - origin;
     const float distance = glm::length(to);
-    const float radius = ball.radius + slack * (distance + ball.radius);
+    const float radius = ball.radius + kSlack * (distance + ball.radius);
     if (glm::dot(normal, to) < -radius) return;  // wholly below the horizon
     if (!(radius < distance)) {
         std::ranges::fill(disturbed, std::uint8_t{1});

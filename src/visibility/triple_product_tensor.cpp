@@ -12,7 +12,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using Harmonic = LightLayout::Harmonic;
 

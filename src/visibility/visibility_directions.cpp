@@ -15,7 +15,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<glm::dvec3> fibonacci_lattice(int count) {
     std::vector<glm::dvec3> directions;

@@ -20,7 +20,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Sixteen directions in the vertex's frame (of propagation), and what each counts.
 struct Samples {

@@ -11,7 +11,7 @@
 namespace nicol {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr std::size_t kSamples = 512;
 
 }  // namespace

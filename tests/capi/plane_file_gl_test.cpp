@@ -48,7 +48,7 @@ TEST_CASE("images have the planes that were asked for, and read as they did") {
         stage.render();
         OK(nicol_framebuffer_write_exr(stage.framebuffer, bare.c_str()));
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.planes = NICOL_AOV_ALL;
+        options.aovs = NICOL_AOV_ALL;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
         const Surfaces seen(stage.framebuffer);
@@ -66,7 +66,7 @@ TEST_CASE("images have the planes that were asked for, and read as they did") {
         CHECK(nicol::read_exr(full).data == nicol::read_exr(bare).data);
 
         std::set<std::string> expected = channel_names(bare);
-        options.planes = NICOL_AOV_NORMALS;
+        options.aovs = NICOL_AOV_NORMALS;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
         expected.insert({"N.X", "N.Y", "N.Z"});

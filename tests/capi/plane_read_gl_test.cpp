@@ -148,7 +148,7 @@ TEST_CASE("planes of surfaces come in their formats") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.planes = NICOL_AOV_ALL;
+        options.aovs = NICOL_AOV_ALL;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         for (const nicol_plane plane : {NICOL_PLANE_DEPTH, NICOL_PLANE_NORMAL, NICOL_PLANE_POSITION}) {
             const std::size_t n = components_of(plane);
@@ -178,7 +178,7 @@ TEST_CASE("requests that make no sense are refused and nothing is written") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.planes = NICOL_AOV_DEPTH | NICOL_AOV_INSTANCES;
+        options.aovs = NICOL_AOV_DEPTH | NICOL_AOV_INSTANCES;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         std::vector<std::uint32_t> pixels(24 * 16 * 12, 0xabcdef01);
         const std::uint64_t bytes = 4 * pixels.size();

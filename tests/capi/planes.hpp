@@ -47,7 +47,7 @@ inline std::vector<nicol_render_options> every_method() {
         options.order_high = 1;
         options.shadows = -1;
         options.samples = 1;
-        options.planes = NICOL_AOV_ALL;
+        options.aovs = NICOL_AOV_ALL;
         all.push_back(options);
     }
     return all;

@@ -245,7 +245,7 @@ TEST_CASE("planes follow the mask of the last render, and nothing else is made")
         };
         for (std::uint32_t mask = NICOL_AOV_ALL; mask > 0; --mask) {
             CAPTURE(mask);
-            options.planes = mask;
+            options.aovs = mask;
             OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
             for (const auto& [bit, plane] : planes) CHECK(readable(plane) == ((mask & bit) != 0));
             CHECK(read_all(stage.framebuffer) == image);
@@ -257,14 +257,14 @@ TEST_CASE("planes follow the mask of the last render, and nothing else is made")
             CHECK(again.texture_bytes > bare.texture_bytes);
             for (const auto& [bit, plane] : planes) CHECK(readable(plane) == ((mask & bit) != 0));
         }
-        options.planes = 0;
+        options.aovs = 0;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         for (const auto& [bit, plane] : planes) CHECK_FALSE(readable(plane));
         nicol_statistics after = NICOL_STATISTICS_INIT;
         OK(nicol_render(stage.scene, &stage.camera, nullptr, stage.framebuffer));
         OK(nicol_framebuffer_get_statistics(stage.framebuffer, &after));
         CHECK(after.texture_bytes == bare.texture_bytes);
-        options.planes = NICOL_AOV_ALL + 1;
+        options.aovs = NICOL_AOV_ALL + 1;
         FAILS(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer),
               NICOL_ERROR_INVALID_ARGUMENT, "planes");
         options.method = NICOL_METHOD_REFERENCE;
@@ -277,10 +277,10 @@ TEST_CASE("a render that is stopped leaves the planes of the one before") {
     on_every_backend([](nicol_context context) {
         const Stage stage(context);
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.planes = NICOL_AOV_DEPTH;
+        options.aovs = NICOL_AOV_DEPTH;
         OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
         const std::vector<float> depth = read_surface<float>(stage.framebuffer, NICOL_PLANE_DEPTH, 1);
-        options.planes = NICOL_AOV_NORMALS;
+        options.aovs = NICOL_AOV_NORMALS;
         options.progress = [](void*, const char*, double) -> std::int32_t { return 0; };
         const nicol_camera other = front_camera(6);
         FAILS(nicol_render(stage.scene, &other, &options, stage.framebuffer), NICOL_ERROR_CANCELLED, "stop");

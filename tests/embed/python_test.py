@@ -168,7 +168,7 @@ class CallTest(unittest.TestCase):
 
     def test_planes_of_surfaces_and_formats(self):
         framebuffer = nicol.Framebuffer.create(self.context, 32, 32, 1)
-        nicol.render(self.scene, camera(), nicol.RenderOptions(planes=nicol.AOV_ALL), framebuffer)
+        nicol.render(self.scene, camera(), nicol.RenderOptions(aovs=nicol.AOV_ALL), framebuffer)
         depth = planes_of(framebuffer, array.array("f", bytes(4 * 1024)), plane=nicol.PLANE_DEPTH)
         self.assertAlmostEqual(depth[16 * 32 + 16], 3, places=2)
         self.assertEqual(depth[0], math.inf)

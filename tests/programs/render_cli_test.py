@@ -275,7 +275,7 @@ class Success(RenderTest):
             ("depth,normals,positions,ids", {"Z", "id", "P.X", "P.Y", "P.Z"} | normals),
         ):
             for method in ("factored", "reference"):
-                self.assert_succeeds("good.xml", "-o", "out/a.exr", "--planes", names, "--method", method, "--samples=1")
+                self.assert_succeeds("good.xml", "-o", "out/a.exr", "--aovs", names, "--method", method, "--samples=1")
                 self.assertEqual(exr_channels(self.path("out/a.exr")), bare | more)
 
     def test_devices(self):
@@ -377,8 +377,8 @@ class CommandLine(RenderTest):
             (["--tolerance", "'-0.1'"], good + ["--tolerance", "-0.1"]),
             (["tolerance", "factored"], good + ["--tolerance", "0.1", "--method", "dense"]),
             (["--components", "'s4'", "s0, linear, all"], good + ["--components", "s4"]),
-            (["--planes", "'edges'", "depth, normals, positions, ids"], good + ["--planes", "depth,edges"]),
-            (["--planes", "''"], good + ["--planes", "depth,"]),
+            (["--aovs", "'edges'", "depth, normals, positions, ids"], good + ["--aovs", "depth,edges"]),
+            (["--aovs", "''"], good + ["--aovs", "depth,"]),
             (["--device", "0"], good + ["--device", "0"]),
             (["--device", "1025"], good + ["--device", "1025"]),
             (["device"], good + ["--device", "1", "--backend", "osmesa"]),

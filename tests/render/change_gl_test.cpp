@@ -180,7 +180,7 @@ TEST_CASE("what turns and shifts as a whole is relit alone") {
                 Scene scene = balls_on_plate();
                 Studio studio(context, method);
                 studio.options.high_orders_at = where;
-                studio.options.planes = aov_depth | aov_normals | aov_positions;
+                studio.options.aovs = aov_depth | aov_normals | aov_positions;
                 studio(scene);
                 for (const std::uint32_t id : scene.ids()) {
                     scene.set_transform(id, motion() * scene.at(id).to_world);
@@ -196,8 +196,8 @@ TEST_CASE("what turns and shifts as a whole is relit alone") {
                 Studio other(context, method);
                 other.options = studio.options;
                 other(scene);
-                const Aovs& here = studio.target.surfaces();
-                const Aovs& there = other.target.surfaces();
+                const Aovs& here = studio.target.aovs();
+                const Aovs& there = other.target.aovs();
                 std::size_t differing = 0;
                 for (std::size_t i = 0; i < here.normals.size(); ++i) {
                     const bool same = std::abs(here.normals[i] - there.normals[i]) < 1e-4F &&

@@ -341,7 +341,7 @@ class RenderOptions(Struct):
         ("components", c_uint32),
         ("disabled_optimisations", c_uint32),
         ("high_order_shadows", c_int32),
-        ("planes", c_uint32),
+        ("aovs", c_uint32),
     ]
 
 

@@ -650,7 +650,7 @@ pub struct nicol_render_options {
     pub components: nicol_components,
     pub disabled_optimisations: u32,
     pub high_order_shadows: i32,
-    pub planes: u32,
+    pub aovs: u32,
 }
 impl Default for nicol_render_options {
     fn default() -> Self {
@@ -682,7 +682,7 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, components) == 88);
     assert!(offset_of!(nicol_render_options, disabled_optimisations) == 92);
     assert!(offset_of!(nicol_render_options, high_order_shadows) == 96);
-    assert!(offset_of!(nicol_render_options, planes) == 100);
+    assert!(offset_of!(nicol_render_options, aovs) == 100);
 };
 
 #[repr(C)]
