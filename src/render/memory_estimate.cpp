@@ -52,13 +52,13 @@ std::uint64_t shadows_of_block(const LightLayout& layout) {
     return VisibilityProduct(nothing, directions, normals, layout).bytes();
 }
 
-// Matrices from what the light has to all that a material may make of it, and what they make.
+// Matrices from the numbers of the light to those of four reflected components, and the reflected light.
 std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
     constexpr std::uint64_t vector = 8;
     const LightLayout outgoing(layout.order(), LightKind::full);
     const std::uint64_t numbers = outgoing.size();
     const std::uint64_t rows = (numbers + vector - 1) / vector * vector;
-    const std::uint64_t columns = psh_count(layout.order()) * static_cast<std::uint64_t>(layout.kind());
+    const std::uint64_t columns = layout.size();
     const auto channels = static_cast<std::uint64_t>(scene.channels());
     std::uint64_t bytes = 0;
     for (const Instance& instance : scene.instances()) {

@@ -11,8 +11,8 @@
 
 namespace nicol {
 
-/// Bytes at most, as Statistics counts them. Of a tolerance's orders nothing is known: those of the options
-/// are taken.
+/// Bytes at most, as Statistics counts them. Where a tolerance chooses the orders, those of the options are
+/// assumed.
 struct MemoryEstimate {
     std::uint64_t visibility = 0;
     std::uint64_t transfer = 0;
@@ -31,8 +31,8 @@ public:
     /// 0: no limit.
     explicit MemoryLimit(std::uint64_t bytes = 0) : bytes_(bytes) {}
 
-    /// Throws Error(out_of_memory) with both numbers where the estimate exceeds the limit. Costs nothing
-    /// where nothing has changed since the last call that the estimate depends on.
+    /// Throws Error(out_of_memory) with both numbers where the estimate exceeds the limit. Estimates again
+    /// only where something that the estimate depends on has changed since the last call.
     void check(const Scene& scene, const RenderOptions& options);
 
 private:

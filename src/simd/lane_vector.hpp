@@ -12,7 +12,7 @@ using LaneVector [[gnu::vector_size(64), gnu::may_alias]] = float;
 using FixedVector [[gnu::vector_size(32), gnu::may_alias]] = std::int16_t;
 using IntVector [[gnu::vector_size(64), gnu::may_alias]] = std::int32_t;
 
-/// 16-bit numbers stand for themselves over this: -2 to 2 in steps of 6.1e-5.
+/// 16-bit numbers are multiples of 1 / kFixedOne: -2 to 2 in steps of 6.1e-5.
 inline constexpr float kFixedOne = 16384.0F;
 
 // Inlined into functions of every instruction set. Numbers of 16 bits come as they are, kFixedOne too large.
@@ -25,12 +25,8 @@ inline constexpr float kFixedOne = 16384.0F;
 [[gnu::always_inline]] inline void load(const std::int16_t* from, LaneVector& to) {
     to = __builtin_convertvector(*reinterpret_cast<const FixedVector*>(from), LaneVector);
 }
-// Two numbers, one after the other, or of 16 bits side by side in each lane; those come kPairedOne too large.
+// Two numbers of 16 bits side by side in each lane; they come kPairedOne too large.
 inline constexpr float kPairedOne = kFixedOne * 65536;
-[[gnu::always_inline]] inline void load_pair(const float* from, LaneVector& first, LaneVector& second) {
-    load(from, first);
-    load(from + kLanes, second);
-}
 [[gnu::always_inline]] inline void load_pair(const std::int16_t* from, LaneVector& first,
                                              LaneVector& second) {
     const IntVector both = *reinterpret_cast<const IntVector*>(from);

@@ -119,7 +119,7 @@ void VisibilityProduct::find_vertices(const Visibility& visibility) {
     std::uint32_t count = 0;
     for (std::size_t begin = 0; begin < visibility.vertices(); begin += kLanes) {
         const std::size_t end = std::min(begin + kLanes, visibility.vertices());
-        if (all_ones(visibility.open().subspan(begin, end - begin))) {
+        if (all_ones(visibility.unoccluded().subspan(begin, end - begin))) {
             block_of_.push_back(kUnoccluded);
             continue;
         }

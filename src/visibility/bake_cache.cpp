@@ -63,7 +63,7 @@ Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& direct
     }
     Visibility visibility = bake(geometry, directions, progress, statistics);
     const std::string failure =
-        file.write(std::array{bytes_of(visibility.bits()), bytes_of(visibility.open())});
+        file.write(std::array{bytes_of(visibility.bits()), bytes_of(visibility.unoccluded())});
     if (!failure.empty() && notice) notice(failure);
     return visibility;
 }

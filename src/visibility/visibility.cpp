@@ -7,7 +7,7 @@ namespace nicol {
 
 std::size_t Visibility::unoccluded_count() const {
     return static_cast<std::size_t>(
-        std::ranges::count_if(open_, [](std::uint8_t open) { return open != 0; }));
+        std::ranges::count_if(unoccluded_, [](std::uint8_t open) { return open != 0; }));
 }
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each vertex sees of the environment.
+// Visibility of the environment at each vertex.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace nicol {
 
-/// A bit for every vertex and direction of a DirectionSet: 1 where the environment is seen. Directions that
-/// are not above the vertex's horizon (its shading normal's) are 0.
+/// A bit for every vertex and direction of a DirectionSet: 1 where the environment is visible. Directions
+/// that are not above the vertex's horizon (its shading normal's) are 0.
 class Visibility {
 public:
     Visibility() = default;
@@ -22,16 +22,16 @@ public:
         : directions_(directions),
           words_((directions + 63) / 64),
           bits_(words_ * vertices),
-          open_(vertices) {}
+          unoccluded_(vertices) {}
 
-    /// What bits() and open() of another gave.
-    Visibility(std::size_t directions, std::vector<std::uint64_t> bits, std::vector<std::uint8_t> open)
+    /// From bits() and unoccluded() of another object.
+    Visibility(std::size_t directions, std::vector<std::uint64_t> bits, std::vector<std::uint8_t> unoccluded)
         : directions_(directions),
           words_((directions + 63) / 64),
           bits_(std::move(bits)),
-          open_(std::move(open)) {}
+          unoccluded_(std::move(unoccluded)) {}
 
-    [[nodiscard]] std::size_t vertices() const noexcept { return open_.size(); }
+    [[nodiscard]] std::size_t vertices() const noexcept { return unoccluded_.size(); }
     [[nodiscard]] std::size_t directions() const noexcept { return directions_; }
 
     /// Direction i is bit i % 64 of word i / 64; bits past the last direction are 0.
@@ -46,21 +46,22 @@ public:
     }
 
     /// Nothing above the vertex's horizon is blocked.
-    [[nodiscard]] bool unoccluded(std::size_t vertex) const { return open_[vertex] != 0; }
-    void set_unoccluded(std::size_t vertex, bool open) { open_[vertex] = open ? 1 : 0; }
+    [[nodiscard]] bool unoccluded(std::size_t vertex) const { return unoccluded_[vertex] != 0; }
+    void set_unoccluded(std::size_t vertex, bool value) { unoccluded_[vertex] = value ? 1 : 0; }
     [[nodiscard]] std::size_t unoccluded_count() const;
 
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return bits_.size() * sizeof(std::uint64_t) + open_.size();
+        return bits_.size() * sizeof(std::uint64_t) + unoccluded_.size();
     }
     [[nodiscard]] std::span<const std::uint64_t> bits() const noexcept { return bits_; }
-    [[nodiscard]] std::span<const std::uint8_t> open() const noexcept { return open_; }
+    /// 1 for each unoccluded vertex.
+    [[nodiscard]] std::span<const std::uint8_t> unoccluded() const noexcept { return unoccluded_; }
 
 private:
     std::size_t directions_ = 0;
     std::size_t words_ = 0;  // of one vertex
     std::vector<std::uint64_t> bits_;
-    std::vector<std::uint8_t> open_;
+    std::vector<std::uint8_t> unoccluded_;
 };
 
 }  // namespace nicol

@@ -18,7 +18,7 @@ VisibilityBlocks::VisibilityBlocks(const Visibility& visibility, int order)
     }
     std::uint32_t count = 0;
     for (std::size_t begin = 0; begin < vertices_; begin += kLanes) {
-        const auto block = visibility.open().subspan(begin, std::min(kLanes, vertices_ - begin));
+        const auto block = visibility.unoccluded().subspan(begin, std::min(kLanes, vertices_ - begin));
         const bool shadowed = std::ranges::any_of(block, [](std::uint8_t v) { return v == 0; });
         place_.push_back(shadowed ? count++ : kUnoccluded);
     }

@@ -27,7 +27,7 @@ Mesh scene() {
 
 bool same(const Visibility& a, const Visibility& b) {
     return a.directions() == b.directions() && std::ranges::equal(a.bits(), b.bits()) &&
-           std::ranges::equal(a.open(), b.open());
+           std::ranges::equal(a.unoccluded(), b.unoccluded());
 }
 
 struct Baked {

@@ -203,7 +203,7 @@ TEST_CASE("the result does not depend on the number of threads or the length of 
     for (glm::vec3& normal : scene.normals) normal *= 8.0F;
     tbb::task_arena(2).execute([&] { many = bake(geometry_of(scene), few()); });
     CHECK(std::ranges::equal(one.bits(), many.bits()));
-    CHECK(std::ranges::equal(one.open(), many.open()));
+    CHECK(std::ranges::equal(one.unoccluded(), many.unoccluded()));
     CHECK(one.unoccluded_count() > 0);
     CHECK(one.unoccluded_count() < one.vertices());
 }
