@@ -46,8 +46,8 @@ void require(T* pointer, const char* name) {
 /// Larger descriptors are taken for uninitialised memory.
 inline constexpr std::uint32_t kMaxStructSize = 65536;
 
-/// A caller's descriptor as this version knows it: fields that an older caller does not have are zero, fields
-/// that a newer caller has must be.
+/// A caller's descriptor in the layout of this version: fields that an older caller does not have are zero,
+/// fields that a newer caller has must be.
 template <class T>
 T read_struct(const T* from, const char* name) {
     require(from, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The devices that a context can be asked for.
+// The devices that a context can be created on.
 #include <mutex>
 #include <set>
 #include <vector>

@@ -36,7 +36,7 @@ struct Session {
     std::mutex mutex;
     std::atomic<std::thread::id> busy{};  ///< the thread inside a call
 
-    /// Made when first asked for.
+    /// Made on first use.
     JobQueue& job_queue() {
         const std::lock_guard lock(jobs_mutex);
         if (!jobs) jobs = std::make_unique<JobQueue>();
@@ -96,7 +96,7 @@ struct Film {
     Camera camera;
     std::uint32_t width;
     std::uint32_t height;
-    bool luminance;  ///< one channel is asked for
+    bool luminance;  ///< one channel is requested
 };
 
 struct SceneState {
@@ -115,7 +115,7 @@ struct SceneState {
     std::optional<Film> film;  // of the file it was loaded from
 };
 
-/// Every handle: a session, what it stands for, and a count.
+/// Every handle: a session, the object and a reference count.
 template <class Content>
 struct Handle {
     SessionPtr session;
@@ -195,8 +195,8 @@ private:
     std::shared_ptr<SceneState> scene_;
 };
 
-/// A copy of what a handle stands for: it stays through the call, whatever other threads release meanwhile.
-/// Throws Error(invalid_handle).
+/// A copy of the object behind a handle: it stays alive through the call, even if other threads release the
+/// handle. Throws Error(invalid_handle).
 template <class Impl>
 Impl resolve(Impl* handle) {
     const auto lock = registry::hold(handle, Impl::kKind);

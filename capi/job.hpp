@@ -17,7 +17,7 @@ namespace nicol::capi {
 
 struct Session;
 
-/// What stands behind a job's handle. All members may be called from any thread.
+/// The object behind a job's handle. All members may be called from any thread.
 class Job {
 public:
     /// Runs on the queue's thread; what it throws is the job's result. It calls begin() once nothing is in

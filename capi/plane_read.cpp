@@ -32,7 +32,7 @@ constexpr std::array<PlaneKind, 11> kKinds{{{"NICOL_PLANE_S0", 1},
                                             {"NICOL_PLANE_POSITION", 3, aov_positions},
                                             {"NICOL_PLANE_INSTANCE", 1, aov_instances}}};
 
-// A request that has been understood.
+// A request, checked and with defaults resolved.
 struct Request {
     nicol_plane plane;
     nicol_format format;  // never automatic

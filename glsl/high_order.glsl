@@ -172,7 +172,7 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
     }
 }
 #else
-// Components of vectors that stand for light are channels.
+// The components of the vectors of light and factors are channels.
 void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible, sampler2D factors,
                            sampler2D central, sampler2D outer, sampler2D base, out vec4 stokes[CHANNELS]) {
     HighOrderAngle angle = high_order_angle(factors, cosine);

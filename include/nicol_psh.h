@@ -20,7 +20,7 @@ extern "C" {
  *                 theta = pi. Components are measured in the theta-phi frame of that direction (Eq. 79): x = growing
  *                 theta, y = growing phi, z = the direction; on the z axis phi is taken as 0. Angles here are radians.
  *   Coefficients  are [vector][l*l + l + m][p], orders l = 0..order, degrees m = -l..l, components p = 0..3:
- *                 4 (order+1)^2 doubles a vector. p = 0 and 3 stand over real harmonics; p = 1, 2 are the real and
+ *                 4 (order+1)^2 doubles a vector. p = 0 and 3 are over real harmonics; p = 1, 2 are the real and
  *                 imaginary part of the complex spin-2 coefficient (Eqs. 30 to 34) and do not exist below l = 2: they
  *                 are written as 0 and must be 0 or are not read. A colour channel is a vector; a batch of vectors
  *                 shares all set-up.

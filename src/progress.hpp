@@ -27,7 +27,7 @@ public:
 
     explicit Progress(const Callback& callback) : callback_(callback) {}
 
-    /// Throws Error(cancelled) where the callback answers false.
+    /// Throws Error(cancelled) where the callback returns false.
     void report(const char* verb, double fraction) {
         if (!callback_ || (asked_ && since_.milliseconds() < 100)) return;
         asked_ = true;

@@ -19,7 +19,7 @@ using Version = std::uint64_t;
     return ++last;
 }
 
-/// A value whose states can be told apart without comparing them.
+/// A value with a version, which identifies its state without a comparison of values.
 template <class T>
 class Versioned {
 public:
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] const T* operator->() const noexcept { return &value_; }
     [[nodiscard]] Version version() const noexcept { return version_; }
 
-    /// For changes in place, which begin another state.
+    /// For changes in place; the version becomes another.
     [[nodiscard]] T& change() noexcept {
         version_ = new_version();
         return value_;

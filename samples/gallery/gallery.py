@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Renders the pictures of the README. usage: gallery.py [FOLDER]
+"""Renders the images of the README. usage: gallery.py [FOLDER]
 
 Needs numpy, and libnicol as the package `nicol` in samples/python finds it. Each pixel is the mean of 2 x 2 Stokes vectors.
 """

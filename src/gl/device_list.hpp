@@ -9,7 +9,7 @@ namespace nicol::gl {
 
 /// One of EGL's device list, in which ContextRequest::device counts from 0.
 struct Device {
-    std::string name;    ///< of the renderer if EGL knows it, else the device file: "/dev/dri/card0"
+    std::string name;    ///< of the renderer if EGL has it, else the device file: "/dev/dri/card0"
     std::string vendor;  ///< or empty
     std::string file;    ///< of the kernel's, such as /dev/dri/renderD128; or empty
     bool software;       ///< the processor rasterises

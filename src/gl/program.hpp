@@ -44,7 +44,7 @@ public:
     void set(std::string_view name, const glm::vec4& value);
     void set(std::string_view name, const glm::mat3& value);
     void set(std::string_view name, const glm::mat4& value);
-    /// Whether the linked program uses that uniform: a define may have compiled it away.
+    /// Whether the linked program uses that uniform: the compiler removes those that a define leaves unused.
     [[nodiscard]] bool uses(std::string_view name) const { return uniforms_.find(name) != uniforms_.end(); }
 
     [[nodiscard]] bool is_compute() const noexcept { return compute_; }

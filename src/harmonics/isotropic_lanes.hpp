@@ -11,7 +11,8 @@
 
 namespace nicol {
 
-/// s0_lm, s3_lm over complex harmonics, w_lm, conj(w_l-m): all turn by exp(-i m a) under a turn by a about z.
+/// s0_lm, s3_lm over complex harmonics, w_lm, conj(w_l-m): a rotation by a about z multiplies all by exp(-i m
+/// a).
 using IsotropicLanes = std::array<std::complex<double>, 4>;
 
 inline IsotropicLanes load_lanes(std::span<const double> f, int l, int m) {

@@ -70,7 +70,6 @@ public:
     [[nodiscard]] const Block& block(int m, int l_out, int l_in) const {
         return blocks_[position(m, l_out, l_in)];
     }
-    [[nodiscard]] std::size_t block_count() const noexcept { return blocks_.size(); }
 
     /// out = matrix * in, one channel; the spans must not overlap.
     void apply(std::span<const double> in, std::span<double> out) const;
@@ -114,8 +113,8 @@ using IsotropicMuellerField = std::function<Mueller(double theta_in, double thet
                                                 const LatitudeRows& out, int order_in, const SphereGrid& in);
 
 /// The mirror image in the plane z = 0 (supplement E.6): spin-2 coefficients become (-1)^l conj(f_l,-m) (Eq.
-/// 214 with its conjugation), s0 gains (-1)^(l+m), and s3 -(-1)^(l+m), as a mirror image turns the other way
-/// round.
+/// 214 with its conjugation), s0 gains (-1)^(l+m), and s3 -(-1)^(l+m), as a mirror image rotates the other
+/// way round.
 [[nodiscard]] PshVector reflected(const PshVector& field);
 /// The same as an operator.
 [[nodiscard]] IsotropicMatrix reflection_matrix(int order);
@@ -124,7 +123,7 @@ using IsotropicMuellerField = std::function<Mueller(double theta_in, double thet
 /// matrix that is no rotation or an order outside 0..CoefficientMatrix::kMaxDenseOrder.
 [[nodiscard]] CoefficientMatrix rotation_matrix(int order, const glm::dmat3& rotation);
 
-/// The isotropic operator nearest to a dense one in the Frobenius norm: its mean over turns about z.
+/// The isotropic operator nearest to a dense one in the Frobenius norm: its mean over rotations about z.
 [[nodiscard]] IsotropicMatrix isotropic_part(const CoefficientMatrix& matrix);
 
 }  // namespace nicol

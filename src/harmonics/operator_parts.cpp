@@ -53,8 +53,8 @@ IsotropicMatrix isotropic_part(const CoefficientMatrix& matrix) {
                         for (std::size_t a = 0; a < 4; ++a) block[4 * a + b] = one[a];
                         continue;
                     }
-                    // The part that commutes with multiplication by i, which is what a turn about z is; at m
-                    // = 0 the rest is the response to the conjugate in lane 3.
+                    // The part that commutes with multiplication by i, which is what a rotation about z is;
+                    // at m = 0 the rest is the response to the conjugate in lane 3.
                     const IsotropicLanes rotated = respond(b, Complex(0, 1));
                     for (std::size_t a = 0; a < 4; ++a) {
                         const Complex rest = Complex(0, 1) * rotated[a];

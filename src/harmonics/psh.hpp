@@ -21,10 +21,10 @@ inline constexpr int kMaxOrder = 4096;
     return static_cast<std::size_t>(order + 1) * static_cast<std::size_t>(order + 1);
 }
 
-/// A Stokes vector field as coefficients [channel][psh_index(l, m)][p], p = 0..3.
-/// p = 0, 3 stand over real harmonics; p = 1, 2 are the real and imaginary part of the complex spin-2
-/// coefficient and are zero below l = 2. The field is a function of the PROPAGATION direction of the light,
-/// its components measured in the theta-phi frame.
+/// A Stokes vector field as coefficients [channel][psh_index(l, m)][p], p = 0..3. p = 0, 3 are over real
+/// harmonics; p = 1, 2 are the real and imaginary part of the complex spin-2 coefficient and are zero below l
+/// = 2. The field is a function of the PROPAGATION direction of the light, its components measured in the
+/// theta-phi frame.
 class PshVector {
 public:
     PshVector() = default;

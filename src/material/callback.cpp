@@ -77,7 +77,7 @@ private:
                         const double sign = (i / 4 < 2) == (i % 4 < 2) ? 1 : -1;
                         const double value = m(i / 4, i % 4);
                         require(std::abs(value - rotated(i / 4, i % 4)) <= 1e-3 * largest,
-                                "is not isotropic: turning both directions about the normal changes it", i,
+                                "is not isotropic: rotating both directions about the normal changes it", i,
                                 light, viewer);
                         require(
                             std::abs(value - sign * mirrored(i / 4, i % 4)) <= 1e-3 * largest,

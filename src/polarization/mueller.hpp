@@ -36,7 +36,7 @@ private:
 /// The matrix of rotated(): components in the frame rotated by `angle` about z (Eq. 14).
 [[nodiscard]] Mueller frame_rotation(double angle);
 
-/// The same optical element measured in other frames: `in` and `out` are the angles that turn the matrix's
+/// The same optical element measured in other frames: `in` and `out` are the angles that rotate the matrix's
 /// incident and outgoing frame into the wanted ones.
 [[nodiscard]] Mueller in_rotated_frames(const Mueller& m, double in, double out);
 

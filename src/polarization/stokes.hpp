@@ -18,7 +18,7 @@ using Frame = glm::dmat3;
 /// Components in the frame rotated by `angle` radians about z (Eq. 14): s1 + i s2 gains exp(-2 i angle).
 [[nodiscard]] Stokes rotated(const Stokes& s, double angle);
 
-/// The angle about the common z that turns `from` into `to`: to = Rz(angle) from.
+/// The angle about the common z that rotates `from` into `to`: to = Rz(angle) from.
 [[nodiscard]] double angle_between(const Frame& from, const Frame& to);
 
 /// The theta-phi frame field at a unit direction (Eq. 79): x = theta-hat, y = phi-hat, z = direction.

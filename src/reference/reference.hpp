@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reference method: what it is asked for and what it reports. An image by rays and the integral of the
+// The reference method: its options and its statistics. An image by rays and the integral of the
 // environment's light over directions, without harmonics; every error of the real-time methods is measured
 // against it.
 #pragma once

@@ -22,8 +22,7 @@ class AovPainter {
 public:
     explicit AovPainter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Everything that can fail for want of memory; the framebuffer keeps its content. `mask`: bits of
-    /// AovBit.
+    /// Allocates all that draw() needs; the framebuffer keeps its content. `mask`: bits of AovBit.
     void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t mask,
                  Framebuffer& target);
     /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the

@@ -26,19 +26,19 @@ struct ShadeInput : TransferInput {
     glm::dmat3 light_to_geometry;          ///< rotates the distant light's axes into the geometry's
 };
 
-/// Computes, and keeps the results: light and Stokes vectors of vertices. What is to be computed and when is
-/// decided by its callers. All executors give the same results.
+/// Computes light and Stokes vectors of vertices and keeps them. Its callers decide what is computed and
+/// when. All executors give the same results.
 class RenderExecutor {
 public:
     virtual ~RenderExecutor() = default;
 
-    /// Names the object, and with it what it keeps.
+    /// Identifies the object and with it the results it keeps.
     [[nodiscard]] Version version() const noexcept { return version_; }
     /// Whether shade() and specular() leave out vertices that are not chosen.
     [[nodiscard]] virtual bool can_choose() const noexcept = 0;
 
-    /// relight: the light of the vertices with current[v] == 0, at least, in their own frames and times what
-    /// they see. Returns how many those were.
+    /// relight: the light of at least the vertices with current[v] == 0, in their own frames, times their
+    /// visibility. Returns the number of those vertices.
     virtual std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                                   std::span<const std::uint8_t> current, RenderRun& run) = 0;
     /// The same after reflection, in the world's axes.
@@ -50,14 +50,14 @@ public:
     virtual void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) = 0;
 
     /// specular: adds the high orders to what shade() left or, where pixels look them up, computes the
-    /// fractions that vertices see of their lobes.
+    /// visible fractions of the vertices' lobes.
     virtual void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
                           RenderRun& run) = 0;
 
     /// Moves Stokes vectors into the physical range. Returns how many it moved.
     virtual std::uint64_t make_physical(const ShadeInput& input) = 0;
 
-    /// Returns once all of the above is done.
+    /// Waits until all of the above is done.
     virtual void finish() = 0;
     /// Puts Stokes vectors and, where pixels look high orders up, fractions into the buffers that are drawn.
     /// Inside run() of the context.

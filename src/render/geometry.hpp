@@ -20,8 +20,8 @@ struct VertexRange {
     bool operator==(const VertexRange&) const = default;
 };
 
-/// An instance of a two-sided material appears twice, the second time rotated inside out, so that each side
-/// has vertices of its own; of those triangles only the front may be drawn.
+/// An instance of a two-sided material appears twice, the second time with reversed winding and normals, so
+/// that each side has vertices of its own; only the fronts of these triangles may be drawn.
 struct WorldGeometry {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;

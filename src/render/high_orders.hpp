@@ -41,7 +41,7 @@ public:
     /// Adds what it keeps to the statistics.
     void count(Statistics& statistics) const;
 
-    /// A material and what it makes of the light.
+    /// A material with the maps and factors for its high orders.
     struct Part {
         HighOrderFactors factors;
         std::optional<LobeMap> convolved;  ///< of the published form
@@ -52,8 +52,8 @@ public:
     [[nodiscard]] const Versioned<Parts>& parts() const noexcept { return parts_; }
     /// Of twice the order that high orders begin above; empty where nothing casts shadows.
     [[nodiscard]] const Versioned<VisibilityBlocks>& visibility() const noexcept { return visibility_; }
-    /// Of a material's lobe about the mirror direction, radians: of whose part that a vertex sees fractions
-    /// are computed.
+    /// Of a material's lobe about the mirror direction, radians; visible fractions are computed for this
+    /// lobe.
     [[nodiscard]] double lobe_width(const MaterialPtr& material) const {
         return kLobeWidths[static_cast<std::size_t>(parts_->at(material).factors.central_lobe())];
     }

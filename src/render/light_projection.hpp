@@ -13,7 +13,7 @@
 
 namespace nicol {
 
-/// The Stokes components that a light has; null: darkness.
+/// The Stokes components that a light has; null: no light.
 [[nodiscard]] LightKind light_kind(const Environment* light);
 
 /// Low orders are kept in the axes of the scene's geometry, for the methods of transfer; all orders in the
@@ -27,10 +27,10 @@ public:
 
     /// Of the low orders.
     [[nodiscard]] const LightLayout& layout() const { return *layout_; }
-    /// Its version is another where the layout is, too.
+    /// Another layout means another version, too.
     [[nodiscard]] const Versioned<PshVector>& rotated() const noexcept { return rotated_; }
     [[nodiscard]] const Versioned<PshVector>& distant() const noexcept { return distant_; }
-    /// The last order of distant() that is worth rendering: order_low where there is nothing above it.
+    /// The last order of distant() that is not zero; at least order_low.
     [[nodiscard]] int last_order() const noexcept { return last_order_; }
 
 private:

@@ -15,14 +15,14 @@
 
 namespace nicol {
 
-/// Predicts from the spectra of light, materials and visibility what the orders left out are worth: the mean
-/// square over all rotations between them, every vertex counted alike. Interpolation between vertices and
-/// the sampling of visibility are not in it.
+/// Predicts the error of omitted orders from the spectra of light, materials and visibility: the mean square
+/// over all rotations between them, with equal weights for all vertices. It does not include interpolation
+/// between vertices or the sampling of visibility.
 class OrderSelector {
 public:
-    /// Orders of light above this one are taken for nothing.
+    /// Orders of light above this one count as zero.
     static constexpr int kOrder = 64;
-    /// The highest low order that is chosen: where tables of responses still are good to 1e-4.
+    /// The highest low order that is chosen: up to which response tables are accurate to 1e-4.
     static constexpr int kHighestLow = 16;
 
     struct Orders {
@@ -44,7 +44,7 @@ private:
         MaterialPtr material;
         ResponsePower power;
         std::array<Spectrum, kOutputs> all;
-        std::array<Spectrum, kOutputs> seen;  // without what shadows' edges bring in from other orders
+        std::array<Spectrum, kOutputs> seen;  // without what shadows move here from other orders
     };
 
     [[nodiscard]] Orders cheapest(double tolerance, bool split);

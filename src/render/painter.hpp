@@ -37,8 +37,8 @@ public:
         std::uint32_t aovs = 0;  ///< bits of AovBit
     };
 
-    /// `buffers` are of `surfaces`; `projection` is of the world. Everything that can fail for want of memory
-    /// happens before the framebuffer is touched.
+    /// `buffers` are of `surfaces`; `projection` is of the world. All memory is allocated before the
+    /// framebuffer is touched.
     void draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuffers& buffers,
               const HighOrdersOfPixels& high_orders, const Wanted& wanted, const Projection& projection,
               Framebuffer& target);

@@ -28,14 +28,14 @@ public:
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
 
     /// Shades every vertex that can be seen; `executor` keeps the results. High orders are at vertices where
-    /// `options` leaves that open. Adds times and counts to the statistics. `projection`: of the world. What
-    /// throws leaves nothing half done: the next call computes it again.
+    /// `options` leaves that open. Adds times and counts to the statistics. `projection`: of the world. After
+    /// an exception the next call computes what was not completed.
     void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
              RenderExecutor& executor, RenderRun& run);
 
     /// What is drawn, in axes of its own.
     [[nodiscard]] const SceneGeometry& surfaces() const noexcept { return surfaces_; }
-    /// What the last run() left for pixels to add; null where nothing.
+    /// The high orders that pixels add after the last run(); null: none.
     [[nodiscard]] const HighOrderTransfer* pixel_high_orders() const noexcept {
         return at_pixels_ ? &high_orders_ : nullptr;
     }

@@ -48,7 +48,7 @@ enum Skip : std::uint32_t {
     skip_orders = 8,            ///< orders that the light lacks
     skip_response_rows = 16,    ///< Stokes components that a material cannot make
     skip_hidden = 32,           ///< shading vertices that face away or lie outside the view
-    skip_unoccluded = 64,       ///< shadows of vertices that see all above their horizon
+    skip_unoccluded = 64,       ///< shadows of vertices with nothing above their horizon
     skip_all = 127,
 };
 
@@ -62,7 +62,7 @@ struct RenderOptions {
     int order_high = 9;          ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;
-    bool high_order_shadows = true;  ///< with shadows: high orders are dimmed by what their lobe sees
+    bool high_order_shadows = true;  ///< with shadows: times the visible fraction of the lobe
     /// Above 0: the largest relative RMSE of s0, s1 and s2 (over the RMS of s0) that the orders left out may
     /// be predicted to cause; order_low and order_high are then chosen for it. Only with Method::factored and
     /// HighOrders::split or none. 0: order_low and order_high as given.
@@ -78,7 +78,7 @@ struct RenderOptions {
     int components = 4;
     /// AOVs to make beside the image, bits of AovBit (image/aovs.hpp).
     std::uint32_t aovs = 0;
-    /// Skips not to make use of, to measure what they save.
+    /// Optimisations to disable, to measure what they save.
     std::uint32_t disabled_optimisations = 0;
     /// Of the reference method: camera rays a pixel, 1 to 2^20. Powers of two are stratified best.
     int samples = 256;

@@ -136,7 +136,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
     if (chosen.high_orders_at == HighOrdersAt::automatic) {
-        // Look-ups are dear where the processor rasterises.
+        // Look-ups at pixels are slow where the processor rasterises.
         chosen.high_orders_at = context_->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
     }
     RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};

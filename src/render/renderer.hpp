@@ -30,10 +30,10 @@ public:
 
     /// The same scene every time. A framebuffer of one channel gets the luminance of a scene of three. Throws
     /// Error(invalid_argument) for options or a camera out of range, a framebuffer of another context or with
-    /// channels that do not fit the scene; Error(unsupported) where the driver lacks what the compute shaders
-    /// asked for need; Error(cancelled); Error(out_of_memory), also of the limit. Then the framebuffer still
-    /// holds what it held. Where nothing has changed since the last call it is left alone, and no verb takes
-    /// any time.
+    /// channels that do not fit the scene; Error(unsupported) where compute shaders are requested and the
+    /// driver lacks what they need; Error(cancelled); Error(out_of_memory), also where the limit is exceeded.
+    /// After an error the framebuffer is unchanged. Where nothing has changed since the last call, nothing is
+    /// computed.
     void render(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
 
 private:
@@ -48,7 +48,7 @@ private:
     std::shared_ptr<gl::Context> context_;
     int threads_;
     MemoryLimit memory_limit_;
-    std::unique_ptr<Framebuffer> colours_;  // drawn into where the luminance is asked for
+    std::unique_ptr<Framebuffer> colours_;  // of three channels, where the target is of luminance
     Workers workers_;
     Pipeline pipeline_;
     VertexBuffers buffers_;

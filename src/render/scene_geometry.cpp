@@ -90,8 +90,8 @@ void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
     largest_ = scene.ids()[largest];
     largest_placement_ = instance.to_world;
     to_world_ = glm::dmat4(1.0);
-    // Askew: directions of a bake that lie in a mesh's own planes of symmetry would be above the horizons of
-    // its vertices or not as rounding has it.
+    // Not aligned with the mesh: directions of a bake that lie in a mesh's own planes of symmetry would be
+    // above the horizons of its vertices or not as rounding has it.
     const glm::dmat3 askew = glm::mat3_cast(glm::normalize(glm::dquat(0.9, 0.31, 0.17, 0.23)));
     own_axes_ = rotate_in(glm::dmat3(instance.to_world)) * mesh_axes_ * askew;
 }

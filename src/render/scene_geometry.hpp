@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's surfaces, and what of them a change leaves as it was.
+// A scene's surfaces, and which of them a change leaves as they were.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@
 
 namespace nicol {
 
-/// Keeps surfaces in axes that move with the scene's largest instance, that with the most vertices. A scene
-/// that is rotated and shifted as a whole stays as it is in them, and with it all that was computed for it:
-/// light and camera move instead. The axes are the world's when an instance becomes the largest or changes
-/// its shape.
+/// Keeps surfaces in axes that move with the scene's largest instance, that with the most vertices. In these
+/// axes a scene that is rotated and shifted as a whole does not change, so all that was computed for it stays
+/// valid: light and camera move instead. The axes are the world's when an instance becomes the largest or
+/// changes its shape.
 class SceneGeometry {
 public:
     /// Takes over the scene's changes. Throws Error(invalid_argument) where there are more than 2^32
-    /// vertices; then the next call begins anew.
+    /// vertices; the next call then starts from nothing.
     void update(const Scene& scene);
 
     [[nodiscard]] const WorldGeometry& geometry() const noexcept { return geometry_; }
@@ -39,7 +39,7 @@ public:
     /// From the version before to this one.
     struct Change {
         Version before = 0;              ///< 0: there was none
-        std::vector<VertexRun> kept;     ///< vertices of instances that stand where they stood
+        std::vector<VertexRun> kept;     ///< vertices of instances that have not moved
         std::vector<Ball> disturbances;  ///< all other triangles of both versions lie in these
         /// 1 for vertices of this version that had the same normal, or place, under the same number.
         std::vector<std::uint8_t> same_normals;
@@ -57,7 +57,7 @@ private:
         std::size_t first;     // vertex
         std::size_t last;
         Ball ball;
-        std::size_t former;  // index among the pieces before where it stands as it stood, or kNone
+        std::size_t former;  // index among the former pieces if it has not moved, or kNone
     };
     static constexpr std::size_t kNone = ~std::size_t{0};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bake: what a scene's vertices see of the environment, and which of them a change leaves as they were.
+// bake: the visibility of the environment at a scene's vertices, and the vertices at which a change keeps it.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ public:
 
 private:
     /// Returns whether the former bake was carried over. Then, if `narrow`, same_field_ keeps only vertices
-    /// that see what they saw.
+    /// of unchanged visibility.
     bool bake(const SceneGeometry& surfaces, bool narrow, const RenderOptions& options, Workers& workers,
               Progress& progress, Statistics& statistics);
 
@@ -43,7 +43,7 @@ private:
     std::optional<DirectionSet> lattice_;
     Stage<int, glm::dmat3> rotating_;
     std::optional<DirectionSet> directions_;  // the lattice along the surfaces' own axes
-    // Geometry, number of directions, their axes, whether vertices that see all count as occluded.
+    // Geometry, number of directions, their axes, whether unoccluded vertices count as occluded.
     Stage<Version, int, glm::dmat3, bool> baking_;
     Versioned<Visibility> visibility_;
     Version baked_ = 0;  // the geometry that visibility_ belongs to

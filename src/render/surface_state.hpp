@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's vertices as bake leaves them, and what of them is as it was before.
+// A scene's vertices after bake, and which of them have not changed since an earlier state.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace nicol {
 
-/// Of all that the light of a vertex depends on beside the light itself.
+/// Versions of all that a vertex's light depends on except the light itself.
 struct SurfaceVersions {
     Version geometry = 0;    ///< of vertices and triangles
     Version visibility = 0;  ///< 0: nothing casts shadows

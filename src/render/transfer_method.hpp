@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How light becomes reflected light: what project and bake make of a scene, for executors to compute with.
+// How incident light becomes reflected light: the data that project and bake prepare and executors compute
+// with.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +26,9 @@ class TransferMethod {
 public:
     virtual ~TransferMethod() = default;
 
-    /// project: what materials make of light.
+    /// project: the response of the materials.
     virtual void project(const TransferInput& input, RenderRun& run) = 0;
-    /// bake: shadows. Fills `request`, which may be null, where it computes all that it is for.
+    /// bake: shadows. Fills `request`, which may be null, where it computes all of its vertices.
     virtual void bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) = 0;
     /// relight: the light of all vertices, kept by the executor.
     virtual void relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) = 0;

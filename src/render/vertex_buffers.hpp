@@ -28,19 +28,19 @@ public:
 
     /// Whether there is nothing to draw; then the buffers below do not exist.
     [[nodiscard]] bool empty() const noexcept { return indices_ == nullptr; }
-    /// Another each time that buffers are made anew.
+    /// Changes each time that the buffers are made anew.
     [[nodiscard]] Version version() const noexcept { return version_; }
 
     [[nodiscard]] const std::shared_ptr<const gl::IndexBuffer>& indices() const noexcept { return indices_; }
     /// Three floats a vertex.
     [[nodiscard]] const std::shared_ptr<const gl::Buffer>& positions() const noexcept { return positions_; }
-    /// Likewise; uploaded when first asked for.
+    /// Likewise; uploaded on first use.
     [[nodiscard]] const std::shared_ptr<const gl::Buffer>& normals(const WorldGeometry& geometry);
     /// A vec4 a vertex.
     [[nodiscard]] const std::shared_ptr<gl::Buffer>& stokes(int channel) const {
         return stokes_[static_cast<std::size_t>(channel)];
     }
-    /// A vec2 a vertex: the visible fractions of the lobes of high orders. Made when first asked for.
+    /// A vec2 a vertex: the visible fractions of the lobes of high orders. Made on first use.
     [[nodiscard]] const std::shared_ptr<gl::Buffer>& fractions();
 
 private:

@@ -12,8 +12,7 @@
 
 namespace nicol {
 
-/// The vertices whose part of a result belongs to the inputs of now: those that a change of the surfaces left
-/// as they were.
+/// The vertices whose part of a result is still valid: those that a change of the surfaces left as they were.
 class CurrentVertices {
 public:
     /// 1 for each vertex whose part of the result is current.
@@ -57,9 +56,9 @@ public:
 
     explicit VertexStage(Dependence dependence) : CurrentVertices(dependence) {}
 
-    /// Determines current(). Returns whether there is anything to compute: then what vertices with
-    /// current()[v] == 0 have is to be computed and complete() called. Where that throws instead, the parts
-    /// of the others must still be right.
+    /// Determines current(). Returns whether there is anything to compute: the caller then computes the parts
+    /// of the vertices with current()[v] == 0 and calls complete(). If it throws instead, the parts of the
+    /// other vertices must still be valid.
     bool update(const SurfaceState& surfaces, const Inputs&... inputs) {
         const bool same = inputs_ && *inputs_ == std::tie(inputs...);
         if (!same) inputs_.emplace(inputs...);

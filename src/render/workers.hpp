@@ -18,7 +18,7 @@ namespace nicol {
 
 class Workers {
 public:
-    /// 0: one a core, which is also the most.
+    /// 0: one a core. Never more than one a core.
     explicit Workers(int threads)
         : arena_(threads > 0 ? std::min(threads, tbb::info::default_concurrency())
                              : tbb::task_arena::automatic) {}
@@ -29,7 +29,7 @@ public:
     }
 
     /// Calls body(begin, end) for pieces that cover first <= i < last, side by side, and reports progress as
-    /// fractions of `all` between chunks of them. Pieces part at multiples of sixteen. Throws
+    /// fractions of `all` between chunks of them. Pieces begin at multiples of sixteen. Throws
     /// Error(cancelled).
     template <class Body>
     void for_vertices(std::size_t first, std::size_t last, std::size_t all, const char* verb,

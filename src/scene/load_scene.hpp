@@ -17,7 +17,7 @@ struct LoadedScene {
     Camera camera;
     int width = 0;  ///< of the film, pixels
     int height = 0;
-    bool luminance = false;            ///< the film asks for one channel
+    bool luminance = false;            ///< the film has one channel
     std::vector<std::string> notices;  ///< what the file says that has no effect, one line each
 };
 

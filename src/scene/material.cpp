@@ -17,7 +17,7 @@ struct NamedIor {
     double ior;
 };
 
-// The names Mitsuba 3 knows and its values, at the sodium line.
+// The names that Mitsuba 3 has and their values at the sodium line.
 constexpr std::array<NamedIor, 23> kNamedIors = {
     {{"vacuum", 1.0},      {"helium", 1.000036},        {"hydrogen", 1.000132},
      {"air", 1.000277},    {"carbon dioxide", 1.00045}, {"water", 1.3330},

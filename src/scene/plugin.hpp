@@ -27,7 +27,7 @@ struct NestedObject {
                                           const std::string& holder,
                                           std::initializer_list<std::string_view> accepted);
 
-/// Every question is remembered, so that finish() can tell parameters that nobody asked for: misspelt ones.
+/// Every name that is read is recorded, so that finish() finds parameters that nothing reads: misspelt ones.
 /// All throw Error(invalid_file) with the place, the plug-in, the parameter and what is accepted.
 class Plugin {
 public:
@@ -64,7 +64,7 @@ public:
     /// The same, at most one of each name.
     [[nodiscard]] std::vector<NestedObject> single_objects(
         std::initializer_list<std::string_view> accepted) const;
-    /// Throws if a parameter is left that nobody asked for.
+    /// Throws if there is a parameter that nothing has read.
     void finish() const;
     /// Throws about one parameter, or about the plug-in if it is empty.
     [[noreturn]] void fail(const std::string& parameter, const std::string& message,

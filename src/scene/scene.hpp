@@ -21,8 +21,8 @@ struct Instance {
     glm::dmat4 to_world{1.0};
 };
 
-/// Versions name its states, so that a renderer knows what it must compute again. Not for use by two threads
-/// at once.
+/// A version identifies each state, so that a renderer can decide what to compute again. Not for use by two
+/// threads at once.
 class Scene {
 public:
     /// Returns the new instance's id. They count up from 0 and are never given twice. Throws

@@ -8,8 +8,8 @@
 
 namespace nicol {
 
-/// What the colour channels of a scene stand for: red, green and blue (three, no wavelengths), wavelengths in
-/// nm, or what nobody knows.
+/// The meaning of a scene's colour channels: red, green and blue (three, no wavelengths), wavelengths in nm,
+/// or unknown.
 struct SceneChannels {
     int count = 3;
     std::vector<double> wavelengths;  ///< empty, or one a channel

@@ -40,7 +40,7 @@ struct SensorDescription {
     double far_clip = 1e4;
     int width = 768;
     int height = 576;
-    bool luminance = false;  ///< the film asks for one channel, the luminance
+    bool luminance = false;  ///< the film has one channel, the luminance
 };
 
 /// The horizontal field of view in degrees of a perspective sensor, whatever its fov_axis.

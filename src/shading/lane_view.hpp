@@ -18,7 +18,7 @@ class LaneView {
 public:
     /// order: the highest azimuthal frequency.
     explicit LaneView(int order);
-    /// The calling thread's own, which it keeps.
+    /// An object that belongs to the calling thread.
     [[nodiscard]] static LaneView& of_thread(int order);
 
     /// At most kLanes positions and their unit normals; the other lanes repeat the first. A normal that faces

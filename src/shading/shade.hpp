@@ -24,7 +24,7 @@ public:
 
     /// For every vertex `first` <= v < `last` with visible[v] != 0, writes channel c's Stokes vector to
     /// out[c][v]; others are left alone. A light of one channel serves all. Sixteen vertices that share a
-    /// block of `light` cost hardly more than one. Calls for different vertices may run side by side.
+    /// block of `light` take about as long as one. Calls for different vertices may run side by side.
     void run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
              std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
              std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,

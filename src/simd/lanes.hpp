@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sixteen vertices side by side, as processors like them.
+// Sixteen vertices side by side, for vector instructions.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Memory that a thread keeps, so that frames need none.
+// Memory that a thread keeps, so that frames allocate none.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace nicol {
 
-/// Elements that hold anything: the same ones for every call with this tag on a thread, which must be done
-/// with those of the call before.
+/// Elements of unspecified value: the same ones for every call with this tag on a thread, so a call ends the
+/// use of those before.
 template <class Tag, class Element>
 [[nodiscard]] std::span<Element> work_space(std::size_t count) {
     thread_local std::vector<Element> kept;

@@ -18,7 +18,7 @@
 
 namespace nicol {
 
-/// The maps a material's factors are multiplied with; null where the factors do not ask for one. All have the
+/// The maps a material's factors are multiplied with; null where the factors do not use one. All have the
 /// same channels and kind.
 struct HighOrderMaps {
     const LobeMap* central = nullptr;
@@ -26,20 +26,20 @@ struct HighOrderMaps {
     const LobeMap* base = nullptr;   ///< where factors.has_base()
 };
 
-/// What dims high orders.
+/// The visibility that high orders are multiplied by.
 struct HighOrderShadows {
     /// Of the lobe about the mirror direction and of the hemisphere, 0..1, by vertex; empty: 1 or as found by
     /// the others.
     std::span<const glm::vec2> fractions;
-    const HighOrderVisibility* visibility = nullptr;  ///< null: nothing but `fractions` dims
+    const HighOrderVisibility* visibility = nullptr;  ///< null: `fractions` alone count
     const VisibilityBlocks* seen = nullptr;           ///< by `visibility`
 };
 
 /// The part of reflected light that comes from orders above l_low.
 class HighOrder {
 public:
-    /// Keeps references. light_to_world turns the maps' axes into the world's. Throws Error(invalid_argument)
-    /// where a map is missing, or maps or channels do not fit each other.
+    /// Keeps references. light_to_world rotates the maps' axes into the world's. Throws
+    /// Error(invalid_argument) where a map is missing, or maps or channels do not fit each other.
     HighOrder(const HighOrderFactors& factors, const HighOrderMaps& maps, const glm::dmat3& light_to_world);
 
     /// Adds to out[c][v], in the camera's frame field, for every vertex first <= v < last with visible[v] !=

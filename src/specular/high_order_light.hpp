@@ -13,7 +13,7 @@
 
 namespace nicol {
 
-/// Orders l_low + 1 .. l_high of a light, filtered by each lobe that a material asks for, once.
+/// Orders l_low + 1 .. l_high of a light, filtered once by each lobe that a material uses.
 class HighOrderLight {
 public:
     /// `light`: coefficients in the light's own axes; orders it does not have count as zero. Throws

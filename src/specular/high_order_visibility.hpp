@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of what a vertex reflects to a viewer it sees.
+// The visible fractions of the lobes through which vertices reflect light to a viewer.
 #pragma once
 
 #include <array>

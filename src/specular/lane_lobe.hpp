@@ -10,7 +10,7 @@ namespace nicol {
 
 /// The light at directions in its own axes, with x (unit, across them) for the frame's x. out: of an
 /// unpolarized map s0 of each channel and up to three numbers to spare, of a polarized one the Stokes
-/// vectors, [channel][component]. Directions that are no unit vectors give what is somewhere in the map.
+/// vectors, [channel][component]. Directions that are no unit vectors give unspecified values of the map.
 void sample_lobe(const LobeMap& map, const LaneVectors& direction, const LaneVectors& x, Lanes* out);
 
 }  // namespace nicol

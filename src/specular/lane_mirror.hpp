@@ -12,9 +12,9 @@
 
 namespace nicol {
 
-/// What HighOrderFactors calls d, x, y and -n, in the axes of the light, and how the viewer stands. A normal
-/// that faces away is treated as viewed at 90 degrees, from anywhere if it does so exactly; viewed head-on,
-/// every plane is one of incidence.
+/// The directions d, x, y and -n of HighOrderFactors in the axes of the light, and the view. A normal that
+/// faces away is treated as viewed at 90 degrees, from anywhere if it does so exactly; viewed head-on, every
+/// plane is one of incidence.
 struct LaneMirror {
     LaneVectors d;       ///< the mirrored view direction
     LaneVectors x;       ///< of the s-frame, orthogonal to the plane of incidence

@@ -59,7 +59,7 @@ void add_other_side(std::array<SplitVector, 4>& moments) {
     }
 }
 
-// The s-frame x of outgoing light is phi-hat: a quarter turn from theta-hat.
+// The s-frame x of outgoing light is phi-hat: theta-hat rotated by 90 degrees.
 constexpr std::array<double, 4> kQuarterRotation{1, -1, -1, 1};
 
 // Of incident components: s0, (s1, s2), s3. Taps of one part get no light of the others.

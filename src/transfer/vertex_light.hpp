@@ -22,8 +22,8 @@ public:
     VertexLight(const LightLayout& layout, int channels, std::size_t vertices) {
         resize(layout, channels, vertices);
     }
-    /// Vertices that both sizes have keep their light where layout and channels are the same; else what it
-    /// holds is unspecified. Does not allocate where the size is the same.
+    /// Where layout and channels stay the same, vertices below both sizes keep their light; otherwise the
+    /// content is unspecified. Does not allocate where the size is the same.
     void resize(const LightLayout& layout, int channels, std::size_t vertices);
 
     [[nodiscard]] int channels() const noexcept { return channels_; }
@@ -49,7 +49,7 @@ private:
     std::vector<Lanes> data_;
 };
 
-/// A distant light, ready to be rotated into many vertices' frames.
+/// A distant light, prepared for rotation into many vertices' frames.
 class Relight {
 public:
     /// `light`: coefficients in the world's axes, of at least the layout's order.

@@ -31,8 +31,8 @@ public:
     static constexpr int kHighestMatrixOrder = 9;
 
     /// For light of this layout. `normals`: one for each vertex of `visibility`. `keep`, of the same vertices
-    /// and twice the layout's order, receives the coefficients of visibility, which are computed anyway. Runs
-    /// on the calling thread's TBB arena. Throws Error(invalid_argument) for sizes that do not fit or an
+    /// and twice the layout's order, receives the coefficients of visibility that this computes on the way.
+    /// Runs on the calling thread's TBB arena. Throws Error(invalid_argument) for sizes that do not fit or an
     /// order beyond half of VisibilityHarmonics::kHighestOrder.
     VisibilityProduct(const Visibility& visibility, const DirectionSet& directions,
                       std::span<const glm::vec3> normals, const LightLayout& layout,

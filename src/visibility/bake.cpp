@@ -41,7 +41,7 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
         if (!(length > 0) || !std::isfinite(length)) {
             refuse("the normal of vertex " + std::to_string(v) +
                    (length == 0 ? " is zero" : " is not finite") +
-                   "; a vertex needs one to know which side it sees");
+                   "; a vertex needs one to have a front side");
         }
         out.emplace_back(normal / length);
     }

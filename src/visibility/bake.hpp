@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// bake: which directions each vertex sees the environment in.
+// bake: the directions in which the environment is visible from each vertex.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace nicol {
 
-/// All that stands in the world: what casts shadows and what receives them. A surface with two sides appears
-/// twice, the second time with normals and winding rotated round.
+/// All surfaces of the world, which cast shadows and receive them. A surface with two sides appears twice,
+/// the second time with normals and winding reversed.
 struct BakeGeometry {
     std::span<const glm::vec3> positions;
     std::span<const glm::vec3> normals;  ///< of vertices; any length but zero
@@ -26,10 +26,6 @@ struct BakeStatistics {
     double build_milliseconds = 0;  ///< of the hierarchy of boxes
     std::uint64_t unoccluded = 0;   ///< vertices
     bool from_cache = false;        ///< nothing was traced
-
-    [[nodiscard]] double rays_per_second() const noexcept {
-        return milliseconds > 0 ? 1000 * static_cast<double>(rays) / milliseconds : 0;
-    }
 };
 
 /// Vertices first .. last - 1 of a list; in an earlier list they began at `before`.
@@ -45,14 +41,14 @@ struct Ball {
     float radius;
 };
 
-/// A bake of the surfaces as they stood before some of them came, went or moved, in the same directions.
+/// A bake in the same directions of the surfaces before some of them were added, removed or moved.
 struct FormerBake {
     const Visibility& visibility;
-    std::span<const VertexRun> kept;     ///< vertices that stand as they stood
-    std::span<const Ball> disturbances;  ///< all triangles that came or went lie inside, wholly
+    std::span<const VertexRun> kept;     ///< vertices that have not moved
+    std::span<const Ball> disturbances;  ///< all added and removed triangles lie inside, wholly
 };
 
-/// Told how much is done, 0 to 1, on the calling thread, several times a second. What it throws, such as
+/// Receives the fraction done, 0 to 1, on the calling thread, several times a second. What it throws, such as
 /// Error(cancelled), stops the bake and reaches the caller.
 using BakeProgress = std::function<void(double fraction)>;
 
@@ -62,8 +58,7 @@ using BakeProgress = std::function<void(double fraction)>;
 /// normals lie between those of the faces around their vertex, and no light comes through the walls of a
 /// corner.
 ///
-/// With a former bake only those rays are traced that may meet something else than before; the result is the
-/// same.
+/// With a former bake only those rays are traced whose result may differ from before; the result is the same.
 ///
 /// Runs on all threads of the calling thread's TBB arena; the result does not depend on their number. Throws
 /// Error(invalid_argument) where a normal is zero or not finite, counts differ, a position is not finite or

@@ -12,10 +12,10 @@ namespace nicol {
 /// bake(), or its result from `folder` if it is there; else it is kept there (as a file named after the
 /// geometry). The folder is made if it is missing; an empty path means no cache.
 ///
-/// A file is used only if format version, every byte of the geometry, directions and checksum are those asked
-/// for and its length is exact; anything else is baked and overwritten, with a notice. Files appear complete
-/// or not at all, so processes may share a folder. A folder that cannot be written is a notice, never an
-/// error. Throws what bake() throws.
+/// A file is used only if format version, every byte of the geometry, directions and checksum match the
+/// request and its length is exact; anything else is baked and overwritten, with a notice. Files appear
+/// complete or not at all, so processes may share a folder. A folder that cannot be written is a notice,
+/// never an error. Throws what bake() throws.
 [[nodiscard]] Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& directions,
                                       const std::filesystem::path& folder, const CacheNotice& notice = {},
                                       const BakeProgress& progress = {},

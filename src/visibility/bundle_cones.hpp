@@ -17,8 +17,8 @@ public:
     explicit BundleCones(const DirectionSet& directions);
 
     /// Sets disturbed[b] where a ray from `origin` in a direction of bundle b may meet the ball; others are
-    /// left alone. It may say so too often, never too rarely, of directions above the plane of the unit
-    /// normal.
+    /// left alone. For directions above the plane of the unit normal it is conservative: it may set too many,
+    /// never too few.
     void mark(const glm::vec3& origin, const glm::vec3& normal, const Ball& ball,
               std::span<std::uint8_t> disturbed) const;
 

@@ -19,7 +19,7 @@ namespace nicol {
 /// sixteen unoccluded vertices are not stored, nor are coefficients of odd l + m, which are zero.
 class VisibilityBlocks {
 public:
-    /// Numbers stand for themselves over this.
+    /// Stored numbers are multiples of 1 / kOne.
     static constexpr float kOne = 32767 / VisibilityHarmonics::kUnoccluded;
 
     VisibilityBlocks() = default;

@@ -182,7 +182,7 @@ struct Vertex {
 }
 
 // Weights of the visible directions above the horizon, less the visible fraction of all above it, which is
-// added exactly: so the quadrature need not know where the horizon is. Returns the fraction.
+// added exactly: so the quadrature does not depend on where the horizon is. Returns the fraction.
 float gather(const DirectionSet& directions, std::span<const Lanes> weights, const Visibility& visibility,
              std::size_t index, const Frame& frame, std::vector<Samples>& samples) {
     Vertex vertex{.frame = {}, .seen = visibility.at(index).data(), .all = {}, .part = {}};

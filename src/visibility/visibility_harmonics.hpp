@@ -14,8 +14,8 @@ namespace nicol {
 /// Bits as coefficients over real harmonics, [psh_index(l, m)], of the PROPAGATION direction of the light, as
 /// the light's own coefficients are, in theta_phi_frame(normal). Below the horizon, where nothing reflects,
 /// visibility is mirrored: V(x, y, -z) = V(x, y, z), so there is no step at the horizon and only even l + m.
-/// The quadrature is corrected so that a vertex that sees nothing has 0 and one that sees all above its
-/// horizon has exactly sqrt(4 pi), 0, 0 ...
+/// The quadrature is corrected so that a fully occluded vertex has 0 and an unoccluded one has exactly sqrt(4
+/// pi), 0, 0 ...
 class VisibilityHarmonics {
 public:
     /// Keeps a reference to `directions`. Throws Error(invalid_argument) for an order outside

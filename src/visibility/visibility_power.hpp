@@ -21,12 +21,11 @@ public:
     VisibilityPower(const Visibility& visibility, const DirectionSet& directions,
                     std::span<const glm::vec3> normals);
 
-    /// Of the directions above the horizon, the part that is seen: the mean over the vertices.
+    /// The visible part of the directions above the horizon, mean over the vertices.
     [[nodiscard]] double fraction() const noexcept { return fraction_; }
 
-    /// Energy by order of a response of this spin (0 or 2) and these energies times the visibility, where
-    /// neither knows of the other's orientation: the mean over all rotations between them. As many orders as
-    /// `response` has; what goes beyond is left out.
+    /// Energy by order of a response of this spin (0 or 2) and these energies times the visibility, as the
+    /// mean over all rotations between both. As many orders as `response` has; what goes beyond is left out.
     [[nodiscard]] std::vector<double> shadowed(std::span<const double> response, int spin) const;
 
 private:

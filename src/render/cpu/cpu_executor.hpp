@@ -26,7 +26,7 @@ public:
     void store(VertexBuffers& buffers, bool fractions) const override;
     void count(Statistics& statistics) const override;
 
-    /// What the last shade() left; what specular() and make_physical() made of it.
+    /// Results of the last shade(), specular() and make_physical().
     [[nodiscard]] const VertexStokes& stokes() const noexcept { return stokes_; }
 
 private:
