@@ -5,11 +5,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "nicol.h"
@@ -33,6 +36,9 @@
         CHECK_MESSAGE((result_ == NICOL_OK || message_.find(text) != std::string::npos), message_, \
                       " should name ", text);                                                      \
     } while (false)
+
+// The call must be refused for an argument, with a message that contains this text.
+#define REFUSES(call, text) FAILS(call, NICOL_ERROR_INVALID_ARGUMENT, text)
 
 namespace capi_test {
 
@@ -196,30 +202,6 @@ inline nicol_statistics statistics_of(nicol_framebuffer framebuffer) {
     return statistics;
 }
 
-/// A cube under a polarizing sky, and a small framebuffer: something of everything.
-struct Stage {
-    Owned<nicol_environment> environment;
-    Owned<nicol_material> material;
-    Owned<nicol_mesh> mesh;
-    Owned<nicol_scene> scene;
-    Owned<nicol_framebuffer> framebuffer;
-    nicol_camera camera = front_camera();
-
-    explicit Stage(nicol_context context)
-        : mesh(cube(context)), scene(empty_scene(context)), framebuffer(framebuffer_of(context, 24, 16, 3)) {
-        nicol_sky sky = NICOL_SKY_INIT;
-        sky.sun_direction[0] = 1;
-        sky.sun_direction[1] = 1;
-        OK(nicol_environment_create_sky(context, &sky, &environment));
-        const nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
-        OK(nicol_material_create_pplastic(context, &plastic, &material));
-        OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
-        add(scene, mesh, material, {{0.4, 0, 0.3, 0, 0.1, 0.5, 0, 0, -0.3, 0, 0.4, 0, 0, 0, 0, 1}});
-    }
-
-    void render() const { OK(nicol_render(scene, &camera, nullptr, framebuffer)); }
-};
-
 /// One plane of one channel, tightly packed.
 inline std::vector<float> read_plane(nicol_framebuffer framebuffer, nicol_plane plane,
                                      std::uint32_t channel = 0) {
@@ -242,6 +224,60 @@ inline std::vector<float> read_all(nicol_framebuffer framebuffer) {
     return all;
 }
 
+inline float largest_of(const std::vector<float>& image) {
+    float largest = 0;
+    for (const float value : image) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+inline float largest_difference(const std::vector<float>& a, std::vector<float> b) {
+    REQUIRE(a.size() == b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) b[i] -= a[i];
+    return largest_of(b);
+}
+
+/// A cube under a polarizing sky, and a small framebuffer: something of everything.
+struct Stage {
+    nicol_context context;  ///< not owned
+    Owned<nicol_environment> environment;
+    Owned<nicol_material> material;
+    Owned<nicol_mesh> mesh;
+    Owned<nicol_scene> scene;
+    Owned<nicol_framebuffer> framebuffer;
+    nicol_camera camera = front_camera();
+
+    explicit Stage(nicol_context owner)
+        : context(owner),
+          mesh(cube(context)),
+          scene(empty_scene(context)),
+          framebuffer(framebuffer_of(context, 24, 16, 3)) {
+        nicol_sky sky = NICOL_SKY_INIT;
+        sky.sun_direction[0] = 1;
+        sky.sun_direction[1] = 1;
+        OK(nicol_environment_create_sky(context, &sky, &environment));
+        const nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
+        OK(nicol_material_create_pplastic(context, &plastic, &material));
+        OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
+        add(scene, mesh, material, {{0.4, 0, 0.3, 0, 0.1, 0.5, 0, 0, -0.3, 0, 0.4, 0, 0, 0, 0, 1}});
+    }
+
+    [[nodiscard]] nicol_result try_render(const nicol_render_options& options) const {
+        return nicol_render(scene, &camera, &options, framebuffer);
+    }
+    void render() const { OK(nicol_render(scene, &camera, nullptr, framebuffer)); }
+    /// Rendered and read.
+    [[nodiscard]] std::vector<float> image(
+        const nicol_render_options& options = NICOL_RENDER_OPTIONS_INIT) const {
+        OK(try_render(options));
+        return read_all(framebuffer);
+    }
+};
+
+/// Calls test(stage) once a backend.
+template <class Test>
+void on_every_stage(Test test) {
+    on_every_backend([&](nicol_context context) { test(Stage(context)); });
+}
+
 /// A call that must fail, with this code and a message that contains this text.
 struct Refused {
     const char* text;
@@ -252,6 +288,23 @@ inline void check_refused(const std::vector<Refused>& cases) {
     for (const Refused& refused : cases) {
         CAPTURE(refused.text);
         FAILS(refused.call(), refused.code, refused.text);
+    }
+}
+
+/// A change that makes good arguments wrong, and a text of the message that they are refused with.
+template <class T>
+struct Wrong {
+    const char* text;
+    std::function<void(T&)> change;
+};
+/// call(arguments) must refuse each change to the good ones alone.
+template <class T, class Call>
+void check_wrong(const T& good, Call call, const std::vector<Wrong<T>>& cases) {
+    for (const Wrong<T>& wrong : cases) {
+        CAPTURE(wrong.text);
+        T changed = good;
+        wrong.change(changed);
+        REFUSES(call(changed), wrong.text);
     }
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Version, build information, result names and the last error of a thread. No context is needed.
-#include <barrier>
 #include <cmath>
 #include <set>
 #include <thread>
@@ -69,33 +68,6 @@ TEST_CASE("the last error is empty at first and stays after a success") {
     }).join();
 }
 
-TEST_CASE("eight threads fail at once, each with its own message") {
-    constexpr std::size_t threads = 8;
-    constexpr std::uint32_t rounds = 200;
-    std::vector<std::string> wrong(threads);
-    std::barrier together(static_cast<std::ptrdiff_t>(threads));
-    std::vector<std::thread> running;
-    for (std::size_t t = 0; t < threads; ++t) {
-        running.emplace_back([&, t] {
-            for (std::uint32_t round = 0; round < rounds; ++round) {
-                nicol_camera camera = NICOL_CAMERA_INIT;
-                camera.struct_size = 100000 + static_cast<std::uint32_t>(t) * 1000 + round;
-                const double zero[3] = {};
-                together.arrive_and_wait();
-                const nicol_result result = nicol_camera_look_at(&camera, zero, zero, zero);
-                together.arrive_and_wait();
-                const std::string message = nicol_last_error();
-                if (result != NICOL_ERROR_INVALID_ARGUMENT ||
-                    message.find(std::to_string(camera.struct_size)) == std::string::npos) {
-                    wrong[t] = message;
-                }
-            }
-        });
-    }
-    for (std::thread& thread : running) thread.join();
-    for (const std::string& message : wrong) CHECK(message.empty());
-}
-
 TEST_CASE("messages are one line of whole characters, however long") {
     const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
     nicol_mesh mesh = marker<nicol_mesh>();
@@ -136,11 +108,11 @@ TEST_CASE("a view without a direction is refused and leaves the camera alone") {
     camera.to_world[3] = 42;
     const double origin[] = {1, 2, 3}, target[] = {1, 2, -5}, up[] = {0, 1, 0}, along[] = {0, 0, 7};
     const double nowhere[] = {0, 0, NAN}, zero[] = {0, 0, 0};
-    FAILS(nicol_camera_look_at(&camera, origin, origin, up), NICOL_ERROR_INVALID_ARGUMENT, "target");
-    FAILS(nicol_camera_look_at(&camera, origin, target, along), NICOL_ERROR_INVALID_ARGUMENT, "up");
-    FAILS(nicol_camera_look_at(&camera, origin, target, zero), NICOL_ERROR_INVALID_ARGUMENT, "up");
-    FAILS(nicol_camera_look_at(&camera, nowhere, target, up), NICOL_ERROR_INVALID_ARGUMENT, "look_at");
-    FAILS(nicol_camera_look_at(&camera, origin, nowhere, up), NICOL_ERROR_INVALID_ARGUMENT, "look_at");
+    REFUSES(nicol_camera_look_at(&camera, origin, origin, up), "target");
+    REFUSES(nicol_camera_look_at(&camera, origin, target, along), "up");
+    REFUSES(nicol_camera_look_at(&camera, origin, target, zero), "up");
+    REFUSES(nicol_camera_look_at(&camera, nowhere, target, up), "look_at");
+    REFUSES(nicol_camera_look_at(&camera, origin, nowhere, up), "look_at");
     CHECK(camera.to_world[3] == 42);
     CHECK(camera.to_world[0] == 0);
 }

@@ -13,20 +13,11 @@ namespace {
 // One live handle of each kind.
 struct Connected {
     nicol_context context;
-    nicol_environment environment = nullptr;
-    nicol_material material = nullptr;
-    nicol_mesh mesh = nullptr;
-    nicol_scene scene = nullptr;
-    nicol_framebuffer framebuffer = nullptr;
-
-    explicit Connected(nicol_context owner) : context(owner) {
-        const nicol_spectrum one = spectrum({1});
-        OK(nicol_environment_create_constant(context, &one, &environment));
-        OK(nicol_material_create_diffuse(context, nullptr, &material));
-        OK(nicol_mesh_create_rectangle(context, &mesh));
-        OK(nicol_scene_create(context, &scene));
-        OK(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer));
-    }
+    nicol_environment environment = constant_light(context, {1});
+    nicol_material material = diffuse(context, {0.5F});
+    nicol_mesh mesh = rectangle(context);
+    nicol_scene scene = empty_scene(context);
+    nicol_framebuffer framebuffer = framebuffer_of(context, 4, 4, 1);
 
     void connect() const {
         OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
@@ -58,7 +49,7 @@ TEST_CASE("handles may be released in any order") {
         do {
             const bool last = ++count % 60 == 0;
             if (!last) OK(nicol_context_retain(context));
-            const Connected all(context);
+            const Connected all{context};
             if (count % 4 != 0) all.connect();
             if (last) {
                 const nicol_camera camera = front_camera();
@@ -75,7 +66,7 @@ TEST_CASE("handles may be released in any order") {
 TEST_CASE("objects work on after their context and their parts were released") {
     for (const nicol_backend backend : every_backend) {
         CAPTURE(backend);
-        const Connected all(make_context(backend));
+        const Connected all{make_context(backend)};
         all.connect();
         OK(nicol_context_release(all.context));
         OK(nicol_environment_release(all.environment));
@@ -91,21 +82,29 @@ TEST_CASE("objects work on after their context and their parts were released") {
 
 TEST_CASE("objects of different contexts do not mix") {
     const nicol_context contexts[] = {make_context(NICOL_BACKEND_EGL), make_context(NICOL_BACKEND_OSMESA)};
-    const Connected a(contexts[0]), b(contexts[1]);
-    nicol_instance instance = NICOL_INSTANCE_INIT;
+    const Connected a{contexts[0]}, b{contexts[1]};
     std::uint32_t id = 77;
-    instance.mesh = b.mesh;
-    instance.material = a.material;
-    FAILS(nicol_scene_add_instance(a.scene, &instance, &id), NICOL_ERROR_INVALID_HANDLE, "contexts");
-    instance.mesh = a.mesh;
-    instance.material = b.material;
-    FAILS(nicol_scene_add_instance(a.scene, &instance, &id), NICOL_ERROR_INVALID_HANDLE, "contexts");
-    CHECK(id == 77);
-    FAILS(nicol_scene_set_environment(a.scene, b.environment, nullptr, 0), NICOL_ERROR_INVALID_HANDLE,
-          "contexts");
+    const auto add_to_a = [&](nicol_mesh mesh, nicol_material material) {
+        nicol_instance instance = NICOL_INSTANCE_INIT;
+        instance.mesh = mesh;
+        instance.material = material;
+        return nicol_scene_add_instance(a.scene, &instance, &id);
+    };
     const nicol_camera camera = front_camera();
-    FAILS(nicol_render(a.scene, &camera, nullptr, b.framebuffer), NICOL_ERROR_INVALID_HANDLE, "contexts");
-    FAILS(nicol_render(b.scene, &camera, nullptr, a.framebuffer), NICOL_ERROR_INVALID_HANDLE, "contexts");
+    const auto foreign = NICOL_ERROR_INVALID_HANDLE;
+    nicol_job job = marker<nicol_job>();
+    check_refused({
+        {"contexts", [&] { return add_to_a(b.mesh, a.material); }, foreign},
+        {"contexts", [&] { return add_to_a(a.mesh, b.material); }, foreign},
+        {"contexts", [&] { return nicol_scene_set_environment(a.scene, b.environment, nullptr, 0); },
+         foreign},
+        {"contexts", [&] { return nicol_render(a.scene, &camera, nullptr, b.framebuffer); }, foreign},
+        {"contexts", [&] { return nicol_render(b.scene, &camera, nullptr, a.framebuffer); }, foreign},
+        {"contexts", [&] { return nicol_render_async(a.scene, &camera, nullptr, b.framebuffer, &job); },
+         foreign},
+    });
+    CHECK(id == 77);
+    CHECK(job == marker<nicol_job>());
     for (const Connected* all : {&a, &b}) {
         for (const auto& release : releases(*all)) OK(release());
     }
@@ -115,7 +114,7 @@ TEST_CASE("threads may share and drop handles while others use them") {
     on_every_backend([](nicol_context context) {
         for (int round = 0; round < 10; ++round) {
             OK(nicol_context_retain(context));
-            const Connected all(context);
+            const Connected all{context};
             all.connect();
             const nicol_camera camera = front_camera();
             std::vector<std::string> wrong(4);

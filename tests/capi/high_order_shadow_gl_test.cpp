@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A highlight that a wall hides in part, against the reference method.
-#include <array>
-#include <cmath>
 #include <numbers>
 
 #include "capi.hpp"
@@ -40,31 +38,18 @@ nicol_environment lamp(nicol_context context) {
 
 /// The unit sphere in plastic, and at its left a black wall from far behind it to `end` before it.
 nicol_scene sphere_beside_wall(nicol_context context, double end) {
-    const nicol_environment environment = lamp(context);
+    const Owned light(lamp(context));
     nicol_pplastic parameters = NICOL_PPLASTIC_INIT;
     parameters.distribution = NICOL_DISTRIBUTION_GGX;
     parameters.alpha = 0.2F;
     parameters.diffuse_reflectance = spectrum({0.05F});
-    nicol_material plastic = nullptr, black = nullptr;
+    Owned<nicol_material> plastic;
     OK(nicol_material_create_pplastic(context, &parameters, &plastic));
-    const nicol_spectrum zero = spectrum({0});
-    OK(nicol_material_create_diffuse(context, &zero, &black));
-    nicol_mesh sphere = nullptr, wall = nullptr;
-    OK(nicol_mesh_create_sphere(context, &sphere));
-    OK(nicol_mesh_create_rectangle(context, &wall));
-    const nicol_scene scene = simple_scene(context, environment, sphere, plastic);
-    nicol_instance instance = NICOL_INSTANCE_INIT;
-    instance.mesh = wall;
-    instance.material = black;
+    const Owned black(diffuse(context, {0}));
+    const Owned ball(sphere(context)), wall(rectangle(context));
+    const nicol_scene scene = simple_scene(context, light, ball, plastic);
     // Its z to the world's x, its x to the world's -z, 8 each way.
-    const Matrix placed = {{0, 0, 1, -1.6, 0, 8, 0, 0, -8, 0, 0, end - 8, 0, 0, 0, 1}};
-    std::copy_n(placed.rows, 16, instance.to_world);
-    OK(nicol_scene_add_instance(scene, &instance, nullptr));
-    OK(nicol_mesh_release(sphere));
-    OK(nicol_mesh_release(wall));
-    OK(nicol_material_release(plastic));
-    OK(nicol_material_release(black));
-    OK(nicol_environment_release(environment));
+    add(scene, wall, black, {{0, 0, 1, -1.6, 0, 8, 0, 0, -8, 0, 0, end - 8, 0, 0, 0, 1}});
     return scene;
 }
 
@@ -73,13 +58,11 @@ using Values = std::vector<double>;
 /// [row][column][component] of `side` rows, each pixel the mean of a square.
 Values image(nicol_context context, nicol_scene scene, const nicol_render_options& options,
              std::uint32_t rows) {
-    nicol_framebuffer framebuffer = nullptr;
-    OK(nicol_framebuffer_create(context, rows, rows, 1, &framebuffer));
+    const Owned framebuffer(framebuffer_of(context, rows, rows, 1));
     nicol_camera camera = front_camera(8);
     camera.fov = 15;
     OK(nicol_render(scene, &camera, &options, framebuffer));
     const std::vector<float> pixels = read_plane(framebuffer, NICOL_PLANE_STOKES);
-    OK(nicol_framebuffer_release(framebuffer));
     const std::size_t square = rows / side;
     Values mean(std::size_t{4} * side * side);
     for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Renders as jobs: what they make, their order, their end, and who may let go of what.
 #include <condition_variable>
-#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -57,9 +56,9 @@ nicol_render_options gated(Gate& gate) {
     return options;
 }
 
-nicol_job submit(const Stage& stage, const nicol_render_options* options) {
+nicol_job submit(const Stage& stage, const nicol_render_options& options = traced()) {
     nicol_job job = nullptr;
-    OK(nicol_render_async(stage.scene, &stage.camera, options, stage.framebuffer, &job));
+    OK(nicol_render_async(stage.scene, &stage.camera, &options, stage.framebuffer, &job));
     REQUIRE(job != nullptr);
     return job;
 }
@@ -73,25 +72,21 @@ nicol_job_status poll(nicol_job job) {
 }  // namespace
 
 TEST_CASE("a job makes the image that a render makes") {
-    on_every_backend([](nicol_context context) {
-        const Stage stage(context);
+    on_every_stage([](const Stage& stage) {
         for (const nicol_method method :
              {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {
             nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
             options.method = method;
             options.samples = 4;
-            OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
-            const std::vector<float> image = read_all(stage.framebuffer);
-            const Owned other(framebuffer_of(context, 24, 16, 3));
+            const std::vector<float> image = stage.image(options);
+            const Owned other(framebuffer_of(stage.context, 24, 16, 3));
             Owned<nicol_job> job;
             OK(nicol_render_async(stage.scene, &stage.camera, &options, other, &job));
             OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
             OK(nicol_job_wait(job, 0));
             const nicol_job_status status = poll(job);
-            CHECK(status.state == NICOL_JOB_DONE);
-            CHECK(status.result == NICOL_OK);
-            CHECK(status.fraction == 1);
-            CHECK(std::string(status.verb) == "");
+            CHECK((status.state == NICOL_JOB_DONE && status.result == NICOL_OK));
+            CHECK((status.fraction == 1 && std::string(status.verb) == ""));
             CHECK(read_all(other) == image);
             OK(nicol_job_cancel(job));  // too late
             OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
@@ -100,16 +95,13 @@ TEST_CASE("a job makes the image that a render makes") {
 }
 
 TEST_CASE("a job renders the scene as it was, while the scene changes") {
-    on_every_backend([](nicol_context context) {
-        const Stage stage(context);
+    on_every_stage([](const Stage& stage) {
         const nicol_render_options options = traced();
-        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
-        const std::vector<float> before = read_all(stage.framebuffer);
+        const std::vector<float> before = stage.image(options);
 
-        const Owned other(framebuffer_of(context, 24, 16, 3));
+        const Owned other(framebuffer_of(stage.context, 24, 16, 3));
         Gate gate;
-        const nicol_render_options held = gated(gate);
-        const nicol_job first = submit(stage, &held);
+        const nicol_job first = submit(stage, gated(gate));
         gate.wait_until_entered();
         nicol_job second = nullptr;
         OK(nicol_render_async(stage.scene, &stage.camera, &options, other, &second));
@@ -118,7 +110,7 @@ TEST_CASE("a job renders the scene as it was, while the scene changes") {
         OK(nicol_scene_set_environment(stage.scene, stage.environment, nullptr, 3));
         std::uint32_t channels = 0;
         OK(nicol_scene_get_channels(stage.scene, &channels));
-        const nicol_job third = submit(stage, &options);
+        const nicol_job third = submit(stage, options);
         gate.open();
         OK(nicol_job_wait(second, NICOL_WAIT_FOREVER));
         OK(nicol_job_wait(third, NICOL_WAIT_FOREVER));
@@ -132,21 +124,16 @@ TEST_CASE("a job renders the scene as it was, while the scene changes") {
 }
 
 TEST_CASE("jobs wait their turn, and end at once when they are cancelled there") {
-    on_every_backend([](nicol_context context) {
-        const Stage stage(context);
-        stage.render();
-        const std::vector<float> image = read_all(stage.framebuffer);
+    on_every_stage([](const Stage& stage) {
+        const std::vector<float> image = stage.image();
         Gate gate;
-        const nicol_render_options held = gated(gate), plain = traced();
-        const Owned running(submit(stage, &held));
-        const Owned waiting(submit(stage, &plain));
+        const Owned running(submit(stage, gated(gate)));
+        const Owned waiting(submit(stage));
         gate.wait_until_entered();
         const nicol_job_status status = poll(running);
-        CHECK(status.state == NICOL_JOB_RUNNING);
-        CHECK(status.result == NICOL_OK);
+        CHECK((status.state == NICOL_JOB_RUNNING && status.result == NICOL_OK));
         CHECK(std::string(status.verb) == "trace");
-        CHECK(status.fraction >= 0);
-        CHECK(status.fraction <= 1);
+        CHECK((status.fraction >= 0 && status.fraction <= 1));
         CHECK(poll(waiting).state == NICOL_JOB_WAITING);
         FAILS(nicol_job_wait(waiting, 0), NICOL_ERROR_TIMEOUT, "0 milliseconds");
         FAILS(nicol_job_wait(running, 1), NICOL_ERROR_TIMEOUT, "1 milliseconds");
@@ -165,12 +152,10 @@ TEST_CASE("jobs wait their turn, and end at once when they are cancelled there")
 }
 
 TEST_CASE("a progress callback stops its job") {
-    on_every_backend([](nicol_context context) {
-        const Stage stage(context);
+    on_every_stage([](const Stage& stage) {
         Gate gate;
         gate.open(0);
-        const nicol_render_options options = gated(gate);
-        const Owned job(submit(stage, &options));
+        const Owned job(submit(stage, gated(gate)));
         FAILS(nicol_job_wait(job, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "progress");
     });
 }
@@ -204,10 +189,9 @@ TEST_CASE("everything may be released while a job runs and others wait") {
             OK(nicol_material_create_callback(context, &parameters, &material));
             add(stage.scene, stage.mesh, material);
             OK(nicol_material_release(material));
-            const nicol_render_options held = gated(gate), plain = traced();
-            const nicol_job first = submit(stage, &held);
-            const nicol_job second = submit(stage, &plain);
-            const nicol_job dropped = submit(stage, &plain);
+            const nicol_job first = submit(stage, gated(gate));
+            const nicol_job second = submit(stage);
+            const nicol_job dropped = submit(stage);
             gate.wait_until_entered();
             OK(nicol_job_cancel(dropped));
             for (const nicol_job job : {dropped, first, second}) OK(nicol_job_release(job));
@@ -224,9 +208,8 @@ TEST_CASE("everything may be released while a job runs and others wait") {
 }
 
 TEST_CASE("the message of a failed job is there for every thread that asks") {
-    on_every_backend([](nicol_context context) {
-        const Stage stage(context);
-        const Owned wrong(framebuffer_of(context, 4, 4, 2));
+    on_every_stage([](const Stage& stage) {
+        const Owned wrong(framebuffer_of(stage.context, 4, 4, 2));
         Owned<nicol_job> job;
         OK(nicol_render_async(stage.scene, &stage.camera, nullptr, wrong, &job));
         std::vector<std::string> messages(4);
@@ -248,54 +231,28 @@ TEST_CASE("the message of a failed job is there for every thread that asks") {
     });
 }
 
-TEST_CASE("what can be told at once is refused at once") {
-    on_every_backend([](nicol_context context) {
-        const Stage stage(context);
-        nicol_job job = marker<nicol_job>();
-        const nicol_camera& camera = stage.camera;
-        const auto async = [&](nicol_scene scene, const nicol_camera* from,
-                               const nicol_render_options* options, nicol_framebuffer framebuffer) {
-            return nicol_render_async(scene, from, options, framebuffer, &job);
-        };
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.reserved = 1;
-        FAILS(async(stage.scene, &camera, &options, stage.framebuffer), NICOL_ERROR_INVALID_ARGUMENT,
-              "reserved");
-        const nicol_context other = make_context(NICOL_BACKEND_OSMESA);
-        nicol_framebuffer foreign = nullptr;
-        OK(nicol_framebuffer_create(other, 4, 4, 3, &foreign));
-        FAILS(async(stage.scene, &camera, nullptr, foreign), NICOL_ERROR_INVALID_HANDLE, "contexts");
-        OK(nicol_framebuffer_release(foreign));
-        OK(nicol_context_release(other));
-        CHECK(job == marker<nicol_job>());
-    });
-}
-
 TEST_CASE("only so many jobs wait") {
     const Owned context(make_context(NICOL_BACKEND_OSMESA));
-    {
-        const Stage stage(context);
-        Gate gate;
-        const nicol_render_options held = gated(gate), plain = traced();
-        const Owned running(submit(stage, &held));
-        gate.wait_until_entered();
-        std::vector<nicol_job> jobs;
-        for (std::size_t i = 0; i < NICOL_MAX_JOBS; ++i) jobs.push_back(submit(stage, &plain));
-        nicol_job job = marker<nicol_job>();
-        FAILS(nicol_render_async(stage.scene, &stage.camera, &plain, stage.framebuffer, &job),
-              NICOL_ERROR_BUSY, "256");
-        CHECK(job == marker<nicol_job>());
-        OK(nicol_job_cancel(jobs[100]));  // makes room for one
-        jobs.push_back(submit(stage, &plain));
-        FAILS(nicol_render_async(stage.scene, &stage.camera, &plain, stage.framebuffer, &job),
-              NICOL_ERROR_BUSY, "wait");
-        for (const nicol_job one : jobs) OK(nicol_job_cancel(one));
-        gate.open();
-        OK(nicol_job_wait(running, NICOL_WAIT_FOREVER));
-        for (const nicol_job one : jobs) {
-            CHECK(nicol_job_wait(one, NICOL_WAIT_FOREVER) == NICOL_ERROR_CANCELLED);
-            OK(nicol_job_release(one));
-        }
+    const Stage stage(context);
+    Gate gate;
+    const Owned running(submit(stage, gated(gate)));
+    gate.wait_until_entered();
+    std::vector<nicol_job> jobs;
+    for (std::size_t i = 0; i < NICOL_MAX_JOBS; ++i) jobs.push_back(submit(stage));
+    nicol_job job = marker<nicol_job>();
+    FAILS(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job), NICOL_ERROR_BUSY,
+          "256");
+    CHECK(job == marker<nicol_job>());
+    OK(nicol_job_cancel(jobs[100]));  // makes room for one
+    jobs.push_back(submit(stage));
+    FAILS(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job), NICOL_ERROR_BUSY,
+          "wait");
+    for (const nicol_job one : jobs) OK(nicol_job_cancel(one));
+    gate.open();
+    OK(nicol_job_wait(running, NICOL_WAIT_FOREVER));
+    for (const nicol_job one : jobs) {
+        CHECK(nicol_job_wait(one, NICOL_WAIT_FOREVER) == NICOL_ERROR_CANCELLED);
+        OK(nicol_job_release(one));
     }
 }
 
@@ -306,8 +263,7 @@ TEST_CASE("callbacks may ask and cancel, but not wait") {
         std::mutex ready;  // locked until the job is known
         nicol_result waited = NICOL_OK, polled = -1, cancelled = -1, edited = NICOL_OK;
     };
-    on_every_backend([](nicol_context context) {
-        const Stage stage(context);
+    on_every_stage([](const Stage& stage) {
         Asked asked;
         asked.scene = stage.scene;
         nicol_render_options options = traced();
@@ -324,7 +280,7 @@ TEST_CASE("callbacks may ask and cancel, but not wait") {
         };
         {
             const std::lock_guard lock(asked.ready);
-            asked.job = submit(stage, &options);
+            asked.job = submit(stage, options);
         }
         // Cancelled by itself; a job that had nothing left to report would be done.
         const nicol_result result = nicol_job_wait(asked.job, NICOL_WAIT_FOREVER);
@@ -343,8 +299,7 @@ TEST_CASE("what a scene lets go of must not edit it") {
         nicol_result edited = NICOL_OK;
         bool called = false;
     };
-    on_every_backend([](nicol_context context) {
-        const Stage stage(context);
+    on_every_stage([](const Stage& stage) {
         Removed removed;
         removed.scene = stage.scene;
         nicol_callback_material parameters = NICOL_CALLBACK_MATERIAL_INIT;
@@ -360,7 +315,7 @@ TEST_CASE("what a scene lets go of must not edit it") {
         };
         nicol_instance instance = NICOL_INSTANCE_INIT;
         instance.mesh = stage.mesh;
-        OK(nicol_material_create_callback(context, &parameters, &instance.material));
+        OK(nicol_material_create_callback(stage.context, &parameters, &instance.material));
         std::uint32_t id = 0;
         OK(nicol_scene_add_instance(stage.scene, &instance, &id));
         OK(nicol_material_release(instance.material));
@@ -372,30 +327,27 @@ TEST_CASE("what a scene lets go of must not edit it") {
 
 TEST_CASE("threads submit, change, cancel and wait side by side") {
     const Owned context(make_context(NICOL_BACKEND_OSMESA));
-    {
-        const Stage stage(context);
-        std::vector<std::thread> threads;
-        std::vector<int> failures(6);
-        for (std::size_t t = 0; t < failures.size(); ++t) {
-            threads.emplace_back([&, t] {
-                for (int i = 0; i < 8; ++i) {
-                    nicol_job job = nullptr;
-                    const auto tell = [&](bool good) { failures[t] += good ? 0 : 1; };
-                    tell(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job) ==
-                         NICOL_OK);
-                    const double x = 0.01 * static_cast<double>(t) + 0.001 * i;
-                    tell(nicol_scene_set_transform(stage.scene, 0, placed(x, 0, 0).rows) == NICOL_OK);
-                    if (i % 3 == 2) tell(nicol_job_cancel(job) == NICOL_OK);
-                    if (i % 4 == 3)
-                        tell(nicol_render(stage.scene, &stage.camera, nullptr, stage.framebuffer) ==
-                             NICOL_OK);
-                    const nicol_result result = nicol_job_wait(job, NICOL_WAIT_FOREVER);
-                    tell(result == NICOL_OK || (i % 3 == 2 && result == NICOL_ERROR_CANCELLED));
-                    tell(nicol_job_release(job) == NICOL_OK);
-                }
-            });
-        }
-        for (std::thread& thread : threads) thread.join();
-        for (const int count : failures) CHECK(count == 0);
+    const Stage stage(context);
+    std::vector<std::thread> threads;
+    std::vector<int> failures(6);
+    for (std::size_t t = 0; t < failures.size(); ++t) {
+        threads.emplace_back([&, t] {
+            for (int i = 0; i < 8; ++i) {
+                nicol_job job = nullptr;
+                const auto tell = [&](bool good) { failures[t] += good ? 0 : 1; };
+                tell(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job) ==
+                     NICOL_OK);
+                const double x = 0.01 * static_cast<double>(t) + 0.001 * i;
+                tell(nicol_scene_set_transform(stage.scene, 0, placed(x, 0, 0).rows) == NICOL_OK);
+                if (i % 3 == 2) tell(nicol_job_cancel(job) == NICOL_OK);
+                if (i % 4 == 3)
+                    tell(nicol_render(stage.scene, &stage.camera, nullptr, stage.framebuffer) == NICOL_OK);
+                const nicol_result result = nicol_job_wait(job, NICOL_WAIT_FOREVER);
+                tell(result == NICOL_OK || (i % 3 == 2 && result == NICOL_ERROR_CANCELLED));
+                tell(nicol_job_release(job) == NICOL_OK);
+            }
+        });
     }
+    for (std::thread& thread : threads) thread.join();
+    for (const int count : failures) CHECK(count == 0);
 }

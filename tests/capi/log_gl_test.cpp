@@ -85,7 +85,8 @@ TEST_CASE("every notice of a scene file arrives, once, in one line") {
         Owned<nicol_scene> scene;
         OK(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
         const std::vector<Entry> entries = log.take();
-        for (const char* about : {"path", "alpha", "float32"}) CHECK(count_of(entries, about) >= 1);
+        for (const char* about : {"path", "alpha", "float32", "emitter"})
+            CHECK(count_of(entries, about) >= 1);
         std::set<std::string> messages;
         for (const Entry& entry : entries) {
             CHECK(entry.severity == NICOL_LOG_NOTICE);

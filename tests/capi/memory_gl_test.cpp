@@ -44,50 +44,28 @@ std::vector<nicol_render_options> many_options() {
 
 // Two rectangles that hide the light from each other, under light of three unlike channels, so that nothing
 // can be left out.
-class Cleft {
-public:
-    explicit Cleft(nicol_context context) {
+struct Cleft {
+    nicol_context context;
+    Owned<nicol_environment> light;
+    Owned<nicol_material> material;
+    Owned<nicol_mesh> mesh{rectangle(context)};
+    Owned<nicol_framebuffer> framebuffer{framebuffer_of(context, 8, 8, 3)};
+
+    explicit Cleft(nicol_context owner) : context(owner) {
         nicol_sky sky = NICOL_SKY_INIT;
         sky.radiance = spectrum({1, 2, 3});
-        OK(nicol_environment_create_sky(context, &sky, &light_));
+        OK(nicol_environment_create_sky(context, &sky, &light));
         nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
         plastic.diffuse_reflectance = spectrum({0.2F, 0.4F, 0.6F});
-        OK(nicol_material_create_pplastic(context, &plastic, &material_));
-        OK(nicol_mesh_create_rectangle(context, &mesh_));
-        OK(nicol_framebuffer_create(context, 8, 8, 3, &framebuffer_));
-        context_ = context;
+        OK(nicol_material_create_pplastic(context, &plastic, &material));
     }
-    ~Cleft() {
-        nicol_environment_release(light_);
-        nicol_material_release(material_);
-        nicol_mesh_release(mesh_);
-        nicol_framebuffer_release(framebuffer_);
-    }
-    Cleft(const Cleft&) = delete;
-    Cleft& operator=(const Cleft&) = delete;
-
     /// A scene of its own each time, in which nothing is left of other options.
-    nicol_result render(const nicol_render_options& options, nicol_statistics& statistics) const {
-        nicol_scene scene = nullptr;
-        OK(nicol_scene_create(context_, &scene));
-        OK(nicol_scene_set_environment(scene, light_, nullptr, 0));
-        const Matrix down = {{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.05, 0, 0, 0, 1}};
-        for (const Matrix& to_world : {placed(0, 0, 0), down}) {
-            add(scene, mesh_, material_, to_world);
-        }
+    [[nodiscard]] nicol_result render(const nicol_render_options& options) const {
+        const Owned scene(simple_scene(context, light, mesh, material));
+        add(scene, mesh, material, {{1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0.05, 0, 0, 0, 1}});
         const nicol_camera camera = front_camera(9);
-        const nicol_result result = nicol_render(scene, &camera, &options, framebuffer_);
-        OK(nicol_framebuffer_get_statistics(framebuffer_, &statistics));
-        OK(nicol_scene_release(scene));
-        return result;
+        return nicol_render(scene, &camera, &options, framebuffer);
     }
-
-private:
-    nicol_context context_ = nullptr;
-    nicol_environment light_ = nullptr;
-    nicol_material material_ = nullptr;
-    nicol_mesh mesh_ = nullptr;
-    nicol_framebuffer framebuffer_ = nullptr;
 };
 
 // The bytes that the last message says are needed.
@@ -100,7 +78,7 @@ std::uint64_t bytes_in_message() {
 }
 
 std::optional<std::uint64_t> bytes_needed(const Stage& stage, const nicol_render_options& options) {
-    const nicol_result result = nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer);
+    const nicol_result result = stage.try_render(options);
     if (result == NICOL_OK) return std::nullopt;
     CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);
     return bytes_in_message();
@@ -118,10 +96,10 @@ TEST_CASE("predictions are never too low, and not far too high") {
                 CAPTURE(options.order_low);
                 CAPTURE(options.high_orders);
                 CAPTURE(options.shadows);
-                nicol_statistics statistics = NICOL_STATISTICS_INIT;
-                REQUIRE(refused.render(options, statistics) == NICOL_ERROR_OUT_OF_MEMORY);
+                REQUIRE(refused.render(options) == NICOL_ERROR_OUT_OF_MEMORY);
                 const std::uint64_t needed = bytes_in_message();
-                OK(rendered.render(options, statistics));
+                OK(rendered.render(options));
+                const nicol_statistics statistics = statistics_of(rendered.framebuffer);
                 const std::uint64_t taken =
                     statistics.visibility_bytes + statistics.transfer_bytes + statistics.buffer_bytes;
                 CHECK(needed >= taken);
@@ -158,14 +136,12 @@ TEST_CASE("a limit refuses what exceeds it and nothing else") {
             const Owned context(limited_context(backend, enough ? needed : needed - 1));
             {
                 const Stage stage(context);
-                const nicol_result result =
-                    nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer);
+                const nicol_result result = stage.try_render(options);
                 CHECK(result == (enough ? NICOL_OK : NICOL_ERROR_OUT_OF_MEMORY));
                 if (enough) {
                     // Another cube is another cube's memory.
                     add(stage.scene, stage.mesh, stage.material);
-                    FAILS(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer),
-                          NICOL_ERROR_OUT_OF_MEMORY, std::to_string(needed));
+                    FAILS(stage.try_render(options), NICOL_ERROR_OUT_OF_MEMORY, std::to_string(needed));
                 }
             }
         }

@@ -41,15 +41,14 @@ std::set<std::string> channel_names(const std::string& path) {
 }  // namespace
 
 TEST_CASE("images have the planes that were asked for, and read as they did") {
-    on_every_backend([](nicol_context context) {
-        const Stage stage(context);
+    on_every_stage([](const Stage& stage) {
         const TemporaryFolder folder;
         const std::string bare = folder.file("bare.exr"), full = folder.file("full.exr");
         stage.render();
         OK(nicol_framebuffer_write_exr(stage.framebuffer, bare.c_str()));
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
         options.aovs = NICOL_AOV_ALL;
-        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        OK(stage.try_render(options));
         OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
         const Surfaces seen(stage.framebuffer);
         CHECK(channel<float>(full, "Z") == seen.depth);
@@ -67,7 +66,7 @@ TEST_CASE("images have the planes that were asked for, and read as they did") {
 
         std::set<std::string> expected = channel_names(bare);
         options.aovs = NICOL_AOV_NORMALS;
-        OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+        OK(stage.try_render(options));
         OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
         expected.insert({"N.X", "N.Y", "N.Z"});
         CHECK(channel_names(full) == expected);

@@ -66,13 +66,6 @@ inline Vec3 operator*(const Rotation& r, const Vec3& v) {
     return {r[0] * v[0] + r[1] * v[1] + r[2] * v[2], r[3] * v[0] + r[4] * v[1] + r[5] * v[2],
             r[6] * v[0] + r[7] * v[1] + r[8] * v[2]};
 }
-inline Rotation after(const Rotation& a, const Rotation& b) {
-    Rotation out{};
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-            for (std::size_t k = 0; k < 3; ++k) out[3 * i + j] += a[3 * i + k] * b[3 * k + j];
-    return out;
-}
 inline Rotation transposed(const Rotation& r) {
     return {r[0], r[3], r[6], r[1], r[4], r[7], r[2], r[5], r[8]};
 }
@@ -90,14 +83,6 @@ inline std::array<double, 4> in_theta_phi(const double* s, const Vec3& x, const 
     const auto rotated = std::complex(s[1], s[2]) * std::polar(1.0, 2 * angle);
     return {s[0], rotated.real(), rotated.imag(), s[3]};
 }
-/// The inverse: components in the frame with `x`.
-inline std::array<double, 4> from_theta_phi(const double* s, const Vec3& x, const Vec3& w) {
-    const auto axes = theta_phi(w);
-    const double angle = std::atan2(dot(x, axes[1]), dot(x, axes[0]));
-    const auto rotated = std::complex(s[1], s[2]) * std::polar(1.0, -2 * angle);
-    return {s[0], rotated.real(), rotated.imag(), s[3]};
-}
-
 inline std::array<double, 4> value(std::uint32_t order, const double* field, const Vec3& w) {
     std::array<double, 4> s{};
     OK(nicol_psh_evaluate(order, 1, field, vector_size(order), w.data(), 3, s.data(), 4));

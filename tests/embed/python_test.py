@@ -123,12 +123,6 @@ class CallTest(unittest.TestCase):
             mesh.get_size()
         self.assertEqual(caught.exception.code, nicol.ERROR_INVALID_HANDLE)
 
-    def test_any_order_of_release(self):
-        context = nicol.Context.create()
-        scene = scene_of_sphere(context)
-        context.release()
-        self.assertEqual(scene.get_channels(), 1)
-
     def test_results(self):
         scene = scene_of_sphere(self.context)
         environment, to_world, scale = scene.get_environment()
@@ -192,9 +186,6 @@ class CallTest(unittest.TestCase):
         self.assertEqual(float(framebuffer.plane(nicol.PLANE_S0)[0, 0]), 2)
         with self.assertRaisesRegex(nicol.Error, "order_low"):
             nicol.render_async(self.scene, camera(), nicol.RenderOptions(order_low=-7), framebuffer)
-        job = nicol.render_async(self.scene, camera(), None, nicol.Framebuffer.create(self.context, 4, 4, 2))
-        with self.assertRaisesRegex(nicol.Error, "colour channels"):
-            job.wait(nicol.WAIT_FOREVER)
 
     @unittest.skipIf(numpy is None, "numpy is absent")
     def test_plane_into_a_part_of_an_array(self):

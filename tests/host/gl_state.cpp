@@ -3,172 +3,99 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <sstream>
 
 namespace host_test {
 namespace {
 
 struct Named {
-    const char* name;
+    std::string name;
     GLenum value;
-    int count = 1;
+    int count = 1;  ///< of numbers
 };
-#define NAMED(name) \
-    { #name, name, 1 }
-#define NAMED_N(name, count) \
-    { #name, name, count }
+using Names = std::vector<Named>;
 
-constexpr Named capabilities[] = {NAMED(GL_DEPTH_TEST),
-                                  NAMED(GL_STENCIL_TEST),
-                                  NAMED(GL_CULL_FACE),
-                                  NAMED(GL_DITHER),
-                                  NAMED(GL_COLOR_LOGIC_OP),
-                                  NAMED(GL_POLYGON_OFFSET_FILL),
-                                  NAMED(GL_POLYGON_OFFSET_LINE),
-                                  NAMED(GL_POLYGON_OFFSET_POINT),
-                                  NAMED(GL_POLYGON_SMOOTH),
-                                  NAMED(GL_LINE_SMOOTH),
-                                  NAMED(GL_MULTISAMPLE),
-                                  NAMED(GL_SAMPLE_ALPHA_TO_COVERAGE),
-                                  NAMED(GL_SAMPLE_ALPHA_TO_ONE),
-                                  NAMED(GL_SAMPLE_COVERAGE),
-                                  NAMED(GL_SAMPLE_MASK),
-                                  NAMED(GL_SAMPLE_SHADING),
-                                  NAMED(GL_PRIMITIVE_RESTART),
-                                  NAMED(GL_PRIMITIVE_RESTART_FIXED_INDEX),
-                                  NAMED(GL_RASTERIZER_DISCARD),
-                                  NAMED(GL_DEPTH_CLAMP),
-                                  NAMED(GL_FRAMEBUFFER_SRGB),
-                                  NAMED(GL_PROGRAM_POINT_SIZE),
-                                  NAMED(GL_DEBUG_OUTPUT),
-                                  NAMED(GL_DEBUG_OUTPUT_SYNCHRONOUS),
-                                  NAMED(GL_TEXTURE_CUBE_MAP_SEAMLESS),
-                                  NAMED(GL_CLIP_DISTANCE0),
-                                  NAMED(GL_CLIP_DISTANCE1),
-                                  NAMED(GL_CLIP_DISTANCE5),
-                                  NAMED(GL_CLIP_DISTANCE7)};
+Names named(int count, const std::string& names, std::initializer_list<GLenum> values) {
+    Names all;
+    std::istringstream words(names);
+    for (const GLenum value : values) {
+        std::string name;
+        std::getline(words >> std::ws, name, ',');
+        all.push_back({name, value, count});
+    }
+    return all;
+}
+/// Constants of OpenGL, each of so many numbers, with their names.
+#define NAMED(count, ...) named(count, #__VA_ARGS__, {__VA_ARGS__})
 
-constexpr Named values[] = {NAMED(GL_DEPTH_WRITEMASK),
-                            NAMED(GL_DEPTH_FUNC),
-                            NAMED(GL_DEPTH_CLEAR_VALUE),
-                            NAMED_N(GL_COLOR_CLEAR_VALUE, 4),
-                            NAMED(GL_STENCIL_CLEAR_VALUE),
-                            NAMED(GL_STENCIL_WRITEMASK),
-                            NAMED(GL_STENCIL_BACK_WRITEMASK),
-                            NAMED(GL_STENCIL_FUNC),
-                            NAMED(GL_STENCIL_REF),
-                            NAMED(GL_STENCIL_VALUE_MASK),
-                            NAMED(GL_STENCIL_FAIL),
-                            NAMED(GL_STENCIL_PASS_DEPTH_FAIL),
-                            NAMED(GL_STENCIL_PASS_DEPTH_PASS),
-                            NAMED(GL_CULL_FACE_MODE),
-                            NAMED(GL_FRONT_FACE),
-                            NAMED_N(GL_POLYGON_MODE, 2),
-                            NAMED(GL_POLYGON_OFFSET_FACTOR),
-                            NAMED(GL_POLYGON_OFFSET_UNITS),
-                            NAMED(GL_PROVOKING_VERTEX),
-                            NAMED(GL_CLIP_ORIGIN),
-                            NAMED(GL_CLIP_DEPTH_MODE),
-                            NAMED(GL_LOGIC_OP_MODE),
-                            NAMED_N(GL_BLEND_COLOR, 4),
-                            NAMED(GL_LINE_WIDTH),
-                            NAMED(GL_POINT_SIZE),
-                            NAMED(GL_SAMPLE_COVERAGE_VALUE),
-                            NAMED(GL_MIN_SAMPLE_SHADING_VALUE),
-                            NAMED(GL_PRIMITIVE_RESTART_INDEX),
-                            NAMED(GL_PATCH_VERTICES),
-                            NAMED(GL_CURRENT_PROGRAM),
-                            NAMED(GL_PROGRAM_PIPELINE_BINDING),
-                            NAMED(GL_VERTEX_ARRAY_BINDING),
-                            NAMED(GL_DRAW_FRAMEBUFFER_BINDING),
-                            NAMED(GL_READ_FRAMEBUFFER_BINDING),
-                            NAMED(GL_RENDERBUFFER_BINDING),
-                            NAMED(GL_ARRAY_BUFFER_BINDING),
-                            NAMED(GL_COPY_READ_BUFFER_BINDING),
-                            NAMED(GL_COPY_WRITE_BUFFER_BINDING),
-                            NAMED(GL_DRAW_INDIRECT_BUFFER_BINDING),
-                            NAMED(GL_DISPATCH_INDIRECT_BUFFER_BINDING),
-                            NAMED(GL_PIXEL_PACK_BUFFER_BINDING),
-                            NAMED(GL_PIXEL_UNPACK_BUFFER_BINDING),
-                            NAMED(GL_QUERY_BUFFER_BINDING),
-                            NAMED(GL_UNIFORM_BUFFER_BINDING),
-                            NAMED(GL_SHADER_STORAGE_BUFFER_BINDING),
-                            NAMED(GL_ATOMIC_COUNTER_BUFFER_BINDING),
-                            NAMED(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING),
-                            NAMED(GL_TRANSFORM_FEEDBACK_BINDING),
-                            NAMED(GL_TEXTURE_BUFFER_BINDING),
-                            NAMED(GL_ACTIVE_TEXTURE),
-                            NAMED(GL_READ_BUFFER),
-                            NAMED(GL_CLAMP_READ_COLOR),
-                            NAMED(GL_FRAGMENT_SHADER_DERIVATIVE_HINT),
-                            NAMED(GL_PACK_SWAP_BYTES),
-                            NAMED(GL_PACK_LSB_FIRST),
-                            NAMED(GL_PACK_ROW_LENGTH),
-                            NAMED(GL_PACK_IMAGE_HEIGHT),
-                            NAMED(GL_PACK_SKIP_ROWS),
-                            NAMED(GL_PACK_SKIP_PIXELS),
-                            NAMED(GL_PACK_SKIP_IMAGES),
-                            NAMED(GL_PACK_ALIGNMENT),
-                            NAMED(GL_UNPACK_SWAP_BYTES),
-                            NAMED(GL_UNPACK_LSB_FIRST),
-                            NAMED(GL_UNPACK_ROW_LENGTH),
-                            NAMED(GL_UNPACK_IMAGE_HEIGHT),
-                            NAMED(GL_UNPACK_SKIP_ROWS),
-                            NAMED(GL_UNPACK_SKIP_PIXELS),
-                            NAMED(GL_UNPACK_SKIP_IMAGES),
-                            NAMED(GL_UNPACK_ALIGNMENT),
-                            NAMED(GL_DEBUG_GROUP_STACK_DEPTH)};
+const Names capabilities = NAMED(
+    1, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_DITHER, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL,
+    GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT, GL_POLYGON_SMOOTH, GL_LINE_SMOOTH, GL_MULTISAMPLE,
+    GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK,
+    GL_SAMPLE_SHADING, GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_RASTERIZER_DISCARD,
+    GL_DEPTH_CLAMP, GL_FRAMEBUFFER_SRGB, GL_PROGRAM_POINT_SIZE, GL_DEBUG_OUTPUT, GL_DEBUG_OUTPUT_SYNCHRONOUS,
+    GL_TEXTURE_CUBE_MAP_SEAMLESS, GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE1, GL_CLIP_DISTANCE5, GL_CLIP_DISTANCE7);
+const Names values[] = {
+    NAMED(1, GL_DEPTH_WRITEMASK, GL_DEPTH_FUNC, GL_DEPTH_CLEAR_VALUE, GL_STENCIL_CLEAR_VALUE,
+          GL_STENCIL_WRITEMASK, GL_STENCIL_BACK_WRITEMASK, GL_STENCIL_FUNC, GL_STENCIL_REF,
+          GL_STENCIL_VALUE_MASK, GL_STENCIL_FAIL, GL_STENCIL_PASS_DEPTH_FAIL, GL_STENCIL_PASS_DEPTH_PASS,
+          GL_CULL_FACE_MODE, GL_FRONT_FACE, GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS,
+          GL_PROVOKING_VERTEX, GL_CLIP_ORIGIN, GL_CLIP_DEPTH_MODE, GL_LOGIC_OP_MODE, GL_LINE_WIDTH,
+          GL_POINT_SIZE, GL_SAMPLE_COVERAGE_VALUE, GL_MIN_SAMPLE_SHADING_VALUE, GL_PRIMITIVE_RESTART_INDEX,
+          GL_PATCH_VERTICES, GL_CURRENT_PROGRAM, GL_PROGRAM_PIPELINE_BINDING, GL_VERTEX_ARRAY_BINDING,
+          GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING, GL_RENDERBUFFER_BINDING,
+          GL_ARRAY_BUFFER_BINDING, GL_COPY_READ_BUFFER_BINDING, GL_COPY_WRITE_BUFFER_BINDING,
+          GL_DRAW_INDIRECT_BUFFER_BINDING, GL_DISPATCH_INDIRECT_BUFFER_BINDING, GL_PIXEL_PACK_BUFFER_BINDING,
+          GL_PIXEL_UNPACK_BUFFER_BINDING, GL_QUERY_BUFFER_BINDING, GL_UNIFORM_BUFFER_BINDING,
+          GL_SHADER_STORAGE_BUFFER_BINDING, GL_ATOMIC_COUNTER_BUFFER_BINDING,
+          GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BINDING, GL_TEXTURE_BUFFER_BINDING,
+          GL_ACTIVE_TEXTURE, GL_READ_BUFFER, GL_CLAMP_READ_COLOR, GL_FRAGMENT_SHADER_DERIVATIVE_HINT,
+          GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH, GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_ROWS,
+          GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_IMAGES, GL_PACK_ALIGNMENT, GL_UNPACK_SWAP_BYTES,
+          GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS,
+          GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_ALIGNMENT, GL_DEBUG_GROUP_STACK_DEPTH),
+    NAMED(4, GL_COLOR_CLEAR_VALUE, GL_BLEND_COLOR), NAMED(2, GL_POLYGON_MODE)};
 
 // Of compatibility contexts; their names are not in the core loader.
-constexpr Named old_capabilities[] = {{"GL_ALPHA_TEST", 0x0BC0},
-                                      {"GL_POLYGON_STIPPLE", 0x0B42},
-                                      {"GL_LIGHTING", 0x0B50},
-                                      {"GL_FOG", 0x0B60},
-                                      {"GL_TEXTURE_2D", GL_TEXTURE_2D}};
-constexpr Named old_values[] = {{"GL_ALPHA_TEST_FUNC", 0x0BC1},
-                                {"GL_ALPHA_TEST_REF", 0x0BC2},
-                                {"GL_CLAMP_FRAGMENT_COLOR", 0x891B},
-                                {"GL_CLAMP_VERTEX_COLOR", 0x891A},
-                                {"GL_MATRIX_MODE", 0x0BA0},
-                                {"GL_CURRENT_COLOR", 0x0B00, 4},
-                                {"GL_MODELVIEW_MATRIX", 0x0BA6, 16},
-                                {"GL_PROJECTION_MATRIX", 0x0BA7, 16},
-                                {"GL_MAP_COLOR", 0x0D10},
-                                {"GL_RED_SCALE", 0x0D14},
-                                {"GL_RED_BIAS", 0x0D15},
-                                {"GL_GREEN_SCALE", 0x0D18},
-                                {"GL_GREEN_BIAS", 0x0D19},
-                                {"GL_BLUE_SCALE", 0x0D1A},
-                                {"GL_BLUE_BIAS", 0x0D1B},
-                                {"GL_ALPHA_SCALE", 0x0D1C},
-                                {"GL_ALPHA_BIAS", 0x0D1D}};
+const Names old_capabilities = {{"GL_ALPHA_TEST", 0x0BC0},
+                                {"GL_POLYGON_STIPPLE", 0x0B42},
+                                {"GL_LIGHTING", 0x0B50},
+                                {"GL_FOG", 0x0B60},
+                                {"GL_TEXTURE_2D", GL_TEXTURE_2D}};
+const Names old_values = {{"GL_ALPHA_TEST_FUNC", 0x0BC1},
+                          {"GL_ALPHA_TEST_REF", 0x0BC2},
+                          {"GL_CLAMP_FRAGMENT_COLOR", 0x891B},
+                          {"GL_CLAMP_VERTEX_COLOR", 0x891A},
+                          {"GL_MATRIX_MODE", 0x0BA0},
+                          {"GL_CURRENT_COLOR", 0x0B00, 4},
+                          {"GL_MODELVIEW_MATRIX", 0x0BA6, 16},
+                          {"GL_PROJECTION_MATRIX", 0x0BA7, 16},
+                          {"GL_MAP_COLOR", 0x0D10},
+                          {"GL_RED_SCALE", 0x0D14},
+                          {"GL_RED_BIAS", 0x0D15},
+                          {"GL_GREEN_SCALE", 0x0D18},
+                          {"GL_GREEN_BIAS", 0x0D19},
+                          {"GL_BLUE_SCALE", 0x0D1A},
+                          {"GL_BLUE_BIAS", 0x0D1B},
+                          {"GL_ALPHA_SCALE", 0x0D1C},
+                          {"GL_ALPHA_BIAS", 0x0D1D}};
 
-constexpr Named unit_bindings[] = {NAMED(GL_TEXTURE_BINDING_1D),
-                                   NAMED(GL_TEXTURE_BINDING_2D),
-                                   NAMED(GL_TEXTURE_BINDING_3D),
-                                   NAMED(GL_TEXTURE_BINDING_1D_ARRAY),
-                                   NAMED(GL_TEXTURE_BINDING_2D_ARRAY),
-                                   NAMED(GL_TEXTURE_BINDING_RECTANGLE),
-                                   NAMED(GL_TEXTURE_BINDING_BUFFER),
-                                   NAMED(GL_TEXTURE_BINDING_CUBE_MAP),
-                                   NAMED(GL_TEXTURE_BINDING_CUBE_MAP_ARRAY),
-                                   NAMED(GL_TEXTURE_BINDING_2D_MULTISAMPLE),
-                                   NAMED(GL_SAMPLER_BINDING)};
-
+const Names unit_bindings =
+    NAMED(1, GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_1D_ARRAY,
+          GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_RECTANGLE, GL_TEXTURE_BINDING_BUFFER,
+          GL_TEXTURE_BINDING_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP_ARRAY, GL_TEXTURE_BINDING_2D_MULTISAMPLE,
+          GL_SAMPLER_BINDING);
 // Of each draw buffer, viewport, image unit or binding point.
-constexpr Named of_draw_buffers[] = {NAMED_N(GL_COLOR_WRITEMASK, 4), NAMED(GL_BLEND_SRC_RGB),
-                                     NAMED(GL_BLEND_DST_RGB),        NAMED(GL_BLEND_SRC_ALPHA),
-                                     NAMED(GL_BLEND_DST_ALPHA),      NAMED(GL_BLEND_EQUATION_RGB),
-                                     NAMED(GL_BLEND_EQUATION_ALPHA)};
-constexpr Named of_viewports[] = {NAMED_N(GL_VIEWPORT, 4), NAMED_N(GL_DEPTH_RANGE, 2),
-                                  NAMED_N(GL_SCISSOR_BOX, 4)};
-constexpr Named of_image_units[] = {NAMED(GL_IMAGE_BINDING_NAME),    NAMED(GL_IMAGE_BINDING_LEVEL),
-                                    NAMED(GL_IMAGE_BINDING_LAYERED), NAMED(GL_IMAGE_BINDING_LAYER),
-                                    NAMED(GL_IMAGE_BINDING_ACCESS),  NAMED(GL_IMAGE_BINDING_FORMAT)};
-constexpr Named of_buffer_bindings[] = {
-    NAMED(GL_SHADER_STORAGE_BUFFER_BINDING), NAMED(GL_SHADER_STORAGE_BUFFER_START),
-    NAMED(GL_SHADER_STORAGE_BUFFER_SIZE),    NAMED(GL_UNIFORM_BUFFER_BINDING),
-    NAMED(GL_UNIFORM_BUFFER_START),          NAMED(GL_UNIFORM_BUFFER_SIZE)};
+const Names of_draw_buffers[] = {NAMED(1, GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
+                                       GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA),
+                                 NAMED(4, GL_COLOR_WRITEMASK)};
+const Names of_viewports[] = {NAMED(4, GL_VIEWPORT, GL_SCISSOR_BOX), NAMED(2, GL_DEPTH_RANGE)};
+const Names of_image_units = NAMED(1, GL_IMAGE_BINDING_NAME, GL_IMAGE_BINDING_LEVEL, GL_IMAGE_BINDING_LAYERED,
+                                   GL_IMAGE_BINDING_LAYER, GL_IMAGE_BINDING_ACCESS, GL_IMAGE_BINDING_FORMAT);
+const Names of_buffer_bindings =
+    NAMED(1, GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE,
+          GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE);
 
 GLint integer(const GladGLContext& gl, GLenum name) {
     GLint value = 0;
@@ -187,19 +114,18 @@ public:
         gl_.GetDoublev(named.value, numbers.data());
         state[prefix + named.name].assign(numbers.begin(), numbers.begin() + named.count);
     }
-    template <std::size_t N>
-    void indexed(const Named (&all)[N], GLint count) {
+    void indexed(const Names& all, GLint count) {
         for (GLint i = 0; i < count; ++i)
             for (const Named& named : all) {
                 std::array<GLdouble, 16> numbers{};
                 gl_.GetDoublei_v(named.value, static_cast<GLuint>(i), numbers.data());
-                state[std::string(named.name) + " " + std::to_string(i)].assign(
-                    numbers.begin(), numbers.begin() + named.count);
+                state[named.name + " " + std::to_string(i)].assign(numbers.begin(),
+                                                                   numbers.begin() + named.count);
             }
     }
     void enabled(const Named& named, GLint count) {
         for (GLint i = 0; i < count; ++i)
-            state[std::string(named.name) + " " + std::to_string(i)] = {
+            state[named.name + " " + std::to_string(i)] = {
                 double(gl_.IsEnabledi(named.value, static_cast<GLuint>(i)))};
     }
 
@@ -212,15 +138,16 @@ private:
 GlState gl_state(const GladGLContext& gl) {
     Reader reader(gl);
     for (const Named& named : capabilities) reader.capability(named);
-    for (const Named& named : values) reader.value(named);
+    for (const Names& names : values)
+        for (const Named& named : names) reader.value(named);
     if ((integer(gl, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) != 0) {
         for (const Named& named : old_capabilities) reader.capability(named);
         for (const Named& named : old_values) reader.value(named);
     }
-    reader.indexed(of_draw_buffers, integer(gl, GL_MAX_DRAW_BUFFERS));
-    reader.enabled(NAMED(GL_BLEND), integer(gl, GL_MAX_DRAW_BUFFERS));
-    reader.indexed(of_viewports, integer(gl, GL_MAX_VIEWPORTS));
-    reader.enabled(NAMED(GL_SCISSOR_TEST), integer(gl, GL_MAX_VIEWPORTS));
+    for (const Names& names : of_draw_buffers) reader.indexed(names, integer(gl, GL_MAX_DRAW_BUFFERS));
+    reader.enabled(NAMED(1, GL_BLEND).front(), integer(gl, GL_MAX_DRAW_BUFFERS));
+    for (const Names& names : of_viewports) reader.indexed(names, integer(gl, GL_MAX_VIEWPORTS));
+    reader.enabled(NAMED(1, GL_SCISSOR_TEST).front(), integer(gl, GL_MAX_VIEWPORTS));
     reader.indexed(of_image_units, integer(gl, GL_MAX_IMAGE_UNITS));
     reader.indexed(of_buffer_bindings, std::min(integer(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS),
                                                 integer(gl, GL_MAX_UNIFORM_BUFFER_BINDINGS)));

@@ -122,8 +122,7 @@ std::vector<float> image_of(nicol_context context, nicol_executor executor) {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.executor = executor;
     options.high_orders_at = NICOL_HIGH_ORDERS_AT_PIXELS;
-    OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
-    return read_all(stage.framebuffer);
+    return stage.image(options);
 }
 
 }  // namespace
@@ -147,18 +146,18 @@ TEST_CASE("every call leaves the application's state as it was") {
             for (const nicol_executor executor : {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE}) {
                 options.executor = executor;
                 options.high_orders_at = NICOL_HIGH_ORDERS_AT_PIXELS;
-                OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+                OK(stage.try_render(options));
                 same("render");
             }
             options = NICOL_RENDER_OPTIONS_INIT;
             options.method = NICOL_METHOD_REFERENCE;
             options.samples = 1;
-            OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+            OK(stage.try_render(options));
             same("render by rays");
             static_cast<void>(read_all(stage.framebuffer));
             same("read");
             options.method = 99;
-            CHECK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer) != NICOL_OK);
+            CHECK(stage.try_render(options) != NICOL_OK);
             same("a render that fails");
             nicol_framebuffer large = nullptr;
             CHECK(nicol_framebuffer_create(context, 16384, 16384, 16, &large) != NICOL_OK);

@@ -27,15 +27,13 @@ constexpr Variant variants[] = {
 
 /// A tent of two triangles, which shadow each other, under a sky; two framebuffers.
 struct Tent {
-    nicol_environment environment = nullptr;
-    nicol_material material = nullptr;
-    nicol_mesh mesh = nullptr;
+    Owned<nicol_environment> environment;
+    Owned<nicol_material> material;
+    Owned<nicol_mesh> mesh;
 
-    explicit Tent(nicol_context context) {
+    explicit Tent(nicol_context context) : material(diffuse(context, {0.5F})) {
         const nicol_sky sky = NICOL_SKY_INIT;
         OK(nicol_environment_create_sky(context, &sky, &environment));
-        const nicol_spectrum grey = spectrum({0.5F});
-        OK(nicol_material_create_diffuse(context, &grey, &material));
         const float positions[] = {-1, 1, -1, 0, -1, 0, 0, 1, 0, 1, 1, -1, 0, -1, 0.5F, 0, 1, 0.5F};
         const std::uint32_t indices[] = {0, 1, 2, 3, 5, 4};
         nicol_mesh_data data = NICOL_MESH_DATA_INIT;
@@ -45,13 +43,6 @@ struct Tent {
         data.indices = indices;
         OK(nicol_mesh_create(context, &data, &mesh));
     }
-    ~Tent() {
-        CHECK(nicol_mesh_release(mesh) == NICOL_OK);
-        CHECK(nicol_material_release(material) == NICOL_OK);
-        CHECK(nicol_environment_release(environment) == NICOL_OK);
-    }
-    Tent(const Tent&) = delete;
-    Tent& operator=(const Tent&) = delete;
 };
 
 nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer framebuffer) {
@@ -72,49 +63,43 @@ nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer
 TEST_CASE("a render that lacks memory says so and harms nothing") {
     nicol_context_options context_options = NICOL_CONTEXT_OPTIONS_INIT;
     context_options.threads = 1;
-    nicol_context context = nullptr;
+    Owned<nicol_context> context;
     OK(nicol_context_create(&context_options, &context));
-    {
-        const Tent tent(context);
-        for (const Variant& variant : variants) {
-            CAPTURE(std::string(variant.name));
-            std::vector<float> expected;
-            std::int64_t allocations = 0, failed = 0;
-            std::int64_t step = 1;
-            for (std::int64_t position = -1; position < allocations || position < 0; position += step) {
-                CAPTURE(position);
-                const nicol_scene scene = simple_scene(context, tent.environment, tent.mesh, tent.material);
-                nicol_framebuffer framebuffer = nullptr;
-                OK(nicol_framebuffer_create(context, size, size, 3, &framebuffer));
-                if (position < 0) {
-                    {
-                        const Shortage none;
-                        OK(render(scene, variant, framebuffer));
-                        allocations = none.count();
-                    }
-                    expected = read_all(framebuffer);
-                    step = std::max<std::int64_t>(1, allocations / 100);
-                    MESSAGE(std::string(variant.name), ": ", allocations, " allocations, every ", step);
-                } else {
-                    nicol_result result = NICOL_OK;
-                    {
-                        const Shortage shortage(position, position / step % 2 == 1);
-                        result = render(scene, variant, framebuffer);
-                    }
-                    // What is not an error was made up for, such as a larger room that a container asked for.
-                    if (result != NICOL_OK) {
-                        ++failed;
-                        CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);
-                        CHECK(std::string(nicol_last_error()).find("memory") != std::string::npos);
-                        OK(render(scene, variant, framebuffer));
-                    }
-                    REQUIRE(read_all(framebuffer) == expected);
+    const Tent tent(context);
+    for (const Variant& variant : variants) {
+        CAPTURE(std::string(variant.name));
+        std::vector<float> expected;
+        std::int64_t allocations = 0, failed = 0;
+        std::int64_t step = 1;
+        for (std::int64_t position = -1; position < allocations || position < 0; position += step) {
+            CAPTURE(position);
+            const Owned scene(simple_scene(context, tent.environment, tent.mesh, tent.material));
+            const Owned framebuffer(framebuffer_of(context, size, size, 3));
+            if (position < 0) {
+                {
+                    const Shortage none;
+                    OK(render(scene, variant, framebuffer));
+                    allocations = none.count();
                 }
-                OK(nicol_framebuffer_release(framebuffer));
-                OK(nicol_scene_release(scene));
+                expected = read_all(framebuffer);
+                step = std::max<std::int64_t>(1, allocations / 100);
+                MESSAGE(std::string(variant.name), ": ", allocations, " allocations, every ", step);
+            } else {
+                nicol_result result = NICOL_OK;
+                {
+                    const Shortage shortage(position, position / step % 2 == 1);
+                    result = render(scene, variant, framebuffer);
+                }
+                // What is not an error was made up for, such as a larger room that a container asked for.
+                if (result != NICOL_OK) {
+                    ++failed;
+                    CHECK(result == NICOL_ERROR_OUT_OF_MEMORY);
+                    CHECK(std::string(nicol_last_error()).find("memory") != std::string::npos);
+                    OK(render(scene, variant, framebuffer));
+                }
+                REQUIRE(read_all(framebuffer) == expected);
             }
-            CHECK(failed > allocations / step / 2);
         }
+        CHECK(failed > allocations / step / 2);
     }
-    OK(nicol_context_release(context));
 }

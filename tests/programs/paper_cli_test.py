@@ -32,14 +32,17 @@ class CommandLine(ProgramTest):
         self.assert_fails([FILES[2]], self.folder, "--out", self.path("out"))
 
     def test_arguments(self):
-        self.assert_fails(["--size", "31"], ".", "--size", "31")
-        self.assert_fails(["--size", "4097"], ".", "--size", "4097")
-        self.assert_fails(["--frames", "-1"], ".", "--frames", "-1")
-        self.assert_fails(["--reference", "0"], ".", "--reference", "0")
-        self.assert_fails(["--directions", "255"], ".", "--directions", "255")
-        self.assert_fails(["--size", "value"], ".", "--size")
-        self.assert_fails(["--lights"], ".", "--lights")
-        self.assert_fails(["two folders"], "a", "b")
+        for words, arguments in (
+            (["--size", "31"], ". --size 31"),
+            (["--size", "4097"], ". --size 4097"),
+            (["--frames", "-1"], ". --frames -1"),
+            (["--reference", "0"], ". --reference 0"),
+            (["--directions", "255"], ". --directions 255"),
+            (["--size", "value"], ". --size"),
+            (["--lights"], ". --lights"),
+            (["two folders"], "a b"),
+        ):
+            self.assert_fails(words, *arguments.split())
 
     def test_help(self):
         done = self.assert_succeeds("--help")

@@ -8,7 +8,7 @@ import unittest
 
 from serve_browser import Browser, find_browser
 from serve_client import Server, write_scenes
-from serve_images import read_png
+from images import read_png
 
 PROGRAM = os.path.abspath(sys.argv.pop(1))
 SHIFT = 8

@@ -12,7 +12,7 @@ import unittest
 
 from serve_case import IMAGE, PROGRAM, RENDER, SQUARE, ServeTest, read
 from serve_client import PATIENCE
-from serve_images import read_exr, read_png
+from images import read_exr, read_png
 
 
 class Resources(ServeTest):
@@ -46,11 +46,8 @@ class Resources(ServeTest):
             self.assertEqual(self.server.get(path.replace("{id}", "square")).status, 200, path)
 
     def test_what_is_not_there(self):
-        self.assert_problem(self.server.get("/none"), 404)
-        self.assert_problem(self.server.get("/scenes/none/image.png"), 404)
-        self.assert_problem(self.server.get("/scenes/square"), 404)
-        self.assert_problem(self.server.get("/scenes/square/image.gif"), 404)
-        self.assert_problem(self.server.get("/scenes/../secret/image.png"), 404)
+        for target in ("/none", "/scenes/none/image.png", "/scenes/square", "/scenes/square/image.gif", "/scenes/../secret/image.png"):
+            self.assert_problem(self.server.get(target), 404)
         answer = self.server.get(IMAGE, method="POST")
         self.assert_problem(answer, 405)
         self.assertEqual(answer.headers["allow"], "GET, HEAD")

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <set>
+#include <sstream>
 
 #include "openapi.hpp"
 #include "parameters.hpp"
@@ -75,38 +76,15 @@ TEST_CASE("equal requests have one text") {
 }
 
 TEST_CASE("other requests have another text") {
-    const std::vector<std::string> all = {"",
-                                          "azimuth=30",
-                                          "azimuth=31",
-                                          "elevation=6",
-                                          "distance=3",
-                                          "target=0,1,1",
-                                          "fov=40",
-                                          "light=1",
-                                          "light_tilt=1",
-                                          "order_low=3",
-                                          "order_low=4",
-                                          "order_low=0",
-                                          "order_high=9",
-                                          "order_high=8",
-                                          "tolerance=0.1",
-                                          "tolerance=0.2",
-                                          "observer=s1",
-                                          "observer=s2",
-                                          "observer=s3",
-                                          "observer=dolp",
-                                          "observer=aolp",
-                                          "polarizer=0",
-                                          "polarizer=1",
-                                          "exposure=1",
-                                          "observer=s1&scale=2",
-                                          "size=10x20",
-                                          "size=20x10",
-                                          "matrix=1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1",
-                                          "matrix=1,0,0,0,0,1,0,0,0,0,1,2,0,0,0,1"};  // clang-format off
-    // clang-format on
-    std::set<std::string> texts;
-    for (const std::string& query : all) CHECK_MESSAGE(texts.insert(text(query)).second, query);
+    std::istringstream all(
+        "azimuth=30 azimuth=31 elevation=6 distance=3 target=0,1,1 fov=40 light=1 light_tilt=1 order_low=3 "
+        "order_low=4 order_low=0 order_high=9 order_high=8 tolerance=0.1 tolerance=0.2 observer=s1 "
+        "observer=s2 observer=s3 observer=dolp observer=aolp polarizer=0 polarizer=1 exposure=1 "
+        "observer=s1&scale=2 size=10x20 size=20x10 matrix=1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1 "
+        "matrix=1,0,0,0,0,1,0,0,0,0,1,2,0,0,0,1");
+    std::set<std::string> texts = {text("")};
+    for (std::string query; all >> query;) CHECK_MESSAGE(texts.insert(text(query)).second, query);
+    CHECK(texts.size() == 29);
     for (const Format format : {Format::exr, Format::stokes_exr, Format::stokes_f16, Format::stokes_f32})
         CHECK(texts.insert(text("", format)).second);
     SceneInfo other = scene();

@@ -34,26 +34,40 @@ def read_png(data):
     return width, height, b"".join(rows)
 
 
+def exr_attributes(data):
+    """The attributes of an OpenEXR file, as name -> bytes, and where its table of offsets is."""
+    if data[:4] != struct.pack("<i", 20000630):
+        raise ValueError("no OpenEXR file")
+    attributes, at = {}, 8
+    while data[at] != 0:
+        end = data.index(b"\0", at)
+        name, at = data[at:end].decode(), data.index(b"\0", end + 1) + 1
+        size = struct.unpack_from("<i", data, at)[0]
+        attributes[name], at = data[at + 4 : at + 4 + size], at + 4 + size
+    return attributes, at + 1
+
+
+def exr_size(data):
+    left, top, right, bottom = struct.unpack("<4i", exr_attributes(data)[0]["dataWindow"])
+    return right - left + 1, bottom - top + 1
+
+
+def exr_channels(data):
+    """Names, in the order of the file."""
+    rest, names = exr_attributes(data)[0]["channels"], []
+    while len(rest) > 1:
+        name, rest = rest.split(b"\0", 1)
+        names.append(name.decode())
+        rest = rest[16:]
+    return names
+
+
 def read_exr(data):
     """Channel -> floats, row by row, of an uncompressed file of 32-bit floats."""
-    at, names, size = 8, [], (0, 0)
-    while data[at]:
-        end = data.index(b"\0", at)
-        name, at = data[at:end], data.index(b"\0", end + 1) + 1
-        length = struct.unpack_from("<i", data, at)[0]
-        value, at = data[at + 4 : at + 4 + length], at + 4 + length
-        if name == b"channels":
-            while len(value) > 1:
-                channel, value = value.split(b"\0", 1)
-                names.append(channel.decode())
-                value = value[16:]
-        if name == b"dataWindow":
-            window = struct.unpack("<4i", value)
-            size = (window[2] + 1, window[3] + 1)
-    at += 1
+    table, (width, height), names = exr_attributes(data)[1], exr_size(data), exr_channels(data)
     channels = {name: [] for name in names}
-    for y in range(size[1]):
-        row = struct.unpack_from("<Q", data, at + 8 * y)[0] + 8
+    for y in range(height):
+        row = struct.unpack_from("<Q", data, table + 8 * y)[0] + 8
         for index, name in enumerate(names):
-            channels[name] += struct.unpack_from(f"<{size[0]}f", data, row + 4 * size[0] * index)
+            channels[name] += struct.unpack_from(f"<{width}f", data, row + 4 * width * index)
     return channels
