@@ -352,17 +352,17 @@ TEST_CASE("inspect: files that are no light") {
 
     write_light(folder.file("f.npz"), 3, Doubles(vector_size(3), 0.25));
     nicol_light_report r = NICOL_LIGHT_REPORT_INIT;
-    for (const char* name : {"bad.exr", "bad_s0.exr", "bad.npz"}) {
-        const std::string whole = file_bytes(folder.file("f.npz"));
-        for (const std::string& content : {std::string(), std::string("v/1\x01"), std::string(4096, '\0'),
-                                           whole.substr(0, 200), whole.substr(0, whole.size() - 30)}) {
-            folder.write(name, content);
-            const std::string path = folder.file(name);
+    std::uint32_t channels = 7;
+    const std::string whole = file_bytes(folder.file("f.npz"));
+    for (const char* name : {"bad.exr", "bad_s0.exr", "bad.npz"})
+        for (const std::string& content : {std::string(), std::string(4096, '\0'), whole.substr(0, 200)}) {
+            const std::string path = folder.write(name, content);
             CHECK(nicol_file_describe_light(path.c_str(), nullptr, &r, nullptr, 0) != NICOL_OK);
             CHECK(std::string(nicol_last_error()).find("bad") != std::string::npos);
             CHECK(nicol_file_convert(path.c_str(), nullptr, folder.file("o.exr").c_str()) != NICOL_OK);
+            CHECK(nicol_psh_project_file(path.c_str(), 5, &channels, nullptr, 0) != NICOL_OK);
         }
-    }
+    CHECK(channels == 7);
     CHECK(r.channels == 0);
     // One pixel is an image, but no light.
     nicol::write_exr(folder.file("one.exr"), nicol::StokesImage(1, 1, 1));

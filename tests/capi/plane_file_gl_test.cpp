@@ -30,17 +30,9 @@ std::vector<Number> channel(const std::string& path, const char* name) {
     return pixels;
 }
 
-std::set<std::string> channel_names(const std::string& path) {
-    Imf::InputFile file(path.c_str());
-    const Imf::ChannelList& channels = file.header().channels();
-    std::set<std::string> names;
-    for (auto i = channels.begin(); i != channels.end(); ++i) names.insert(i.name());
-    return names;
-}
-
 }  // namespace
 
-TEST_CASE("images have the planes that were asked for, and read as they did") {
+TEST_CASE("planes of surfaces in an image are those that are read, and leave the others as they are") {
     on_every_stage([](const Stage& stage) {
         const TemporaryFolder folder;
         const std::string bare = folder.file("bare.exr"), full = folder.file("full.exr");
@@ -63,12 +55,5 @@ TEST_CASE("images have the planes that were asked for, and read as they did") {
             }
         }
         CHECK(nicol::read_exr(full).data == nicol::read_exr(bare).data);
-
-        std::set<std::string> expected = channel_names(bare);
-        options.aovs = NICOL_AOV_NORMALS;
-        OK(stage.try_render(options));
-        OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
-        expected.insert({"N.X", "N.Y", "N.Z"});
-        CHECK(channel_names(full) == expected);
     });
 }

@@ -184,15 +184,3 @@ TEST_CASE("psh: an image is released once, on success and on failure") {
     REFUSES(nicol_psh_project_image(&image, 1, f.data(), f.size()), "channels");
     CHECK(released == 3);
 }
-
-TEST_CASE("psh: files that are not there or no light are refused by name") {
-    const TemporaryFolder folder;
-    const std::string bad = folder.write("bad.exr", "v/1"), none = folder.file("none.exr");
-    std::uint32_t channels = 7;
-    const auto project = [&](const std::string& path) {
-        return nicol_psh_project_file(path.c_str(), 5, &channels, nullptr, 0);
-    };
-    FAILS(project(none), NICOL_ERROR_FILE_NOT_FOUND, "none.exr");
-    FAILS(project(bad), NICOL_ERROR_INVALID_FILE, "bad.exr");
-    CHECK(channels == 7);
-}

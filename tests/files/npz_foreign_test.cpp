@@ -23,6 +23,12 @@ struct File {
         write_bytes(path, archive({ArchiveMember("a.npy", npy_bytes, deflated)}));
     }
     NpyArray read() const { return read_npz_member(path, "a"); }
+    /// What is written here must be refused.
+    template <class... Parts>
+    void refuse_npy(const std::string& npy_bytes, ErrorCode code, const Parts&... parts) {
+        write(npy_bytes);
+        refuse(code, parts...);
+    }
     template <class... Parts>
     void refuse(ErrorCode code, const Parts&... parts) const {
         check_error(code, CALL(read()), "f.npz", parts...);
@@ -81,23 +87,18 @@ TEST_CASE("headers of every version and layout are read") {
 
 TEST_CASE("other arrays are refused with what would be right") {
     File file;
-    file.write(npy(header("|O", "(4,)"), raw(some)));
-    file.refuse(unsupported, "a.npy", "object");
-    for (const char* type : {">f8", "<f2", "<u8", "|b1", "<c16", "<U4", ""}) {
-        file.write(npy(header(type, "(4,)"), raw(some)));
-        file.refuse(unsupported, "<f8");
-    }
-    file.write(npy("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (4,), }", raw(some)));
-    file.refuse(unsupported, "records");
-    file.write(npy(header("<f8", "(2, 2)", true), raw(some)));
-    file.refuse(unsupported, "Fortran");
-    file.write(npy(header("<f8", "(4,)"), raw(some), 4));
-    file.refuse(unsupported, "version 4");
-    file.write(npy(header("<i8", "()"), raw(std::vector<std::int64_t>{(std::int64_t{1} << 53) + 1})));
-    file.refuse(bad, "2^53");
-    file.write(
-        npy(header("<i8", "()"), raw(std::vector<std::int64_t>{std::numeric_limits<std::int64_t>::min()})));
-    file.refuse(bad, "2^53");
+    file.refuse_npy(npy(header("|O", "(4,)"), raw(some)), unsupported, "a.npy", "object");
+    for (const char* type : {">f8", "<f2", "<u8", "|b1", "<c16", "<U4", ""})
+        file.refuse_npy(npy(header(type, "(4,)"), raw(some)), unsupported, "<f8");
+    file.refuse_npy(npy("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (4,), }", raw(some)),
+                    unsupported, "records");
+    file.refuse_npy(npy(header("<f8", "(2, 2)", true), raw(some)), unsupported, "Fortran");
+    file.refuse_npy(npy(header("<f8", "(4,)"), raw(some), 4), unsupported, "version 4");
+    file.refuse_npy(npy(header("<i8", "()"), raw(std::vector<std::int64_t>{(std::int64_t{1} << 53) + 1})),
+                    bad, "2^53");
+    file.refuse_npy(
+        npy(header("<i8", "()"), raw(std::vector<std::int64_t>{std::numeric_limits<std::int64_t>::min()})),
+        bad, "2^53");
 }
 
 TEST_CASE("malformed headers are refused") {
@@ -109,37 +110,25 @@ TEST_CASE("malformed headers are refused") {
           "{'descr': '<f8', 'fortran_order': False, 'shape': (4 4)}",
           "{'descr': '<f8', 'fortran_order': False, 'shape': 4}",
           "{'descr': '<f8', 'fortran_order': False, 'shape': (4,), 'more': (1,)}",
-          "{'descr': '<f8' 'fortran_order': False, 'shape': (4,)}",
-          "{'descr': '<f8, 'fortran_order': False"}) {
-        file.write(npy(dictionary, raw(some)));
-        file.refuse(bad, "a.npy");
-    }
+          "{'descr': '<f8' 'fortran_order': False, 'shape': (4,)}", "{'descr': '<f8, 'fortran_order': False"})
+        file.refuse_npy(npy(dictionary, raw(some)), bad, "a.npy");
     std::string deep = "(";
     for (int i = 0; i < 33; ++i) deep += "1,";
-    file.write(npy(header("<f8", deep + ")"), raw(std::vector<double>{1})));
-    file.refuse(bad, "malformed");
-    file.write("no array");
-    file.refuse(bad);
-    file.write("not an array at all");
-    file.refuse(bad, "not a NumPy array");
-    file.write("");
-    file.refuse(bad);
-    file.write(npy(std::string(70000, ' '), "", 2));
-    file.refuse(bad, "header of more than");
+    file.refuse_npy(npy(header("<f8", deep + ")"), raw(std::vector<double>{1})), bad, "malformed");
+    file.refuse_npy("no array", bad);
+    file.refuse_npy("not an array at all", bad, "not a NumPy array");
+    file.refuse_npy("", bad);
+    file.refuse_npy(npy(std::string(70000, ' '), "", 2), bad, "header of more than");
 }
 
 TEST_CASE("shapes that lie cost no memory") {
     File file;
     const long before = peak_megabytes();
-    for (const char* shape : {"(5,)", "(3,)", "(0,)", "(1000000, 100)", "()"}) {
-        file.write(npy(header("<f8", shape), raw(some)));
-        file.refuse(bad, "a.npy", "its shape needs");
-    }
+    for (const char* shape : {"(5,)", "(3,)", "(0,)", "(1000000, 100)", "()"})
+        file.refuse_npy(npy(header("<f8", shape), raw(some)), bad, "a.npy", "its shape needs");
     for (const char* shape : {"(1152921504606846976,)", "(99999999999999999999999,)",
-                              "(4294967296, 4294967296)", "(0, 99999999999999999999999)"}) {
-        file.write(npy(header("<f8", shape), raw(some)));
-        file.refuse(bad, "a.npy", "claims");
-    }
+                              "(4294967296, 4294967296)", "(0, 99999999999999999999999)"})
+        file.refuse_npy(npy(header("<f8", shape), raw(some)), bad, "a.npy", "claims");
     check_error(
         bad,
         [&] {
