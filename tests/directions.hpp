@@ -2,12 +2,13 @@
 // Directions and rotations.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
 #include <vector>
 
-#include "polarization/stokes.hpp"
+#include "polarization/mueller.hpp"
 
 /// The unit vector at these angles from and about z.
 inline glm::dvec3 direction(double zenith, double azimuth) {
@@ -22,6 +23,17 @@ inline std::vector<glm::dvec3> random_directions(int count, unsigned seed = 1) {
         result.push_back(glm::normalize(glm::dvec3(normal(engine), normal(engine), normal(engine))));
     return result;
 }
+
+namespace nicol {
+
+/// For largest() and largest_difference().
+inline std::array<double, 16> numbers_in(const Mueller& m) {
+    std::array<double, 16> out;
+    for (std::size_t i = 0; i < 16; ++i) out[i] = m(i / 4, i % 4);
+    return out;
+}
+
+}  // namespace nicol
 
 /// Any rotation: the axes of the frame at a random direction, rotated about it.
 inline glm::dmat3 some_rotation(unsigned seed = 1) {

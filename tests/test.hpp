@@ -24,6 +24,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,68 @@ void check_error(nicol::ErrorCode code, Call&& call, const Parts&... parts) {
     for (const std::string& part : std::vector<std::string>{parts...})
         CHECK_MESSAGE(message.find(part) != std::string::npos, message, " lacks ", part);
 }
+
+/// Values side by side, as doctest prints them.
+template <class... Values>
+std::string listed(const Values&... values) {
+    std::string out;
+    for (const doctest::String& value : {doctest::toString(values)...})
+        out += (out.empty() ? "" : ", ") + std::string(value.c_str());
+    return out;
+}
+/// CAPTURE of several values.
+#define CAPTURES(...) INFO(#__VA_ARGS__, " = ", listed(__VA_ARGS__))
+
+/// Calls f with every combination of one value of each list.
+template <class A, class B, class F>
+void for_all(std::initializer_list<A> as, std::initializer_list<B> bs, const F& f) {
+    for (const A& a : as)
+        for (const B& b : bs) f(a, b);
+}
+template <class A, class B, class C, class F>
+void for_all(std::initializer_list<A> as, std::initializer_list<B> bs, std::initializer_list<C> cs,
+             const F& f) {
+    for_all(as, bs, [&](const A& a, const B& b) {
+        for (const C& c : cs) f(a, b, c);
+    });
+}
+
+/// The numbers of a range, an image, a vector of coefficients or a matrix.
+template <class T>
+decltype(auto) numbers_in(const T& x) {
+    if constexpr (std::ranges::range<const T>)
+        return (x);
+    else if constexpr (requires { x.data(); })
+        return x.data();
+    else
+        return (x.data);
+}
+template <glm::length_t C, glm::length_t R, class T>
+std::vector<T> numbers_in(const glm::mat<C, R, T>& m) {
+    return {&m[0][0], &m[0][0] + C * R};
+}
+
+/// The largest absolute value, and the largest difference of two of the same size; NaN counts as infinite.
+template <class T>
+double largest(const T& x) {
+    double most = 0;
+    for (const auto value : numbers_in(x))
+        most = std::isnan(value) ? HUGE_VAL : std::max(most, static_cast<double>(std::abs(value)));
+    return most;
+}
+template <class A, class B>
+double largest_difference(const A& a, const B& b) {
+    const auto& x = numbers_in(a);
+    const auto& y = numbers_in(b);
+    REQUIRE(std::size(x) == std::size(y));
+    std::vector<double> difference(std::size(x));
+    for (std::size_t i = 0; i < difference.size(); ++i)
+        difference[i] = static_cast<double>(x[i]) - static_cast<double>(y[i]);
+    return largest(difference);
+}
+
+/// Checks that an expression throws nicol::Error(invalid_argument).
+#define CHECK_INVALID(...) check_error(nicol::ErrorCode::invalid_argument, CALL(__VA_ARGS__))
 
 /// A file of NICOL_TEST_DATA, the folder of third parties' data. Empty, with a message, where it is not
 /// there.

@@ -14,8 +14,7 @@ namespace {
 /// Loads a file that must fail with `code`; the message names the file and holds `part`.
 void check_refused(const std::string& name, const std::string& bytes, ErrorCode code,
                    const std::string& part) {
-    CAPTURE(name);
-    CAPTURE(bytes.substr(0, 200));
+    CAPTURES(name, bytes.substr(0, 200));
     const TemporaryFolder folder;
     const auto file = folder.write(name, bytes);
     const std::string message = error_of(CALL(load_mesh(file)), code);

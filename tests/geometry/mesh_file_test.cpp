@@ -310,7 +310,7 @@ TEST_CASE("positions come through to the last bit, in any locale of the host") {
     CHECK(from_off.positions == points);
 }
 
-TEST_CASE("OpenMesh says nothing on the error stream") {
+TEST_CASE("OpenMesh writes nothing to the error stream") {
     const TemporaryFolder folder;
     std::ostringstream captured;
     std::streambuf* const before = std::cerr.rdbuf(captured.rdbuf());

@@ -9,13 +9,6 @@ using namespace nicol;
 
 namespace {
 
-double largest(const glm::dmat3& m) {
-    double most = 0;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) most = std::max(most, std::abs(m[i][j]));
-    return most;
-}
-
 void check_rotation(const glm::dmat3& axes) {
     CHECK(largest(glm::transpose(axes) * axes - glm::dmat3(1)) < 1e-12);
     CHECK(glm::determinant(axes) > 0.5);

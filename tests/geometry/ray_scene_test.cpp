@@ -86,8 +86,7 @@ TEST_CASE("no ray leaves a closed surface and no surface hides itself, large or 
     std::mt19937 random(2);
     for (const double radius : {1e-6, 1.0, 1e6}) {
         for (const double away : {0.0, 100.0}) {
-            CAPTURE(radius);
-            CAPTURE(away);
+            CAPTURES(radius, away);
             const glm::dvec3 center(away * radius, 0, 0);
             const Mesh ball = make_sphere(center, radius);
             const RaySurface surfaces[] = {surface(ball)};
@@ -118,7 +117,7 @@ TEST_CASE("what lies above a point hides what is behind it") {
     CHECK(!scene.occluded({0.5, 0.5, -1}, {0, 0, 1}, {0, 0, -1}));
 }
 
-TEST_CASE("nothing at all is hit by nothing") {
+TEST_CASE("an empty scene has no hits") {
     const RayScene scene({});
     CHECK(!scene.intersect({.origin = {0, 0, 0}, .direction = {0, 0, 1}}).has_value());
     CHECK(!scene.occluded({0, 0, 0}, {0, 0, 1}, {0, 0, 1}));

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Contexts: finding them, their threads, their ends.
-#include <array>
 #include <atomic>
 #include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
-#include <string>
 #include <thread>
-#include <vector>
 
-#include "error.hpp"
 #include "gl/buffer.hpp"
 #include "gl/contexts.hpp"
 
@@ -18,11 +13,11 @@ using namespace nicol::gl;
 
 namespace {
 
-/// What gl_probe prints with these environment settings ("NAME=value NAME=value") and argument.
-std::string probe(const std::string& environment, const std::string& argument = "") {
-    // LeakSanitizer would look at Mesa's leaks at the end of the child, which are not under test here.
+/// What gl_context_of prints with these environment settings ("NAME=value NAME=value") and argument.
+std::string program(const std::string& environment, const std::string& argument = "") {
+    // LeakSanitizer would report Mesa's leaks at the end of the child, which are not under test here.
     const std::string command =
-        "env " + environment + " ASAN_OPTIONS=detect_leaks=0 " NICOL_GL_PROBE " " + argument;
+        "env " + environment + " ASAN_OPTIONS=detect_leaks=0 " NICOL_GL_CONTEXT_OF " " + argument;
     std::string output;
     FILE* pipe = popen(command.c_str(), "r");
     REQUIRE(pipe != nullptr);
@@ -38,47 +33,41 @@ bool contains(const std::string& text, const char* part) {
 
 }  // namespace
 
-TEST_CASE("a context says what it is") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        const ContextInfo& info = context->info();
-        CHECK(info.backend != Backend::automatic);
-        CHECK(!info.vendor.empty());
-        CHECK(!info.renderer.empty());
-        CHECK(!info.device.empty());
-        CHECK(contains(info.version, "."));
-        if (contains(info.renderer, "llvmpipe")) CHECK(info.software);
-        const Limits& limits = context->limits();
-        CHECK(limits.texture_size >= 16384);
-        CHECK(limits.target_size >= 4096);
-        CHECK(limits.colour_attachments >= 8);
-        CHECK(limits.storage_bindings >= 8);
-        CHECK(limits.storage_bytes >= (std::size_t{1} << 24));
-        CHECK(limits.groups[0] >= 65535);
-    });
+GL_TEST_CASE("a context describes itself") {
+    const ContextInfo& info = context->info();
+    CHECK(info.backend != Backend::automatic);
+    CHECK(!info.vendor.empty());
+    CHECK(!info.renderer.empty());
+    CHECK(!info.device.empty());
+    CHECK(contains(info.version, "."));
+    if (contains(info.renderer, "llvmpipe")) CHECK(info.software);
+    const Limits& limits = context->limits();
+    CHECK(limits.texture_size >= 16384);
+    CHECK(limits.target_size >= 4096);
+    CHECK(limits.colour_attachments >= 8);
+    CHECK(limits.storage_bindings >= 8);
+    CHECK(limits.storage_bytes >= (std::size_t{1} << 24));
+    CHECK(limits.groups[0] >= 65535);
 }
 
-TEST_CASE("run returns values, passes exceptions on, and nests") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        CHECK(!context->on_thread());
-        CHECK(context->run([&] { return context->on_thread(); }));
-        CHECK(context->run([] { return std::make_unique<int>(7); }) != nullptr);
-        CHECK(context->run([&] { return context->run([] { return 42; }); }) == 42);
-        CHECK_THROWS_AS(context->run([] { throw std::out_of_range("mine"); }), std::out_of_range);
-        CHECK_THROWS_WITH(context->run([]() -> int { throw std::runtime_error("kept text"); }), "kept text");
-        CHECK(context->run([] { return 1; }) == 1);  // still working afterwards
-        int changed = 0;
-        context->run([&] { changed = 3; });
-        CHECK(changed == 3);
-    });
+GL_TEST_CASE("run returns values, passes exceptions on, and nests") {
+    CHECK(!context->on_thread());
+    CHECK(context->run([&] { return context->on_thread(); }));
+    CHECK(context->run([] { return std::make_unique<int>(7); }) != nullptr);
+    CHECK(context->run([&] { return context->run([] { return 42; }); }) == 42);
+    CHECK_THROWS_AS(context->run([] { throw std::out_of_range("mine"); }), std::out_of_range);
+    CHECK_THROWS_WITH(context->run([]() -> int { throw std::runtime_error("kept text"); }), "kept text");
+    CHECK(context->run([] { return 1; }) == 1);  // still working afterwards
+    int changed = 0;
+    context->run([&] { changed = 3; });
+    CHECK(changed == 3);
 }
 
-TEST_CASE("objects refuse to be used outside run") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        CHECK_THROWS_AS(Buffer(context, BufferUse::vertex, 16, BufferUpdate::fixed), Error);
-        CHECK_THROWS_AS(finish(*context), Error);
-        CHECK_NOTHROW(context->run([&] { finish(*context); }));
-        CHECK_THROWS_AS(Buffer(nullptr, BufferUse::vertex, 16, BufferUpdate::fixed), Error);
-    });
+GL_TEST_CASE("objects refuse to be used outside run") {
+    CHECK_THROWS_AS(Buffer(context, BufferUse::vertex, 16, BufferUpdate::fixed), Error);
+    CHECK_THROWS_AS(finish(*context), Error);
+    CHECK_NOTHROW(context->run([&] { finish(*context); }));
+    CHECK_THROWS_AS(Buffer(nullptr, BufferUse::vertex, 16, BufferUpdate::fixed), Error);
 }
 
 TEST_CASE("contexts and objects may be dropped in any order and anywhere") {
@@ -139,21 +128,19 @@ TEST_CASE("contexts and objects may be dropped in any order and anywhere") {
     }
 }
 
-TEST_CASE("an object can be moved and assigned") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        context->run([&] {
-            Buffer a(context, BufferUse::vertex, 16, BufferUpdate::fixed);
-            Buffer b(context, BufferUse::index, 32, BufferUpdate::fixed);
-            b = std::move(a);
-            CHECK(context->memory().of(MemoryKind::index) == 0);
-            CHECK(context->memory().of(MemoryKind::vertex) == 16);
-            CHECK(b.size() == 16);
-        });
-        CHECK(total_bytes(context->memory()) == 0);
+GL_TEST_CASE("an object can be moved and assigned") {
+    context->run([&] {
+        Buffer a(context, BufferUse::vertex, 16, BufferUpdate::fixed);
+        Buffer b(context, BufferUse::index, 32, BufferUpdate::fixed);
+        b = std::move(a);
+        CHECK(context->memory().of(MemoryKind::index) == 0);
+        CHECK(context->memory().of(MemoryKind::vertex) == 16);
+        CHECK(b.size() == 16);
     });
+    CHECK(total_bytes(context->memory()) == 0);
 }
 
-TEST_CASE("contexts come and go") {
+TEST_CASE("contexts are made and destroyed many times") {
     for (int cycle = 0; cycle < 20; ++cycle) {
         on_every_backend([](const std::shared_ptr<Context>& context) {
             CHECK(context->run([&] {
@@ -190,27 +177,20 @@ TEST_CASE("contexts of both backends live side by side") {
     CHECK(right == 6 * 25);
 }
 
-TEST_CASE("several threads share one context") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        int counter = 0;  // unguarded on purpose: run() takes turns
-        std::vector<std::thread> threads;
-        for (int i = 0; i < 4; ++i)
-            threads.emplace_back([&] {
-                for (int round = 0; round < 200; ++round) context->run([&] { ++counter; });
-            });
-        for (std::thread& thread : threads) thread.join();
-        CHECK(counter == 800);
-    });
+GL_TEST_CASE("several threads share one context") {
+    int counter = 0;  // unguarded on purpose: run() is one at a time
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 4; ++i)
+        threads.emplace_back([&] {
+            for (int round = 0; round < 200; ++round) context->run([&] { ++counter; });
+        });
+    for (std::thread& thread : threads) thread.join();
+    CHECK(counter == 800);
 }
 
 TEST_CASE("a device is counted from 0 and belongs to EGL") {
     CHECK_THROWS_AS(Context::create({Backend::osmesa, 0}), Error);
-    try {
-        const auto context = Context::create({Backend::automatic, 4711});
-        FAIL("there is no device 4711");
-    } catch (const Error& error) {
-        CHECK(contains(error.what(), "4711"));
-    }
+    CHECK_THROWS_WITH_AS(Context::create({Backend::automatic, 4711}), doctest::Contains("4711"), Error);
     CHECK_THROWS_AS(Context::create({Backend::egl, -1}), Error);
     const auto first = Context::create({Backend::automatic, 0});
     CHECK(first->info().backend == Backend::egl);
@@ -218,11 +198,11 @@ TEST_CASE("a device is counted from 0 and belongs to EGL") {
 }
 
 TEST_CASE("NICOL_BACKEND replaces the automatic choice and nothing else") {
-    CHECK(probe("NICOL_BACKEND=osmesa").starts_with("ok osmesa"));
-    CHECK(probe("NICOL_BACKEND=egl").starts_with("ok egl"));
-    CHECK(probe("NICOL_BACKEND=").starts_with("ok egl"));
-    CHECK(probe("NICOL_BACKEND=osmesa", "egl").starts_with("ok egl"));
-    const std::string unknown = probe("NICOL_BACKEND=vulkan");
+    CHECK(program("NICOL_BACKEND=osmesa").starts_with("ok osmesa"));
+    CHECK(program("NICOL_BACKEND=egl").starts_with("ok egl"));
+    CHECK(program("NICOL_BACKEND=").starts_with("ok egl"));
+    CHECK(program("NICOL_BACKEND=osmesa", "egl").starts_with("ok egl"));
+    const std::string unknown = program("NICOL_BACKEND=vulkan");
     CHECK(unknown.starts_with("error 1 "));
     CHECK(contains(unknown, "NICOL_BACKEND"));
     CHECK(contains(unknown, "vulkan"));
@@ -230,13 +210,13 @@ TEST_CASE("NICOL_BACKEND replaces the automatic choice and nothing else") {
 
 TEST_CASE("without an EGL driver the automatic choice is OSMesa, and the reasons are kept") {
     const std::string no_driver = "-u NICOL_BACKEND __EGL_VENDOR_LIBRARY_DIRS=/nonexistent";
-    const std::string fallen_back = probe(no_driver);
+    const std::string fallen_back = program(no_driver);
     CHECK(fallen_back.starts_with("ok osmesa"));
     CHECK(contains(fallen_back, "failed EGL devices"));
     CHECK(contains(fallen_back, "10_nvidia.json"));
     CHECK(contains(fallen_back, "__EGL_VENDOR_LIBRARY_DIRS=/nonexistent"));
 
-    const std::string explicit_choice = probe(no_driver, "egl");
+    const std::string explicit_choice = program(no_driver, "egl");
     CHECK(explicit_choice.starts_with("error 8 "));
     CHECK(contains(explicit_choice, "10_nvidia.json"));
     CHECK(contains(explicit_choice, "EGL surfaceless: "));

@@ -13,16 +13,7 @@ namespace nicol::gl {
 inline constexpr Backend every_backend[] = {Backend::egl, Backend::osmesa};
 
 inline const char* name_of(Backend backend) {
-    switch (backend) {
-        case Backend::egl:
-            return "egl";
-        case Backend::osmesa:
-            return "osmesa";
-        case Backend::host:
-        case Backend::automatic:
-            break;
-    }
-    return "automatic";
+    return backend == Backend::egl ? "egl" : backend == Backend::osmesa ? "osmesa" : "automatic";
 }
 
 /// Of all kinds together.
@@ -45,3 +36,21 @@ void on_every_backend(Test test) {
 }
 
 }  // namespace nicol::gl
+
+/// A test case that runs once a backend, each time with a fresh `context`.
+#define GL_TEST_CASE(title) GL_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_on_))
+#define GL_TEST_CASE_NAMED(title, run)                                   \
+    static void run(const std::shared_ptr<nicol::gl::Context>& context); \
+    TEST_CASE(title) {                                                   \
+        nicol::gl::on_every_backend(run);                                \
+    }                                                                    \
+    static void run(const std::shared_ptr<nicol::gl::Context>& context)
+
+/// The same, on the context's thread.
+#define GL_THREAD_TEST_CASE(title) GL_THREAD_TEST_CASE_NAMED(title, DOCTEST_ANONYMOUS(run_on_))
+#define GL_THREAD_TEST_CASE_NAMED(title, test)                            \
+    static void test(const std::shared_ptr<nicol::gl::Context>& context); \
+    GL_TEST_CASE(title) {                                                 \
+        context->run([&] { test(context); });                             \
+    }                                                                     \
+    static void test(const std::shared_ptr<nicol::gl::Context>& context)

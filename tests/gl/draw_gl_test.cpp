@@ -1,12 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Triangles into float targets, read back exactly.
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <vector>
-
-#include "error.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "gl/test_shaders.hpp"
@@ -68,32 +61,29 @@ std::array<std::vector<float>, 2> upper_left_image(const std::shared_ptr<Context
 
 }  // namespace
 
-TEST_CASE("a triangle arrives exactly, the top row first") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        constexpr int width = 7, height = 5;
-        const auto [colours, places] = upper_left_image(context, width, height);
-        int covered = 0;
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                const float side =
-                    (static_cast<float>(x) + 0.5f) / width + (static_cast<float>(y) + 0.5f) / height;
-                if (std::abs(side - 1.0f) < 1e-5f) continue;  // on the edge, either is right
-                CAPTURE(x);
-                CAPTURE(y);
-                if (side > 1.0f) {
-                    CHECK(pixel(colours, width, x, y) == std::array{-1.0f, -2.0f, -3.0f, -4.0f});
-                    continue;
-                }
-                ++covered;
-                CHECK(pixel(colours, width, x, y) == stokes);
-                const auto place = pixel(places, width, x, y);
-                CHECK(place[0] == static_cast<float>(x) + 0.5f);
-                CHECK(place[1] == static_cast<float>(y) + 0.5f);  // gl_FragCoord.y counts from the top
-                CHECK(place[2] == doctest::Approx(0.5f + 0.5f * depth_of_vertex));
-                CHECK(place[3] == 1.0f);  // counter-clockwise in clip space is the front
+GL_TEST_CASE("a triangle arrives exactly, the top row first") {
+    constexpr int width = 7, height = 5;
+    const auto [colours, places] = upper_left_image(context, width, height);
+    int covered = 0;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const float side =
+                (static_cast<float>(x) + 0.5f) / width + (static_cast<float>(y) + 0.5f) / height;
+            if (std::abs(side - 1.0f) < 1e-5f) continue;  // on the edge, either is right
+            CAPTURES(x, y);
+            if (side > 1.0f) {
+                CHECK(pixel(colours, width, x, y) == std::array{-1.0f, -2.0f, -3.0f, -4.0f});
+                continue;
             }
-        CHECK(covered > 10);
-    });
+            ++covered;
+            CHECK(pixel(colours, width, x, y) == stokes);
+            const auto place = pixel(places, width, x, y);
+            CHECK(place[0] == static_cast<float>(x) + 0.5f);
+            CHECK(place[1] == static_cast<float>(y) + 0.5f);  // gl_FragCoord.y counts from the top
+            CHECK(place[2] == doctest::Approx(0.5f + 0.5f * depth_of_vertex));
+            CHECK(place[3] == 1.0f);  // counter-clockwise in clip space is the front
+        }
+    CHECK(covered > 10);
 }
 
 TEST_CASE("both backends draw the same image") {
@@ -108,150 +98,129 @@ TEST_CASE("both backends draw the same image") {
     });
 }
 
-TEST_CASE("the nearer triangle wins in either order, unless the test is off") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        context->run([&] {
-            const Program program = coloured(context);
-            const std::array<float, 4> red{1, 0, 0, 1}, green{0, 1, 0, 1};
-            // The first three are nearer (smaller z).
-            const std::array<Vertex, 6> two{vertex(-3, -3, -0.5f, red), vertex(3, -3, -0.5f, red),
-                                            vertex(0, 3, -0.5f, red),   vertex(-3, -3, 0.5f, green),
-                                            vertex(3, -3, 0.5f, green), vertex(0, 3, 0.5f, green)};
-            const std::uint32_t near_first[] = {0, 1, 2, 3, 4, 5}, far_first[] = {3, 4, 5, 0, 1, 2};
-            const auto middle = [&](std::span<const std::uint32_t> order, const DrawState& state) {
-                RenderTarget target(context, {3, 3, 1, true});
-                draw(target, program, interleaved(context, two, order), state);
-                return pixel(pixels_of(target, 0), 3, 1, 1);
-            };
-            CHECK(middle(near_first, {}) == red);
-            CHECK(middle(far_first, {}) == red);
-            CHECK(middle(near_first, {DepthTest::off, true, Cull::none}) == green);
-            CHECK(middle(near_first, {DepthTest::less, false, Cull::none}) == green);
+GL_THREAD_TEST_CASE("the nearer triangle wins in either order, unless the test is off") {
+    const Program program = coloured(context);
+    const std::array<float, 4> red{1, 0, 0, 1}, green{0, 1, 0, 1};
+    // The first three are nearer (smaller z).
+    const std::array<Vertex, 6> two{vertex(-3, -3, -0.5f, red), vertex(3, -3, -0.5f, red),
+                                    vertex(0, 3, -0.5f, red),   vertex(-3, -3, 0.5f, green),
+                                    vertex(3, -3, 0.5f, green), vertex(0, 3, 0.5f, green)};
+    const std::uint32_t near_first[] = {0, 1, 2, 3, 4, 5}, far_first[] = {3, 4, 5, 0, 1, 2};
+    const auto middle = [&](std::span<const std::uint32_t> order, const DrawState& state) {
+        RenderTarget target(context, {3, 3, 1, true});
+        draw(target, program, interleaved(context, two, order), state);
+        return pixel(pixels_of(target, 0), 3, 1, 1);
+    };
+    CHECK(middle(near_first, {}) == red);
+    CHECK(middle(far_first, {}) == red);
+    CHECK(middle(near_first, {DepthTest::off, true, Cull::none}) == green);
+    CHECK(middle(near_first, {DepthTest::less, false, Cull::none}) == green);
 
-            // The same depth again: less keeps the first, less_equal takes the second.
-            const std::array<Vertex, 6> same{vertex(-3, -3, 0, red),  vertex(3, -3, 0, red),
-                                             vertex(0, 3, 0, red),    vertex(-3, -3, 0, green),
-                                             vertex(3, -3, 0, green), vertex(0, 3, 0, green)};
-            RenderTarget target(context, {3, 3, 1, true});
-            const VertexArray vertices = interleaved(context, same, near_first);
-            draw(target, program, vertices);
-            CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
-            draw(target, program, vertices, {DepthTest::less_equal, true, Cull::none});
-            CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == green);
-            // Clearing undoes the depth, also after a draw that did not write it.
-            draw(target, program, vertices, {DepthTest::less, false, Cull::none});
-            target.clear();
-            draw(target, program, vertices, 0, 3);
-            CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
-            target.clear_depth(0.1f);
-            draw(target, program, vertices, 3, 3);
-            CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
-        });
+    // The same depth again: less keeps the first, less_equal takes the second.
+    const std::array<Vertex, 6> same{vertex(-3, -3, 0, red),  vertex(3, -3, 0, red),
+                                     vertex(0, 3, 0, red),    vertex(-3, -3, 0, green),
+                                     vertex(3, -3, 0, green), vertex(0, 3, 0, green)};
+    RenderTarget target(context, {3, 3, 1, true});
+    const VertexArray vertices = interleaved(context, same, near_first);
+    draw(target, program, vertices);
+    CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
+    draw(target, program, vertices, {DepthTest::less_equal, true, Cull::none});
+    CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == green);
+    // Clearing undoes the depth, also after a draw that did not write it.
+    draw(target, program, vertices, {DepthTest::less, false, Cull::none});
+    target.clear();
+    draw(target, program, vertices, 0, 3);
+    CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
+    target.clear_depth(0.1f);
+    draw(target, program, vertices, 3, 3);
+    CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
+}
+
+GL_THREAD_TEST_CASE("clearing clears all components, whatever was drawn before") {
+    RenderTarget target(context, {4, 4, 2});
+    const Program program = coloured(context);
+    const VertexArray vertices = interleaved(context, upper_left, one_triangle);
+    target.clear(glm::vec4(7.0f));
+    draw(target, program, vertices, {.components = 1});
+    target.clear(glm::vec4(3.0f));
+    for (int attachment = 0; attachment < 2; ++attachment)
+        for (const float value : pixels_of(target, attachment)) REQUIRE(value == 3.0f);
+}
+
+GL_THREAD_TEST_CASE("culling drops the faces it names") {
+    const Program program = coloured(context);
+    const std::uint32_t counter_clockwise[] = {0, 1, 2}, clockwise[] = {0, 2, 1};
+    const auto drawn = [&](std::span<const std::uint32_t> order, Cull cull) {
+        RenderTarget target(context, {4, 4, 1, false});
+        draw(target, program, interleaved(context, upper_left, order), {DepthTest::off, false, cull});
+        return pixel(pixels_of(target, 0), 4, 0, 0) == stokes;
+    };
+    CHECK(drawn(counter_clockwise, Cull::none));
+    CHECK(drawn(clockwise, Cull::none));
+    CHECK(drawn(counter_clockwise, Cull::back));
+    CHECK(!drawn(clockwise, Cull::back));
+    CHECK(!drawn(counter_clockwise, Cull::front));
+    CHECK(drawn(clockwise, Cull::front));
+}
+
+GL_TEST_CASE("separate attributes draw what interleaved ones do") {
+    const auto expected = upper_left_image(context, 8, 8)[0];
+    context->run([&] {
+        std::vector<float> positions{99.0f}, colours;  // one float in front: an offset
+        for (const Vertex& v : upper_left) {
+            positions.insert(positions.end(), v.position, v.position + 3);
+            colours.insert(colours.end(), v.colour, v.colour + 4);
+        }
+        const auto buffer = [&](const std::vector<float>& data) {
+            return std::make_shared<Buffer>(context, BufferUse::vertex, std::as_bytes(std::span(data)));
+        };
+        const std::array<Attribute, 2> attributes{
+            {{0, 3, buffer(positions), sizeof(float), 0}, {1, 4, buffer(colours), 0, 0}}};
+        const VertexArray vertices(context, attributes, std::make_shared<IndexBuffer>(context, one_triangle));
+        RenderTarget target(context, {8, 8, 2, false});
+        target.clear({-1.0f, -2.0f, -3.0f, -4.0f});
+        draw(target, coloured(context), vertices, {DepthTest::off, false, Cull::none});
+        CHECK(pixels_of(target, 0) == expected);
     });
 }
 
-TEST_CASE("clearing clears all components, whatever was drawn before") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        context->run([&] {
-            RenderTarget target(context, {4, 4, 2});
-            const Program program = coloured(context);
-            const VertexArray vertices = interleaved(context, upper_left, one_triangle);
-            target.clear(glm::vec4(7.0f));
-            draw(target, program, vertices, {.components = 1});
-            target.clear(glm::vec4(3.0f));
-            for (int attachment = 0; attachment < 2; ++attachment)
-                for (const float value : pixels_of(target, attachment)) REQUIRE(value == 3.0f);
-        });
-    });
+GL_THREAD_TEST_CASE("the full-screen triangle samples a texture upright") {
+    constexpr int width = 5, height = 3;
+    std::vector<float> texels(4 * width * height);
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = 0.5f * static_cast<float>(i) - 7.0f;
+    const Texture2D texture(context, {width, height}, texels);
+    const Define scale{"SCALE", "1.0"};
+    const Program program = Program::graphics(context, embedded_shader("fullscreen.vert"),
+                                              test_shader("gather.frag"), {&scale, 1});
+    RenderTarget target(context, {width, height, 1, false});
+    texture.bind(3);
+    draw_fullscreen(target, program);
+    CHECK(pixels_of(target, 0) == texels);
+
+    // The triangle lies at the far plane: behind everything drawn before it.
+    RenderTarget behind(context, {width, height, 1, true});
+    draw_fullscreen(behind, program, {DepthTest::less_equal, false, Cull::none});
+    CHECK(pixels_of(behind, 0) == texels);
+    behind.clear();
+    behind.clear_depth(0.999f);
+    draw_fullscreen(behind, program, {DepthTest::less_equal, false, Cull::none});
+    CHECK(pixels_of(behind, 0) == std::vector<float>(texels.size(), 0.0f));
 }
 
-TEST_CASE("culling drops the faces it names") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        context->run([&] {
-            const Program program = coloured(context);
-            const std::uint32_t counter_clockwise[] = {0, 1, 2}, clockwise[] = {0, 2, 1};
-            const auto drawn = [&](std::span<const std::uint32_t> order, Cull cull) {
-                RenderTarget target(context, {4, 4, 1, false});
-                draw(target, program, interleaved(context, upper_left, order), {DepthTest::off, false, cull});
-                return pixel(pixels_of(target, 0), 4, 0, 0) == stokes;
-            };
-            CHECK(drawn(counter_clockwise, Cull::none));
-            CHECK(drawn(clockwise, Cull::none));
-            CHECK(drawn(counter_clockwise, Cull::back));
-            CHECK(!drawn(clockwise, Cull::back));
-            CHECK(!drawn(counter_clockwise, Cull::front));
-            CHECK(drawn(clockwise, Cull::front));
-        });
-    });
-}
-
-TEST_CASE("separate attributes draw what interleaved ones do") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        const auto expected = upper_left_image(context, 8, 8)[0];
-        context->run([&] {
-            std::vector<float> positions{99.0f}, colours;  // one float in front: an offset
-            for (const Vertex& v : upper_left) {
-                positions.insert(positions.end(), v.position, v.position + 3);
-                colours.insert(colours.end(), v.colour, v.colour + 4);
-            }
-            const auto buffer = [&](const std::vector<float>& data) {
-                return std::make_shared<Buffer>(context, BufferUse::vertex, std::as_bytes(std::span(data)));
-            };
-            const std::array<Attribute, 2> attributes{
-                {{0, 3, buffer(positions), sizeof(float), 0}, {1, 4, buffer(colours), 0, 0}}};
-            const VertexArray vertices(context, attributes,
-                                       std::make_shared<IndexBuffer>(context, one_triangle));
-            RenderTarget target(context, {8, 8, 2, false});
-            target.clear({-1.0f, -2.0f, -3.0f, -4.0f});
-            draw(target, coloured(context), vertices, {DepthTest::off, false, Cull::none});
-            CHECK(pixels_of(target, 0) == expected);
-        });
-    });
-}
-
-TEST_CASE("the full-screen triangle samples a texture upright") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        context->run([&] {
-            constexpr int width = 5, height = 3;
-            std::vector<float> texels(4 * width * height);
-            for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = 0.5f * static_cast<float>(i) - 7.0f;
-            const Texture2D texture(context, {width, height}, texels);
-            const Define scale{"SCALE", "1.0"};
-            const Program program = Program::graphics(context, embedded_shader("fullscreen.vert"),
-                                                      test_shader("gather.frag"), {&scale, 1});
-            RenderTarget target(context, {width, height, 1, false});
-            texture.bind(3);
-            draw_fullscreen(target, program);
-            CHECK(pixels_of(target, 0) == texels);
-
-            // The triangle lies at the far plane: behind everything drawn before it.
-            RenderTarget behind(context, {width, height, 1, true});
-            draw_fullscreen(behind, program, {DepthTest::less_equal, false, Cull::none});
-            CHECK(pixels_of(behind, 0) == texels);
-            behind.clear();
-            behind.clear_depth(0.999f);
-            draw_fullscreen(behind, program, {DepthTest::less_equal, false, Cull::none});
-            CHECK(pixels_of(behind, 0) == std::vector<float>(texels.size(), 0.0f));
-        });
-    });
-}
-
-TEST_CASE("draws refuse what does not fit together") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        const auto other = make_context(context->info().backend);
-        auto foreign = other->run([&] { return std::make_unique<Program>(coloured(other)); });
-        context->run([&] {
-            RenderTarget target(context, {4, 4, 1, true});
-            const Program program = coloured(context);
-            const VertexArray vertices = interleaved(context, upper_left, one_triangle);
-            CHECK_THROWS_AS(draw(target, *foreign, vertices), Error);
-            CHECK_THROWS_AS(draw(target, program, vertices, 0, 4), Error);
-            CHECK_THROWS_AS(draw(target, program, vertices, 1, 2), Error);
-            CHECK_THROWS_AS(draw(target, program, vertices, 3, 3), Error);
-            CHECK_THROWS_AS(draw(target, program, vertices, 3, std::numeric_limits<std::size_t>::max() - 2),
-                            Error);
-            CHECK_THROWS_AS(dispatch(program, 1), Error);
-            CHECK_NOTHROW(draw(target, program, vertices, 3, 0));
-        });
+GL_TEST_CASE("draws refuse what does not fit together") {
+    const auto other = make_context(context->info().backend);
+    auto foreign = other->run([&] { return std::make_unique<Program>(coloured(other)); });
+    context->run([&] {
+        RenderTarget target(context, {4, 4, 1, true});
+        const Program program = coloured(context);
+        const VertexArray vertices = interleaved(context, upper_left, one_triangle);
+        CHECK_THROWS_AS(draw(target, *foreign, vertices), Error);
+        CHECK_THROWS_AS(draw(target, program, vertices, 0, 4), Error);
+        CHECK_THROWS_AS(draw(target, program, vertices, 1, 2), Error);
+        CHECK_THROWS_AS(draw(target, program, vertices, 3, 3), Error);
+        CHECK_THROWS_AS(draw(target, program, vertices, 3, std::numeric_limits<std::size_t>::max() - 2),
+                        Error);
+        CHECK_THROWS_AS(dispatch(program, 1), Error);
+        CHECK_NOTHROW(draw(target, program, vertices, 3, 0));
     });
 }

@@ -2,12 +2,6 @@
 // Programs kept on disk.
 #include "gl/program_cache.hpp"
 
-#include <array>
-#include <filesystem>
-#include <fstream>
-#include <string>
-
-#include "error.hpp"
 #include "gl/contexts.hpp"
 #include "gl/draw.hpp"
 #include "gl/object.hpp"
@@ -43,81 +37,70 @@ bool keep(Context& context, const TemporaryFolder& folder) {
 
 }  // namespace
 
-TEST_CASE("a program is kept once and serves again") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        context->run([&] {
-            const TemporaryFolder folder;
-            CHECK(drawn(context, make(context, "1.5")) == 1.5F);
-            CHECK(folder.names().empty());
-            if (!keep(*context, folder)) return;
-            CHECK(drawn(context, make(context, "1.5")) == 1.5F);
-            REQUIRE(folder.names().size() == 1);
-            const auto written = fs::last_write_time(folder / *folder.names().begin());
-            CHECK(drawn(context, make(context, "1.5")) == 1.5F);
-            CHECK(folder.names().size() == 1);
-            CHECK(fs::last_write_time(folder / *folder.names().begin()) == written);
-            CHECK(drawn(context, make(context, "3.5")) == 3.5F);
-            CHECK(folder.names().size() == 2);
-            keep_programs(*context, {});
-            CHECK(drawn(context, make(context, "4.5")) == 4.5F);
-            CHECK(folder.names().size() == 2);
-        });
-    });
+GL_THREAD_TEST_CASE("a program is kept once and serves again") {
+    const TemporaryFolder folder;
+    CHECK(drawn(context, make(context, "1.5")) == 1.5F);
+    CHECK(folder.names().empty());
+    if (!keep(*context, folder)) return;
+    CHECK(drawn(context, make(context, "1.5")) == 1.5F);
+    REQUIRE(folder.names().size() == 1);
+    const auto written = fs::last_write_time(folder / *folder.names().begin());
+    CHECK(drawn(context, make(context, "1.5")) == 1.5F);
+    CHECK(folder.names().size() == 1);
+    CHECK(fs::last_write_time(folder / *folder.names().begin()) == written);
+    CHECK(drawn(context, make(context, "3.5")) == 3.5F);
+    CHECK(folder.names().size() == 2);
+    keep_programs(*context, {});
+    CHECK(drawn(context, make(context, "4.5")) == 4.5F);
+    CHECK(folder.names().size() == 2);
 }
 
-TEST_CASE("what is loaded is what was kept, with its uniforms") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        context->run([&] {
-            const TemporaryFolder folder;
-            if (!keep(*context, folder)) return;
-            const ProgramCache cache(*context);
-            ProgramKey key;
-            key.add(1, "anything");
-            const Object loaded(context, ObjectKind::program);
-            CHECK_FALSE(cache.load(key, loaded.id()));
-            cache.store(key, make(context, "5.5").id());
-            CHECK(cache.load(key, loaded.id()));
-            ProgramKey other;
-            other.add(2, "anything");
-            CHECK_FALSE(cache.load(other, loaded.id()));
-            // Uniforms are found in one that was loaded as in one that was compiled.
-            for (int i = 0; i < 2; ++i) {
-                Program program = Program::compute(context, test_shader("uniforms.comp"));
-                CHECK_THROWS_AS(program.set("no such uniform", 1), Error);
-                CHECK(program.is_compute());
-                CHECK(program.label() == "uniforms.comp");
-            }
-        });
-    });
+GL_THREAD_TEST_CASE("what is loaded is what was kept, with its uniforms") {
+    const TemporaryFolder folder;
+    if (!keep(*context, folder)) return;
+    const ProgramCache cache(*context);
+    ProgramKey key;
+    key.add(1, "anything");
+    const Object loaded(context, ObjectKind::program);
+    CHECK_FALSE(cache.load(key, loaded.id()));
+    cache.store(key, make(context, "5.5").id());
+    CHECK(cache.load(key, loaded.id()));
+    ProgramKey other;
+    other.add(2, "anything");
+    CHECK_FALSE(cache.load(other, loaded.id()));
+    // Uniforms are found in one that was loaded as in one that was compiled.
+    for (int i = 0; i < 2; ++i) {
+        Program program = Program::compute(context, test_shader("uniforms.comp"));
+        CHECK_THROWS_AS(program.set("no such uniform", 1), Error);
+        CHECK(program.is_compute());
+        CHECK(program.label() == "uniforms.comp");
+    }
 }
 
-TEST_CASE("stale and damaged programs are made anew, and a folder that cannot be used is no error") {
-    on_every_backend([](const std::shared_ptr<Context>& context) {
-        context->run([&] {
-            const TemporaryFolder folder;
-            if (!keep(*context, folder)) return;
-            static_cast<void>(make(context, "1.5"));
-            REQUIRE(folder.names().size() == 1);
-            const fs::path file = folder / *folder.names().begin();
-            const std::string good = file_bytes(file);
-            for (const std::size_t at : {std::size_t{3}, good.size() / 2, good.size() - 1}) {
-                std::string bad = good;
-                bad[at] = static_cast<char>(bad[at] ^ 1);
-                for (const std::string& content : {bad, good.substr(0, at), std::string()}) {
-                    folder.write(file.filename().string(), content);
-                    CHECK(drawn(context, make(context, "1.5")) == 1.5F);
-                    CHECK(file_bytes(file).size() == good.size());
-                }
-            }
-            ProgramKey key;
-            key.add(1, "anything");
-            const ProgramCache cache(*context);
-            fs::remove_all(folder.path());
-            std::ofstream(folder.path()) << "a file where the folder should be";
-            CHECK(drawn(context, make(context, "2.5")) == 2.5F);
-            cache.store(key, make(context, "2.5").id());
-            const Object none(context, ObjectKind::program);
-            CHECK_FALSE(cache.load(key, none.id()));
-        });
-    });
+GL_THREAD_TEST_CASE(
+    "stale and damaged programs are made anew, and a folder that cannot be used is no error") {
+    const TemporaryFolder folder;
+    if (!keep(*context, folder)) return;
+    static_cast<void>(make(context, "1.5"));
+    REQUIRE(folder.names().size() == 1);
+    const fs::path file = folder / *folder.names().begin();
+    const std::string good = file_bytes(file);
+    for (const std::size_t at : {std::size_t{3}, good.size() / 2, good.size() - 1}) {
+        std::string bad = good;
+        bad[at] = static_cast<char>(bad[at] ^ 1);
+        for (const std::string& content : {bad, good.substr(0, at), std::string()}) {
+            folder.write(file.filename().string(), content);
+            CHECK(drawn(context, make(context, "1.5")) == 1.5F);
+            CHECK(file_bytes(file).size() == good.size());
+        }
+    }
+    ProgramKey key;
+    key.add(1, "anything");
+    const ProgramCache cache(*context);
+    fs::remove_all(folder.path());
+    std::ofstream(folder.path()) << "a file where the folder should be";
+    CHECK(drawn(context, make(context, "2.5")) == 2.5F);
+    cache.store(key, make(context, "2.5").id());
+    const Object none(context, ObjectKind::program);
+    CHECK_FALSE(cache.load(key, none.id()));
 }

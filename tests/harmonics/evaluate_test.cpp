@@ -29,13 +29,6 @@ TEST_CASE("the value is the sum over the basis (Eqs. 29, 30)") {
         }
 }
 
-TEST_CASE("the azimuth keeps its sign: an arc cosine would lose it") {
-    PshVector f(1, 1);
-    f.at(0, 1, -1, 0) = 1;
-    CHECK(evaluate(f, 0, {0, 1, 0})[0] == doctest::Approx(-std::sqrt(3 / (4 * pi))));
-    CHECK(evaluate(f, 0, {0, -1, 0})[0] == doctest::Approx(std::sqrt(3 / (4 * pi))));
-}
-
 TEST_CASE("a field is continuous across the pole once its frames are compared") {
     std::mt19937_64 random(2);
     const PshVector f = reference::random_field(random, 6);

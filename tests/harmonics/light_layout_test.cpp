@@ -23,22 +23,21 @@ PshVector random_light(int order, LightKind kind) {
 }  // namespace
 
 TEST_CASE("the numbers of a light are its coefficients over another orthonormal basis") {
-    for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
-        for (const int order : {0, 1, 2, 3, 6}) {
-            const LightLayout layout(order, kind);
-            const PshVector light = random_light(order, kind);
-            const std::vector<double> numbers = test::light_numbers(layout, light.channel(0));
-            CHECK(numbers.size() == layout.size());
-            std::vector<double> back(light.channel(0).size());
-            for (std::size_t j = 0; j < numbers.size(); ++j)
-                for (const LightLayout::Term& term : layout.terms()[j])
-                    back[term.coefficient] += term.factor * numbers[j];
-            double error = 0;
-            for (std::size_t i = 0; i < back.size(); ++i)
-                error = std::max(error, std::abs(back[i] - light.channel(0)[i]));
-            CHECK(error < 1e-14);
-        }
-    }
+    for_all({LightKind::unpolarized, LightKind::linear, LightKind::full}, {0, 1, 2, 3, 6},
+            [&](LightKind kind, int order) {
+                const LightLayout layout(order, kind);
+                const PshVector light = random_light(order, kind);
+                const std::vector<double> numbers = test::light_numbers(layout, light.channel(0));
+                CHECK(numbers.size() == layout.size());
+                std::vector<double> back(light.channel(0).size());
+                for (std::size_t j = 0; j < numbers.size(); ++j)
+                    for (const LightLayout::Term& term : layout.terms()[j])
+                        back[term.coefficient] += term.factor * numbers[j];
+                double error = 0;
+                for (std::size_t i = 0; i < back.size(); ++i)
+                    error = std::max(error, std::abs(back[i] - light.channel(0)[i]));
+                CHECK(error < 1e-14);
+            });
     CHECK_THROWS_AS(LightLayout(-1, LightKind::full), Error);
     CHECK_THROWS_AS(LightLayout(kMaxOrder + 1, LightKind::full), Error);
 }

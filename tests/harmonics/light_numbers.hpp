@@ -3,12 +3,16 @@
 #pragma once
 
 #include <complex>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
 #include "harmonics/light_layout.hpp"
 
 namespace nicol::test {
+
+inline constexpr std::initializer_list<LightKind> kLightKinds = {LightKind::unpolarized, LightKind::linear,
+                                                                 LightKind::full};
 
 /// The numbers of one channel's coefficients, [psh_index(l, m)][4].
 inline std::vector<double> light_numbers(const LightLayout& layout, std::span<const double> channel) {

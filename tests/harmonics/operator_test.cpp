@@ -64,7 +64,7 @@ TEST_CASE("projection inverts the kernel sum: all nine blocks, 16 of 16 elements
         }
     const CoefficientMatrix have =
         project(MuellerOfMatrix(want), 2, {gauss_legendre_rows(3), 5}, 3, {fejer_rows(7), 7});
-    CHECK(reference::max_difference(want.data(), have.data()) < 1e-13);
+    CHECK(largest_difference(want.data(), have.data()) < 1e-13);
 }
 
 TEST_CASE("the operator in coefficients is the integral over directions (Eq. 39)") {
@@ -116,11 +116,11 @@ TEST_CASE("isotropic and dense storage are the same operator") {
     a.apply(middle, out);
     const IsotropicMatrix both = compose(a, b);
     both.apply(f.channel(0), other);
-    CHECK(reference::max_difference(out, other) < 1e-12);
+    CHECK(largest_difference(out, other) < 1e-12);
     both.dense().apply(f.channel(0), other);
-    CHECK(reference::max_difference(out, other) < 1e-12);
+    CHECK(largest_difference(out, other) < 1e-12);
     compose(a.dense(), b.dense()).apply(f.channel(0), other);
-    CHECK(reference::max_difference(out, other) < 1e-12);
+    CHECK(largest_difference(out, other) < 1e-12);
 }
 
 TEST_CASE(
@@ -134,7 +134,7 @@ TEST_CASE(
     const glm::dmat3 rotation = reference::about_z(.7);
     a.apply(rotated(f, rotation).channel(0), left.channel(0));
     a.apply(f.channel(0), right.channel(0));
-    CHECK(reference::max_difference(left.data(), rotated(right, rotation).data()) < 1e-12);
+    CHECK(largest_difference(left.data(), rotated(right, rotation).data()) < 1e-12);
     const CoefficientMatrix d = a.dense();
     for (int l = 0; l <= 4; ++l)
         for (int m = -l; m <= l; ++m)
@@ -169,7 +169,7 @@ TEST_CASE("the projection of an isotropic field equals that of the same field ta
                     CHECK(std::abs(want.block(m, l, k)[e] - have.block(m, l, k)[e]) < 1e-12);
     const CoefficientMatrix by_general =
         project(MuellerField(general), 3, {gauss_legendre_rows(4), 9}, 4, {gauss_legendre_rows(5), 9});
-    CHECK(reference::max_difference(by_general.data(), have.dense().data()) < 1e-12);
+    CHECK(largest_difference(by_general.data(), have.dense().data()) < 1e-12);
 }
 
 TEST_CASE("the mirror image (supplement E.6), with the sign (-1)^l and not (-1)^(l+m)") {
@@ -178,8 +178,8 @@ TEST_CASE("the mirror image (supplement E.6), with the sign (-1)^l and not (-1)^
     const PshVector g = reflected(f);
     PshVector by_matrix(5, 1);
     reflection_matrix(5).apply(f.channel(0), by_matrix.channel(0));
-    CHECK(reference::max_difference(g.data(), by_matrix.data()) < 1e-15);
-    CHECK(reference::max_difference(reflected(g).data(), f.data()) == 0);
+    CHECK(largest_difference(g.data(), by_matrix.data()) < 1e-15);
+    CHECK(largest_difference(reflected(g).data(), f.data()) == 0);
     PshVector wrong = g;
     for (int l = 2; l <= 5; ++l)
         for (int m = -l; m <= l; ++m)
@@ -200,18 +200,11 @@ TEST_CASE("the mirror image (supplement E.6), with the sign (-1)^l and not (-1)^
     CHECK(worst_wrong > .1);
 }
 
-TEST_CASE("a matrix transposed or composed in the wrong order is another operator") {
-    std::mt19937_64 random(7);
-    const IsotropicMatrix a = reference::random_isotropic(random, 3, 3);
-    const IsotropicMatrix b = reference::random_isotropic(random, 3, 3);
-    CHECK(reference::max_difference(compose(a, b).dense().data(), compose(b, a).dense().data()) > .1);
-}
-
 TEST_CASE("the isotropic part keeps isotropic operators, and is the mean over rotations of others") {
     std::mt19937_64 random(8);
     std::normal_distribution<double> normal;
     const IsotropicMatrix a = reference::random_isotropic(random, 4, 3);
-    CHECK(reference::max_difference(isotropic_part(a.dense()).dense().data(), a.dense().data()) < 1e-14);
+    CHECK(largest_difference(isotropic_part(a.dense()).dense().data(), a.dense().data()) < 1e-14);
     CoefficientMatrix any(3, 3);
     for (double& value : any.data()) value = normal(random);
     CoefficientMatrix mean(3, 3);
@@ -222,7 +215,7 @@ TEST_CASE("the isotropic part keeps isotropic operators, and is the mean over ro
         const CoefficientMatrix rotated = compose(back, compose(any, there));
         for (std::size_t i = 0; i < mean.data().size(); ++i) mean.data()[i] += rotated.data()[i] / rotations;
     }
-    CHECK(reference::max_difference(isotropic_part(any).dense().data(), mean.data()) < 1e-13);
+    CHECK(largest_difference(isotropic_part(any).dense().data(), mean.data()) < 1e-13);
 }
 
 TEST_CASE("the matrix of a rotation is orthogonal, block-diagonal, and does what rotated() does") {
@@ -232,7 +225,7 @@ TEST_CASE("the matrix of a rotation is orthogonal, block-diagonal, and does what
     const PshVector f = reference::random_field(random, 4);
     std::vector<double> out(f.data().size());
     d.apply(f.channel(0), out);
-    CHECK(reference::max_difference(out, rotated(f, r).data()) < 1e-13);
+    CHECK(largest_difference(out, rotated(f, r).data()) < 1e-13);
     const CoefficientMatrix identity = compose(rotation_matrix(4, glm::transpose(r)), d);
     for (std::size_t i = 0; i < d.rows(); ++i)
         for (std::size_t j = 0; j < d.columns(); ++j) {

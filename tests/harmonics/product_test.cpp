@@ -57,7 +57,7 @@ TEST_CASE("the shadow matrix gives the same coefficients as the grid") {
         std::vector<double> by_matrix(by_grid.size());
         PshProduct(lv, li, lo).multiply(v, f.channel(0), by_grid);
         ShadowMatrix(lv, lo, li).expand(v).apply(f.channel(0), by_matrix);
-        CHECK(reference::max_difference(by_grid, by_matrix) < 2e-13);
+        CHECK(largest_difference(by_grid, by_matrix) < 2e-13);
     }
 }
 

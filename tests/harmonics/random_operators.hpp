@@ -3,8 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <complex>
 #include <random>
 
+#include "harmonics/convolution.hpp"
 #include "harmonics/operator.hpp"
 
 namespace reference {
@@ -33,6 +36,35 @@ nicol::IsotropicMatrix random_isotropic(Random& random, int order_out, int order
                 b[14] = std::conj(b[11]);
             }
     return matrix;
+}
+
+/// All numbers of one order of a kernel, the first four real.
+inline std::array<std::complex<double>, 10> parts_of(const nicol::KernelBand& k) {
+    return {k.k00, k.k03, k.k30, k.k33, k.p0, k.p3, k.from_p0, k.from_p3, k.iso, k.conj};
+}
+
+template <class Random>
+nicol::ConvolutionKernel random_kernel(Random& random, int order) {
+    std::normal_distribution<double> normal;
+    const auto complex = [&] { return std::complex(normal(random), normal(random)); };
+    nicol::ConvolutionKernel out(static_cast<std::size_t>(order) + 1);
+    for (std::size_t l = 0; l < out.size(); ++l) {
+        for (double* part : {&out[l].k00, &out[l].k03, &out[l].k30, &out[l].k33}) *part = normal(random);
+        if (l < 2) continue;
+        for (auto* part :
+             {&out[l].p0, &out[l].p3, &out[l].from_p0, &out[l].from_p3, &out[l].iso, &out[l].conj})
+            *part = complex();
+    }
+    return out;
+}
+
+/// The largest difference of any part of two kernels of the same order.
+inline double kernel_difference(const nicol::ConvolutionKernel& a, const nicol::ConvolutionKernel& b) {
+    double most = a.size() == b.size() ? 0 : HUGE_VAL;
+    for (std::size_t l = 0; l < std::min(a.size(), b.size()); ++l)
+        for (std::size_t i = 0; i < 10; ++i)
+            most = std::max(most, std::abs(parts_of(a[l])[i] - parts_of(b[l])[i]));
+    return most;
 }
 
 }  // namespace reference

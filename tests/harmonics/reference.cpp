@@ -131,12 +131,4 @@ std::complex<double> frame_change(const nicol::Frame& from, const nicol::Frame& 
     return std::polar(1.0, -2 * std::atan2(glm::dot(to[0], from[1]), glm::dot(to[0], from[0])));
 }
 
-double max_difference(std::span<const double> a, std::span<const double> b) {
-    double worst = a.size() == b.size() ? 0 : INFINITY;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-        worst =
-            std::isfinite(a[i]) && std::isfinite(b[i]) ? std::max(worst, std::abs(a[i] - b[i])) : INFINITY;
-    return worst;
-}
-
 }  // namespace reference

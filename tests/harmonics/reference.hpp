@@ -41,6 +41,4 @@ nicol::Frame theta_phi(const glm::dvec3& direction);
 /// exp(-2 i psi) with to = from Rz(psi): what multiplies s1 + i s2 (Eq. 14).
 std::complex<double> frame_change(const nicol::Frame& from, const nicol::Frame& to);
 
-double max_difference(std::span<const double> a, std::span<const double> b);
-
 }  // namespace reference

@@ -16,7 +16,7 @@ double norm(int l) {
     return std::sqrt((2 * l + 1) / (4 * pi));
 }
 
-/// Degrees worth a look: the edges, those around the spin, some between.
+/// The degrees that are compared: the edges, those near the spin, some between.
 std::vector<int> degrees(int l) {
     std::vector<int> out;
     for (const int m : {0, 1, 2, 3, 4, l / 3, 2 * l / 3, l - 2, l - 1, l}) {
@@ -48,16 +48,12 @@ const std::vector<double> kThetas = {0, 1e-300, 1e-12, 1e-6, 1e-3, .7, pi / 2, 2
 
 }  // namespace
 
-TEST_CASE("spin harmonics are right to 5 l eps at low and middle orders, every spin") {
+TEST_CASE("spin harmonics are right to 5 l eps, every spin, to order 1000") {
     for (int spin = -kMaxSpin; spin <= kMaxSpin; ++spin) {
         CAPTURE(spin);
         CHECK(worst_in_units_of_l_eps(spin, {0, 1, 2, 3, 4, 5, 9, 32, 100}, kThetas) <= 5);
     }
-}
-
-TEST_CASE("spin harmonics are right to 5 l eps at order 1000") {
-    CHECK(worst_in_units_of_l_eps(0, {300, 1000}, kThetas) <= 5);
-    CHECK(worst_in_units_of_l_eps(2, {300, 1000}, kThetas) <= 5);
+    for (const int spin : {0, 2}) CHECK(worst_in_units_of_l_eps(spin, {300, 1000}, kThetas) <= 5);
     CHECK(worst_in_units_of_l_eps(-2, {1000}, {1e-3, .7, 2.5, pi}) <= 5);
 }
 
@@ -80,23 +76,20 @@ TEST_CASE("the poles are exact") {
 
 TEST_CASE("no value is lost up to order 4096") {
     std::vector<double> y(psh_count(kMaxOrder));
-    for (const double theta : {1e-3, .3, .4, pi}) {
-        for (const int spin : {0, 2}) {
-            spin_harmonics(spin, kMaxOrder, theta, y);
-            // sum over m of |sY_lm|^2 is (2l+1)/4pi everywhere: it fails if any value that counts is missing.
-            for (const int l : {2, 1075, 2048, 4096}) {
-                double sum = 0;
-                for (int m = -l; m <= l; ++m) sum += y[psh_index(l, m)] * y[psh_index(l, m)];
-                CHECK(sum / ((2 * l + 1) / (4 * pi)) == doctest::Approx(1).epsilon(1e-11));
-            }
+    for_all({1e-3, .3, .4, pi}, {0, 2}, [&](double theta, int spin) {
+        spin_harmonics(spin, kMaxOrder, theta, y);
+        // sum over m of |sY_lm|^2 is (2l+1)/4pi everywhere: it fails if any value that counts is missing.
+        for (const int l : {2, 1075, 2048, 4096}) {
+            double sum = 0;
+            for (int m = -l; m <= l; ++m) sum += y[psh_index(l, m)] * y[psh_index(l, m)];
+            CHECK(sum / ((2 * l + 1) / (4 * pi)) == doctest::Approx(1).epsilon(1e-11));
         }
-    }
+    });
     spin_harmonics(2, kMaxOrder, .4, y);
     for (const int m : {-1500, -2, 900, 1594})
         CHECK(y[psh_index(4096, m)] ==
               doctest::Approx(reference::spin_harmonic(2, 4096, m, .4)).epsilon(0).scale(1).epsilon(1e-11));
 }
-
 TEST_CASE("conjugation: conj(sY_lm) = (-1)^(s+m) (-s)Y_{l,-m}") {
     std::vector<double> plus(psh_count(12));
     std::vector<double> minus(psh_count(12));
@@ -153,13 +146,14 @@ TEST_CASE("real and complex coefficients convert back and forth, and mean the sa
 
 TEST_CASE("spin harmonics refuse bad arguments") {
     std::vector<double> y(psh_count(3));
-    CHECK_THROWS_AS(spin_harmonics(5, 3, .1, y), Error);
-    CHECK_THROWS_AS(spin_harmonics(2, 4, .1, y), Error);
-    CHECK_THROWS_AS(spin_harmonics(2, -1, .1, y), Error);
-    CHECK_THROWS_AS(spin_harmonics(2, kMaxOrder + 1, .1, y), Error);
-    CHECK_THROWS_AS(spin_harmonics(2, 3, -.1, y), Error);
-    CHECK_THROWS_AS(spin_harmonics(2, 3, 3.2, y), Error);
-    CHECK_THROWS_AS(spin_harmonics(2, 3, std::nan(""), y), Error);
+    for (const auto& [spin, order, theta] : {std::tuple(5, 3, .1),
+                                             {2, 4, .1},
+                                             {2, -1, .1},
+                                             {2, kMaxOrder + 1, .1},
+                                             {2, 3, -.1},
+                                             {2, 3, 3.2},
+                                             {2, 3, std::nan("")}})
+        CHECK_THROWS_AS(spin_harmonics(spin, order, theta, y), Error);
     CHECK_THROWS_AS(spin_harmonics(2, 3, .5, .5, y), Error);
     CHECK_THROWS_AS(spin_harmonics(2, 3, std::nan(""), 1, y), Error);
     std::vector<std::complex<double>> five(5);

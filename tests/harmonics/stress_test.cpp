@@ -4,6 +4,7 @@
 #include "harmonics/convolution.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/product.hpp"
+#include "harmonics/random_operators.hpp"
 #include "harmonics/reference.hpp"
 #include "harmonics/rotation.hpp"
 #include "harmonics/transform.hpp"
@@ -36,6 +37,7 @@ public:
         for (double& value : f.data()) value = sparse && integer(0, 3) != 0 ? 0 : value * scale_;
         return f;
     }
+    ConvolutionKernel kernel(int order) { return reference::random_kernel(random_, order); }
     /// What an error is measured in.
     [[nodiscard]] double unit(int order) const { return scale_ * (order + 1) * (order + 1); }
     /// A relative bound, and the rounding of denormal numbers.
@@ -84,8 +86,7 @@ void check_rotation(Case& one) {
     const PshVector f = one.field(order);
     const glm::dmat3 r = one.rotation();
     const PshVector g = rotated(f, r);
-    CHECK(reference::max_difference(rotated(g, glm::transpose(r)).data(), f.data()) <=
-          one.bound(1e-13, order));
+    CHECK(largest_difference(rotated(g, glm::transpose(r)).data(), f.data()) <= one.bound(1e-13, order));
     const glm::dvec3 d = one.direction();
     const Stokes in = evaluate(f, 0, d);
     const Stokes out = evaluate(g, 0, r * d);
@@ -107,7 +108,7 @@ void check_transform(Case& one) {
     std::vector<double> back(f.data().size());
     transform.synthesize(f.channel(0), samples);
     transform.analyze(samples, back);
-    CHECK(reference::max_difference(f.data(), back) <= one.bound(1e-14, order));
+    CHECK(largest_difference(f.data(), back) <= one.bound(1e-14, order));
 }
 
 void check_product(Case& one) {
@@ -138,19 +139,10 @@ void check_product(Case& one) {
 void check_convolution(Case& one) {
     const int order = one.integer(0, 20);
     const PshVector f = one.field(order);
-    ConvolutionKernel kernel(static_cast<std::size_t>(order) + 1);
-    for (std::size_t l = 0; l < kernel.size(); ++l) {
-        kernel[l].k00 = one.real(-1, 1);
-        kernel[l].k33 = one.real(-1, 1);
-        if (l < 2) continue;
-        kernel[l].p0 = {one.real(-1, 1), one.real(-1, 1)};
-        kernel[l].from_p3 = {one.real(-1, 1), one.real(-1, 1)};
-        kernel[l].iso = {one.real(-1, 1), one.real(-1, 1)};
-        kernel[l].conj = {one.real(-1, 1), one.real(-1, 1)};
-    }
+    const ConvolutionKernel kernel = one.kernel(order);
     const glm::dmat3 r = one.rotation();
-    CHECK(reference::max_difference(rotated(convolved(kernel, f), r).data(),
-                                    convolved(kernel, rotated(f, r)).data()) <= one.bound(1e-13, order));
+    CHECK(largest_difference(rotated(convolved(kernel, f), r).data(),
+                             convolved(kernel, rotated(f, r)).data()) <= one.bound(1e-13, order));
 }
 
 /// Anything may be refused, nothing may crash or give a value that is not finite.

@@ -49,9 +49,7 @@ TEST_CASE("large symbols keep their relative accuracy, also where they are tiny"
         for (const double value : run.value) largest = std::max(largest, std::abs(value));
         for (int l1 = run.first_l1; l1 <= std::min(l2 + l3, 300); l1 += 7) {
             const double want = reference::wigner_3j(l1, l2, l3, -m2 - m3, m2, m3);
-            CAPTURE(l1);
-            CAPTURE(l2);
-            CAPTURE(m2);
+            CAPTURES(l1, l2, m2);
             CHECK(std::abs(run.at(l1) - want) < 1e-12 * std::max(std::abs(want), .05 * largest));
         }
         // The ends, far below the largest, relatively.

@@ -23,10 +23,7 @@ TEST_CASE("d agrees with Wigner's sum at every angle") {
         for (const int l : {0, 1, 2, 3, 7, 20, 60})
             for (int m = -l; m <= l; m += 1 + l / 7)
                 for (int n = -l; n <= l; n += 1 + l / 5) {
-                    CAPTURE(l);
-                    CAPTURE(m);
-                    CAPTURE(n);
-                    CAPTURE(beta);
+                    CAPTURES(l, m, n, beta);
                     CHECK(std::abs(entry(d, l, m, n) - reference::wigner_d(l, m, n, beta)) <=
                           4e-16 * (1 + l));
                 }
@@ -88,8 +85,7 @@ TEST_CASE("entries that start below the range of double grow back") {
                                std::pair(0, 0), std::pair(3, -2), std::pair(1350, 1348)}) {
         const double want = reference::wigner_d(l, m, n, beta);
         const double have = D[static_cast<std::size_t>((m + l) * (2 * l + 1) + n + l)].real();
-        CAPTURE(m);
-        CAPTURE(n);
+        CAPTURES(m, n);
         CHECK(std::abs(have - want) < 1e-12);
         if (m - n == 900) largest = std::max(largest, std::abs(want));
     }

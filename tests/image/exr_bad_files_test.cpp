@@ -93,8 +93,7 @@ TEST_CASE("sizes beyond reason are refused before they are allocated") {
         {0, 0, 39, 1'000'000},    {0, 0, 30000, 2000},  {0, 0, 39, 30000},    {huge - 5, 0, huge, 49},
         {-huge - 1, 0, -huge, 49}};
     for (const auto& window : windows) {
-        CAPTURE(window[2]);
-        CAPTURE(window[3]);
+        CAPTURES(window[2], window[3]);
         std::string lie = bytes;
         patch(lie, "dataWindow", "box2i", window);
         write_bytes(folder / "lie.exr", lie);

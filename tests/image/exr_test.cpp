@@ -127,23 +127,19 @@ TEST_CASE(
     const TemporaryFolder folder;
     const std::vector<std::string> names = {"A", "B", "G", "R", "Z"};
     for (int compression = 0; compression < Imf::NUM_COMPRESSION_METHODS; ++compression) {
-        for (const bool tiled : {false, true}) {
-            for (const Imf::PixelType type : {Imf::HALF, Imf::FLOAT, Imf::UINT}) {
-                CAPTURE(compression);
-                CAPTURE(tiled);
-                CAPTURE(static_cast<int>(type));
-                write_channels(folder / "a.exr", names, type, static_cast<Imf::Compression>(compression),
-                               tiled, {-3, 40});
-                const StokesImage image = read_exr(folder / "a.exr");
-                REQUIRE(image.width == 21);
-                REQUIRE(image.height == 19);
-                REQUIRE(image.channels == 3);
-                const float fraction = type == Imf::UINT ? 0.0f : 0.25f;
-                // Lossy compressions keep a percent or so of neighbouring values.
-                CHECK(image.at(2, 0, 1)[0] == doctest::Approx(1 + fraction).epsilon(0.5));
-                CHECK(image.at(1, 18, 20)[0] == doctest::Approx(18 * 21 + 20 + fraction).epsilon(0.02));
-            }
-        }
+        for_all({false, true}, {Imf::HALF, Imf::FLOAT, Imf::UINT}, [&](bool tiled, Imf::PixelType type) {
+            CAPTURES(compression, tiled, type);
+            write_channels(folder / "a.exr", names, type, static_cast<Imf::Compression>(compression), tiled,
+                           {-3, 40});
+            const StokesImage image = read_exr(folder / "a.exr");
+            REQUIRE(image.width == 21);
+            REQUIRE(image.height == 19);
+            REQUIRE(image.channels == 3);
+            const float fraction = type == Imf::UINT ? 0.0f : 0.25f;
+            // Lossy compressions keep a percent or so of neighbouring values.
+            CHECK(image.at(2, 0, 1)[0] == doctest::Approx(1 + fraction).epsilon(0.5));
+            CHECK(image.at(1, 18, 20)[0] == doctest::Approx(18 * 21 + 20 + fraction).epsilon(0.02));
+        });
     }
     write_channels(folder / "y.exr", {"Y"}, Imf::HALF, Imf::ZIP_COMPRESSION, false, {0, 0});
     CHECK(read_exr(folder / "y.exr").channels == 1);
@@ -199,7 +195,7 @@ TEST_CASE("files that call for channels they lack are refused by the name of the
     CHECK(read_exr(folder / "b.exr").at(1, 0, 3)[0] == 3.25f);
 }
 
-TEST_CASE("a file that cannot be written says so and leaves nothing behind") {
+TEST_CASE("a file that cannot be written is an error and leaves nothing behind") {
     const TemporaryFolder folder;
     const StokesImage image = numbered(4, 3, 3);
     const auto bad = ErrorCode::write_failed;
@@ -247,7 +243,7 @@ TEST_CASE("Mitsuba's own files are read") {
     CHECK(image.width == 128);
     CHECK(image.channels == 3);
     // A dielectric sphere under even light: at the right of its rim the plane of incidence is horizontal, so
-    // the reflected light is polarized vertically, s1 < 0; above the centre it is horizontal, s1 > 0.
+    // the reflected light is polarized vertically, s1 < 0; above the middle it is horizontal, s1 > 0.
     CHECK(image.at(1, 64, 64 + 45)[1] < -0.01f);
     CHECK(image.at(1, 64 - 45, 64)[1] > 0.01f);
     // Towards the upper right the field is perpendicular to that direction: -45 degrees, s2 < 0.

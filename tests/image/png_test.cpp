@@ -53,7 +53,7 @@ Decoded decode(const std::filesystem::path& path) {
     return result;
 }
 
-/// Light polarized around the centre of the observation like a wheel: the field points away from the centre.
+/// Light whose field points away from the middle of the image.
 StokesImage radial_light(int size) {
     StokesImage image(size, size, 1);
     for (int y = 0; y < size; ++y)

@@ -65,7 +65,7 @@ Errors errors(const PshVector& a, const PshVector& truth, int order) {
 
 }  // namespace
 
-TEST_CASE("pixels look where the layout says, in right-handed frames of their propagation") {
+TEST_CASE("pixels lie in the directions of the layout, in right-handed frames of their propagation") {
     // The middle of every face, and the pixel right of and above it.
     const struct {
         double x, y;

@@ -52,11 +52,3 @@ inline void add_products(nicol::PshVector& sum, const nicol::Environment& light,
         }
     }
 }
-
-inline double largest_difference(const nicol::PshVector& a, const nicol::PshVector& b) {
-    REQUIRE(a.data().size() == b.data().size());
-    double largest = 0;
-    for (std::size_t i = 0; i < a.data().size(); ++i)
-        largest = std::max(largest, std::abs(a.data()[i] - b.data()[i]));
-    return largest;
-}

@@ -54,11 +54,11 @@ TEST_CASE("the table of coefficients is the light to 0.8 % of what varies in it,
         CHECK(table->polarized());
         CHECK(table->circular());
         CHECK_FALSE(table->tabulated());
-        std::vector<glm::dvec3> around = random_directions(400), poles;
+        std::vector<glm::dvec3> anywhere = random_directions(400), poles;
         for (const glm::dvec3& d : random_directions(200, 2))
             poles.push_back(glm::normalize(glm::dvec3(0.01 * d.x, d.y, 0.01 * d.z)));
         poles.insert(poles.end(), {{0, 1, 0}, {0, -1, 0}});
-        for (const std::vector<glm::dvec3>& directions : {around, poles}) {
+        for (const std::vector<glm::dvec3>& directions : {anywhere, poles}) {
             Stokes error(0), size(0);
             for (const glm::dvec3& w : directions) {
                 Stokes exact = light->radiance(1, w);
@@ -78,7 +78,7 @@ TEST_CASE("light that is quick to look up has no table") {
     CHECK_FALSE(rayleigh_sky({})->tabulated());
 }
 
-TEST_CASE("what light of coefficients claims about itself is true") {
+TEST_CASE("light of coefficients reports its polarization and wavelengths") {
     PshVector field(2, 1);
     field.at(0, 0, 0, 0) = 1;
     CHECK_FALSE(psh_environment(field)->polarized());

@@ -14,31 +14,41 @@ namespace {
 
 using Complex = std::complex<double>;
 
-void check_equal(const Mueller& a, const Mueller& b, double tolerance) {
-    for (std::size_t i = 0; i < 16; ++i) CHECK(std::abs(a(i / 4, i % 4) - b(i / 4, i % 4)) <= tolerance);
-}
-
 }  // namespace
 
-TEST_CASE("off the plane of symmetry: Fresnel's matrix of the facet in frames of the half vector") {
-    const Complex eta(0.2, -3.2);
-    const MaterialPtr material =
-        rough_conductor({.eta = {eta}, .alpha = 0.4, .distribution = Distribution::ggx});
+TEST_CASE("a facet reflects by Fresnel's matrix in frames of the half vector") {
+    const struct {
+        Complex eta;
+        Distribution distribution;
+        double alpha;
+    } rows[] = {{{0.2, -3.2}, Distribution::ggx, 0.4},
+                {1.5, Distribution::ggx, 0.2},
+                {1.5, Distribution::beckmann, 0.2}};
     std::mt19937 random(3);
     std::uniform_real_distribution<double> uniform;
-    for (int i = 0; i < 200; ++i) {
-        const glm::dvec3 light = direction(1.5 * uniform(random), 2 * pi * uniform(random));
-        const glm::dvec3 viewer = direction(1.5 * uniform(random), 2 * pi * uniform(random));
-        const glm::dvec3 half = glm::normalize(light + viewer);
-        const Frame in = frame_with_x(-light, glm::cross(half, -light));
-        const Frame out = frame_with_x(viewer, glm::cross(half, viewer));
-        const double scale = facet_density(Distribution::ggx, 0.4, half.z) *
-                             facet_visibility(Distribution::ggx, 0.4, light.z) *
-                             facet_visibility(Distribution::ggx, 0.4, viewer.z) / (4 * light.z * viewer.z);
-        const Mueller expected = in_rotated_frames(scale * fresnel_reflection(glm::dot(half, viewer), eta),
-                                                   angle_between(in, theta_phi_frame(-light)),
-                                                   angle_between(out, theta_phi_frame(viewer)));
-        check_equal(material->evaluate(0, light, viewer), expected, 1e-10 * expected(0, 0));
+    for (const auto& [eta, distribution, alpha] : rows) {
+        const bool metal = eta.imag() != 0;
+        const MaterialPtr material =
+            metal ? rough_conductor({.eta = {eta}, .alpha = alpha, .distribution = distribution})
+                  : pplastic({.int_ior = 1.5, .ext_ior = 1, .alpha = alpha, .distribution = distribution});
+        for (int i = 0; i < 200; ++i) {
+            // The first in mirror directions, where the half vector is the normal.
+            const double zenith = 1.5 * uniform(random), azimuth = 2 * pi * uniform(random);
+            const glm::dvec3 light = direction(zenith, azimuth);
+            const glm::dvec3 viewer = i == 0 ? direction(zenith, azimuth + pi)
+                                             : direction(1.5 * uniform(random), 2 * pi * uniform(random));
+            const glm::dvec3 half = glm::normalize(light + viewer);
+            const Frame in = frame_with_x(-light, glm::cross(half, -light));
+            const Frame out = frame_with_x(viewer, glm::cross(half, viewer));
+            const double scale = facet_density(distribution, alpha, half.z) *
+                                 facet_visibility(distribution, alpha, light.z) *
+                                 facet_visibility(distribution, alpha, viewer.z) / (4 * light.z * viewer.z);
+            const Mueller expected = in_rotated_frames(
+                scale * fresnel_reflection(glm::dot(half, viewer), eta),
+                angle_between(in, theta_phi_frame(-light)), angle_between(out, theta_phi_frame(viewer)));
+            CHECK(largest_difference(material->evaluate(metal ? 0 : 1, light, viewer), expected) <=
+                  1e-10 * expected(0, 0));
+        }
     }
 }
 
@@ -100,7 +110,7 @@ TEST_CASE("channels of a conductor: an index each, or a reflectance each") {
     const glm::dvec3 light = direction(0.8, 2);
     gold->evaluate_terms(light, up, terms);
     for (int t = 0; t < 3; ++t)
-        check_equal(terms[static_cast<std::size_t>(t)], gold->evaluate(t, light, up), 0);
+        CHECK(largest_difference(terms[static_cast<std::size_t>(t)], gold->evaluate(t, light, up)) == 0);
     gold->evaluate_terms(-light, up, terms);
     CHECK(terms[1](0, 0) == 0);
     const MaterialPtr smooth = conductor(metal_index("Ag"));

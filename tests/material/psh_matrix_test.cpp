@@ -113,9 +113,8 @@ TEST_CASE("a material of a matrix: its table, its directions and its light agree
     // Light from a single direction has the harmonics there as coefficients.
     double largest = 0;
     double error = 0;
-    for (const double in : {0.0, 0.4, 1.3}) {
-        for (const double out_zenith : {0.0, 0.05, 0.77, 1.5}) {
-            for (const double azimuth : {0.0, 1.0, 2.8, 4.4}) {
+    for_all({0.0, 0.4, 1.3}, {0.0, 0.05, 0.77, 1.5}, {0.0, 1.0, 2.8, 4.4},
+            [&](double in, double out_zenith, double azimuth) {
                 const glm::dvec3 towards_light = direction(in, azimuth);
                 const glm::dvec3 viewer = direction(out_zenith, 0.9);
                 std::vector<double> scalar(psh_count(order));
@@ -139,9 +138,7 @@ TEST_CASE("a material of a matrix: its table, its directions and its light agree
                         error = std::max(error, std::abs(m(p, q) * towards_light.z - value));
                     }
                 }
-            }
-        }
-    }
+            });
     CHECK(error < 1e-3 * largest);
     CHECK(largest > 0.1);
 }
@@ -192,10 +189,7 @@ TEST_CASE("measured gold: check values, isotropy, and light from above leaves up
     const TemporaryFolder folder;
     write_psh_matrix(folder / "gold.npz", gold);
     const NpyArray again = read_npz_member(folder / "gold.npz", "coeff");
-    double largest = 0;
-    for (std::size_t i = 0; i < coeff.values.size(); ++i)
-        largest = std::max(largest, std::abs(coeff.values[i] - again.values[i]));
-    CHECK(largest < 1e-9);
+    CHECK(largest_difference(coeff.values, again.values) < 1e-9);
 
     const MaterialPtr material = psh_matrix_material(gold, {1, 0.5, 1});
     std::vector<double> scalar(psh_count(19));

@@ -65,8 +65,7 @@ TEST_CASE("rotated light gives the mean square that the energies say") {
     const auto check = [&](int l, int component, std::size_t part, double half) {
         const PshVector light = light_of(l, component);
         const auto measured = mean_squares(table, layout, light);
-        CAPTURE(l);
-        CAPTURE(component);
+        CAPTURES(l, component);
         for (std::size_t output = 0; output < 2; ++output) {
             const double predicted =
                 half * energy(light) * power.of(0, output, part)[static_cast<std::size_t>(l)] / (2 * l + 1);

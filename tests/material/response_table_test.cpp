@@ -30,7 +30,7 @@ const Frame upright(1.0);
 
 }  // namespace
 
-TEST_CASE("quadrature around a lobe integrates peaks and plain functions") {
+TEST_CASE("quadrature about a lobe integrates peaks and plain functions") {
     for (const double peak : {0.0, 0.4, 1.5, 2.0}) {
         double lobe = 0;
         double plain = 0;
@@ -61,8 +61,7 @@ TEST_CASE("rows times light equals the reflection integral in the angular domain
             const PshVector light = test::random_light(4, 1, static_cast<int>(kind), 11);
             const ResponseTable table(*c.material, layout, 1);
             for (const int angle : {0, 1, 90 * 4, 200 * 4 + 1, 250 * 4 + 2}) {
-                CAPTURE(c.name);
-                CAPTURE(angle);
+                CAPTURES(c.name, angle);
                 const double theta = angle * pi / 2 / (ResponseTable::kAngles - 1);
                 const glm::dvec3 viewer(std::sin(theta), 0, std::cos(theta));
                 const Stokes expected = test::reflected(*c.material, 0, light, upright, viewer, 256, 512);
@@ -103,8 +102,7 @@ TEST_CASE("a narrow lobe is resolved: constant light gives the directional albed
                 }
             }
             albedo /= n * 200;
-            CAPTURE(alpha);
-            CAPTURE(angle);
+            CAPTURES(alpha, angle);
             const double row = static_cast<double>(table.rows(angle, 0)[0]) * std::sqrt(4 * pi);
             CHECK(row == Approx(albedo).epsilon(2e-3));
         }

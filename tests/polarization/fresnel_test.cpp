@@ -70,18 +70,16 @@ TEST_CASE("a metal makes circular light of linear light at 45 degrees, of the si
 }
 
 TEST_CASE("what is not reflected is transmitted, for each polarization") {
-    for (const double eta : {1.5, 1 / 1.5}) {
-        for (const double angle : {0.0, 20.0, 40.0}) {
-            const Mueller r = fresnel_reflection(std::cos(angle * degree), eta);
-            const Mueller t = fresnel_transmission(std::cos(angle * degree), eta);
-            CHECK(r(0, 0) + t(0, 0) == Approx(1).epsilon(1e-12));
-            CHECK(r(0, 1) + t(0, 1) == Approx(0).epsilon(1e-12));
-            // The way back through the interface passes as much.
-            const double cos_t = std::sqrt(1 - std::pow(std::sin(angle * degree) / eta, 2));
-            CHECK(fresnel_transmission(cos_t, 1 / eta)(0, 0) == Approx(t(0, 0)));
-            CHECK(fresnel_transmission(cos_t, 1 / eta)(0, 1) == Approx(t(0, 1)));
-        }
-    }
+    for_all({1.5, 1 / 1.5}, {0.0, 20.0, 40.0}, [&](double eta, double angle) {
+        const Mueller r = fresnel_reflection(std::cos(angle * degree), eta);
+        const Mueller t = fresnel_transmission(std::cos(angle * degree), eta);
+        CHECK(r(0, 0) + t(0, 0) == Approx(1).epsilon(1e-12));
+        CHECK(r(0, 1) + t(0, 1) == Approx(0).epsilon(1e-12));
+        // The way back through the interface passes as much.
+        const double cos_t = std::sqrt(1 - std::pow(std::sin(angle * degree) / eta, 2));
+        CHECK(fresnel_transmission(cos_t, 1 / eta)(0, 0) == Approx(t(0, 0)));
+        CHECK(fresnel_transmission(cos_t, 1 / eta)(0, 1) == Approx(t(0, 1)));
+    });
 }
 
 TEST_CASE("total internal reflection keeps all energy and retards") {

@@ -40,7 +40,7 @@ TEST_CASE("frame_rotation is rotated() as a matrix") {
         CHECK(glm::distance(frame_rotation(angle) * s, rotated(s, angle)) < 1e-15);
 }
 
-TEST_CASE("an element seen in other frames acts the same on the same light") {
+TEST_CASE("an element in other frames acts the same on the same light") {
     std::mt19937 random(2);
     const Mueller m = random_mueller(random);
     const Stokes s(1, .3, -.2, .1);

@@ -18,12 +18,10 @@ Stokes linear_light(double angle) {
 }  // namespace
 
 TEST_CASE("rotating the frame by psi subtracts psi from the angle of polarization") {
-    for (const double angle : {0.0, 0.3, 1.2, -0.7}) {
-        for (const double psi : {0.0, 0.5, -1.1, pi / 2}) {
-            const Stokes expected = linear_light(angle - psi);
-            CHECK(glm::distance(rotated(linear_light(angle), psi), expected) < 1e-15);
-        }
-    }
+    for_all({0.0, 0.3, 1.2, -0.7}, {0.0, 0.5, -1.1, pi / 2}, [&](double angle, double psi) {
+        const Stokes expected = linear_light(angle - psi);
+        CHECK(glm::distance(rotated(linear_light(angle), psi), expected) < 1e-15);
+    });
     CHECK(rotated({1, .2, .3, .4}, .8)[3] == .4);
     CHECK(rotated({1, .2, .3, .4}, .8)[0] == 1);
 }

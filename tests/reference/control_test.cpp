@@ -68,7 +68,7 @@ TEST_CASE("light with a table is looked up there, and light of coefficients has 
     for (const bool table : {false, true}) {
         Scene scene = ball_on_floor();
         scene.set_environment(std::make_shared<const Watched>(sky, table), glm::dmat3(1.0), 1);
-        images.push_back(render(scene, camera(), width, height, {.samples = 16, .progress = {}}));
+        images.push_back(render(scene, camera(), width, height, {.samples = 16}));
     }
     double difference = 0, size = 0;
     for (std::size_t i = 0; i < images[0].data.size(); ++i) {
@@ -83,9 +83,7 @@ TEST_CASE("light with a table is looked up there, and light of coefficients has 
 TEST_CASE("a seed gives the same image with any number of threads; another seed another") {
     const Scene scene = ball_on_floor();
     const auto image = [&](std::uint64_t seed, int threads) {
-        return render(scene, camera(), width, height,
-                      {.samples = 20, .seed = seed, .threads = threads, .progress = {}})
-            .data;
+        return render(scene, camera(), width, height, {.samples = 20, .seed = seed, .threads = threads}).data;
     };
     const std::vector<float> one = image(5, 1);
     CHECK(one == image(5, 2));
@@ -101,8 +99,7 @@ TEST_CASE("pixels have noise of their own") {
     Scene scene;
     scene.add(square(diffuse({0.5})));
     scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
-    const StokesImage image =
-        render(scene, camera_on({0, 0, 0}, {0, 0, 1}), 16, 16, {.samples = 4, .progress = {}});
+    const StokesImage image = render(scene, camera_on({0, 0, 0}, {0, 0, 1}), 16, 16, {.samples = 4});
     int same = 0;
     for (int y = 0; y < 16; ++y)
         for (int x = 1; x < 16; ++x) same += image.at(0, y, x)[0] == image.at(0, y, x - 1)[0] ? 1 : 0;
@@ -112,21 +109,21 @@ TEST_CASE("pixels have noise of their own") {
 TEST_CASE("every pixel and ray is counted") {
     const Scene scene = ball_on_floor();
     ReferenceStatistics statistics;
-    (void)render_reference(scene, project(camera(), width, height), width, height,
-                           {.samples = 3, .progress = {}}, statistics);
+    (void)render_reference(scene, project(camera(), width, height), width, height, {.samples = 3},
+                           statistics);
     CHECK(statistics.camera_rays == 3 * width * height);
     CHECK(statistics.shadow_rays > statistics.camera_rays / 4);
     CHECK(statistics.shadow_rays <= 2 * statistics.camera_rays);
     CHECK(statistics.triangles == make_sphere().triangles.size() + 2);
 }
 
-TEST_CASE("progress is told on the calling thread, rising, and can stop the render") {
+TEST_CASE("progress is reported on the calling thread, rises, and can stop the render") {
     const Scene scene = ball_on_floor();
     const std::thread::id caller = std::this_thread::get_id();
     int calls = 0;
     double last = 0;
     bool sound = true;
-    ReferenceOptions options{.samples = 4096, .threads = 4, .progress = {}};
+    ReferenceOptions options{.samples = 4096, .threads = 4};
     options.progress = [&](const char* verb, double fraction) {
         ++calls;
         sound = sound && std::string(verb) == "trace" && std::this_thread::get_id() == caller &&
@@ -157,11 +154,10 @@ TEST_CASE("options and sizes out of range are refused by name") {
     const Scene scene = ball_on_floor();
     const auto bad = ErrorCode::invalid_argument;
     for (const int samples : {0, -1, kMaxReferenceSamples + 1})
-        check_refused(bad, scene, width, height, {.samples = samples, .progress = {}},
+        check_refused(bad, scene, width, height, {.samples = samples},
                       "samples is " + std::to_string(samples));
-    check_refused(bad, scene, width, height, {.threads = -1, .progress = {}}, "threads");
-    for (const int side : {0, -5, kMaxImageSide + 1})
-        check_refused(bad, scene, side, height, {.samples = 1, .progress = {}});
+    check_refused(bad, scene, width, height, {.threads = -1}, "threads");
+    for (const int side : {0, -5, kMaxImageSide + 1}) check_refused(bad, scene, side, height, {.samples = 1});
 }
 
 TEST_CASE("what throws inside reaches the caller") {
@@ -178,12 +174,12 @@ TEST_CASE("what throws inside reaches the caller") {
     Scene scene;
     scene.add(square(std::make_shared<const Broken>()));
     scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
-    CHECK_THROWS_WITH_AS((void)render(scene, camera_on({0, 0, 0}, {0, 0, 1}), 64, 64,
-                                      {.samples = 16, .threads = 4, .progress = {}}),
-                         "broken", Error);
+    CHECK_THROWS_WITH_AS(
+        (void)render(scene, camera_on({0, 0, 0}, {0, 0, 1}), 64, 64, {.samples = 16, .threads = 4}), "broken",
+        Error);
 }
 
-TEST_CASE("what lies outside the clip planes is not seen") {
+TEST_CASE("what lies outside the clip planes is not rendered") {
     Scene scene;
     scene.add(square(diffuse({0.5})));
     scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
@@ -196,8 +192,7 @@ TEST_CASE("what lies outside the clip planes is not seen") {
             view.near_clip = near;
             view.far_clip = far;
             // A corner, where the distance along the ray is not the depth.
-            const StokesImage image =
-                render(scene, view, 16, 16, {.samples = 64, .progress = {}}, Strategy::surface);
+            const StokesImage image = render(scene, view, 16, 16, {.samples = 64}, Strategy::surface);
             return static_cast<double>(image.at(0, 1, 1)[0]);
         };
         CHECK(middle(1.99, 2.01) == doctest::Approx(0.5).epsilon(1e-5));

@@ -121,8 +121,7 @@ Comparison compare(const StokesImage& ours, const StokesImage& truth, const std:
 
 void check(const MitsubaScene& s, const fs::path& truth_file, int samples) {
     const StokesImage truth = read_exr(truth_file);
-    const StokesImage ours =
-        render(s.scene, s.camera, s.width, s.height, {.samples = samples, .progress = {}});
+    const StokesImage ours = render(s.scene, s.camera, s.width, s.height, {.samples = samples});
     REQUIRE(ours.width == truth.width);
     REQUIRE(ours.height == truth.height);
     const std::vector<char> inner = inner_pixels(s);

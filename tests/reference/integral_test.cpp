@@ -62,8 +62,7 @@ TEST_CASE("sampling the light, the surface or both gives the same image") {
         const auto surface = point(scene, camera, 1 << 18, Strategy::surface, 2);
         const auto both = point(scene, camera, 1 << 18, Strategy::both, 3);
         for (std::size_t c = 0; c < 3; ++c) {
-            CAPTURE(alpha);
-            CAPTURE(c);
+            CAPTURES(alpha, c);
             for (int p = 0; p < 4; ++p) {
                 CHECK(std::abs(light[c][p] - both[c][p]) < 2e-3 * both[c][0]);
                 CHECK(std::abs(surface[c][p] - both[c][p]) < 2e-3 * both[c][0]);
@@ -100,8 +99,8 @@ TEST_CASE("a material seen from behind is black, and so is everything without li
     CHECK(point(scene, camera_on({0, 0, 0}, {0.2, 0.1, -1}), 64)[0] == Stokes(0.0));
     CHECK(point(scene, camera_on({0, 0, 0}, {0.2, 0.1, 1}), 64)[0][0] > 0.1);
     ReferenceStatistics statistics;
-    (void)render_reference(scene, project(camera_on({0, 0, 0}, {0.2, 0.1, -1}), 1, 1), 1, 1,
-                           {.samples = 16, .progress = {}}, statistics);
+    (void)render_reference(scene, project(camera_on({0, 0, 0}, {0.2, 0.1, -1}), 1, 1), 1, 1, {.samples = 16},
+                           statistics);
     CHECK(statistics.shadow_rays == 0);
 
     Scene dark;

@@ -9,26 +9,24 @@ using namespace nicol;
 TEST_CASE("every aligned run of 2^k points has one in each dyadic box of area 2^-k") {
     for (const std::uint64_t seed : {0ULL, 1ULL, 0x123456789ABCDEFULL}) {
         const LowDiscrepancy points(seed);
-        for (const std::uint32_t stream : {0U, 1U, 2U}) {
-            for (const int k : {1, 4, 6, 9}) {
-                const std::uint32_t count = 1U << k;
-                for (const std::uint32_t first : {0U, count, 5 * count}) {
-                    for (int a = 0; a <= k; ++a) {
-                        std::set<std::pair<int, int>> boxes;
-                        for (std::uint32_t i = first; i < first + count; ++i) {
-                            const glm::dvec2 p = points.point(i, stream);
-                            REQUIRE(p.x >= 0);
-                            REQUIRE(p.x < 1);
-                            REQUIRE(p.y >= 0);
-                            REQUIRE(p.y < 1);
-                            boxes.emplace(static_cast<int>(std::ldexp(p.x, a)),
-                                          static_cast<int>(std::ldexp(p.y, k - a)));
-                        }
-                        CHECK(boxes.size() == count);
+        for_all({0U, 1U, 2U}, {1, 4, 6, 9}, [&](std::uint32_t stream, int k) {
+            const std::uint32_t count = 1U << k;
+            for (const std::uint32_t first : {0U, count, 5 * count}) {
+                for (int a = 0; a <= k; ++a) {
+                    std::set<std::pair<int, int>> boxes;
+                    for (std::uint32_t i = first; i < first + count; ++i) {
+                        const glm::dvec2 p = points.point(i, stream);
+                        REQUIRE(p.x >= 0);
+                        REQUIRE(p.x < 1);
+                        REQUIRE(p.y >= 0);
+                        REQUIRE(p.y < 1);
+                        boxes.emplace(static_cast<int>(std::ldexp(p.x, a)),
+                                      static_cast<int>(std::ldexp(p.y, k - a)));
                     }
+                    CHECK(boxes.size() == count);
                 }
             }
-        }
+        });
     }
 }
 

@@ -41,8 +41,7 @@ TEST_CASE("light of every polarization reflected by pplastic is the brute-force 
         for (int c = 0; c < 2; ++c) {
             const Stokes wanted = 0.5 * rotated(reflected(*material, c, rotated_light, frame, towards),
                                                 angle_between(theta_phi_frame(towards), view.frame(towards)));
-            CAPTURE(i);
-            CAPTURE(c);
+            CAPTURES(i, c);
             for (int p = 0; p < 4; ++p)
                 CHECK(std::abs(ours[static_cast<std::size_t>(c)][p] - wanted[p]) < 3e-5);
             CHECK(glm::length(wanted) > 5e-3);
@@ -86,8 +85,7 @@ TEST_CASE("the background is the environment, in the frames of the camera") {
     camera.fov = 100;
     const Projection projection = project(camera, 5, 3);
     ReferenceStatistics statistics;
-    const StokesImage image =
-        render_reference(scene, projection, 5, 3, {.samples = 4096, .progress = {}}, statistics);
+    const StokesImage image = render_reference(scene, projection, 5, 3, {.samples = 4096}, statistics);
     REQUIRE(image.channels == 3);
     CHECK(statistics.camera_rays == 5 * 3 * 4096);
     CHECK(statistics.shadow_rays == 0);

@@ -33,8 +33,7 @@ inline Camera camera_on(const glm::dvec3& target, const glm::dvec3& towards_view
 /// The one pixel of such a camera, all channels.
 inline std::vector<Stokes> point(const Scene& scene, const Camera& camera, int samples,
                                  Strategy strategy = Strategy::both, std::uint64_t seed = 0) {
-    const StokesImage image =
-        render(scene, camera, 1, 1, {.samples = samples, .seed = seed, .progress = {}}, strategy);
+    const StokesImage image = render(scene, camera, 1, 1, {.samples = samples, .seed = seed}, strategy);
     std::vector<Stokes> out;
     for (int c = 0; c < image.channels; ++c) out.push_back(image.stokes(c, 0, 0));
     return out;

@@ -20,8 +20,7 @@ TEST_CASE("the density integrates to 1 over the sphere and is that of the sample
         const MaterialPtr material = pplastic({.alpha = alpha, .distribution = Distribution::ggx});
         const SurfaceSampler sampler(*material);
         for (const double degrees : {0.0, 40.0, 75.0, 83.0}) {
-            CAPTURE(alpha);
-            CAPTURE(degrees);
+            CAPTURES(alpha, degrees);
             const glm::dvec3 viewer = viewer_at(degrees);
             const std::vector<double> expected =
                 integrals([&](const glm::dvec3& d) { return sampler.pdf(viewer, d); });

@@ -3,11 +3,7 @@
 #include <atomic>
 #include <new>
 
-#include "progress.hpp"
-#include "render/cpu/cpu_executor.hpp"
-#include "render/pipeline.hpp"
 #include "render/scenes.hpp"
-#include "scene/projection.hpp"
 #include "test.hpp"
 
 namespace {
@@ -49,12 +45,6 @@ using namespace nicol;
 
 namespace {
 
-Projection seen_from(double angle) {
-    Camera camera;
-    camera.to_world = look_at({6 * std::sin(angle), 4, 6 * std::cos(angle)}, {0, 0, 0}, {0, 1, 0});
-    return project(camera, 64, 48);
-}
-
 struct Frames {
     Scene scene;
     Workers workers{1};
@@ -67,11 +57,9 @@ struct Frames {
     explicit Frames(int cells) {
         scene.add({.mesh = test::coarse_sphere(cells),
                    .material = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.3})});
-        scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(2 * cells)),
+        scene.add({.mesh = test::rectangle(2 * cells),
                    .material = diffuse({0.5}),
-                   .to_world = glm::rotate(glm::translate(glm::dmat4(1), {0, -1.2, 0}), glm::radians(-90.0),
-                                           glm::dvec3(1, 0, 0)) *
-                               glm::scale(glm::dmat4(1), glm::dvec3(3))});
+                   .to_world = test::plate_at(-1.2, 3)});
         scene.set_environment(test::falling_light(9, true, 3), glm::dmat3(1), 1);
         options.high_orders = HighOrders::none;
         options.bake_directions = 256;
@@ -80,7 +68,8 @@ struct Frames {
     std::size_t frame(double camera, double light) {
         scene.set_environment(scene.environment(),
                               glm::dmat3(glm::rotate(glm::dmat4(1), light, glm::dvec3(0, 1, 0))), 1);
-        const Projection projection = seen_from(camera);
+        const Projection projection =
+            project(test::camera_at({6 * std::sin(camera), 4, 6 * std::cos(camera)}), 64, 48);
         Statistics statistics;
         RenderRun run{.workers = workers, .progress = progress, .statistics = statistics};
         allocations = 0;
@@ -93,7 +82,7 @@ struct Frames {
 
 }  // namespace
 
-TEST_CASE("frames need a little memory, however many vertices there are") {
+TEST_CASE("frames allocate little, however many vertices there are") {
     std::size_t camera = 0;
     std::size_t light = 0;
     for (const int cells : {6, 24}) {
@@ -101,16 +90,16 @@ TEST_CASE("frames need a little memory, however many vertices there are") {
         frames.frame(0, 0);
         frames.frame(0.1, 0.1);
         const std::size_t still = frames.frame(0.1, 0.1);
-        const std::size_t seen = frames.frame(0.3, 0.1);
+        const std::size_t moved = frames.frame(0.3, 0.1);
         const std::size_t lit = frames.frame(0.3, 0.4);
-        CHECK(seen <= 64);
+        CHECK(moved <= 64);
         CHECK(lit <= 512);
         if (cells == 24) {
             CHECK(still <= camera);
-            CHECK(seen <= camera);
+            CHECK(moved <= camera);
             CHECK(lit <= light);
         }
-        camera = seen;
+        camera = moved;
         light = lit;
     }
 }

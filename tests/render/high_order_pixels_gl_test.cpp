@@ -2,29 +2,21 @@
 // High orders looked up at pixels.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
-#include "material/conductor.hpp"
-#include "polarization/stokes.hpp"
-#include "render/renderer.hpp"
 #include "render/scenes.hpp"
-#include "test.hpp"
 
 using namespace nicol;
 using test::falling_light;
-using test::largest;
-using test::largest_difference;
+using test::minus;
 using test::rms;
+using test::Studio;
 
 namespace {
 
 constexpr int width = 64;
 constexpr int height = 48;
 
-std::shared_ptr<const Mesh> fine_sphere() {
-    return std::make_shared<const Mesh>(make_sphere());
-}
-
 MaterialPtr metal() {
-    static const MaterialPtr material = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.1});
+    static const MaterialPtr material = test::some_metal(0.1);
     return material;
 }
 
@@ -40,18 +32,8 @@ Scene lone(const std::shared_ptr<const Mesh>& mesh, const EnvironmentPtr& light,
 Scene sphere_on_plate(const EnvironmentPtr& light, const std::shared_ptr<const Mesh>& sphere, int cells) {
     static const MaterialPtr plastic = twosided(pplastic({.diffuse_reflectance = {0.4}, .alpha = 0.3}));
     Scene scene = lone(sphere, light);
-    scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(cells)),
-               .material = plastic,
-               .to_world = glm::translate(glm::dmat4(1), {0, -1, 0}) *
-                           glm::rotate(glm::dmat4(1), glm::radians(-90.0), glm::dvec3(1, 0, 0)) *
-                           glm::scale(glm::dmat4(1), glm::dvec3(3))});
+    scene.add({.mesh = test::rectangle(cells), .material = plastic, .to_world = test::plate_at(-1, 3)});
     return scene;
-}
-
-Camera some_camera() {
-    Camera camera = test::camera_at({2, 3, 4});
-    camera.fov = 40;
-    return camera;
 }
 
 RenderOptions at(HighOrdersAt where, HighOrders form = HighOrders::split, bool shadows = false) {
@@ -60,29 +42,8 @@ RenderOptions at(HighOrdersAt where, HighOrders form = HighOrders::split, bool s
             .order_low = 2,
             .order_high = 9,
             .high_orders = form,
-            .high_orders_at = where,
-            .progress = {}};
+            .high_orders_at = where};
 }
-
-/// Renders one geometry under any light, keeping what its materials need.
-class Studio {
-public:
-    explicit Studio(const std::shared_ptr<gl::Context>& context) : context_(context), renderer_(context, 0) {}
-
-    StokesImage operator()(const Scene& scene, const RenderOptions& options,
-                           const Camera& camera = some_camera()) {
-        Framebuffer target(context_, width, height, scene.channels());
-        renderer_.render(scene, camera, options, target);
-        statistics = target.statistics();
-        return target.image();
-    }
-
-    Statistics statistics;
-
-private:
-    std::shared_ptr<gl::Context> context_;
-    Renderer renderer_;
-};
 
 /// Root mean square of the difference where `part` is true of the pixel, of Stokes component p.
 template <class Part>
@@ -112,236 +73,183 @@ bool inside_sphere(int x, int y) {
 
 }  // namespace
 
-TEST_CASE("where vertices are dense, pixels make what they make") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        Studio render(context);
-        for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
-            for (const auto& [channels, polarized] : {std::pair(1, true), {3, false}, {6, true}}) {
-                CAPTURE(channels);
-                CAPTURE(polarized);
-                CAPTURE(static_cast<int>(form));
-                const Scene scene = lone(fine_sphere(), falling_light(9, polarized, channels));
-                const StokesImage pixels = render(scene, at(HighOrdersAt::pixels, form));
-                CHECK(render.statistics.high_orders_at == HighOrdersAt::pixels);
-                const StokesImage vertices = render(scene, at(HighOrdersAt::vertices, form));
-                CHECK(render.statistics.high_orders_at == HighOrdersAt::vertices);
-                const StokesImage none = render(scene, at(HighOrdersAt::pixels, HighOrders::none));
-                CHECK(render.statistics.high_orders_at == HighOrdersAt::automatic);
-                for (std::size_t p = 0; p < (polarized ? 4U : 3U); ++p) {
-                    if (p > 0 && !polarized && form == HighOrders::convolution) continue;  // all zero
-                    CAPTURE(p);
-                    const double all = difference(pixels, none, p, inside_sphere);
-                    CHECK(all > 1e-3);
-                    CHECK(difference(pixels, vertices, p, inside_sphere) < 0.02 * all);
-                }
-            }
-        }
-    });
-}
-
-TEST_CASE("where vertices are far apart, pixels come much nearer to the smooth surface") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        Studio render(context);
-        Studio render_smooth(context);
-        for (const bool polarized : {false, true}) {
-            const EnvironmentPtr light = falling_light(9, polarized);
-            const Scene smooth = lone(fine_sphere(), light);
-            const Scene coarse = lone(test::coarse_sphere(6), light);
-            for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
-                CAPTURE(polarized);
-                CAPTURE(static_cast<int>(form));
-                // What lies below, interpolated between vertices in any case, is kept smooth.
-                const auto options = [&](HighOrdersAt where) {
-                    RenderOptions some = at(where, form);
-                    some.order_low = 1;
-                    return some;
-                };
-                const StokesImage wanted = render_smooth(smooth, options(HighOrdersAt::pixels));
-                const StokesImage pixels = render(coarse, options(HighOrdersAt::pixels));
-                const StokesImage vertices = render(coarse, options(HighOrdersAt::vertices));
-                for (std::size_t p = 0; p < (polarized ? 4U : 1U); ++p) {
-                    CAPTURE(p);
-                    CHECK(difference(pixels, wanted, p, inside_sphere) <
-                          0.5 * difference(vertices, wanted, p, inside_sphere));
-                }
-            }
-        }
-    });
-}
-
-TEST_CASE("both executors make the same at pixels, of every kind of light, shadows and channels") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        Studio render(context);
+GL_TEST_CASE("where vertices are dense, pixels make what they make") {
+    Studio render(context);
+    for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
         for (const auto& [channels, polarized] : {std::pair(1, true), {3, false}, {6, true}}) {
-            const Scene scene =
-                sphere_on_plate(falling_light(9, polarized, channels), test::coarse_sphere(7), 6);
-            for (const bool shadows : {false, true}) {
-                CAPTURE(channels);
-                CAPTURE(polarized);
-                CAPTURE(shadows);
-                RenderOptions options = at(HighOrdersAt::pixels, HighOrders::split, shadows);
-                options.executor = Executor::cpu;
-                const StokesImage by_threads = render(scene, options);
-                CHECK_FALSE(render.statistics.compute);
-                options.executor = Executor::compute;
-                const StokesImage by_shaders = render(scene, options);
-                CHECK(render.statistics.compute);
-                CHECK(render.statistics.high_orders_at == HighOrdersAt::pixels);
-                CHECK(largest_difference(by_threads, by_shaders) <= 1e-5 * largest(by_threads));
+            CAPTURES(channels, polarized, form);
+            const Scene scene = lone(test::fine_sphere(), falling_light(9, polarized, channels));
+            const StokesImage pixels = render(scene, at(HighOrdersAt::pixels, form));
+            CHECK(render.statistics.high_orders_at == HighOrdersAt::pixels);
+            const StokesImage vertices = render(scene, at(HighOrdersAt::vertices, form));
+            CHECK(render.statistics.high_orders_at == HighOrdersAt::vertices);
+            const StokesImage none = render(scene, at(HighOrdersAt::pixels, HighOrders::none));
+            CHECK(render.statistics.high_orders_at == HighOrdersAt::automatic);
+            for (std::size_t p = 0; p < (polarized ? 4U : 3U); ++p) {
+                if (p > 0 && !polarized && form == HighOrders::convolution) continue;  // all zero
+                CAPTURE(p);
+                const double all = difference(pixels, none, p, inside_sphere);
+                CHECK(all > 1e-3);
+                CHECK(difference(pixels, vertices, p, inside_sphere) < 0.02 * all);
             }
         }
-    });
+    }
 }
 
-TEST_CASE("shadows dim what pixels look up as they dim it at vertices") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        Studio render(context);
-        const Scene scene = sphere_on_plate(falling_light(9, false), test::coarse_sphere(23), 40);
-        const auto minus = [](StokesImage a, const StokesImage& b) {
-            for (std::size_t i = 0; i < a.data.size(); ++i) a.data[i] -= b.data[i];
-            return a;
-        };
-        // What the high orders add, with and without shadows.
-        const auto high = [&](HighOrdersAt where, bool shadows) {
-            return minus(render(scene, at(where, HighOrders::split, shadows)),
-                         render(scene, at(where, HighOrders::none, shadows)));
-        };
-        const StokesImage shadowed = high(HighOrdersAt::pixels, true);
-        const StokesImage plain = high(HighOrdersAt::pixels, false);
-        const StokesImage shadow = minus(plain, shadowed);
-        const StokesImage at_vertices =
-            minus(high(HighOrdersAt::vertices, false), high(HighOrdersAt::vertices, true));
-        CHECK(rms(shadow) > 0.2 * rms(plain));
-        CHECK(rms(minus(shadow, at_vertices)) < 0.1 * rms(shadow));
-        // A fraction takes away and never adds.
-        const double most = largest(plain);
-        for (std::size_t i = 0; i < plain.data.size(); i += 4) {
-            REQUIRE(std::abs(shadowed.data[i]) <= std::abs(plain.data[i]) + 0.02 * most);
-        }
-    });
-}
-
-TEST_CASE("unpolarized light costs one look-up a level, whatever the channels") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        // Grey light, so that its maps are of one size.
-        const auto bytes = [&](int channels, bool polarized) {
-            const PshVector grey = falling_light(9, polarized, 1)->project(9);
-            PshVector light(9, channels);
-            for (int c = 0; c < channels; ++c) std::ranges::copy(grey.channel(0), light.channel(c).begin());
-            const Scene scene = lone(test::coarse_sphere(6), psh_environment(light));
-            std::uint64_t of[2];
-            for (const HighOrders form : {HighOrders::split, HighOrders::none}) {
-                Studio render(context);
-                std::ignore = render(scene, at(HighOrdersAt::pixels, form));
-                of[form == HighOrders::none ? 1 : 0] = render.statistics.texture_bytes;
-            }
-            REQUIRE(of[0] > of[1]);
-            return of[0] - of[1];
-        };
-        // A texel has up to four channels of s0, or half a Stokes vector of one.
-        const std::uint64_t one = bytes(1, false);
-        CHECK(bytes(4, false) == one);
-        CHECK(bytes(5, false) == 2 * one);
-        CHECK(bytes(3, true) > 3 * one);
-    });
-}
-
-TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        Studio render(context);
-        EquirectImage image(64, 33, 3);  // a lamp in the dark
-        for (int c = 0; c < 3; ++c) image.at(c, 8, 20)[0] = 500;
-        const Scene scene = lone(test::coarse_sphere(14), image_environment(image));
-        const auto unphysical = [](const StokesImage& image) {
-            int count = 0;
-            for (std::size_t i = 0; i < image.data.size(); i += 4) {
-                const float* s = &image.data[i];
-                count += s[0] < 0 || std::hypot(s[1], s[2], s[3]) > s[0] * 1.00001F + 1e-6F ? 1 : 0;
-            }
-            return count;
-        };
-        for (const Executor executor : {Executor::cpu, Executor::compute}) {
-            RenderOptions options = at(HighOrdersAt::pixels);
-            options.executor = executor;
-            const StokesImage plain = render(scene, options);
-            CHECK(unphysical(plain) > 100);
-            options.physical = true;
-            const StokesImage physical = render(scene, options);
-            CHECK(unphysical(physical) == 0);
-            CHECK(render.statistics.vertices_unphysical == 0);
-            // What was physical is as it was: vertices were left alone.
-            for (std::size_t i = 0; i < plain.data.size(); i += 4) {
-                const float* s = &plain.data[i];
-                if (s[0] < 0 || std::hypot(s[1], s[2], s[3]) > 0.999F * s[0]) continue;
-                for (std::size_t p = 0; p < 4; ++p) REQUIRE(physical.data[i + p] == s[p]);
+GL_TEST_CASE("where vertices are far apart, pixels come much nearer to the smooth surface") {
+    Studio render(context);
+    Studio render_smooth(context);
+    for (const bool polarized : {false, true}) {
+        const EnvironmentPtr light = falling_light(9, polarized);
+        const Scene smooth = lone(test::fine_sphere(), light);
+        const Scene coarse = lone(test::coarse_sphere(6), light);
+        for (const HighOrders form : {HighOrders::split, HighOrders::convolution}) {
+            CAPTURES(polarized, form);
+            // What lies below, interpolated between vertices in any case, is kept smooth.
+            const auto options = [&](HighOrdersAt where) {
+                RenderOptions some = at(where, form);
+                some.order_low = 1;
+                return some;
+            };
+            const StokesImage wanted = render_smooth(smooth, options(HighOrdersAt::pixels));
+            const StokesImage pixels = render(coarse, options(HighOrdersAt::pixels));
+            const StokesImage vertices = render(coarse, options(HighOrdersAt::vertices));
+            for (std::size_t p = 0; p < (polarized ? 4U : 1U); ++p) {
+                CAPTURE(p);
+                CHECK(difference(pixels, wanted, p, inside_sphere) <
+                      0.5 * difference(vertices, wanted, p, inside_sphere));
             }
         }
-    });
+    }
 }
 
-TEST_CASE("backs of one-sided surfaces stay black at pixels, and two-sided ones shine") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        for (const bool both : {false, true}) {
+GL_TEST_CASE("shadows dim high orders at pixels as they dim them at vertices") {
+    Studio render(context);
+    const Scene scene = sphere_on_plate(falling_light(9, false), test::coarse_sphere(23), 40);
+    // What the high orders add, with and without shadows.
+    const auto high = [&](HighOrdersAt where, bool shadows) {
+        return minus(render(scene, at(where, HighOrders::split, shadows)),
+                     render(scene, at(where, HighOrders::none, shadows)));
+    };
+    const StokesImage shadowed = high(HighOrdersAt::pixels, true);
+    const StokesImage plain = high(HighOrdersAt::pixels, false);
+    const StokesImage shadow = minus(plain, shadowed);
+    const StokesImage at_vertices =
+        minus(high(HighOrdersAt::vertices, false), high(HighOrdersAt::vertices, true));
+    CHECK(rms(shadow) > 0.2 * rms(plain));
+    CHECK(rms(minus(shadow, at_vertices)) < 0.1 * rms(shadow));
+    // A fraction takes away and never adds.
+    const double most = largest(plain);
+    for (std::size_t i = 0; i < plain.data.size(); i += 4) {
+        REQUIRE(std::abs(shadowed.data[i]) <= std::abs(plain.data[i]) + 0.02 * most);
+    }
+}
+
+GL_TEST_CASE("unpolarized light costs one look-up a level, whatever the channels") {
+    // Grey light, so that its maps are of one size.
+    const auto bytes = [&](int channels, bool polarized) {
+        const PshVector grey = falling_light(9, polarized, 1)->project(9);
+        PshVector light(9, channels);
+        for (int c = 0; c < channels; ++c) std::ranges::copy(grey.channel(0), light.channel(c).begin());
+        const Scene scene = lone(test::coarse_sphere(6), psh_environment(light));
+        std::uint64_t of[2];
+        for (const HighOrders form : {HighOrders::split, HighOrders::none}) {
             Studio render(context);
-            const Scene scene = lone(std::make_shared<const Mesh>(make_rectangle(4)), falling_light(9, true),
-                                     both ? twosided(metal()) : metal());
-            const StokesImage image =
-                render(scene, at(HighOrdersAt::pixels), test::camera_at({0.3, 0.2, -2}));
-            const float centre = image.at(1, height / 2, width / 2)[0];
-            if (both) {
-                CHECK(centre > 0.5F);
-            } else {
-                CHECK(centre == 0);
-            }
+            std::ignore = render(scene, at(HighOrdersAt::pixels, form));
+            of[form == HighOrders::none ? 1 : 0] = render.statistics.texture_bytes;
         }
-    });
+        REQUIRE(of[0] > of[1]);
+        return of[0] - of[1];
+    };
+    // A texel has up to four channels of s0, or half a Stokes vector of one.
+    const std::uint64_t one = bytes(1, false);
+    CHECK(bytes(4, false) == one);
+    CHECK(bytes(5, false) == 2 * one);
+    CHECK(bytes(3, true) > 3 * one);
 }
 
-TEST_CASE("changes reach pixels") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        const EnvironmentPtr light = falling_light(9, true);
-        Scene scene = sphere_on_plate(light, test::coarse_sphere(6), 6);
-        Studio render(context);
-        RenderOptions options = at(HighOrdersAt::pixels, HighOrders::split, true);
-        options.order_high = 6;
-        const auto compare = [&](const Camera& camera = some_camera()) {
-            Studio fresh(context);
-            const StokesImage here = render(scene, options, camera);
-            // What has moved is computed in other axes.
-            CHECK(largest_difference(here, fresh(scene, options, camera)) <= 1e-5 * largest(here));
-        };
-        compare();
-        options.high_orders_at = HighOrdersAt::vertices;
-        compare();
-        options.high_orders_at = HighOrdersAt::pixels;
-        options.shadows = false;
-        compare();
-        options.high_orders = HighOrders::convolution;
-        compare();
-        options.high_orders = HighOrders::split;
-        options.shadows = true;
-        scene.set_environment(falling_light(5, false), glm::dmat3(1), 0.3);
-        compare();
-        scene.set_transform(0, glm::translate(glm::dmat4(1), {0.3, 0.2, 0}));
-        scene.add({.mesh = test::coarse_sphere(4),
-                   .material = pplastic({.alpha = 0.4}),
-                   .to_world = glm::translate(glm::dmat4(1), {-1, 0.5, 1})});
-        compare();
-        Camera camera = some_camera();
-        camera.orthographic = true;
-        compare(camera);
-        scene.set_environment(falling_light(2, false), glm::dmat3(1), 1);  // no high orders
-        compare();
-    });
+GL_TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
+    Studio render(context);
+    const Scene scene = lone(test::coarse_sphere(14), test::lamp());
+    const auto unphysical = [](const StokesImage& image) {
+        int count = 0;
+        for (std::size_t i = 0; i < image.data.size(); i += 4) {
+            const float* s = &image.data[i];
+            count += s[0] < 0 || std::hypot(s[1], s[2], s[3]) > s[0] * 1.00001F + 1e-6F ? 1 : 0;
+        }
+        return count;
+    };
+    for (const Executor executor : {Executor::cpu, Executor::compute}) {
+        RenderOptions options = at(HighOrdersAt::pixels);
+        options.executor = executor;
+        const StokesImage plain = render(scene, options);
+        CHECK(unphysical(plain) > 100);
+        options.physical = true;
+        const StokesImage physical = render(scene, options);
+        CHECK(unphysical(physical) == 0);
+        CHECK(render.statistics.vertices_unphysical == 0);
+        // What was physical is as it was: vertices were left alone.
+        for (std::size_t i = 0; i < plain.data.size(); i += 4) {
+            const float* s = &plain.data[i];
+            if (s[0] < 0 || std::hypot(s[1], s[2], s[3]) > 0.999F * s[0]) continue;
+            for (std::size_t p = 0; p < 4; ++p) REQUIRE(physical.data[i + p] == s[p]);
+        }
+    }
 }
 
-TEST_CASE("high orders are at vertices where OpenGL runs on the CPU, unless asked otherwise") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
+GL_TEST_CASE("backs of one-sided surfaces stay black at pixels, and two-sided ones shine") {
+    for (const bool both : {false, true}) {
         Studio render(context);
-        const Scene scene = lone(test::coarse_sphere(6), falling_light(9, true));
-        const StokesImage automatic = render(scene, at(HighOrdersAt::automatic));
-        const HighOrdersAt same = context->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
-        CHECK(render.statistics.high_orders_at == same);
-        CHECK(automatic.data == render(scene, at(same)).data);
-    });
+        const Scene scene =
+            lone(test::rectangle(4), falling_light(9, true), both ? twosided(metal()) : metal());
+        const StokesImage image = render(scene, at(HighOrdersAt::pixels), test::camera_at({0.3, 0.2, -2}));
+        const float middle = image.at(1, height / 2, width / 2)[0];
+        CHECK((both ? middle > 0.5F : middle == 0));
+    }
+}
+
+GL_TEST_CASE("changes reach pixels") {
+    const EnvironmentPtr light = falling_light(9, true);
+    Scene scene = sphere_on_plate(light, test::coarse_sphere(6), 6);
+    Studio render(context);
+    RenderOptions options = at(HighOrdersAt::pixels, HighOrders::split, true);
+    options.order_high = 6;
+    const auto compare = [&](const Camera& camera = test::some_camera()) {
+        Studio fresh(context);
+        const StokesImage here = render(scene, options, camera);
+        // What has moved is computed in other axes.
+        CHECK(largest_difference(here, fresh(scene, options, camera)) <= 1e-5 * largest(here));
+    };
+    for (const auto& [where, shadows, form] : {std::tuple(HighOrdersAt::pixels, true, HighOrders::split),
+                                               {HighOrdersAt::vertices, true, HighOrders::split},
+                                               {HighOrdersAt::pixels, false, HighOrders::split},
+                                               {HighOrdersAt::pixels, false, HighOrders::convolution}}) {
+        options.high_orders_at = where;
+        options.shadows = shadows;
+        options.high_orders = form;
+        compare();
+    }
+    options.high_orders = HighOrders::split;
+    options.shadows = true;
+    scene.set_environment(falling_light(5, false), glm::dmat3(1), 0.3);
+    compare();
+    scene.set_transform(0, test::at(0.3, 0.2, 0));
+    scene.add({.mesh = test::coarse_sphere(4),
+               .material = pplastic({.alpha = 0.4}),
+               .to_world = test::at(-1, 0.5, 1)});
+    compare();
+    Camera camera = test::some_camera();
+    camera.orthographic = true;
+    compare(camera);
+    scene.set_environment(falling_light(2, false), glm::dmat3(1), 1);  // no high orders
+    compare();
+}
+
+GL_TEST_CASE("high orders are at vertices where OpenGL runs on the CPU, unless asked otherwise") {
+    Studio render(context);
+    const Scene scene = lone(test::coarse_sphere(6), falling_light(9, true));
+    const StokesImage automatic = render(scene, at(HighOrdersAt::automatic));
+    const HighOrdersAt same = context->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
+    CHECK(render.statistics.high_orders_at == same);
+    CHECK(automatic.data == render(scene, at(same)).data);
 }

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Device memory stays what the present scene and image need.
 #include "gl/contexts.hpp"
-#include "render/renderer.hpp"
 #include "render/scenes.hpp"
-#include "test.hpp"
 
 using namespace nicol;
 using test::falling_light;
 
 namespace {
 
-const Camera some_camera = test::camera_at({2, 3, 4});
-
 struct Use {
-    std::uint64_t buffers;
-    std::uint64_t textures;
+    std::uint64_t buffers, textures;
     bool operator==(const Use&) const = default;
 };
 
@@ -32,94 +27,84 @@ RenderOptions by(const std::pair<Executor, HighOrdersAt>& way) {
             .bake_directions = 256,
             .order_low = 2,
             .order_high = 4,
-            .high_orders_at = way.second,
-            .progress = {}};
+            .high_orders_at = way.second};
 }
 
 }  // namespace
 
-TEST_CASE("changes of scene, light, camera and options give back what they no longer need") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        const MaterialPtr bright = diffuse({0.9});
-        const MaterialPtr grey = diffuse({0.5});
-        const EnvironmentPtr polarized = falling_light(4, true, 3);
-        const EnvironmentPtr plain = falling_light(4, false, 3);
-        Scene scene;
-        scene.add({.mesh = test::coarse_sphere(4), .material = bright});
-        scene.add({.mesh = test::coarse_sphere(3),
-                   .material = grey,
-                   .to_world = glm::translate(glm::dmat4(1), {1, 1.4, 0.3})});
+GL_TEST_CASE("changes of scene, light, camera and options give back what they no longer need") {
+    const MaterialPtr bright = diffuse({0.9});
+    const MaterialPtr grey = diffuse({0.5});
+    const EnvironmentPtr polarized = falling_light(4, true, 3);
+    const EnvironmentPtr plain = falling_light(4, false, 3);
+    Scene scene;
+    scene.add({.mesh = test::coarse_sphere(4), .material = bright});
+    scene.add({.mesh = test::coarse_sphere(3), .material = grey, .to_world = test::at(1, 1.4, 0.3)});
+    Renderer renderer(context, 0);
+    Framebuffer target(context, 24, 16, 3);
+    // Everything once, by every way; then the use is that of the last way, however often they change.
+    std::array<Use, ways.size()> first{};
+    std::array<Use, ways.size()> last{};
+    for (int round = 0; round < 3; ++round) {
+        for (std::size_t w = 0; w < ways.size(); ++w) {
+            CAPTURES(round, w);
+            RenderOptions options = by(ways[w]);
+            scene.set_environment(plain, glm::dmat3(1), 1 + round);
+            renderer.render(scene, test::some_camera(), options, target);
+            options.order_low = 1;
+            options.shadows = false;
+            renderer.render(scene, test::some_camera(), options, target);
+            options.order_low = 2;
+            options.shadows = true;
+            scene.set_transform(1, test::at(1, 1.4, 0.1));
+            scene.set_environment(polarized, glm::dmat3(1), 1 + round);
+            renderer.render(scene, test::some_camera(), options, target);
+            const Use use = use_of(target.statistics());
+            CHECK(use.buffers > 0);
+            if (round == 0) first[w] = use;
+            if (round > 1) CHECK(use == last[w]);
+            last[w] = use;
+            // Normals and fractions may be left of the ways before, and nothing large.
+            CHECK(use.buffers < 2 * first[w].buffers);
+        }
+    }
+}
+
+GL_TEST_CASE("an image of another size costs its own size alone") {
+    Scene scene;
+    scene.add({.mesh = test::coarse_sphere(4), .material = diffuse({0.5})});
+    scene.set_environment(falling_light(4, true, 3), glm::dmat3(1), 1);
+    Renderer renderer(context, 0);
+    for (const auto& way : ways) {
+        std::unique_ptr<Framebuffer> target;
+        const auto use_at = [&](int width, int height) {
+            target.reset();
+            target = std::make_unique<Framebuffer>(context, width, height, 3);
+            renderer.render(scene, test::some_camera(), by(way), *target);
+            return use_of(target->statistics());
+        };
+        const Use small = use_at(20, 10);
+        const Use large = use_at(200, 100);
+        CHECK(large.buffers == small.buffers);
+        // Three images of four floats and a depth of one.
+        CHECK(large.textures - small.textures == (200 * 100 - 20 * 10) * (3 * 16 + 4));
+        for (int i = 0; i < 5; ++i) {
+            CHECK(use_at(200, 100) == large);
+            CHECK(use_at(20, 10) == small);
+        }
+    }
+}
+
+GL_TEST_CASE("nothing is left of a renderer") {
+    Scene scene;
+    scene.add({.mesh = test::coarse_sphere(3), .material = diffuse({0.5})});
+    scene.set_environment(falling_light(4, true, 3), glm::dmat3(1), 1);
+    const std::size_t before = gl::total_bytes(context->memory());
+    {
         Renderer renderer(context, 0);
         Framebuffer target(context, 24, 16, 3);
-        // Everything once, by every way; then the use is that of the last way, however often they change.
-        std::array<Use, ways.size()> first{};
-        std::array<Use, ways.size()> last{};
-        for (int round = 0; round < 3; ++round) {
-            for (std::size_t w = 0; w < ways.size(); ++w) {
-                CAPTURE(round);
-                CAPTURE(w);
-                RenderOptions options = by(ways[w]);
-                scene.set_environment(plain, glm::dmat3(1), 1 + round);
-                renderer.render(scene, some_camera, options, target);
-                options.order_low = 1;
-                options.shadows = false;
-                renderer.render(scene, some_camera, options, target);
-                options.order_low = 2;
-                options.shadows = true;
-                scene.set_transform(1, glm::translate(glm::dmat4(1), {1, 1.4, 0.1}));
-                scene.set_environment(polarized, glm::dmat3(1), 1 + round);
-                renderer.render(scene, some_camera, options, target);
-                const Use use = use_of(target.statistics());
-                CHECK(use.buffers > 0);
-                if (round == 0) first[w] = use;
-                if (round > 1) CHECK(use == last[w]);
-                last[w] = use;
-                // Normals and fractions may be left of the ways before, and nothing large.
-                CHECK(use.buffers < 2 * first[w].buffers);
-            }
-        }
-    });
-}
-
-TEST_CASE("an image of another size costs its own size alone") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        Scene scene;
-        scene.add({.mesh = test::coarse_sphere(4), .material = diffuse({0.5})});
-        scene.set_environment(falling_light(4, true, 3), glm::dmat3(1), 1);
-        Renderer renderer(context, 0);
-        for (const auto& way : ways) {
-            std::unique_ptr<Framebuffer> target;
-            const auto use_at = [&](int width, int height) {
-                target.reset();
-                target = std::make_unique<Framebuffer>(context, width, height, 3);
-                renderer.render(scene, some_camera, by(way), *target);
-                return use_of(target->statistics());
-            };
-            const Use small = use_at(20, 10);
-            const Use large = use_at(200, 100);
-            CHECK(large.buffers == small.buffers);
-            // Three images of four floats and a depth of one.
-            CHECK(large.textures - small.textures == (200 * 100 - 20 * 10) * (3 * 16 + 4));
-            for (int i = 0; i < 5; ++i) {
-                CHECK(use_at(200, 100) == large);
-                CHECK(use_at(20, 10) == small);
-            }
-        }
-    });
-}
-
-TEST_CASE("nothing is left of a renderer") {
-    gl::on_every_backend([](const std::shared_ptr<gl::Context>& context) {
-        Scene scene;
-        scene.add({.mesh = test::coarse_sphere(3), .material = diffuse({0.5})});
-        scene.set_environment(falling_light(4, true, 3), glm::dmat3(1), 1);
-        const std::size_t before = gl::total_bytes(context->memory());
-        {
-            Renderer renderer(context, 0);
-            Framebuffer target(context, 24, 16, 3);
-            for (const auto& way : ways) renderer.render(scene, some_camera, by(way), target);
-            CHECK(gl::total_bytes(context->memory()) > before);
-        }
-        CHECK(gl::total_bytes(context->memory()) == before);
-    });
+        for (const auto& way : ways) renderer.render(scene, test::some_camera(), by(way), target);
+        CHECK(gl::total_bytes(context->memory()) > before);
+    }
+    CHECK(gl::total_bytes(context->memory()) == before);
 }

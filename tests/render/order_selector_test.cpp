@@ -2,10 +2,7 @@
 // Orders that are chosen for an error, and the error they then have.
 #include "render/order_selector.hpp"
 
-#include "render/cpu/cpu_executor.hpp"
-#include "render/pipeline.hpp"
 #include "render/scenes.hpp"
-#include "scene/projection.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -34,16 +31,14 @@ EnvironmentPtr natural_light(bool polarized, int order = truth) {
 Scene spheres(const MaterialPtr& first, const MaterialPtr& second, const EnvironmentPtr& light) {
     Scene scene;
     const auto mesh = test::coarse_sphere(8);
-    scene.add({.mesh = mesh, .material = first, .to_world = glm::translate(glm::dmat4(1), {-1.02, 0, 0})});
-    scene.add({.mesh = mesh, .material = second, .to_world = glm::translate(glm::dmat4(1), {1.02, 0, 0})});
+    scene.add({.mesh = mesh, .material = first, .to_world = test::at(-1.02, 0, 0)});
+    scene.add({.mesh = mesh, .material = second, .to_world = test::at(1.02, 0, 0)});
     scene.set_environment(light, glm::dmat3(1), 1);
     return scene;
 }
 
 Projection from(const glm::dvec3& eye) {
-    Camera camera;
-    camera.to_world = look_at(eye, {0, 0, 0}, {0, 1, 0});
-    return project(camera, 64, 64);
+    return project(test::camera_at(eye), 64, 64);
 }
 
 /// Images of a scene's vertices from some views, by all orders of its light and by those that a tolerance
@@ -58,9 +53,8 @@ public:
     };
     /// Vertices count as much as they cover of an image.
     Result run(double tolerance, HighOrders form) {
-        const RenderOptions all{.shadows = shadows_, .order_low = truth, .order_high = truth, .progress = {}};
-        const RenderOptions chosen{
-            .shadows = shadows_, .high_orders = form, .tolerance = tolerance, .progress = {}};
+        const RenderOptions all{.shadows = shadows_, .order_low = truth, .order_high = truth};
+        const RenderOptions chosen{.shadows = shadows_, .high_orders = form, .tolerance = tolerance};
         Result result;
         std::array<double, 3> error{};
         double scale = 0;
@@ -72,14 +66,14 @@ public:
             chosen_.run(scene_, from(eye), chosen, result.statistics);
             const WorldGeometry& geometry = exact_.pipeline.surfaces().geometry();
             for (std::size_t v = 0; v < geometry.positions.size(); ++v) {
-                const double seen = glm::dot(glm::dvec3(geometry.normals[v]),
-                                             glm::normalize(eye - glm::dvec3(geometry.positions[v])));
-                if (!(seen > 0)) continue;
+                const double covered = glm::dot(glm::dvec3(geometry.normals[v]),
+                                                glm::normalize(eye - glm::dvec3(geometry.positions[v])));
+                if (!(covered > 0)) continue;
                 for (std::size_t c = 0; c < exact_.executor.stokes().size(); ++c) {
                     const glm::dvec4 a(exact_.executor.stokes()[c][v]);
                     const glm::dvec4 d = glm::dvec4(chosen_.executor.stokes()[c][v]) - a;
-                    scale += seen * a.x * a.x;
-                    for (int p = 0; p < 3; ++p) error[static_cast<std::size_t>(p)] += seen * d[p] * d[p];
+                    scale += covered * a.x * a.x;
+                    for (int p = 0; p < 3; ++p) error[static_cast<std::size_t>(p)] += covered * d[p] * d[p];
                 }
             }
         }
@@ -116,22 +110,19 @@ TEST_CASE("what a tolerance asks for holds, and not much more is computed") {
         const Scene scene = spheres(plastic, glossy, natural_light(all));
         Comparison comparison(scene, all);
         int cheaper = -1;
-        for (const double tolerance : {0.1, 0.03, 0.01}) {
-            for (const HighOrders form : {HighOrders::none, HighOrders::split}) {
-                CAPTURE(all);
-                CAPTURE(tolerance);
-                const auto [measured, statistics] = comparison.run(tolerance, form);
-                CAPTURE(measured);
-                CAPTURE(statistics.predicted_error);
-                CHECK(statistics.predicted_error <= tolerance);
-                CHECK(measured <= 2 * tolerance);
-                CHECK(measured >= 0.4 * statistics.predicted_error);
-                if (form == HighOrders::split) continue;
-                CHECK(statistics.order == statistics.order_low);
-                CHECK(statistics.order > cheaper);
-                cheaper = statistics.order;
-            }
-        }
+        for_all({0.1, 0.03, 0.01}, {HighOrders::none, HighOrders::split},
+                [&](double tolerance, HighOrders form) {
+                    const auto result = comparison.run(tolerance, form);
+                    const Statistics& s = result.statistics;
+                    CAPTURES(all, tolerance, result.measured, s.predicted_error);
+                    CHECK(s.predicted_error <= tolerance);
+                    CHECK(result.measured <= 2 * tolerance);
+                    CHECK(result.measured >= 0.4 * s.predicted_error);
+                    if (form == HighOrders::split) return;
+                    CHECK(s.order == s.order_low);
+                    CHECK(s.order > cheaper);
+                    cheaper = s.order;
+                });
     }
 }
 
@@ -146,9 +137,9 @@ TEST_CASE("diffuse surfaces need few orders, darkness none") {
     CHECK(dark.statistics.predicted_error == 0);
 }
 
-TEST_CASE("what cannot be reached is said, and the least error taken") {
+TEST_CASE("a tolerance that cannot be reached is reported, and the least error taken") {
     const Scene scene = spheres(pplastic({.alpha = 0.1}), pplastic({.alpha = 0.1}), natural_light(false, 24));
-    OrderSelector budget;
+    OrderSelector selector;
     SceneGeometry surfaces;
     surfaces.update(scene);
     const SurfaceState unshadowed{.geometry = surfaces.geometry(),
@@ -157,8 +148,8 @@ TEST_CASE("what cannot be reached is said, and the least error taken") {
                                   .versions = {.geometry = surfaces.version()},
                                   .materials = surfaces.material_version(),
                                   .change = {}};
-    const auto orders = budget.choose(scene, unshadowed, 1e-9, false);
+    const auto orders = selector.choose(scene, unshadowed, 1e-9, false);
     CHECK(orders.error > 1e-9);
     CHECK(orders.low == OrderSelector::kHighestLow);
-    CHECK(budget.choose(scene, unshadowed, 1e-9, true).error < orders.error);
+    CHECK(selector.choose(scene, unshadowed, 1e-9, true).error < orders.error);
 }

@@ -7,14 +7,6 @@ using namespace nicol;
 
 namespace {
 
-template <class Matrix>
-double largest(const Matrix& m) {
-    double most = 0;
-    for (int i = 0; i < m.length(); ++i)
-        for (int j = 0; j < m.length(); ++j) most = std::max(most, std::abs(m[i][j]));
-    return most;
-}
-
 glm::dmat4 some_motion() {
     return glm::rotate(glm::translate(glm::dmat4(1), {3, -2, 10}), 1.9, glm::dvec3(1, 2, -0.5));
 }
@@ -26,7 +18,7 @@ glm::dmat4 some_placement() {
 
 }  // namespace
 
-TEST_CASE("a turn and a shift are found between placements") {
+TEST_CASE("a rotation and a shift are found between placements") {
     const glm::dmat4 before = some_placement();
     const auto motion = rigid_motion(before, some_motion() * before);
     REQUIRE(motion);
@@ -37,8 +29,8 @@ TEST_CASE("a turn and a shift are found between placements") {
     const auto coarse = rigid_motion(before, glm::dmat4(glm::mat4(some_motion() * before)));
     REQUIRE(coarse);
     CHECK(largest(*coarse - some_motion()) < 2e-5);
-    const glm::dmat3 turn(*coarse);
-    CHECK(largest(glm::transpose(turn) * turn - glm::dmat3(1)) < 1e-14);
+    const glm::dmat3 rotation(*coarse);
+    CHECK(largest(glm::transpose(rotation) * rotation - glm::dmat3(1)) < 1e-14);
 }
 
 TEST_CASE("scales, shears and mirrors are no motions") {
@@ -51,30 +43,29 @@ TEST_CASE("scales, shears and mirrors are no motions") {
     CHECK_FALSE(rigid_motion(before, shear * before));
 }
 
-TEST_CASE("the turn in a matrix turns with it, mirrored or not") {
+TEST_CASE("the rotation in a matrix rotates with it, mirrored or not") {
     for (const double sign : {1.0, -1.0}) {
         const glm::dmat3 m = glm::dmat3(some_placement()) * glm::dmat3(sign, 0, 0, 0.3, 1, 0, 0, 0, 1e-6);
-        const glm::dmat3 turn = rotate_in(m);
-        CHECK(largest(glm::transpose(turn) * turn - glm::dmat3(1)) < 1e-12);
-        CHECK(glm::determinant(turn) > 0);
+        const glm::dmat3 rotation = rotate_in(m);
+        CHECK(largest(glm::transpose(rotation) * rotation - glm::dmat3(1)) < 1e-12);
+        CHECK(glm::determinant(rotation) > 0);
         const glm::dmat3 more(some_motion());
-        CHECK(largest(rotate_in(more * m) - more * turn) < 1e-9);
+        CHECK(largest(rotate_in(more * m) - more * rotation) < 1e-9);
         // What is left is symmetric.
-        const glm::dmat3 rest = glm::transpose(turn) * m;
+        const glm::dmat3 rest = glm::transpose(rotation) * m;
         CHECK(largest(rest - glm::transpose(rest)) < 1e-9);
     }
     CHECK(largest(rotate_in(glm::dmat3(1e-9)) - glm::dmat3(1)) < 1e-12);
 }
 
-TEST_CASE("a projection in other axes sees points where they are") {
+TEST_CASE("a projection in other axes shows points at the same place") {
     Camera camera;
     camera.to_world = look_at({1, 2, 3}, {0, 0.5, 0}, {0, 1, 0});
     const Projection world = project(camera, 40, 30);
     const Projection own = in_axes(world, some_motion());
     const glm::dvec4 point(0.3, -0.2, 0.5, 1);
     const glm::dvec4 placed = some_motion() * point;
-    const glm::dvec4 difference = own.world_to_clip * point - world.world_to_clip * placed;
-    for (int i = 0; i < 4; ++i) CHECK(std::abs(difference[i]) < 1e-12);
+    CHECK(glm::distance(own.world_to_clip * point, world.world_to_clip * placed) < 1e-12);
     const glm::dvec3 towards = glm::dmat3(some_motion()) * own.view.towards(glm::dvec3(point));
     CHECK(glm::distance(towards, world.view.towards(glm::dvec3(placed))) < 1e-12);
     const glm::dmat3 frame = glm::dmat3(some_motion()) * own.view.frame(own.view.towards(glm::dvec3(point)));

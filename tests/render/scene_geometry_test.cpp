@@ -5,13 +5,10 @@
 #include "test.hpp"
 
 using namespace nicol;
+using test::at;
 using test::coarse_sphere;
 
 namespace {
-
-glm::dmat4 at(double x, double y, double z) {
-    return glm::translate(glm::dmat4(1), {x, y, z});
-}
 
 Scene two_balls() {
     Scene scene;
@@ -53,7 +50,7 @@ TEST_CASE("the largest instance carries the axes") {
     CHECK(surfaces.to_world() == glm::dmat4(1));
 }
 
-TEST_CASE("a change says what is kept and where the rest is") {
+TEST_CASE("a change reports what is kept and where the rest is") {
     Scene scene = two_balls();
     SceneGeometry surfaces;
     surfaces.update(scene);

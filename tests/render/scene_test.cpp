@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene.hpp"
 
-#include "render/scene_geometry.hpp"
+#include "render/scenes.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -18,10 +18,8 @@ WorldGeometry world_geometry(const Scene& scene) {
     return surfaces.geometry();
 }
 
-Projection looking_down_z(double distance) {
-    Camera camera;
-    camera.to_world = look_at({0, 0, distance}, {0, 0, 0}, {0, 1, 0});
-    return project(camera, 64, 64);
+Projection from_z(double distance) {
+    return project(test::camera_at({0, 0, distance}), 64, 64);
 }
 
 }  // namespace
@@ -33,7 +31,7 @@ TEST_CASE("every change counts, and nothing else does") {
     const auto light = scene.light_version();
     scene.set_transform(id, glm::dmat4(1.0));
     CHECK(scene.geometry_version() == geometry);
-    scene.set_transform(id, glm::dmat4(2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1));
+    scene.set_transform(id, test::at(0, 0, 0, 2));
     CHECK(scene.geometry_version() > geometry);
     CHECK(scene.light_version() == light);
     scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
@@ -42,18 +40,19 @@ TEST_CASE("every change counts, and nothing else does") {
 
 TEST_CASE("what does not fit is refused and changes nothing") {
     Scene scene;
-    CHECK_THROWS_AS(scene.add({.mesh = nullptr, .material = diffuse({0.5})}), Error);
-    CHECK_THROWS_AS(scene.add({.mesh = cube(), .material = nullptr}), Error);
-    CHECK_THROWS_AS(scene.add({.mesh = cube(), .material = diffuse({0.5}), .to_world = glm::dmat4(0.0)}),
-                    Error);
+    const EnvironmentPtr light = constant_environment({1});
+    const MaterialPtr grey = diffuse({0.5});
+    for (const Instance& bad : {Instance{.mesh = nullptr, .material = grey},
+                                {.mesh = cube(), .material = nullptr},
+                                {.mesh = cube(), .material = grey, .to_world = glm::dmat4(0.0)}})
+        CHECK_THROWS_AS(scene.add(bad), Error);
     CHECK(scene.instances().empty());
     scene.add({.mesh = cube(), .material = diffuse({0.5, 0.4, 0.3})});
     CHECK(scene.channels() == 3);
     CHECK_THROWS_AS(scene.add({.mesh = cube(), .material = diffuse({0.5, 0.4})}), Error);
     CHECK_THROWS_AS(scene.set_environment(constant_environment({1, 2}), glm::dmat3(1.0), 1), Error);
-    CHECK_THROWS_AS(scene.set_environment(constant_environment({1}), glm::dmat3(1.0), -1), Error);
-    CHECK_THROWS_AS(scene.set_environment(constant_environment({1}), glm::dmat3(2.0), 1), Error);
-    CHECK_THROWS_AS(scene.set_environment(constant_environment({1}), glm::dmat3(-1.0), 1), Error);
+    for (const auto& [rotation, scale] : {std::pair(1.0, -1.0), {2.0, 1.0}, {-1.0, 1.0}})
+        CHECK_THROWS_AS(scene.set_environment(light, glm::dmat3(rotation), scale), Error);
     CHECK(scene.environment() == nullptr);
     CHECK_THROWS_AS(scene.set_transform(1, glm::dmat4(1.0)), Error);
 }
@@ -62,9 +61,7 @@ TEST_CASE("instances become one list of triangles in the world") {
     Scene scene;
     const auto mesh = cube();
     scene.add({.mesh = mesh, .material = diffuse({0.5})});
-    glm::dmat4 away(1.0);
-    away[3] = {10, 0, 0, 1};
-    scene.add({.mesh = mesh, .material = diffuse({0.1}), .to_world = away});
+    scene.add({.mesh = mesh, .material = diffuse({0.1}), .to_world = test::at(10, 0, 0)});
     const WorldGeometry world = world_geometry(scene);
     CHECK(world.positions.size() == 2 * mesh->positions.size());
     CHECK(world.triangles.size() == 2 * mesh->triangles.size());
@@ -78,37 +75,31 @@ TEST_CASE("instances become one list of triangles in the world") {
     }
 }
 
-TEST_CASE("of a cube seen face on, only the face towards the camera can be visible") {
+TEST_CASE("of a cube in front of the camera only the near face can be visible") {
     Scene scene;
     scene.add({.mesh = cube(), .material = diffuse({0.5})});
     const WorldGeometry world = world_geometry(scene);
     std::vector<std::uint8_t> visible;
-    const std::size_t skipped = find_visible(world, looking_down_z(5), visible);
+    const std::size_t skipped = find_visible(world, from_z(5), visible);
     CHECK(skipped == world.positions.size() - 4);
     for (std::size_t v = 0; v < visible.size(); ++v) {
         CHECK((visible[v] != 0) == (world.normals[v].z > 0.5F));
     }
     // From inside every face shows its back.
-    CHECK(find_visible(world, looking_down_z(0.5), visible) == world.positions.size());
+    CHECK(find_visible(world, from_z(0.5), visible) == world.positions.size());
 }
 
 TEST_CASE("triangles outside one side of the view are skipped, those that straddle it are kept") {
-    Scene scene;
-    glm::dmat4 aside(1.0);
-    aside[3] = {100, 0, 0, 1};
-    scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(1)),
-               .material = diffuse({0.5}),
-               .to_world = aside});
     std::vector<std::uint8_t> visible;
-    CHECK(find_visible(world_geometry(scene), looking_down_z(5), visible) == 4);
+    const auto skipped = [&](const glm::dmat4& place, double camera) {
+        Scene scene;
+        scene.add({.mesh = test::rectangle(1), .material = diffuse({0.5}), .to_world = place});
+        return find_visible(world_geometry(scene), from_z(camera), visible);
+    };
+    CHECK(skipped(test::at(100, 0, 0), 5) == 4);
     // Larger than the image on every side: no vertex is in view, yet the middle is.
-    Scene large;
-    large.add({.mesh = std::make_shared<const Mesh>(make_rectangle(1)),
-               .material = diffuse({0.5}),
-               .to_world = glm::dmat4(100, 0, 0, 0, 0, 100, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1)});
-    CHECK(find_visible(world_geometry(large), looking_down_z(5), visible) == 0);
-    // Behind the camera.
-    CHECK(find_visible(world_geometry(large), looking_down_z(-5), visible) == 4);
+    CHECK(skipped(test::at(0, 0, 0, 100), 5) == 0);
+    CHECK(skipped(test::at(0, 0, 0, 100), -5) == 4);  // behind the camera
 }
 
 TEST_CASE("instances are removed and their materials swapped by ids that are not given again") {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Parts of small scenes: a mesh that is quickly baked, light of all orders, cameras.
+// Parts of small scenes: a mesh that is quickly baked, light of all orders, cameras, and their images.
 #pragma once
 
-#include <cmath>
-#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <memory>
-#include <utility>
 
-#include "geometry/mesh.hpp"
-#include "harmonics/light_layout.hpp"
-#include "light/environment.hpp"
-#include "scene/projection.hpp"
+#include "harmonics/light_numbers.hpp"
+#include "material/conductor.hpp"
+#include "render/renderer.hpp"
 
 namespace nicol::test {
 
@@ -21,6 +18,29 @@ inline std::shared_ptr<const Mesh> coarse_sphere(int cells) {
         mesh.normals[i] = mesh.positions[i] = glm::normalize(mesh.positions[i]);
     }
     return std::make_shared<const Mesh>(std::move(mesh));
+}
+
+inline std::shared_ptr<const Mesh> fine_sphere() {
+    static const auto mesh = std::make_shared<const Mesh>(make_sphere());
+    return mesh;
+}
+
+inline std::shared_ptr<const Mesh> rectangle(int cells) {
+    return std::make_shared<const Mesh>(make_rectangle(cells));
+}
+
+inline glm::dmat4 at(double x, double y, double z, double size = 1) {
+    return glm::scale(glm::translate(glm::dmat4(1), {x, y, z}), glm::dvec3(size));
+}
+
+/// Places a rectangle horizontally.
+inline glm::dmat4 plate_at(double y, double half) {
+    return at(0, y, 0, half) * glm::rotate(glm::dmat4(1), glm::radians(-90.0), glm::dvec3(1, 0, 0));
+}
+
+/// An absorbing metal of one index for all channels.
+inline MaterialPtr some_metal(double alpha) {
+    return rough_conductor({.eta = {{0.2, -3.0}}, .alpha = alpha});
 }
 
 /// Light of all orders up to the last, falling as that of images does.
@@ -43,10 +63,42 @@ inline EnvironmentPtr falling_light(int order, bool polarized, int channels = 3)
     return falling_light(order, polarized ? LightKind::full : LightKind::unpolarized, channels);
 }
 
+/// A lamp in the dark: its low orders ring.
+inline EnvironmentPtr lamp() {
+    EquirectImage image(64, 33, 3);
+    for (int c = 0; c < 3; ++c) image.at(c, 8, 20)[0] = 500;
+    return image_environment(image);
+}
+
 inline Camera camera_at(const glm::dvec3& eye, const glm::dvec3& target = glm::dvec3(0)) {
     Camera camera;
     camera.to_world = look_at(eye, target, {0, 1, 0});
     return camera;
 }
+
+inline Camera some_camera() {
+    Camera camera = camera_at({2, 3, 4});
+    camera.fov = 40;
+    return camera;
+}
+
+/// Renders images by one renderer.
+struct Studio {
+    explicit Studio(std::shared_ptr<gl::Context> with, int across = 64, int down = 48)
+        : context(std::move(with)), renderer(context, 0), width(across), height(down) {}
+
+    StokesImage operator()(const Scene& scene, const RenderOptions& options,
+                           const Camera& camera = some_camera()) {
+        Framebuffer target(context, width, height, scene.channels());
+        renderer.render(scene, camera, options, target);
+        statistics = target.statistics();
+        return target.image();
+    }
+
+    std::shared_ptr<gl::Context> context;
+    Renderer renderer;
+    int width, height;
+    Statistics statistics;  ///< of the last image
+};
 
 }  // namespace nicol::test

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Scenes that must be refused, and how.
-#include <doctest/doctest.h>
 #include <sys/stat.h>
 
-#include <random>
-
-#include "error.hpp"
-#include "scene/scene_description.hpp"
 #include "scene/scene_file.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
@@ -18,20 +14,7 @@ void check_refused_text(const std::string& text, ErrorCode code, const std::vect
                         const SceneParameters& parameters = {}) {
     CAPTURE(text.substr(0, 400));
     const SceneFile file(text);
-    try {
-        static_cast<void>(read_mitsuba_scene(file.scene(), parameters));
-        FAIL_CHECK("read, expected a refusal");
-    } catch (const Error& e) {
-        const std::string message = e.what();
-        CAPTURE(message);
-        CHECK(e.code() == code);
-        CHECK(message.find(file.scene().string()) == 0);
-        CHECK(message.size() < 1000);
-        for (const std::string& part : parts) {
-            CAPTURE(part);
-            CHECK(message.find(part) != std::string::npos);
-        }
-    }
+    check_refused(file, code, file.scene().string(), parts, "", parameters);
 }
 
 void invalid(const std::string& content, const std::vector<std::string>& parts) {
@@ -58,21 +41,27 @@ std::string film_with(const std::string& parameters) {
     return sensor_with("<float name='fov' value='40'/><film type='hdrfilm'>" + parameters + "</film>");
 }
 
+void bad_plastic(const std::string& parameters, const std::vector<std::string>& parts) {
+    invalid(plastic_with(parameters), parts);
+}
+void bad_shape(const std::string& parameters, const std::vector<std::string>& parts) {
+    invalid(shape_with(parameters), parts);
+}
+void bad_sensor(const std::string& parameters, const std::vector<std::string>& parts) {
+    invalid(sensor_with(parameters), parts);
+}
+void bad_film(const std::string& parameters, const std::vector<std::string>& parts) {
+    invalid(film_with(parameters), parts);
+}
+
 }  // namespace
 
 TEST_CASE("files that cannot be read") {
     const SceneFile file("");
     const std::string pipe = file / "pipe.xml";
-    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);  // nobody writes: opening it would wait
-    for (const std::string path : {"/no/such/scene.xml", "/tmp", "/dev/zero", pipe.c_str()}) {
-        try {
-            static_cast<void>(read_mitsuba_scene(path));
-            FAIL_CHECK("read");
-        } catch (const Error& e) {
-            CHECK(e.code() == ErrorCode::file_not_found);
-            CHECK(std::string(e.what()).starts_with(path));
-        }
-    }
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);  // nobody writes: opening it would block
+    for (const std::string path : {"/no/such/scene.xml", "/tmp", "/dev/zero", pipe.c_str()})
+        CHECK(error_of(CALL(read_mitsuba_scene(path)), ErrorCode::file_not_found).starts_with(path));
 }
 
 TEST_CASE("XML that is not well-formed, with line and column") {
@@ -134,60 +123,54 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
     invalid("<shape/>", {"<shape> has no type"});
 }
 
-TEST_CASE("parameters nobody knows, with those that are known") {
-    invalid(plastic_with("<float name='alhpa' value='0.1'/>"),
-            {":6: bsdf \"pplastic\": parameter \"alhpa\" is unknown", "alpha"});
-    invalid(shape_with("<string name='filename' value='a.obj'/>"),
-            {"shape \"sphere\": parameter \"filename\" is unknown", "radius"});
-    invalid(sensor_with("<float name='fov' value='40'/><float name='aperture' value='1'/>"),
-            {"\"aperture\"", "fov"});
-    invalid(film_with("<integer name='widht' value='40'/>"),
-            {"film \"hdrfilm\": parameter \"widht\"", "width"});
+TEST_CASE("unknown parameters, with the known ones") {
+    bad_plastic("<float name='alhpa' value='0.1'/>",
+                {":6: bsdf \"pplastic\": parameter \"alhpa\" is unknown", "alpha"});
+    bad_shape("<string name='filename' value='a.obj'/>",
+              {"shape \"sphere\": parameter \"filename\" is unknown", "radius"});
+    bad_sensor("<float name='fov' value='40'/><float name='aperture' value='1'/>", {"\"aperture\"", "fov"});
+    bad_film("<integer name='widht' value='40'/>", {"film \"hdrfilm\": parameter \"widht\"", "width"});
     invalid(a_sensor + a_shape +
                 "<emitter type='envmap'><string name='filename' value='a.exr'/><rgb name='radiance' "
                 "value='1'/></emitter>",
             {"\"radiance\" is unknown", "filename"});
-    invalid(shape_with("<float value='1'/>"), {"<float> without a name"});
-    invalid(shape_with("<float name='radius' value='1'/><float name='radius' value='2'/>"),
-            {"\"radius\" is given twice"});
-    invalid(shape_with("<float name='radius' velue='1'/>"), {"attribute \"velue\"", "value"});
-    invalid(shape_with("<float name='radius' value='1'><float name='x' value='1'/></float>"),
-            {"elements inside"});
+    bad_shape("<float value='1'/>", {"<float> without a name"});
+    bad_shape("<float name='radius' value='1'/><float name='radius' value='2'/>",
+              {"\"radius\" is given twice"});
+    bad_shape("<float name='radius' velue='1'/>", {"attribute \"velue\"", "value"});
+    bad_shape("<float name='radius' value='1'><float name='x' value='1'/></float>", {"elements inside"});
     invalid("<shape type='sphere' kind='x'/>", {"attribute \"kind\"", "type, id, name"});
-    invalid(shape_with("<transform name='to_wrld'/>"), {"\"to_wrld\" is unknown", "to_world"});
+    bad_shape("<transform name='to_wrld'/>", {"\"to_wrld\" is unknown", "to_world"});
 }
 
 TEST_CASE("values of the wrong type or outside their range") {
-    invalid(plastic_with("<string name='alpha' value='0.1'/>"),
-            {"\"alpha\" is given as <string>", "<float>"});
-    invalid(plastic_with("<float name='alpha' value='0'/>"), {"\"alpha\" is 0", "from 0.001 to 1"});
+    bad_plastic("<string name='alpha' value='0.1'/>", {"\"alpha\" is given as <string>", "<float>"});
+    bad_plastic("<float name='alpha' value='0'/>", {"\"alpha\" is 0", "from 0.001 to 1"});
     for (const char* number : {"nan", "inf", "-inf", "1e999", "", "x", "0.1f", "0x10", "1 2", "+-1", "++1"})
-        invalid(plastic_with(std::string("<float name='alpha' value='") + number + "'/>"),
-                {"\"alpha\" is", "finite number"});
-    invalid(plastic_with("<float name='alpha'/>"), {"\"alpha\" is \"\""});
-    invalid(plastic_with("<rgb name='diffuse_reflectance' value='1.1'/>"), {"from 0 to 1"});
-    invalid(plastic_with("<rgb name='diffuse_reflectance' value='0.1, -0.1, 0'/>"), {"from 0 to 1"});
+        bad_plastic(std::string("<float name='alpha' value='") + number + "'/>",
+                    {"\"alpha\" is", "finite number"});
+    bad_plastic("<float name='alpha'/>", {"\"alpha\" is \"\""});
+    bad_plastic("<rgb name='diffuse_reflectance' value='1.1'/>", {"from 0 to 1"});
+    bad_plastic("<rgb name='diffuse_reflectance' value='0.1, -0.1, 0'/>", {"from 0 to 1"});
     for (const char* color :
          {"", "1 2", "1 2 3 4", "1 nan 1", "#12345", "#1234567", "#12345g", "#-12345", "red"})
-        invalid(plastic_with(std::string("<rgb name='diffuse_reflectance' value='") + color + "'/>"),
-                {"#rrggbb"});
+        bad_plastic(std::string("<rgb name='diffuse_reflectance' value='") + color + "'/>", {"#rrggbb"});
     for (const char* table :
          {"400:0.1", "400:0.1, 400:0.2", "500:0.1 400:0.2", "400:0.1 500", "400:0.1 :0.2",
           "400:0.1 500:", "400:0.1 500:nan", "-1:0.1 500:0.2", "0:0.1 1:0.2", "a:b c:d", ""})
-        invalid(plastic_with(std::string("<spectrum name='diffuse_reflectance' value='") + table + "'/>"),
-                {":6: bsdf \"pplastic\": parameter \"diffuse_reflectance\"", "wavelength:value pairs"});
-    invalid(plastic_with("<spectrum name='diffuse_reflectance' value='400:0.1, 700:1.2'/>"), {"from 0 to 1"});
-    invalid(plastic_with("<float name='diffuse_reflectance' value='400:0.1, 700:1'/>"), {"a finite number"});
-    invalid(plastic_with("<string name='int_ior' value='cheese'/>"), {"\"cheese\"", "bk7", "diamond"});
-    invalid(plastic_with("<float name='int_ior' value='-1.5'/>"), {"\"int_ior\" is -1.5"});
-    invalid(plastic_with("<float name='int_ior' value='1.5'/><float name='ext_ior' value='1.5'/>"),
-            {"must differ"});
-    invalid(plastic_with("<string name='distribution' value='phong'/>"), {"beckmann, ggx"});
-    invalid(shape_with("<float name='radius' value='-1'/>"), {"above 0"});
-    invalid(shape_with("<point name='center' value='1 2'/>"), {"one or three"});
-    invalid(shape_with("<point name='center' value='1' x='1'/>"), {"both"});
-    invalid(shape_with("<point name='center' x='nan'/>"), {"finite"});
-    invalid(shape_with("<boolean name='flip_normals' value='yes'/>"), {"true or false"});
+        bad_plastic(std::string("<spectrum name='diffuse_reflectance' value='") + table + "'/>",
+                    {":6: bsdf \"pplastic\": parameter \"diffuse_reflectance\"", "wavelength:value pairs"});
+    bad_plastic("<spectrum name='diffuse_reflectance' value='400:0.1, 700:1.2'/>", {"from 0 to 1"});
+    bad_plastic("<float name='diffuse_reflectance' value='400:0.1, 700:1'/>", {"a finite number"});
+    bad_plastic("<string name='int_ior' value='cheese'/>", {"\"cheese\"", "bk7", "diamond"});
+    bad_plastic("<float name='int_ior' value='-1.5'/>", {"\"int_ior\" is -1.5"});
+    bad_plastic("<float name='int_ior' value='1.5'/><float name='ext_ior' value='1.5'/>", {"must differ"});
+    bad_plastic("<string name='distribution' value='phong'/>", {"beckmann, ggx"});
+    bad_shape("<float name='radius' value='-1'/>", {"above 0"});
+    bad_shape("<point name='center' value='1 2'/>", {"one or three"});
+    bad_shape("<point name='center' value='1' x='1'/>", {"both"});
+    bad_shape("<point name='center' x='nan'/>", {"finite"});
+    bad_shape("<boolean name='flip_normals' value='yes'/>", {"true or false"});
     invalid("<shape type='obj'/>", {"\"filename\" is missing"});
     invalid("<shape type='obj'><string name='filename' value='a.ply'/></shape>", {"a.ply", ".obj"});
     invalid("<emitter type='envmap'/>", {"\"filename\" is missing"});
@@ -200,46 +183,42 @@ TEST_CASE("values of the wrong type or outside their range") {
     invalid("<emitter type='constant'><rgb name='radiance' value='-1'/></emitter>", {"at least 0"});
 }
 
-TEST_CASE("cameras that see nothing") {
+TEST_CASE("cameras and films that cannot be") {
     for (const char* width : {"0", "-5", "100000000000", "1e99", "2.5", "99999999999999999999999", "nan", ""})
-        invalid(film_with(std::string("<integer name='width' value='") + width + "'/>"),
-                {"\"width\" is", "from 1 to 32768"});
-    invalid(film_with("<float name='width' value='10'/>"), {"<float>", "<integer>"});
+        bad_film(std::string("<integer name='width' value='") + width + "'/>",
+                 {"\"width\" is", "from 1 to 32768"});
+    bad_film("<float name='width' value='10'/>", {"<float>", "<integer>"});
     for (const char* crop : {"crop_width", "crop_height", "crop_offset_x", "crop_offset_y"})
         unsupported(film_with(std::string("<integer name='") + crop + "' value='10'/>"),
                     {"film \"hdrfilm\": parameter", crop, "a part of the image"});
     unsupported(film_with("<string name='pixel_format' value='xyz'/>"),
                 {"\"pixel_format\"", "rgb and luminance"});
     unsupported(film_with("<string name='pixel_format' value='xyza'/>"), {"\"pixel_format\""});
-    invalid(film_with("<string name='pixel_format' value='bgr'/>"), {"luminance, luminance_alpha, rgb"});
-    invalid(film_with("<string name='component_format' value='int8'/>"), {"float32, float16, uint32"});
+    bad_film("<string name='pixel_format' value='bgr'/>", {"luminance, luminance_alpha, rgb"});
+    bad_film("<string name='component_format' value='int8'/>", {"float32, float16, uint32"});
     unsupported(film_with("<string name='file_format' value='rgbe'/>"), {"\"file_format\"", "openexr"});
     unsupported(film_with("<string name='file_format' value='pfm'/>"), {"\"file_format\""});
-    invalid(film_with("<rfilter type='box'/><rfilter type='box'/>"), {"second <rfilter>"});
+    bad_film("<rfilter type='box'/><rfilter type='box'/>", {"second <rfilter>"});
     for (const char* fov : {"0", "180", "-10", "nan"})
-        invalid(sensor_with(std::string("<float name='fov' value='") + fov + "'/>"), {"\"fov\" is"});
-    invalid(sensor_with("<float name='fov' value='40'/><string name='fov_axis' value='z'/>"),
-            {"smaller, larger"});
-    invalid(sensor_with("<float name='fov' value='40'/><string name='focal_length' value='50mm'/>"),
-            {"beside fov"});
+        bad_sensor(std::string("<float name='fov' value='") + fov + "'/>", {"\"fov\" is"});
+    bad_sensor("<float name='fov' value='40'/><string name='fov_axis' value='z'/>", {"smaller, larger"});
+    bad_sensor("<float name='fov' value='40'/><string name='focal_length' value='50mm'/>", {"beside fov"});
     for (const char* length : {"0mm", "-50mm", "mm", "", "50cm"})
-        invalid(sensor_with(std::string("<string name='focal_length' value='") + length + "'/>"),
-                {"millimetres"});
-    invalid(sensor_with("<float name='near_clip' value='0'/>"), {"\"near_clip\" is 0"});
-    invalid(sensor_with("<float name='near_clip' value='5'/><float name='far_clip' value='5'/>"),
-            {"smaller than far_clip"});
-    invalid(sensor_with("<transform name='to_world'><scale value='2'/></transform>"),
-            {"\"to_world\" scales"});
+        bad_sensor(std::string("<string name='focal_length' value='") + length + "'/>", {"millimetres"});
+    bad_sensor("<float name='near_clip' value='0'/>", {"\"near_clip\" is 0"});
+    bad_sensor("<float name='near_clip' value='5'/><float name='far_clip' value='5'/>",
+               {"smaller than far_clip"});
+    bad_sensor("<transform name='to_world'><scale value='2'/></transform>", {"\"to_world\" scales"});
     unsupported(sensor_with("<transform name='to_world'><scale x='-1'/></transform>"),
                 {"sensor \"perspective\": parameter \"to_world\" mirrors"});
     unsupported(sensor_with("<float name='principal_point_offset_x' value='0.1'/>"),
                 {"principal_point_offset_x"});
-    invalid(sensor_with("<film type='hdrfilm'/><film type='hdrfilm'/>"), {"second <film>"});
+    bad_sensor("<film type='hdrfilm'/><film type='hdrfilm'/>", {"second <film>"});
 }
 
 TEST_CASE("transforms that cannot be") {
     const auto refused = [](const std::string& operations, const std::string& part) {
-        invalid(shape_with("<transform name='to_world'>" + operations + "</transform>"), {part});
+        bad_shape("<transform name='to_world'>" + operations + "</transform>", {part});
     };
     refused("<scale x='0'/>", "cannot be inverted");
     refused("<scale value='1e200'/><scale value='1e200'/>", "cannot be inverted");
@@ -263,17 +242,17 @@ TEST_CASE("transforms that cannot be") {
 TEST_CASE("ids and references") {
     invalid(a_sensor + "<bsdf type='diffuse' id='a'/>\n<bsdf type='diffuse' id='a'/>",
             {":4: id \"a\"", "scene.xml:3"});
-    invalid(shape_with("<ref id='nobody'/>"), {"\"nobody\""});
-    invalid(shape_with("<ref/>"), {"<ref> to \"\""});
+    bad_shape("<ref id='nobody'/>", {"\"nobody\""});
+    bad_shape("<ref/>", {"<ref> to \"\""});
     invalid(
         "<sensor type='orthographic' id='eye'/>" + a_shape + "<shape type='sphere'><ref id='eye'/></shape>",
         {"which is a <sensor>", "inside shape \"sphere\"", "bsdf"});
-    invalid(shape_with("<bsdf type='diffuse'/><bsdf type='diffuse'/>"), {"second <bsdf>"});
+    bad_shape("<bsdf type='diffuse'/><bsdf type='diffuse'/>", {"second <bsdf>"});
     unsupported(an_emitter + an_emitter, {":3: a second emitter"});
 }
 
 TEST_CASE("$parameters") {
-    invalid(shape_with("<float name='radius' value='$size'/>"), {"undefined parameter", "$size"});
+    bad_shape("<float name='radius' value='$size'/>", {"undefined parameter", "$size"});
     invalid("<default name='a' value='$b'/>", {":2: undefined parameter"});
     invalid("<default name='size' value='1'/>" + shape_with("<float name='radius' value='$'/>"),
             {"undefined", "$size"});
@@ -285,8 +264,8 @@ TEST_CASE("$parameters") {
     CHECK_THROWS_AS(static_cast<void>(read_mitsuba_scene(file.scene(), {{"$a", "1"}})), Error);
 }
 
-TEST_CASE("hostile documents end soon") {
-    // Each parameter is the last one twice: 2^60 characters if nobody stops.
+TEST_CASE("hostile documents are refused soon") {
+    // Each parameter is the last one twice: 2^60 characters without a limit.
     std::string doubling = "<default name='a0_' value='0123456789'/>\n";
     for (int i = 1; i < 60; ++i)
         doubling += "<default name='a" + std::to_string(i) + "_' value='$a" + std::to_string(i - 1) + "_$a" +
@@ -314,7 +293,7 @@ TEST_CASE("hostile documents end soon") {
     huge.append(std::size_t{17} << 20, ' ');
     check_refused_text(huge, ErrorCode::unsupported, {"16 MiB"});
 
-    invalid(shape_with("<float name='radius' value='" + std::string(1000000, '9') + "'/>"), {"\"radius\""});
+    bad_shape("<float name='radius' value='" + std::string(1000000, '9') + "'/>", {"\"radius\""});
 }
 
 TEST_CASE("a scene cut short anywhere or with bytes changed never does worse than fail") {

@@ -1,39 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Scenes that must be read, and what must come out.
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <glm/geometric.hpp>
-#include <numbers>
-
-#include "scene/scene_description.hpp"
 #include "scene/scene_file.hpp"
+#include "test.hpp"
 
 using namespace nicol;
 
 namespace {
 
-SceneDescription read(const std::string& content, const SceneParameters& parameters = {}) {
-    const SceneFile file(scene(content));
-    return read_mitsuba_scene(file.scene(), parameters);
-}
-
 /// The matrix of a <transform>, read through a sphere.
 glm::dmat4 transform(const std::string& operations) {
-    return read(a_sensor + an_emitter + "<shape type='sphere'><transform name='to_world'>" + operations +
-                "</transform></shape>")
-        .shapes.at(0)
-        .to_world;
+    return read_shape("<transform name='to_world'>" + operations + "</transform>").shapes.at(0).to_world;
 }
 
 void check_equal(const glm::dmat4& matrix, const glm::dmat4& expected) {
-    for (glm::length_t column = 0; column < 4; ++column)
-        for (glm::length_t row = 0; row < 4; ++row) {
-            CAPTURE(row);
-            CAPTURE(column);
-            CHECK(std::abs(matrix[column][row] - expected[column][row]) < 1e-12);
-        }
+    CHECK(largest_difference(matrix, expected) < 1e-12);
 }
 
 }  // namespace
@@ -70,7 +50,7 @@ TEST_CASE("defaults are Mitsuba's") {
     CHECK(s.notices.empty());
 }
 
-TEST_CASE("everything that can be said is heard") {
+TEST_CASE("everything that a scene can hold is read") {
     const SceneFile file(scene(R"(
 <?xml-stylesheet none?><!-- a comment -->
 <integrator type="stokes"><integrator type="direct"/></integrator>
@@ -108,7 +88,7 @@ TEST_CASE("everything that can be said is heard") {
     CHECK(s.emitter->kind == EmitterDescription::Kind::envmap);
     CHECK(s.emitter->filename == file / "light" / "sky.exr");
     CHECK(s.emitter->scale == 2.5);
-    // A quarter turn about y takes z to x.
+    // A quarter of a rotation about y takes z to x.
     CHECK(glm::distance(glm::dvec3(s.emitter->to_world * glm::dvec4(0, 0, 1, 0)), glm::dvec3(1, 0, 0)) <
           1e-12);
     REQUIRE(s.shapes.size() == 7);
@@ -163,7 +143,7 @@ TEST_CASE("our own emitters") {
     CHECK(psh.emitter->scale == 1.0);
 }
 
-TEST_CASE("a scene without light is read and says so") {
+TEST_CASE("a scene without light is read with a notice") {
     const SceneDescription s = read(a_sensor + a_shape);
     CHECK_FALSE(s.emitter);
     REQUIRE(s.notices.size() == 1);
@@ -201,7 +181,7 @@ TEST_CASE("operations apply in the order in which they are written") {
                 glm::dmat4(glm::dvec4(0, 1, 0, 0), glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, 1, 0),
                            glm::dvec4(0, 0, 0, 1)));
     check_equal(transform(""), glm::dmat4(1.0));
-    // An axis of any length turns alike.
+    // An axis of any length rotates alike.
     check_equal(transform("<rotate value='0, 5, 0' angle='-30'/>"),
                 transform("<rotate y='0.1' angle='-30'/>"));
 }
@@ -249,12 +229,8 @@ TEST_CASE("the field of view along any axis") {
 }
 
 TEST_CASE("scenes rendered with Mitsuba are read") {
-    const char* data = std::getenv("NICOL_TEST_DATA");
-    const std::filesystem::path folder = std::filesystem::path(data ? data : "") / "mitsuba";
-    if (!std::filesystem::exists(folder / "sphere_const.xml")) {
-        MESSAGE("skipped: NICOL_TEST_DATA holds no mitsuba/sphere_const.xml");
-        return;
-    }
+    const std::filesystem::path folder = test_data("mitsuba/sphere_const.xml").parent_path();
+    if (folder.empty()) return;
     const SceneDescription constant = read_mitsuba_scene(folder / "sphere_const.xml", {{"alpha", "0.1"}});
     CHECK(constant.materials.at(0).alpha == 0.1);
     CHECK(constant.materials.at(0).diffuse_reflectance.rgb == glm::dvec3(0.5, 0.3, 0.1));

@@ -2,11 +2,9 @@
 // Scene files for tests.
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <string_view>
-
+#include "scene/scene_description.hpp"
 #include "temporary_folder.hpp"
+#include "test.hpp"
 
 /// A scene file in a folder of its own.
 class SceneFile : public TemporaryFolder {
@@ -24,4 +22,27 @@ inline const std::string a_shape = "<shape type='sphere'/>\n";
 /// `content` begins on line 2.
 inline std::string scene(const std::string& content) {
     return "<scene version='3.0.0'>\n" + content + "</scene>\n";
+}
+
+inline nicol::SceneDescription read(const std::string& content,
+                                    const nicol::SceneParameters& parameters = {}) {
+    return nicol::read_mitsuba_scene(SceneFile(scene(content)).scene(), parameters);
+}
+
+/// What is read of the shape that holds `inside`.
+inline nicol::SceneDescription read_shape(const std::string& inside) {
+    return read(a_sensor + an_emitter + "<shape type='sphere'>" + inside + "</shape>");
+}
+
+/// The file must be refused with `code` and a message that begins with `start`, holds every part and ends
+/// with `ending`.
+inline void check_refused(const SceneFile& file, nicol::ErrorCode code, const std::string& start,
+                          const std::vector<std::string>& parts, const std::string& ending = "",
+                          const nicol::SceneParameters& parameters = {}) {
+    const std::string message = error_of(CALL(nicol::read_mitsuba_scene(file.scene(), parameters)), code);
+    CAPTURE(message);
+    CHECK(message.starts_with(start));
+    CHECK(message.ends_with(ending));
+    CHECK(message.size() < 1000);
+    for (const std::string& part : parts) CHECK_MESSAGE(message.find(part) != std::string::npos, part);
 }

@@ -56,16 +56,16 @@ glm::vec2 at(const HighOrderVisibility& fraction, const VisibilityBlocks& seen, 
 
 }  // namespace
 
-TEST_CASE("what nothing hides is seen whole, and what is hidden is dark") {
+TEST_CASE("unoccluded lobes are visible as a whole, and occluded ones are dark") {
     constexpr int order = 8;
     const auto all = project([](const glm::dvec3&) { return 1.0; }, order);
     const std::vector<float> none(psh_count(order));
     const HighOrderVisibility fraction(order, 0.2);
     for (const double theta : {0.0, 0.4, 1.0, 1.5}) {
         const glm::vec3 d(std::sin(theta) * 0.6, std::sin(theta) * 0.8, -std::cos(theta));
-        const glm::vec2 open = at(fraction, seen_of(all, order, 1), d);
-        CHECK(open[0] == doctest::Approx(1).epsilon(1e-3));
-        CHECK(open[1] == doctest::Approx(1).epsilon(1e-3));
+        const glm::vec2 unoccluded = at(fraction, seen_of(all, order, 1), d);
+        CHECK(unoccluded[0] == doctest::Approx(1).epsilon(1e-3));
+        CHECK(unoccluded[1] == doctest::Approx(1).epsilon(1e-3));
         CHECK(at(fraction, seen_of(none, order, 1), d) == glm::vec2(0));
     }
 }
@@ -97,11 +97,11 @@ TEST_CASE("the fraction is the visibility filtered by the lobe, and by the cosin
     CHECK(before > 0.98);
 }
 
-TEST_CASE("every vertex is looked at along its mirrored view direction") {
+TEST_CASE("every vertex is evaluated along its mirrored view direction") {
     constexpr int order = 12;
     const auto wall = project([](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; }, order);
     const HighOrderVisibility fraction(order, 0.2);
-    // All see the same wall in their own frames, whose axes are theta-hat and phi-hat.
+    // All have the same wall in their own frames, whose axes are theta-hat and phi-hat.
     const std::vector<glm::vec3> normals{{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}};
     const VisibilityBlocks visibility = seen_of(wall, order, normals.size());
     const std::vector<glm::vec3> positions(normals.size(), glm::vec3(0));

@@ -34,9 +34,9 @@ public:
             elements_[e] = mix(at(angle, e), at(angle + 1, e), x - angle);
     }
     // Of central, up, down and sum.
-    [[nodiscard]] Stokes even(std::size_t probe, const Stokes& s) const {
-        const double* a = &elements_[2 * probe];
-        const double* b = &elements_[HighOrderFactors::kUnpolarized + 6 * probe];
+    [[nodiscard]] Stokes even(std::size_t tap, const Stokes& s) const {
+        const double* a = &elements_[2 * tap];
+        const double* b = &elements_[HighOrderFactors::kUnpolarized + 6 * tap];
         return {a[0] * s[0] + b[0] * s[1], a[1] * s[0] + b[1] * s[1], b[2] * s[2] + b[4] * s[3],
                 b[3] * s[2] + b[5] * s[3]};
     }
@@ -79,26 +79,26 @@ Image high_orders_in_double(const Vertices& vertices, const HighOrderFactors& fa
         const glm::dvec3 side = glm::cross(n, seen);
         const glm::dvec3 x = glm::length(side) > 1e-5 ? glm::normalize(side) : camera[0];
         const glm::dvec3 y = glm::cross(d, x);
-        const double turn = angle_between(Frame(x, glm::cross(v, x), v), camera);
+        const double angle = angle_between(Frame(x, glm::cross(v, x), v), camera);
         for (int c = 0; c < channels; ++c) {
-            const auto look = [&](const LobeMap& map, const glm::dvec3& direction, const glm::dvec3& axis) {
+            const auto at = [&](const LobeMap& map, const glm::dvec3& direction, const glm::dvec3& axis) {
                 return look_up(map, map.channels() == 1 ? 0 : c, to_light * direction, to_light * axis);
             };
             const Elements f(factors, c, cosine);
-            Stokes sum = f.even(0, look(*maps.central, d, x));
+            Stokes sum = f.even(0, at(*maps.central, d, x));
             if (factors.spread() > 0) {
-                sum += f.even(1, look(*maps.outer, cos_spread * d + sin_spread * y, x));
-                sum += f.even(2, look(*maps.outer, cos_spread * d - sin_spread * y, x));
+                sum += f.even(1, at(*maps.outer, cos_spread * d + sin_spread * y, x));
+                sum += f.even(2, at(*maps.outer, cos_spread * d - sin_spread * y, x));
                 const Stokes right =
-                    look(*maps.outer, cos_spread * d + sin_spread * x, cos_spread * x - sin_spread * d);
+                    at(*maps.outer, cos_spread * d + sin_spread * x, cos_spread * x - sin_spread * d);
                 const Stokes left =
-                    look(*maps.outer, cos_spread * d - sin_spread * x, cos_spread * x + sin_spread * d);
+                    at(*maps.outer, cos_spread * d - sin_spread * x, cos_spread * x + sin_spread * d);
                 sum += f.even(3, right + left) + f.difference(right - left);
             }
             const glm::dvec2 fraction = fractions.empty() ? glm::dvec2(1) : fractions[i];
             sum *= fraction[0];
-            if (factors.has_base()) sum += fraction[1] * f.normal(look(*maps.base, -n, x));
-            out[static_cast<std::size_t>(c)][i] = rotated(sum, turn);
+            if (factors.has_base()) sum += fraction[1] * f.normal(at(*maps.base, -n, x));
+            out[static_cast<std::size_t>(c)][i] = rotated(sum, angle);
         }
     }
     return out;

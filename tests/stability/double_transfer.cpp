@@ -108,10 +108,10 @@ Vertices::Vertices(const DirectionSet& directions, double unit, std::size_t norm
     }
     visibility = Visibility(directions.size(), normals.size());
     for (std::size_t v = 0; v < normals.size(); ++v) {
-        const bool open = v % 5 == 2;
+        const bool unoccluded = v % 5 == 2;
         const glm::vec3 plane(anywhere());
-        const float least = open ? -2.0F : static_cast<float>(0.3 * gauss(random));
-        visibility.set_unoccluded(v, open);
+        const float least = unoccluded ? -2.0F : static_cast<float>(0.3 * gauss(random));
+        visibility.set_unoccluded(v, unoccluded);
         for (std::size_t i = 0; i < directions.size(); ++i) {
             const glm::vec3& d = directions.directions()[i];
             if (glm::dot(d, normals[v]) > 0 && glm::dot(d, plane) > least)
@@ -155,7 +155,7 @@ std::vector<double> visibility_in_double(const Vertices& vertices, const Directi
 
 namespace {
 
-// How a vertex is seen.
+// The direction from a vertex to the viewer.
 struct Sight {
     Sight(const Viewpoint& view, const glm::vec3& position, const Frame& surface) {
         const glm::dvec3 world = view.towards(glm::dvec3(position));
@@ -163,11 +163,11 @@ struct Sight {
         const double rho = std::hypot(towards.x, towards.y);
         zenith = std::atan2(rho, towards.z);
         azimuth = rho > 0 ? std::atan2(towards.y, towards.x) : 0;
-        turn = angle_between(surface * theta_phi_frame(towards), view.frame(world));
+        angle = angle_between(surface * theta_phi_frame(towards), view.frame(world));
     }
     double zenith;
     double azimuth;
-    double turn;  // to the camera's frame
+    double angle;  // to the camera's frame
 };
 
 Stokes respond(const ResponseTable& response, int channel, const LightLayout& layout,
@@ -191,7 +191,7 @@ Stokes respond(const ResponseTable& response, int channel, const LightLayout& la
             }
         }
     }
-    return rotated(sum, sight.turn);
+    return rotated(sum, sight.angle);
 }
 
 }  // namespace

@@ -88,37 +88,34 @@ const std::vector<MaterialPtr>& materials() {
 
 }  // namespace
 
-TEST_CASE("low orders: floats stay with doubles") {
-    const test::Vertices vertices(directions());
-    for (const int order : {4, 9}) {
-        const LightLayout layout(order, LightKind::full);
-        const Worst worst = compare(vertices, layout, test::usual_lights(order), materials());
-        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value, " << worst.shadows
-                         << " with shadows of 16 bits");
-    }
-}
-
-TEST_CASE("low orders: floats stay with doubles under light and at sizes no one would choose") {
-    const LightLayout layout(4, LightKind::full);
-    Worst worst = compare(test::Vertices(directions()), layout, test::stress_lights(4), materials());
-    for (const double unit : {1e-6, 1e6}) {
-        CAPTURE(unit);
-        const Worst here = compare(test::Vertices(directions(), unit, 0), layout,
-                                   {{"random light", test::random_light(4, 3, 4, 1)}}, materials());
-        worst.floats = std::max(worst.floats, here.floats);
-        worst.shadows = std::max(worst.shadows, here.shadows);
-    }
-    MESSAGE("order 4, stress: worst " << worst.floats << " of the largest value, " << worst.shadows
-                                      << " with shadows of 16 bits");
-}
-
-TEST_CASE("the highest orders that are rendered with their full detail stay with doubles, too") {
-    const test::Vertices vertices(directions(), 1, 0);
-    for (const int order : {16, 32}) {
-        const LightLayout layout(order, LightKind::linear);
-        const Worst worst = compare(vertices, layout, {{"random light", test::random_light(order, 1, 3, 5)}},
-                                    {pplastic({.alpha = 0.3})});
-        MESSAGE("order " << order << ": worst " << worst.floats << " of the largest value, " << worst.shadows
-                         << " with shadows of 16 bits");
+TEST_CASE("low orders: floats stay with doubles, under any light, at any size and order") {
+    struct Row {
+        const char* name;
+        int order;
+        LightKind kind;
+        test::Vertices vertices;
+        test::Lights lights;
+        std::vector<MaterialPtr> materials;
+    };
+    const auto random = [](int order, int channels, int components, unsigned seed) -> test::Lights {
+        return {{"random light", test::random_light(order, channels, components, seed)}};
+    };
+    const std::vector<MaterialPtr> plastic{pplastic({.alpha = 0.3})};
+    const auto full = LightKind::full;
+    const test::Vertices vertices(directions()), few(directions(), 1, 0);
+    for (const Row& row : std::vector<Row>{
+             {"usual lights", 4, full, vertices, test::usual_lights(4), materials()},
+             {"usual lights", 9, full, vertices, test::usual_lights(9), materials()},
+             {"stress lights", 4, full, vertices, test::stress_lights(4), materials()},
+             {"small", 4, full, test::Vertices(directions(), 1e-6, 0), random(4, 3, 4, 1), materials()},
+             {"large", 4, full, test::Vertices(directions(), 1e6, 0), random(4, 3, 4, 1), materials()},
+             // The highest orders that are rendered with their full detail.
+             {"high", 16, LightKind::linear, few, random(16, 1, 3, 5), plastic},
+             {"high", 32, LightKind::linear, few, random(32, 1, 3, 5), plastic}}) {
+        CAPTURES(row.name, row.order);
+        const Worst worst =
+            compare(row.vertices, LightLayout(row.order, row.kind), row.lights, row.materials);
+        MESSAGE(row.name << ", order " << row.order << ": worst " << worst.floats << " of the largest value, "
+                         << worst.shadows << " with shadows of 16 bits");
     }
 }

@@ -49,7 +49,7 @@ std::vector<IsotropicMatrix> matrices(const Material& material, int order) {
 
 }  // namespace
 
-TEST_CASE("a dense matrix is turn, shadow and material one after another") {
+TEST_CASE("a dense matrix is rotation, shadow and material one after another") {
     const MaterialPtr coloured = pplastic({.diffuse_reflectance = {0.6, 0.2}, .alpha = 0.3});
     const MaterialPtr metal = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.3});
     for (const MaterialPtr& material : {coloured, metal, diffuse({0.5})}) {
@@ -86,8 +86,7 @@ TEST_CASE("a dense matrix is turn, shadow and material one after another") {
                                 error = std::max(error, std::abs(expected.channel(c)[i]));
                     }
                 }
-                CAPTURE(order);
-                CAPTURE(static_cast<int>(kind));
+                CAPTURES(order, kind);
                 CHECK(error < 2e-6 * (1 + order) * (1 + order));
             }
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What vertices see of the environment past the triangles around them.
+// What vertices see of the environment past the triangles of the scene.
 #include "visibility/bake.hpp"
 
 #include <tbb/task_arena.h>
@@ -80,14 +80,12 @@ TEST_CASE("a closed convex surface never shadows itself, whatever its size and p
         CHECK(statistics.unoccluded == mesh.positions.size());
         CHECK(visibility.unoccluded_count() == mesh.positions.size());
     };
-    for (const double scale : {1e-6, 1e-3, 1.0, 37.0, 1e6}) {
-        for (const glm::dvec3& offset :
-             {glm::dvec3(0), glm::dvec3(3, -7, 11), glm::dvec3(1000, 300, -2000)}) {
-            CAPTURE(scale);
-            CAPTURE(offset.x);
-            for (const Mesh& mesh : shapes) check(placed(mesh, scale, offset));
-        }
-    }
+    for_all({1e-6, 1e-3, 1.0, 37.0, 1e6},
+            {glm::dvec3(0), glm::dvec3(3, -7, 11), glm::dvec3(1000, 300, -2000)},
+            [&](double scale, const glm::dvec3& offset) {
+                CAPTURES(scale, offset.x);
+                for (const Mesh& mesh : shapes) check(placed(mesh, scale, offset));
+            });
     for (const auto& [scale, offset] : {std::pair{1e-6, 0.0}, std::pair{1e6, 0.0}, std::pair{1.0, 100.0}}) {
         CAPTURE(scale);
         check(placed(sphere, scale, glm::dvec3(offset, -offset, 2 * offset)));
@@ -148,7 +146,7 @@ TEST_CASE("a far, large ground does not lift the shadow of what stands near") {
     }
 }
 
-TEST_CASE("both sides of a surface with two sides look their own way") {
+TEST_CASE("each side of a two-sided surface has a visibility of its own") {
     for (const double scale : {1e-6, 1.0, 1e6}) {
         Mesh sheet = placed(make_rectangle(3), scale, glm::dvec3(0.3, 0.2, 5));
         const std::size_t front = sheet.positions.size();
@@ -211,16 +209,16 @@ TEST_CASE("the result does not depend on the number of threads or the length of 
 TEST_CASE("progress rises from 0 to 1 on the calling thread, and what it throws stops the work") {
     const Mesh sphere = make_sphere();
     const DirectionSet set;
-    std::vector<double> told;
+    std::vector<double> reported;
     const std::thread::id here = std::this_thread::get_id();
     static_cast<void>(bake(geometry_of(sphere), set, [&](double fraction) {
-        told.push_back(fraction);
+        reported.push_back(fraction);
         CHECK(std::this_thread::get_id() == here);
     }));
-    CHECK(told.size() > 3);
-    CHECK(told.front() == 0);
-    CHECK(told.back() == 1);
-    CHECK(std::ranges::is_sorted(told));
+    CHECK(reported.size() > 3);
+    CHECK(reported.front() == 0);
+    CHECK(reported.back() == 1);
+    CHECK(std::ranges::is_sorted(reported));
     int calls = 0;
     const auto cancel = [&](double) {
         if (++calls == 2) throw Error(ErrorCode::cancelled, "enough");

@@ -53,15 +53,6 @@ std::vector<double> zonal(int order, Function f) {
     return out;
 }
 
-template <class A, class B>
-double difference(const A& a, const B& b) {
-    double out = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        out = std::max(out, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
-    }
-    return out;
-}
-
 // ((1 + axis . d) / 2)^8, which is of order 8 and nearly nothing more than 90 degrees off its axis.
 std::vector<double> lobe(const glm::dvec3& axis) {
     std::vector<double> out(psh_count(8));
@@ -105,7 +96,7 @@ TEST_CASE("directions are unit vectors whose weights integrate harmonics") {
             }
         }
         moments[0] -= std::sqrt(4 * pi);
-        CHECK(difference(moments, std::vector<double>(moments.size())) < 2e-6);
+        CHECK(largest(moments) < 2e-6);
     }
 }
 
@@ -137,11 +128,13 @@ TEST_CASE("bundles hold the directions in order, each bundle in one place of the
     CHECK(widest < 0.4);
 }
 
-TEST_CASE("a number of directions out of range is refused") {
+TEST_CASE("numbers of directions and orders out of range are refused") {
+    const DirectionSet set(256);
+    for (const int order : {-1, 65}) CHECK_THROWS_AS(VisibilityHarmonics(set, order), Error);
     for (const int count : {-1, 0, 255, 65537}) CHECK_THROWS_AS(DirectionSet{count}, Error);
 }
 
-TEST_CASE("who sees all, or nothing, has exact coefficients") {
+TEST_CASE("vertices that see all, or nothing, have exact coefficients") {
     const DirectionSet set(512);
     for (const glm::vec3& normal : {slanted, glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)}) {
         Visibility all = visibility_of(set, normal, [](const glm::vec3&) { return true; });
@@ -150,21 +143,22 @@ TEST_CASE("who sees all, or nothing, has exact coefficients") {
         one[0] = static_cast<float>(std::sqrt(4 * pi));
         for (const bool flagged : {true, false}) {
             all.set_unoccluded(0, flagged);
-            CHECK(difference(projected(set, all, normal, 8), one) <= (flagged ? 0 : 1e-6));
+            CHECK(largest_difference(projected(set, all, normal, 8), one) <= (flagged ? 0 : 1e-6));
         }
-        CHECK(difference(projected(set, none, normal, 8), std::vector<float>(81)) == 0);
+        CHECK(largest_difference(projected(set, none, normal, 8), std::vector<float>(81)) == 0);
     }
 }
 
-TEST_CASE("a cone around the normal has the coefficients of a cap") {
+TEST_CASE("a cone about the normal has the coefficients of a cap") {
     const DirectionSet set(65536);
     const Visibility cone =
         visibility_of(set, slanted, [](const glm::vec3& d) { return glm::dot(d, slanted) > 0.6F; });
     const auto mirrored = projected(set, cone, slanted, 8);
-    CHECK(difference(mirrored, zonal(8, [](double z) { return std::abs(z) > 0.6 ? 1.0 : 0.0; })) < 2e-3);
+    CHECK(largest_difference(mirrored, zonal(8, [](double z) { return std::abs(z) > 0.6 ? 1.0 : 0.0; })) <
+          2e-3);
 }
 
-TEST_CASE("coefficients are those of the directions turned into the vertex's frame") {
+TEST_CASE("coefficients are those of the directions rotated into the vertex's frame") {
     const DirectionSet set(256);
     constexpr int order = 18;
     for (const glm::vec3& normal : {slanted, glm::vec3(0, 0, 1), glm::vec3(0, 0, -1)}) {
@@ -174,7 +168,7 @@ TEST_CASE("coefficients are those of the directions turned into the vertex's fra
         // Directions that are seen count 1, the others 0, and what quadrature makes of all of them is
         // replaced by the truth for the part that is seen.
         std::vector<double> want(psh_count(order));
-        std::vector<double> everything(want.size());
+        std::vector<double> every_direction(want.size());
         double seen = 0;
         double all = 0;
         for (std::size_t i = 0; i < set.size(); ++i) {
@@ -185,24 +179,24 @@ TEST_CASE("coefficients are those of the directions turned into the vertex's fra
             all += weight;
             if (visibility.seen(0, i)) seen += weight;
             for (std::size_t k = 0; k < y.size(); ++k) {
-                everything[k] += weight * y[k];
+                every_direction[k] += weight * y[k];
                 if (visibility.seen(0, i)) want[k] += weight * y[k];
             }
         }
         REQUIRE(seen > 0.1 * all);
         REQUIRE(seen < 0.9 * all);
         const std::vector<double> half = zonal(order, [](double z) { return z < 0 ? 1.0 : 0.0; });
-        for (std::size_t k = 0; k < want.size(); ++k) want[k] += seen / all * (half[k] - everything[k]);
+        for (std::size_t k = 0; k < want.size(); ++k) want[k] += seen / all * (half[k] - every_direction[k]);
         // The mirror image doubles what is even and removes what is odd.
         for (int l = 0; l <= order; ++l) {
             for (int m = -l; m <= l; ++m) want[psh_index(l, m)] *= (l + m) % 2 == 0 ? 2 : 0;
         }
         for (int l = 1; l <= order; ++l) CHECK(std::abs(half[psh_index(l, 0)]) < (l % 2 == 0 ? 1e-6 : 2.0));
-        CHECK(difference(projected(set, visibility, normal, order), want) < 2e-5);
+        CHECK(largest_difference(projected(set, visibility, normal, order), want) < 2e-5);
     }
 }
 
-TEST_CASE("a vertex of the authors' data sees what they say it sees") {
+TEST_CASE("the visibility of a vertex of the authors' data equals theirs") {
     const auto file = test_data("polarsh/vis_SHVec_buddha_v17650_256_L9.npz");
     if (file.empty()) return;
     const std::vector<double> published = read_npz_member(file, npz_members(file).back()).values;
@@ -230,10 +224,4 @@ TEST_CASE("a vertex of the authors' data sees what they say it sees") {
     }
     // Seeing all would not do.
     CHECK(least < 0.96);
-}
-
-TEST_CASE("orders out of range are refused") {
-    const DirectionSet set(256);
-    CHECK_THROWS_AS(VisibilityHarmonics(set, -1), Error);
-    CHECK_THROWS_AS(VisibilityHarmonics(set, 65), Error);
 }
