@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "reference/light_sampler.hpp"
+#include "directions.hpp"
 #include "sampling.hpp"
 #include "test.hpp"
 
@@ -85,11 +86,8 @@ TEST_CASE("samples weighted by 1 / density integrate the light, with little nois
 TEST_CASE("the density is zero only where there is no light") {
     const EnvironmentPtr light = image_environment(image());
     const LightSampler sampler(*light);
-    std::mt19937_64 random(7);
-    std::normal_distribution<double> normal;
     int dark = 0;
-    for (int i = 0; i < 20000; ++i) {
-        const glm::dvec3 d = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+    for (const glm::dvec3& d : random_directions(20000, 7)) {
         if (luminance(*light, d) > 0) {
             REQUIRE(sampler.pdf(d) > 0);
         } else {

@@ -16,15 +16,19 @@ double corner_factor(double a, double b) {
 
 const glm::dvec3 aside = glm::normalize(glm::dvec3(1, 0.2, 0.3));
 
+/// A white floor and a square of this half width above it, under even light.
+Scene square_above_floor(double height, double half) {
+    Scene scene;
+    scene.add(square(diffuse({0.8}), Frame(1.0), {0, 0, 0}, 50));
+    scene.add(square(diffuse({0.8}), Frame(1.0), {0, 0, height}, half));
+    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    return scene;
+}
+
 }  // namespace
 
 TEST_CASE("a square above a plane takes its view factor away") {
-    const MaterialPtr white = diffuse({0.8});
-    Scene scene;
-    scene.add(square(white, Frame(1.0), {0, 0, 0}, 50));
-    // Half a unit wide each way at height 1, seen by the plane from both sides alike.
-    scene.add(square(white, Frame(1.0), {0, 0, 1}, 0.5));
-    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    const Scene scene = square_above_floor(1, 0.5);
     for (const Strategy strategy : {Strategy::both, Strategy::light, Strategy::surface}) {
         const double below = point(scene, camera_on({0, 0, 0}, aside), 1 << 15, strategy)[0][0];
         CHECK(below == doctest::Approx(0.8 * (1 - 4 * corner_factor(0.5, 0.5))).epsilon(2e-3));
@@ -36,11 +40,7 @@ TEST_CASE("a square above a plane takes its view factor away") {
 }
 
 TEST_CASE("a square in contact with the plane leaves no light between") {
-    const MaterialPtr white = diffuse({0.8});
-    Scene scene;
-    scene.add(square(white, Frame(1.0), {0, 0, 0}, 50));
-    scene.add(square(white, Frame(1.0), {0, 0, 0.01}, 1));
-    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    const Scene scene = square_above_floor(0.01, 1);
     // Seen from between the two.
     Camera camera;
     camera.to_world = look_at({0.02, 0, 0.005}, {0, 0, 0}, {0, 0, 1});
@@ -73,11 +73,7 @@ TEST_CASE("a convex body does not shade itself") {
 }
 
 TEST_CASE("without shadows nothing occludes, and no shadow rays are traced") {
-    const MaterialPtr white = diffuse({0.8});
-    Scene scene;
-    scene.add(square(white, Frame(1.0), {0, 0, 0}, 50));
-    scene.add(square(white, Frame(1.0), {0, 0, 1}, 0.5));
-    scene.set_environment(constant_environment({1}), glm::dmat3(1.0), 1);
+    const Scene scene = square_above_floor(1, 0.5);
     ReferenceStatistics statistics;
     const Projection projection = project(camera_on({0, 0, 0}, aside), 1, 1);
     const StokesImage image =

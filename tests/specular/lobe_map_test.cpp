@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "specular/lobe_map.hpp"
 
+#include "directions.hpp"
+
 #include "harmonics/evaluate.hpp"
 #include "light/random_field.hpp"
 #include "specular/look_up.hpp"
@@ -24,14 +26,9 @@ PshVector decaying_field(int order, int channels) {
 std::vector<glm::dvec3> directions() {
     std::vector<glm::dvec3> out{{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}};
     for (const double theta : {1e-4, 0.01, pi - 0.01, pi - 1e-4})
-        for (const double phi : {0.0, 1.0, 4.0})
-            out.emplace_back(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                             std::cos(theta));
-    for (const double phi : {-1e-7, -1e-3, 1e-3}) out.emplace_back(std::cos(phi), std::sin(phi), 0.0);
-    std::mt19937 random(3);
-    std::normal_distribution<double> normal;
-    while (out.size() < 2000)
-        out.push_back(glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
+        for (const double phi : {0.0, 1.0, 4.0}) out.push_back(direction(theta, phi));
+    for (const double phi : {-1e-7, -1e-3, 1e-3}) out.push_back(direction(pi / 2, phi));
+    for (const glm::dvec3& d : random_directions(1980, 3)) out.push_back(d);
     return out;
 }
 
