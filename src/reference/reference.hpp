@@ -23,7 +23,7 @@ struct ReferenceOptions {
     std::uint32_t aovs = 0;  ///< to make, bits of AovBit (image/aovs.hpp)
     /// Called about ten times a second on the calling thread with "trace" and the fraction done; false stops
     /// the render with Error(cancelled).
-    std::function<bool(const char* verb, double fraction)> progress = {};
+    std::function<bool(const char* verb, double fraction)> progress;
 };
 
 struct ReferenceStatistics {

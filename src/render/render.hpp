@@ -86,7 +86,7 @@ struct RenderOptions {
     std::uint64_t seed = 0;
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
     /// false stops the render with Error(cancelled).
-    std::function<bool(const char* verb, double fraction)> progress = {};
+    std::function<bool(const char* verb, double fraction)> progress;
 
     /// All but the callback.
     bool operator==(const RenderOptions& o) const {
