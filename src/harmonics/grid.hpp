@@ -37,25 +37,4 @@ struct LatitudeRows {
 inline constexpr int kMaxRows = 1 << 15;
 inline constexpr int kMaxGaussRows = 1 << 14;
 
-/// Texel centres of a cube map, [face][row][column], faces +x, -x, +y, -y, +z, -z in the orientation of
-/// OpenGL, each with the solid angle of its texel; these sum to 4 pi.
-struct CubeGrid {
-    int size = 0;
-    std::vector<glm::dvec3> direction;
-    std::vector<double> solid_angle;
-};
-
-inline constexpr int kMaxCubeSize = 2048;
-
-/// Throws Error(invalid_argument) for a size outside 1..kMaxCubeSize.
-[[nodiscard]] CubeGrid cube_grid(int size);
-
-/// Coefficients [psh_index(l, m)][p] of the field of this order nearest to the samples of one channel, which
-/// are in the theta-phi frame of each texel. Solid angles alone are no exact quadrature, so what they leave
-/// is projected again until it is down to rounding: exact for fields of this order while size > order. Throws
-/// Error(invalid_argument) for spans of another length or a cube too small. For synthesis, evaluate() at the
-/// grid's directions.
-void analyze_cube(const CubeGrid& grid, std::span<const Stokes> samples, int order,
-                  std::span<double> coefficients);
-
 }  // namespace nicol

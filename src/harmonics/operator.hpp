@@ -119,11 +119,4 @@ using IsotropicMuellerField = std::function<Mueller(double theta_in, double thet
 /// The same as an operator.
 [[nodiscard]] IsotropicMatrix reflection_matrix(int order);
 
-/// The rotation of fields as a matrix (Eq. 36): block-diagonal in l. Throws Error(invalid_argument) for a
-/// matrix that is no rotation or an order outside 0..CoefficientMatrix::kMaxDenseOrder.
-[[nodiscard]] CoefficientMatrix rotation_matrix(int order, const glm::dmat3& rotation);
-
-/// The isotropic operator nearest to a dense one in the Frobenius norm: its mean over rotations about z.
-[[nodiscard]] IsotropicMatrix isotropic_part(const CoefficientMatrix& matrix);
-
 }  // namespace nicol

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "harmonics/wigner.hpp"
 
-#include <numbers>
 
 #include "harmonics/wigner_sweep.hpp"
 
@@ -43,28 +42,6 @@ std::vector<double> wigner_d(int order, double beta) {
         if (l == order) return out;
         sweep.step();
     }
-}
-
-std::vector<std::complex<double>> wigner_D(int l, double alpha, double beta, double gamma) {
-    require_order(l);
-    require(std::isfinite(alpha) && std::isfinite(gamma), "alpha or gamma is not finite");
-    const Folded angle = folded(beta);
-    WignerSweep sweep(l, angle.half);
-    while (sweep.l() < l) sweep.step();
-    const auto width = static_cast<std::size_t>(2 * l + 1);
-    std::vector<double> d(width * width);
-    sweep.block(d.data());
-    if (angle.alternate) alternate_signs(l, d.data());
-    std::vector<std::complex<double>> left;
-    std::vector<std::complex<double>> right;
-    for (int m = -l; m <= l; ++m) {
-        left.push_back(std::polar(1.0, -m * alpha));
-        right.push_back(std::polar(1.0, -m * gamma));
-    }
-    std::vector<std::complex<double>> out(width * width);
-    for (std::size_t i = 0; i < width; ++i)
-        for (std::size_t j = 0; j < width; ++j) out[i * width + j] = d[i * width + j] * (left[i] * right[j]);
-    return out;
 }
 
 }  // namespace nicol

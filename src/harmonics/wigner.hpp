@@ -2,7 +2,6 @@
 // Wigner d matrices.
 #pragma once
 
-#include <complex>
 #include <cstddef>
 #include <vector>
 
@@ -22,8 +21,5 @@ inline constexpr int kMaxWignerOrder = 256;
 /// that d^1_{10} = -sin(beta)/sqrt2. Throws Error(invalid_argument) for an order outside 0..kMaxWignerOrder
 /// or a beta that is not finite.
 [[nodiscard]] std::vector<double> wigner_d(int order, double beta);
-
-/// The complex D^l_{mm'} of one order at ZYZ angles, (2l+1) x (2l+1), row m + l, column m' + l.
-[[nodiscard]] std::vector<std::complex<double>> wigner_D(int l, double alpha, double beta, double gamma);
 
 }  // namespace nicol

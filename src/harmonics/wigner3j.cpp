@@ -2,7 +2,6 @@
 #include "harmonics/wigner3j.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <tuple>
 
 #include "harmonics/require.hpp"
@@ -114,20 +113,6 @@ Wigner3jRun wigner_3j_run(int l2, int l3, int m2, int m3) {
     const double scale = (down[count - 1] < 0 ? -sign : sign) / std::sqrt(square);
     for (double& value : down) value *= scale;
     return out;
-}
-
-double wigner_3j(int l1, int l2, int l3, int m1, int m2, int m3) {
-    require(l1 >= 0 && l2 >= 0 && l3 >= 0, "an order of a 3j symbol is negative");
-    if (m1 + m2 + m3 != 0 || std::abs(m1) > l1 || std::abs(m2) > l2 || std::abs(m3) > l3) return 0;
-    if (l1 > l2 + l3 || l1 < std::abs(l2 - l3)) return 0;
-    return wigner_3j_run(l2, l3, m2, m3).at(l1);
-}
-
-double triple_product(int s1, int l1, int m1, int s2, int l2, int m2, int s3, int l3, int m3) {
-    require(s1 == s2 + s3, "spins of a triple product must satisfy s1 = s2 + s3");
-    return parity(m1 + s1) *
-           std::sqrt((2.0 * l1 + 1) * (2.0 * l2 + 1) * (2.0 * l3 + 1) / (4 * std::numbers::pi)) *
-           wigner_3j(l1, l2, l3, -m1, m2, m3) * wigner_3j(l1, l2, l3, s1, -s2, -s3);
 }
 
 }  // namespace nicol

@@ -200,46 +200,6 @@ TEST_CASE("the mirror image (supplement E.6), with the sign (-1)^l and not (-1)^
     CHECK(worst_wrong > .1);
 }
 
-TEST_CASE("the isotropic part keeps isotropic operators, and is the mean over rotations of others") {
-    std::mt19937_64 random(8);
-    std::normal_distribution<double> normal;
-    const IsotropicMatrix a = reference::random_isotropic(random, 4, 3);
-    CHECK(largest_difference(isotropic_part(a.dense()).dense().data(), a.dense().data()) < 1e-14);
-    CoefficientMatrix any(3, 3);
-    for (double& value : any.data()) value = normal(random);
-    CoefficientMatrix mean(3, 3);
-    const int rotations = 8;  // more than twice the order
-    for (int k = 0; k < rotations; ++k) {
-        const CoefficientMatrix there = rotation_matrix(3, reference::about_z(2 * pi * k / rotations));
-        const CoefficientMatrix back = rotation_matrix(3, reference::about_z(-2 * pi * k / rotations));
-        const CoefficientMatrix rotated = compose(back, compose(any, there));
-        for (std::size_t i = 0; i < mean.data().size(); ++i) mean.data()[i] += rotated.data()[i] / rotations;
-    }
-    CHECK(largest_difference(isotropic_part(any).dense().data(), mean.data()) < 1e-13);
-}
-
-TEST_CASE("the matrix of a rotation is orthogonal, block-diagonal, and does what rotated() does") {
-    std::mt19937_64 random(9);
-    const glm::dmat3 r = reference::random_rotation(random);
-    const CoefficientMatrix d = rotation_matrix(4, r);
-    const PshVector f = reference::random_field(random, 4);
-    std::vector<double> out(f.data().size());
-    d.apply(f.channel(0), out);
-    CHECK(largest_difference(out, rotated(f, r).data()) < 1e-13);
-    const CoefficientMatrix identity = compose(rotation_matrix(4, glm::transpose(r)), d);
-    for (std::size_t i = 0; i < d.rows(); ++i)
-        for (std::size_t j = 0; j < d.columns(); ++j) {
-            CHECK(std::abs(identity(i, j) - (i == j)) < 1e-13);
-            const auto order = [](std::size_t k) {
-                return static_cast<int>(std::sqrt(static_cast<double>(k / 4) + .5));
-            };
-            if (order(i) != order(j)) CHECK(d(i, j) == 0);
-        }
-    CHECK_THROWS_AS(rotation_matrix(2, glm::dmat3(0)), Error);
-    CHECK_THROWS_AS(rotation_matrix(-1, glm::dmat3(1)), Error);
-    CHECK_THROWS_AS(isotropic_part(CoefficientMatrix()), Error);
-}
-
 TEST_CASE("operators refuse bad arguments") {
     CHECK_THROWS_AS(CoefficientMatrix(-1, 2), Error);
     CHECK_THROWS_AS(CoefficientMatrix(2, CoefficientMatrix::kMaxDenseOrder + 1), Error);

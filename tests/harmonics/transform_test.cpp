@@ -127,33 +127,6 @@ TEST_CASE("weights integrate polynomials") {
     CHECK(gauss_legendre_rows(2).theta[0] == doctest::Approx(std::acos(1 / std::sqrt(3))));
 }
 
-TEST_CASE("cube maps: solid angles, orientation, and exact analysis of what they resolve") {
-    std::mt19937_64 random(6);
-    const CubeGrid grid = cube_grid(10);
-    double sum = 0;
-    for (const double angle : grid.solid_angle) sum += angle;
-    CHECK(sum == doctest::Approx(4 * pi).epsilon(1e-13));
-    // Faces look along +x, -x, +y, -y, +z, -z; on +x the first texel is towards +y and +z.
-    CHECK(grid.direction[45].x > .9);
-    CHECK(grid.direction[245].y > .9);
-    CHECK(grid.direction[545].z < -.9);
-    CHECK(grid.direction[0].y > 0);
-    CHECK(grid.direction[0].z > 0);
-    const PshVector f = reference::random_field(random, 6);
-    std::vector<Stokes> samples(grid.direction.size());
-    evaluate(f, 0, grid.direction, samples);
-    std::vector<double> back(f.data().size());
-    analyze_cube(grid, samples, 6, back);
-    CHECK(largest_difference(f.data(), back) < 1e-13);
-    project_samples(6, grid.direction, samples, grid.solid_angle, back);
-    CHECK(largest_difference(f.data(), back) > 1e-4);
-    CHECK_THROWS_AS(cube_grid(0), Error);
-    CHECK_THROWS_AS(cube_grid(kMaxCubeSize + 1), Error);
-    CHECK_THROWS_AS(analyze_cube(grid, samples, 10, back), Error);
-    CHECK_THROWS_AS(analyze_cube(grid, samples, 5, back), Error);
-    CHECK_THROWS_AS(analyze_cube(grid, std::span(samples).first(9), 6, back), Error);
-}
-
 TEST_CASE("transforms refuse bad arguments") {
     for (const int rows : {0, kMaxGaussRows + 1}) CHECK_THROWS_AS(gauss_legendre_rows(rows), Error);
     CHECK_THROWS_AS(fejer_rows(-3), Error);

@@ -2,6 +2,7 @@
 // Reports of materials against what is known of them.
 #include "inspect/material_report.hpp"
 
+#include "harmonics/random_operators.hpp"
 #include "material/material_projection.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "test.hpp"
@@ -22,18 +23,6 @@ Mueller over_pi(double m00, double m10, double m01) {
     m(1, 0) = m10 / pi;
     m(0, 1) = m01 / pi;
     return m;
-}
-
-// Any isotropic operator: one of random coefficients, averaged over rotations about the normal.
-IsotropicMatrix random_matrix(int order) {
-    std::mt19937 random(8);
-    std::uniform_real_distribution<double> number(-1, 1);
-    CoefficientMatrix dense(order, order);
-    const auto absent = [](std::size_t i) { return i / 4 < 4 && (i % 4 == 1 || i % 4 == 2); };
-    for (std::size_t row = 0; row < dense.rows(); ++row)
-        for (std::size_t column = 0; column < dense.columns(); ++column)
-            dense(row, column) = absent(row) || absent(column) ? 0 : number(random);
-    return isotropic_part(dense);
 }
 
 // Sign of a position under the mirror image in the plane y = 0, where azimuths, s2 and s3 are reversed.
@@ -58,7 +47,8 @@ TEST_CASE("the report of an even surface has its closed form") {
 
 TEST_CASE("norms, energies and asymmetry are those of the dense matrix") {
     constexpr int order = 5;
-    const IsotropicMatrix matrix = random_matrix(order);
+    std::mt19937 random(8);
+    const IsotropicMatrix matrix = reference::random_isotropic(random, order, order);
     const MatrixReport r = describe(matrix);
     const CoefficientMatrix dense = matrix.dense();
     std::array<double, 9> norms{};
