@@ -22,6 +22,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <ostream>
 #include <random>
 #include <string>
 #include <tuple>
@@ -64,8 +65,16 @@ std::string listed(const Values&... values) {
         out += (out.empty() ? "" : ", ") + std::string(value.c_str());
     return out;
 }
-/// CAPTURE of several values.
-#define CAPTURES(...) INFO(#__VA_ARGS__, " = ", listed(__VA_ARGS__))
+struct CapturedText {
+    std::string text;
+    void operator()(std::ostream* out) const { *out << text; }
+};
+/// doctest's CAPTURE, of several values, and of structured bindings, which no lambda of Clang 14 can capture.
+#define CAPTURES(...)                         \
+    const auto DOCTEST_ANONYMOUS(captured_) = \
+        doctest::detail::MakeContextScope(CapturedText{#__VA_ARGS__ " = " + listed(__VA_ARGS__)})
+#undef CAPTURE
+#define CAPTURE(value) CAPTURES(value)
 
 /// Calls f with every combination of one value of each list.
 template <class A, class B, class F>

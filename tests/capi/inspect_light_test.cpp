@@ -62,10 +62,10 @@ TEST_CASE("inspect: an image shows the field where nicol_image says it is, in an
         {"large.exr", 100, 200, 6e-3F},
         {"large.exr", 512, 257, 6e-3F}};
     for (const auto& [file, width, height, tolerance] : cases) {
-        CAPTURE(width);
         nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
         options.width = width;
         options.height = height;
+        CAPTURE(options.width);
         convert(folder.file(file), folder.file("out.exr"), options);
         const nicol::StokesImage image = nicol::read_exr(folder.file("out.exr"));
         CHECK((image.width == static_cast<int>(width) && image.height == static_cast<int>(height)));

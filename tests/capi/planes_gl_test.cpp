@@ -9,12 +9,28 @@ namespace {
 
 using Vec = std::array<double, 3>;
 
+double dot(const Vec& a, const Vec& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 // Of a camera at (0, 0, distance) that looks at the origin with 45 degrees across; not normalized: z is -1.
 Vec ray_through(std::size_t x, std::size_t y, std::uint32_t width, std::uint32_t height) {
     const double half = std::tan(std::acos(-1.0) / 8);
     const auto w = static_cast<double>(width), h = static_cast<double>(height);
     return {half * (2 * (static_cast<double>(x) + 0.5) / w - 1),
             half * h / w * (1 - 2 * (static_cast<double>(y) + 0.5) / h), -1};
+}
+
+// The depth at which the ray from (0, 0, distance) first meets the unit sphere about a centre. None near the
+// outline, where a mesh differs from its sphere: `sure` says whether it is neither there nor beside it.
+std::optional<double> sphere_depth(const Vec& ray, double distance, const Vec& centre, double radius,
+                                   bool& sure) {
+    const Vec from = {-centre[0], -centre[1], distance - centre[2]};
+    const double a = dot(ray, ray), b = dot(ray, from), c = dot(from, from) - radius * radius;
+    const double root = b * b - a * c;
+    sure = std::abs(root) > 0.05 * radius * radius;
+    if (root <= 0) return std::nullopt;
+    return (-b - std::sqrt(root)) / a;
 }
 
 struct Assets {
@@ -34,32 +50,35 @@ struct Assets {
 constexpr std::uint32_t width = 48, height = 32;
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Every pixel shows the sphere or nothing.
 void check_sphere(const Surfaces& seen, double distance, const Vec& centre, double radius, std::uint32_t id) {
     std::size_t hits = 0;
-    for (std::size_t i = 0; i < seen.depth.size(); ++i) {
-        const float *normal = &seen.normal[3 * i], *position = &seen.position[3 * i];
-        if (seen.depth[i] == infinity) {
-            CHECK(seen.instance[i] == NICOL_NO_INSTANCE);
-            for (std::size_t k = 0; k < 3; ++k) CHECK((normal[k] == 0 && position[k] == 0));
-            continue;
+    for (std::size_t y = 0; y < height; ++y) {
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::size_t i = y * width + x;
+            const Vec ray = ray_through(x, y, width, height);
+            bool sure = false;
+            const std::optional<double> depth = sphere_depth(ray, distance, centre, radius, sure);
+            if (!sure) continue;
+            if (!depth) {
+                CHECK(seen.depth[i] == infinity);
+                CHECK(seen.instance[i] == NICOL_NO_INSTANCE);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    CHECK(seen.normal[3 * i + k] == 0);
+                    CHECK(seen.position[3 * i + k] == 0);
+                }
+                continue;
+            }
+            ++hits;
+            CHECK(seen.instance[i] == id);
+            CHECK(seen.depth[i] == doctest::Approx(*depth).epsilon(0.002));
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double at = (k == 2 ? distance : 0) + *depth * ray[k];
+                CHECK(std::abs(seen.position[3 * i + k] - at) < 0.01);
+                CHECK(std::abs(seen.normal[3 * i + k] - (at - centre[k]) / radius) < 0.02);
+            }
         }
-        ++hits;
-        CHECK(seen.instance[i] == id);
-        CHECK(seen.depth[i] == doctest::Approx(distance - position[2]).epsilon(1e-4));
-        const Vec ray = ray_through(i % width, i / width, width, height);
-        for (std::size_t k = 0; k < 2; ++k) CHECK(std::abs(position[k] - seen.depth[i] * ray[k]) < 0.01);
-        const double away =
-            std::hypot(position[0] - centre[0], position[1] - centre[1], position[2] - centre[2]);
-        CHECK(std::abs(away - radius) < 0.008);
-        for (std::size_t k = 0; k < 3; ++k)
-            CHECK(std::abs(normal[k] - (position[k] - centre[k]) / radius) < 0.02);
     }
-    // The part of the image that the sphere's outline encloses.
-    const double across = radius / std::sqrt(std::pow(distance - centre[2], 2) - radius * radius);
-    const double half = std::tan(std::acos(-1.0) / 8);
-    const double area = std::acos(-1.0) * std::pow(across / half * width / 2, 2);
-    CHECK(static_cast<double>(hits) == doctest::Approx(area).epsilon(0.1));
+    CHECK(hits > 60);
 }
 
 }  // namespace

@@ -129,8 +129,9 @@ TEST_CASE("materials of scene files agree with the reference method") {
                   "<rgb name='scale' value='1,0.5,0.25'/></bsdf>",
                   8e-3},
              }) {
-            CAPTURE(bsdf);
-            const std::string path = folder.write("scene.xml", scene_text(bsdf));
+            const std::string text = scene_text(bsdf);
+            CAPTURE(text);
+            const std::string path = folder.write("scene.xml", text);
             const std::vector<float> front = check_against_reference(context, path, tolerance);
             CHECK(front[0] > 0.02F);
             // From behind there is something where there are two sides, and only there.

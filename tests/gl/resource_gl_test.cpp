@@ -62,13 +62,13 @@ GL_THREAD_TEST_CASE("a texture gives back what it was given") {
             for (std::size_t i = 0; i < 4; ++i) texels[4 * (6 * y + x) + i] = -1.0f;
     texture.read(back);
     CHECK(back == texels);
-    for (const auto& [x, y, width, height] : {std::array{5, 2, 2, 3},
-                                              {-1, 0, 2, 3},
-                                              {0, 0, 2, 2},
-                                              {highest, 0, 2, 3},
-                                              {0, 0, highest, 3},
-                                              {0, 0, lowest, 3}})
-        CHECK_INVALID(texture.update(x, y, width, height, patch));
+    for (const auto& box : {std::array{5, 2, 2, 3},
+                            {-1, 0, 2, 3},
+                            {0, 0, 2, 2},
+                            {highest, 0, 2, 3},
+                            {0, 0, highest, 3},
+                            {0, 0, lowest, 3}})
+        CHECK_INVALID(texture.update(box[0], box[1], box[2], box[3], patch));
     CHECK_INVALID(texture.read(std::span(back).first(8)));
 
     for (int i = 0; i < 20; ++i) Texture2D(context, {6, 5}, texels);
@@ -80,9 +80,9 @@ GL_THREAD_TEST_CASE("a texture gives back what it was given") {
 GL_TEST_CASE("textures outside the limits are refused") {
     context->run([&] {
         const int limit = context->limits().texture_size;
-        for (const auto& [width, height] :
-             {std::pair(limit + 1, 1), {1, limit + 1}, {highest, highest}, {0, 1}, {1, -1}})
-            CHECK_INVALID(Texture2D(context, {width, height}));
+        for (const auto& size :
+             {std::array{limit + 1, 1}, {1, limit + 1}, {highest, highest}, {0, 1}, {1, -1}})
+            CHECK_INVALID(Texture2D(context, {size[0], size[1]}));
         CHECK_INVALID(Texture2D(context, {2, 2}, std::vector<float>(15)));
         // llvmpipe ends at a few GiB; hardware may hold it.
         if (context->info().software && limit >= 16384)
@@ -125,9 +125,9 @@ GL_TEST_CASE("render targets outside the limits are refused") {
     context->run([&] {
         const Limits& limits = context->limits();
         const int side = limits.target_size;
-        for (const auto& [width, height, colours] :
+        for (const auto& size :
              {std::array{side + 1, 1, 1}, {1, 0, 1}, {1, 1, 0}, {1, 1, limits.colour_attachments + 1}})
-            CHECK_INVALID(RenderTarget(context, {width, height, colours, true}));
+            CHECK_INVALID(RenderTarget(context, {size[0], size[1], size[2], true}));
         if (context->info().software && side >= 16384)
             check_error(ErrorCode::out_of_memory, CALL(RenderTarget(context, {side, side, 1, true})));
         CHECK(total_bytes(context->memory()) == 0);

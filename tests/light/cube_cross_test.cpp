@@ -94,9 +94,8 @@ TEST_CASE("pixels lie in the directions of the layout, in right-handed frames of
                                {{1.9999, 1.3}, {2.0001, 1.3}}})
         CHECK(glm::distance(cube_point(edge, edge * a.x, edge * a.y).towards_light,
                             cube_point(edge, edge * b.x, edge * b.y).towards_light) < 1e-3);
-    for (const auto& [x, y] :
-         {std::pair(5.0, 5.0), {25.0, 5.0}, {35.0, 25.0}, {40.0, 15.0}, {15.0, -0.1}, {15.0, 30.0}})
-        check_error(ErrorCode::invalid_argument, CALL(cube_point(edge, x, y)), "no face");
+    for (const glm::dvec2& p : {glm::dvec2(5, 5), {25, 5}, {35, 25}, {40, 15}, {15, -0.1}, {15, 30}})
+        check_error(ErrorCode::invalid_argument, CALL(cube_point(edge, p.x, p.y)), "no face");
     check_error(ErrorCode::invalid_argument, CALL(cube_point(0, 0, 0)), "edge");
 }
 

@@ -293,7 +293,7 @@ TEST_CASE("malformed files are refused by file and field") {
 }
 
 TEST_CASE("a file of the KAIST size is read in less than 300 MB of memory") {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(NICOL_SANITIZED)
     MESSAGE("skipped: the sanitizer's own memory hides ours");
 #else
     const auto peak = [] {

@@ -96,7 +96,7 @@ GL_TEST_CASE("compute shaders make what threads make, of every light, number of 
                 for (const auto& [low, high] : row.orders) {
                     const Scene scene = sphere_on_plate(falling_light(high, kind, channels), channels);
                     for (const bool shadows : row.shadows) {
-                        INFO("row ", &row - rows.data(), ", channels ", channels, ", order ", low);
+                        CAPTURES(&row - rows.data(), channels, low);
                         comparison.run(scene, {.method = row.method,
                                                .shadows = shadows,
                                                .order_low = low,
