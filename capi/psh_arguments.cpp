@@ -19,7 +19,7 @@ void check_length(const double* values, std::uint64_t count, std::uint64_t vecto
 }
 
 bool overlap(std::span<const double> a, std::span<const double> b) {
-    const std::less<const double*> before;
+    const std::less<> before;
     return !a.empty() && !b.empty() && before(a.data(), b.data() + b.size()) &&
            before(b.data(), a.data() + a.size());
 }

@@ -14,6 +14,9 @@ namespace nicol::capi {
 /// An order of the interface. Throws Error(invalid_argument) naming it unless it is at most `highest`.
 int read_order(std::uint32_t order, const char* name, std::uint32_t highest = NICOL_PSH_MAX_ORDER);
 
+/// Work space, in bytes, that one call may take: twice what order 4096 needs on its own grid.
+inline constexpr std::uint64_t kMaxWorkBytes = std::uint64_t{1} << 32;
+
 /// Coefficients of one vector.
 [[nodiscard]] inline std::uint64_t vector_size(int order) {
     return 4 * psh_count(order);

@@ -13,8 +13,6 @@ using namespace nicol::capi;
 namespace {
 
 constexpr std::uint32_t kMaxSamples = 4096;
-// Between the quadrature over the incoming and that over the outgoing directions.
-constexpr std::uint64_t kMaxWorkBytes = std::uint64_t{1} << 32;
 
 int read_matrix_order(std::uint32_t order, const char* name) {
     return read_order(order, name, NICOL_PSH_MAX_MATRIX_ORDER);
@@ -89,8 +87,8 @@ CoefficientMatrix project_field(const nicol_psh_mueller_field& field, int order_
                " bytes of work space, at most " + std::to_string(kMaxWorkBytes) + " are given");
     }
     const auto at = [&](const glm::dvec3& in, const glm::dvec3& out) { return value(field, in, out); };
-    return project(at, order_out, {gauss_legendre_rows(rows_out), columns_out}, order_in,
-                   {gauss_legendre_rows(rows_in), columns_in});
+    return nicol::project(at, order_out, {gauss_legendre_rows(rows_out), columns_out}, order_in,
+                          {gauss_legendre_rows(rows_in), columns_in});
 }
 
 }  // namespace

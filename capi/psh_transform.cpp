@@ -35,9 +35,6 @@ using namespace nicol::capi;
 
 namespace {
 
-// More than this is a mistake: order 4096 on its own grid takes half.
-constexpr std::uint64_t kMaxWorkBytes = std::uint64_t{1} << 32;
-
 LatitudeRows rows_of(const nicol_psh_sampling& sampling) {
     const std::uint32_t exact =
         sampling.grid == NICOL_PSH_GRID_GAUSS_LEGENDRE ? sampling.order + 1 : 2 * sampling.order + 1;

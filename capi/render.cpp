@@ -239,7 +239,7 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
             options.progress = job_progress(running, call.options);
             state->renderer.render(snapshot, call.camera, options, *target);
         });
-        nicol_job handle = make_handle<nicol_job_impl>(self.session, made);
+        auto* const handle = make_handle<nicol_job_impl>(self.session, made);
         try {
             self.session->job_queue().add(made);
         } catch (...) {

@@ -96,7 +96,8 @@ Report bench_materials(const Options& given) {
     if (options.light.empty()) options.light = NICOL_BENCH_ASSETS "/forest.exr";
 
     Report report({"relative RMSE", "s0", "s1", "s2"});
-    for (const auto& [name, bsdf, share] : materials(report)) {
+    for (const auto& [material, bsdf, share] : materials(report)) {
+        const auto& name = material;  // which a lambda can capture
         write_scene(options.scene, bsdf);
         const SceneSource source(options);
         const Comparison comparison(source, size, std::max(samples / share, 1), false);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 
 #include "experiment.hpp"
 #include "field.hpp"
@@ -120,7 +121,8 @@ void figure_17(Experiment& experiment) {
 
     Image image(4);
     double worst_exact = 0, unaveraged = 0;
-    for (const nicol_psh_grid kind : {NICOL_PSH_GRID_CLENSHAW_CURTIS, NICOL_PSH_GRID_GAUSS_LEGENDRE}) {
+    for (const nicol_psh_grid kind : std::initializer_list<nicol_psh_grid>{NICOL_PSH_GRID_CLENSHAW_CURTIS,
+                                                                           NICOL_PSH_GRID_GAUSS_LEGENDRE}) {
         const bool gauss = kind == NICOL_PSH_GRID_GAUSS_LEGENDRE;
         std::printf("  rms distance to the nearest convolution, over the rms of the matrix; %s rows\n",
                     gauss ? "Gauss-Legendre" : "equally spaced");

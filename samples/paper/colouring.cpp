@@ -61,7 +61,7 @@ Exposure expose(const Image& image) {
     for (std::size_t i = 0; i < mask.size(); ++i) {
         if (mask[i] == 0) continue;
         light.push_back(std::max({image.stokes[0][4 * i], image.stokes[1][4 * i], image.stokes[2][4 * i]}));
-        for (const std::size_t p : {1, 2}) polarized.push_back(std::abs(mean_of_channels(image, i, p)));
+        for (const std::size_t p : {1u, 2u}) polarized.push_back(std::abs(mean_of_channels(image, i, p)));
     }
     return {.s0 = percentile(std::move(light), 0.98), .polarized = percentile(std::move(polarized), 0.99)};
 }

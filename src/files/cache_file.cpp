@@ -76,14 +76,14 @@ std::string CacheFile::write(std::span<const std::span<const unsigned char>> par
         ContentHash hash;
         hash.add(header_);
         // A failed write stays on the FILE, where commit() finds it.
-        std::fwrite(header_.data(), 1, header_.size(), out.handle());
+        static_cast<void>(std::fwrite(header_.data(), 1, header_.size(), out.handle()));
         for (const auto& part : parts) {
             hash.add(part);
             // fwrite() takes no null pointer, which an empty part may have.
-            if (!part.empty()) std::fwrite(part.data(), 1, part.size(), out.handle());
+            if (!part.empty()) static_cast<void>(std::fwrite(part.data(), 1, part.size(), out.handle()));
         }
         const std::string stored = hash.text();
-        std::fwrite(stored.data(), 1, stored.size(), out.handle());
+        static_cast<void>(std::fwrite(stored.data(), 1, stored.size(), out.handle()));
         out.commit();
         return {};
     } catch (const Error& error) {

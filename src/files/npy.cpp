@@ -71,7 +71,7 @@ private:
         if (quote != '\'' && quote != '"') invalid();
         const std::size_t end = text_.find(quote, at_ + 1);
         if (end == std::string::npos) invalid();
-        const std::string word = text_.substr(at_ + 1, end - at_ - 1);
+        std::string word = text_.substr(at_ + 1, end - at_ - 1);
         at_ = end + 1;
         return word;
     }

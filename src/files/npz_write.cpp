@@ -123,7 +123,7 @@ void write_npz(const std::filesystem::path& path, std::span<const NpzMember> mem
     std::uint32_t offset = 0;
     // A failed write stays on the FILE, where commit() finds it.
     const auto write = [&](const void* bytes, std::size_t size) {
-        if (size > 0) std::fwrite(bytes, 1, size, file.handle());
+        if (size > 0) static_cast<void>(std::fwrite(bytes, 1, size, file.handle()));
         offset += static_cast<std::uint32_t>(size);
     };
     for (std::size_t i = 0; i < contents.size(); ++i) {
@@ -139,7 +139,9 @@ void write_npz(const std::filesystem::path& path, std::span<const NpzMember> mem
         append(directory, offset, 4);
         directory += file_name;
 
-        const std::string local = "PK\x03\x04" + fields + file_name;
+        std::string local = "PK\x03\x04";
+        local += fields;
+        local += file_name;
         write(local.data(), local.size());
         write(content.header.data(), content.header.size());
         write(content.text.data(), content.text.size());

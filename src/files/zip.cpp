@@ -7,6 +7,7 @@
 #include <set>
 
 #include "error.hpp"
+#include "files/file_error.hpp"
 
 namespace nicol {
 namespace {
@@ -24,14 +25,6 @@ constexpr std::uint64_t kMaxDirectoryBytes = 1 << 20;
 constexpr std::uint64_t kMaxRatio = 1032;
 constexpr std::size_t kBufferBytes = 1 << 16;
 
-[[noreturn]] void invalid_archive(const path& file, const std::string& what) {
-    throw Error(ErrorCode::invalid_file, file.string() + ": " + what);
-}
-
-[[noreturn]] void unsupported(const path& file, const std::string& what) {
-    throw Error(ErrorCode::unsupported, file.string() + ": " + what);
-}
-
 std::uint32_t u16(const unsigned char* p) {
     return static_cast<std::uint32_t>(p[0] | p[1] << 8);
 }
@@ -45,7 +38,7 @@ std::vector<unsigned char> read_at(std::ifstream& in, const path& file, std::uin
     in.clear();
     in.seekg(static_cast<std::streamoff>(offset));
     in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-    if (!in) invalid_archive(file, "is truncated or cannot be read");
+    if (!in) invalid_file(file, "is truncated or cannot be read");
     return bytes;
 }
 
@@ -57,23 +50,23 @@ std::vector<unsigned char> find_end(std::ifstream& in, const path& file, std::ui
         if (u32(&bytes[i]) == kEndMagic && i + kEndSize + u16(&bytes[i + 20]) == bytes.size())
             return {bytes.begin() + static_cast<std::ptrdiff_t>(i), bytes.end()};
     }
-    invalid_archive(file, "is not a complete ZIP archive (no end record); .npz files are ZIP archives");
+    invalid_file(file, "is not a complete ZIP archive (no end record); .npz files are ZIP archives");
 }
 
 ZipEntry parse_entry(const path& file, const unsigned char* p, const std::string& name,
                      std::uint64_t directory_offset) {
     ZipEntry entry{name, u32(p + 42), u32(p + 20), u32(p + 24), u32(p + 16), u16(p + 10) == 8};
-    if ((u16(p + 8) & 1u) != 0) unsupported(file, "member " + name + " is encrypted");
+    if ((u16(p + 8) & 1u) != 0) unsupported_file(file, "member " + name + " is encrypted");
     if (u16(p + 10) != 0 && u16(p + 10) != 8)
-        unsupported(file, "member " + name + " uses compression method " + std::to_string(u16(p + 10)) +
-                              "; it must be stored or deflated");
+        unsupported_file(file, "member " + name + " uses compression method " + std::to_string(u16(p + 10)) +
+                                   "; it must be stored or deflated");
     if (std::max({entry.offset, entry.stored_size, entry.size}) == 0xffffffff)
-        unsupported(file, "member " + name + " has ZIP64 sizes; it must be smaller than 4 GiB");
+        unsupported_file(file, "member " + name + " has ZIP64 sizes; it must be smaller than 4 GiB");
     if (entry.offset > directory_offset || entry.stored_size > directory_offset - entry.offset)
-        invalid_archive(file, "member " + name + " lies outside the file");
+        invalid_file(file, "member " + name + " lies outside the file");
     if (entry.deflated ? entry.size > kMaxRatio * (entry.stored_size + 1) : entry.size != entry.stored_size)
-        invalid_archive(file, "member " + name + " claims " + std::to_string(entry.size) + " bytes, but " +
-                                  std::to_string(entry.stored_size) + " stored bytes cannot hold them");
+        invalid_file(file, "member " + name + " claims " + std::to_string(entry.size) + " bytes, but " +
+                               std::to_string(entry.stored_size) + " stored bytes cannot hold them");
     return entry;
 }
 
@@ -91,11 +84,12 @@ std::vector<ZipEntry> read_zip_directory(const path& file) {
     const std::uint64_t count = u16(&end[10]);
     const std::uint64_t size = u32(&end[12]);
     const std::uint64_t offset = u32(&end[16]);
-    if (u16(&end[4]) != 0 || u16(&end[6]) != 0) unsupported(file, "is part of an archive of several volumes");
+    if (u16(&end[4]) != 0 || u16(&end[6]) != 0)
+        unsupported_file(file, "is part of an archive of several volumes");
     if (count == 0xffff || size == 0xffffffff || offset == 0xffffffff)
-        unsupported(file, "has ZIP64 sizes; the archive must be smaller than 4 GiB");
+        unsupported_file(file, "has ZIP64 sizes; the archive must be smaller than 4 GiB");
     if (size > kMaxDirectoryBytes || offset > file_size || size > file_size - offset)
-        invalid_archive(file, "has a directory that lies outside the file or is larger than 1 MiB");
+        invalid_file(file, "has a directory that lies outside the file or is larger than 1 MiB");
 
     const std::vector<unsigned char> directory = read_at(in, file, offset, size);
     std::vector<ZipEntry> entries;
@@ -103,15 +97,15 @@ std::vector<ZipEntry> read_zip_directory(const path& file) {
     std::size_t at = 0;
     for (std::uint64_t i = 0; i < count; ++i) {
         if (directory.size() - at < kDirectorySize || u32(&directory[at]) != kDirectoryMagic)
-            invalid_archive(file, "has a damaged directory at entry " + std::to_string(i));
+            invalid_file(file, "has a damaged directory at entry " + std::to_string(i));
         const unsigned char* p = &directory[at];
         const std::size_t name_size = u16(p + 28);
         const std::size_t entry_size = kDirectorySize + name_size + u16(p + 30) + u16(p + 32);
         if (directory.size() - at < entry_size)
-            invalid_archive(file, "has a damaged directory at entry " + std::to_string(i));
+            invalid_file(file, "has a damaged directory at entry " + std::to_string(i));
         const std::string name(p + kDirectorySize, p + kDirectorySize + name_size);
         entries.push_back(parse_entry(file, p, name, offset));
-        if (!names.insert(name).second) invalid_archive(file, "has member " + name + " twice");
+        if (!names.insert(name).second) invalid_file(file, "has member " + name + " twice");
         at += entry_size;
     }
     return entries;

@@ -47,9 +47,9 @@ public:
         return FaceHandle(static_cast<int>(polygons_.face_ends.size()) - 1);
     }
 
-    std::size_t n_vertices() const override { return polygons_.positions.size(); }
-    std::size_t n_faces() const override { return polygons_.face_ends.size(); }
-    std::size_t n_edges() const override { return 0; }
+    [[nodiscard]] std::size_t n_vertices() const override { return polygons_.positions.size(); }
+    [[nodiscard]] std::size_t n_faces() const override { return polygons_.face_ends.size(); }
+    [[nodiscard]] std::size_t n_edges() const override { return 0; }
 
     HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
     FaceHandle add_face(HalfedgeHandle) override { return FaceHandle(); }

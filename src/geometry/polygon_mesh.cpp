@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxCreaseCorners = 512;
 
 glm::dvec3 position(const PolygonMesh& polygons, std::size_t corner) {
-    return glm::dvec3(polygons.positions[polygons.corners[corner].position]);
+    return {polygons.positions[polygons.corners[corner].position]};
 }
 
 /// The normal of a polygon, planar or not, its length twice the area (Newell).

@@ -72,7 +72,7 @@ struct RayScene::Embree {
     }
 
     void add(const RaySurface& surface, unsigned id) {
-        const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
         const std::size_t vertices = surface.positions.size();
         const std::size_t triangles = surface.triangles.size();
         void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,

@@ -104,8 +104,8 @@ void append_square(Mesh& mesh, const glm::vec3& center, const glm::vec3& u, cons
     const auto n = static_cast<std::uint32_t>(cells);
     for (std::uint32_t j = 0; j <= n; ++j)
         for (std::uint32_t i = 0; i <= n; ++i) {
-            const float s = float(2.0 * i / n - 1.0);
-            const float t = float(2.0 * j / n - 1.0);
+            const auto s = float(2.0 * i / n - 1.0);
+            const auto t = float(2.0 * j / n - 1.0);
             mesh.positions.push_back(center + s * u + t * v);
             mesh.normals.push_back(glm::cross(u, v));
         }

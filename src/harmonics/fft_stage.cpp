@@ -83,7 +83,7 @@ template <int P, int Width>
             }
             for (int j = 1; j <= P / 2; ++j) {
                 Vector even_re = a[0].re[v], even_im = a[0].im[v];
-                Vector odd_re = Vector{}, odd_im = Vector{};
+                Vector odd_re{}, odd_im{};
                 for (int r = 1; r <= P / 2; ++r) {
                     const double c = roots[2 * (j * r % P)];
                     const double s = roots[2 * (j * r % P) + 1];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "harmonics/legendre_recurrence.hpp"
 
+#include "harmonics/scaled.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/double_vectors.hpp"
 
@@ -10,7 +11,6 @@ namespace {
 // Steps between two checks of the range: values grow by less than 2^7 a step.
 constexpr int kCheckedSteps = 8;
 constexpr double kLargest = 0x1p100;
-constexpr double kScaleDown = 0x1p-256;
 
 // The recurrence on N vectors of Width rings.
 template <int Width, int N>
@@ -282,7 +282,7 @@ template <int Width, int Most, bool Split>
 [[gnu::always_inline]] inline void analyze_all(LegendreStep* steps, int count, const LegendreRings& rings,
                                                const double* in, long stride) {
     for (int i = 0; i < count; ++i)
-        for (int k = 0; k < 4; ++k) steps[i].f[k] = 0;
+        for (double& f : steps[i].f) f = 0;
     in_groups<Width, Most>(
         rings.rings, [&]<int N>(int first) __attribute__((always_inline)) {
             analyze_rings<Width, N, Split>(steps, count, rings, first, in, stride);

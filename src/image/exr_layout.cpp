@@ -13,20 +13,13 @@
 #include <string_view>
 
 #include "error.hpp"
+#include "files/file_error.hpp"
 #include "image/stokes_image.hpp"
 
 namespace nicol {
 namespace {
 
 using std::filesystem::path;
-
-[[noreturn]] void invalid(const path& file, const std::string& what) {
-    throw Error(ErrorCode::invalid_file, file.string() + ": " + what);
-}
-
-[[noreturn]] void unsupported(const path& file, const std::string& what) {
-    throw Error(ErrorCode::unsupported, file.string() + ": " + what);
-}
 
 /// Nanometres of "550,000000nm", "5,5E2nm" or "545,077196THz"; none for other texts.
 std::optional<double> parse_wavelength(std::string_view text) {
@@ -75,10 +68,10 @@ std::vector<std::pair<double, std::string>> choose(const path& file,
                                                    std::span<const double> requested) {
     if (requested.empty()) {
         if (there.size() > kMaxFileChannels)
-            unsupported(file, "has " + std::to_string(there.size()) + " wavelengths from " +
-                                  std::to_string(there.begin()->first) + " to " +
-                                  std::to_string(there.rbegin()->first) + " nm; choose at most " +
-                                  std::to_string(kMaxFileChannels) + " of them");
+            unsupported_file(file, "has " + std::to_string(there.size()) + " wavelengths from " +
+                                       std::to_string(there.begin()->first) + " to " +
+                                       std::to_string(there.rbegin()->first) + " nm; choose at most " +
+                                       std::to_string(kMaxFileChannels) + " of them");
         return {there.begin(), there.end()};
     }
     std::vector<std::pair<double, std::string>> chosen;
@@ -100,7 +93,8 @@ bool is_left_handed(const path& file, const Imf::Header& header) {
     const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>("polarisationHandedness");
     if (attribute == nullptr || attribute->value() == "right") return false;
     if (attribute->value() != "left")
-        invalid(file, "polarisationHandedness is \"" + attribute->value() + "\"; it must be right or left");
+        invalid_file(file,
+                     "polarisationHandedness is \"" + attribute->value() + "\"; it must be right or left");
     return true;
 }
 
@@ -121,9 +115,10 @@ void name_channels(const path& file, const Imf::ChannelList& list, const std::ve
             if (p > 0 && !present[p]) continue;
             const std::string name = p == 0 && !present[0] ? colours[c] : exr_channel(p, colours[c]);
             const Imf::Channel* channel = list.findChannel(name);
-            if (channel == nullptr) invalid(file, "has no channel " + name + ", which its others call for");
+            if (channel == nullptr)
+                invalid_file(file, "has no channel " + name + ", which its others call for");
             if (channel->xSampling != 1 || channel->ySampling != 1)
-                unsupported(file, "channel " + name + " is subsampled; write it at full resolution");
+                unsupported_file(file, "channel " + name + " is subsampled; write it at full resolution");
             layout.names[c][p] = name;
         }
     }
@@ -157,8 +152,8 @@ ExrLayout find_exr_layout(const path& file, const Imf::Header& header, std::span
         if (!parsed) continue;
         const auto [there, added] = spectral.emplace(parsed->nanometres, parsed->colour);
         if (!added && there->second != parsed->colour)
-            invalid(file,
-                    "has channels " + there->second + " and " + parsed->colour + " of the same wavelength");
+            invalid_file(
+                file, "has channels " + there->second + " and " + parsed->colour + " of the same wavelength");
     }
     if (!spectral.empty()) {
         std::vector<std::string> colours;
@@ -174,7 +169,7 @@ ExrLayout find_exr_layout(const path& file, const Imf::Header& header, std::span
         throw Error(ErrorCode::invalid_argument, file.string() + ": has no wavelengths to choose from");
 
     if (has("RY") || has("BY"))
-        unsupported(file, "stores luminance and chroma (RY, BY); write R G B instead");
+        unsupported_file(file, "stores luminance and chroma (RY, BY); write R G B instead");
     std::vector<std::string> colours;
     for (const char* colour : {"R", "G", "B"})
         if (has(colour) || has(exr_channel(0, colour))) colours = {"R", "G", "B"};
@@ -183,12 +178,12 @@ ExrLayout find_exr_layout(const path& file, const Imf::Header& header, std::span
     while (numbered && has(exr_channel(0, std::to_string(colours.size()))))
         colours.push_back(std::to_string(colours.size()));
     if (colours.empty() && reflectance)
-        unsupported(file, "holds reflectances (T channels); light has S0 channels");
+        unsupported_file(file, "holds reflectances (T channels); light has S0 channels");
     if (colours.empty())
-        invalid(file, "has neither R G B nor Y nor S0.R S0.G S0.B nor S0.Y nor S0.0 nor S0.550nm");
+        invalid_file(file, "has neither R G B nor Y nor S0.R S0.G S0.B nor S0.Y nor S0.0 nor S0.550nm");
     if (colours.size() > kMaxFileChannels)
-        unsupported(file, "has " + std::to_string(colours.size()) + " channels; at most " +
-                              std::to_string(kMaxFileChannels) + " are possible");
+        unsupported_file(file, "has " + std::to_string(colours.size()) + " channels; at most " +
+                                   std::to_string(kMaxFileChannels) + " are possible");
     name_channels(file, list, colours, layout);
     return layout;
 }

@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "error.hpp"
+#include "files/file_error.hpp"
 #include "image/exr_layout.hpp"
 #include "image/exr_structure.hpp"
 #include "image/stokes_image.hpp"
@@ -19,10 +20,6 @@ namespace nicol {
 namespace {
 
 using std::filesystem::path;
-
-[[noreturn]] void invalid(const path& file, const std::string& what) {
-    throw Error(ErrorCode::invalid_file, file.string() + ": " + what);
-}
 
 StokesImage read_pixels(const path& file, std::span<const double> wavelengths) {
     // No OpenEXR threads (0): its pool is one per process and belongs to the host.
@@ -59,10 +56,10 @@ StokesImage read_pixels(const path& file, std::span<const double> wavelengths) {
                 if (std::isfinite(image.data[i])) continue;
                 const std::size_t pixel = (i - first) / 4;
                 const auto width = static_cast<std::size_t>(image.width);
-                invalid(file, "channel " + name + ", pixel (" + std::to_string(pixel % width) + ", " +
-                                  std::to_string(pixel / width) + ") is " +
-                                  (std::isnan(image.data[i]) ? "not a number" : "infinite") +
-                                  "; all values must be finite");
+                invalid_file(file, "channel " + name + ", pixel (" + std::to_string(pixel % width) + ", " +
+                                       std::to_string(pixel / width) + ") is " +
+                                       (std::isnan(image.data[i]) ? "not a number" : "infinite") +
+                                       "; all values must be finite");
             }
         }
         if (layout.left_handed)
@@ -78,7 +75,8 @@ StokesImage read_exr(const path& file, std::span<const double> wavelengths) {
     const std::uintmax_t size =
         std::filesystem::is_directory(file, error) ? 0 : std::filesystem::file_size(file, error);
     if (error || size == 0 || !std::ifstream(file)) {
-        if (!error && std::filesystem::is_regular_file(file, error) && size == 0) invalid(file, "is empty");
+        if (!error && std::filesystem::is_regular_file(file, error) && size == 0)
+            invalid_file(file, "is empty");
         throw Error(ErrorCode::file_not_found, file.string() + ": cannot be opened for reading" +
                                                    (error ? " (" + error.message() + ")" : ""));
     }
@@ -90,7 +88,7 @@ StokesImage read_exr(const path& file, std::span<const double> wavelengths) {
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& e) {
-        invalid(file, std::string("is damaged or truncated (") + e.what() + ")");
+        invalid_file(file, std::string("is damaged or truncated (") + e.what() + ")");
     }
 }
 

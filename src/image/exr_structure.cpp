@@ -10,16 +10,13 @@
 #include <type_traits>
 
 #include "error.hpp"
+#include "files/file_error.hpp"
 #include "image/stokes_image.hpp"
 
 namespace nicol {
 namespace {
 
 using std::filesystem::path;
-
-[[noreturn]] void invalid(const path& file, const std::string& what) {
-    throw Error(ErrorCode::invalid_file, file.string() + ": " + what);
-}
 
 struct CloseContext {
     void operator()(exr_context_t context) const { exr_finish(&context); }
@@ -29,14 +26,14 @@ struct CloseContext {
 void check_chunks(const path& file, exr_const_context_t context, const exr_attr_box2i_t& window, bool tiled) {
     const auto require = [&](exr_result_t result) {
         if (result != EXR_ERR_SUCCESS)
-            invalid(file,
-                    std::string("is damaged or truncated (") + exr_get_default_error_message(result) + ")");
+            invalid_file(
+                file, std::string("is damaged or truncated (") + exr_get_default_error_message(result) + ")");
     };
     exr_chunk_info_t chunk{};
     if (!tiled) {
         std::int32_t lines = 0;
         require(exr_get_scanlines_per_chunk(context, 0, &lines));
-        if (lines < 1) invalid(file, "has no scan lines in a chunk");
+        if (lines < 1) invalid_file(file, "has no scan lines in a chunk");
         for (std::int64_t y = window.min.y; y <= window.max.y; y += lines)
             require(exr_read_scanline_chunk_info(context, 0, static_cast<int>(y), &chunk));
         return;
@@ -44,7 +41,7 @@ void check_chunks(const path& file, exr_const_context_t context, const exr_attr_
     std::int32_t tile_width = 0;
     std::int32_t tile_height = 0;
     require(exr_get_tile_sizes(context, 0, 0, 0, &tile_width, &tile_height));
-    if (tile_width < 1 || tile_height < 1) invalid(file, "has tiles without size");
+    if (tile_width < 1 || tile_height < 1) invalid_file(file, "has tiles without size");
     const int columns = (window.max.x - window.min.x) / tile_width + 1;
     const int rows = (window.max.y - window.min.y) / tile_height + 1;
     for (int y = 0; y < rows; ++y)
@@ -61,28 +58,29 @@ void check_exr_structure(const path& file, std::uintmax_t file_size) {
     const std::unique_ptr<std::remove_pointer_t<exr_context_t>, CloseContext> closing(
         opened == EXR_ERR_SUCCESS ? context : nullptr);
     if (opened != EXR_ERR_SUCCESS)
-        invalid(file,
-                std::string("not a readable OpenEXR file (") + exr_get_default_error_message(opened) + ")");
+        invalid_file(
+            file, std::string("not a readable OpenEXR file (") + exr_get_default_error_message(opened) + ")");
 
     int parts = 0;
     exr_get_count(context, &parts);
-    if (parts < 1) invalid(file, "has no parts");
+    if (parts < 1) invalid_file(file, "has no parts");
     exr_storage_t storage{};
-    if (exr_get_storage(context, 0, &storage) != EXR_ERR_SUCCESS) invalid(file, "part 0 has no storage type");
+    if (exr_get_storage(context, 0, &storage) != EXR_ERR_SUCCESS)
+        invalid_file(file, "part 0 has no storage type");
     if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
         throw Error(ErrorCode::unsupported,
                     file.string() + ": holds deep data; write it as flat scan lines or tiles");
 
     exr_attr_box2i_t window{};
-    if (exr_get_data_window(context, 0, &window) != EXR_ERR_SUCCESS) invalid(file, "has no data window");
+    if (exr_get_data_window(context, 0, &window) != EXR_ERR_SUCCESS) invalid_file(file, "has no data window");
     const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
     const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-    if (width < 1 || height < 1) invalid(file, "the data window is empty");
+    if (width < 1 || height < 1) invalid_file(file, "the data window is empty");
     if (width > kMaxImageSide || height > kMaxImageSide ||
         static_cast<std::size_t>(width * height) > kMaxImagePixels)
-        invalid(file, "claims " + std::to_string(width) + " x " + std::to_string(height) +
-                          " pixels; sides may be at most " + std::to_string(kMaxImageSide) +
-                          " and pixels at most " + std::to_string(kMaxImagePixels));
+        invalid_file(file, "claims " + std::to_string(width) + " x " + std::to_string(height) +
+                               " pixels; sides may be at most " + std::to_string(kMaxImageSide) +
+                               " and pixels at most " + std::to_string(kMaxImagePixels));
 
     // Every part counts, for opening the file makes the chunk tables of all of them. A chunk takes eight
     // bytes in the table and eight more at its head.
@@ -90,12 +88,12 @@ void check_exr_structure(const path& file, std::uintmax_t file_size) {
     for (int part = 0; part < parts; ++part) {
         std::int32_t count = 0;
         if (exr_get_chunk_count(context, part, &count) != EXR_ERR_SUCCESS || count < 0)
-            invalid(file, "part " + std::to_string(part) + " has no valid number of chunks");
+            invalid_file(file, "part " + std::to_string(part) + " has no valid number of chunks");
         chunks += static_cast<std::uintmax_t>(count);
     }
     if (chunks > file_size / 16)
-        invalid(file, "is truncated: " + std::to_string(file_size) + " bytes cannot hold the " +
-                          std::to_string(chunks) + " chunks the header claims");
+        invalid_file(file, "is truncated: " + std::to_string(file_size) + " bytes cannot hold the " +
+                               std::to_string(chunks) + " chunks the header claims");
     check_chunks(file, context, window, storage == EXR_STORAGE_TILED);
 }
 

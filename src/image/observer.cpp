@@ -75,7 +75,7 @@ double srgb_curve(double v) {
 
 std::string number_text(double v) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.9g", v);
+    static_cast<void>(std::snprintf(text.data(), text.size(), "%.9g", v));
     return text.data();
 }
 

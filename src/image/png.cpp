@@ -36,7 +36,7 @@ void check(const Observation& image) {
 /// false on failure.
 bool write_rows(png_structp png, png_infop info, std::FILE* file, const Observation& image, png_text* text,
                 int text_count) {
-    if (setjmp(png_jmpbuf(png)) != 0) return false;
+    if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng has nothing else
     png_init_io(png, file);
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
                  PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,

@@ -19,7 +19,7 @@ namespace {
 
 using std::filesystem::path;
 
-constexpr int kDefaultOrder = 32;
+constexpr int kLightOrder = 32;
 
 std::shared_ptr<const ImageLight> scaled(EquirectImage image, double scale) {
     for (float& value : image.data) {
@@ -33,7 +33,7 @@ std::shared_ptr<const ImageLight> scaled(EquirectImage image, double scale) {
 
 int LightFile::order(const FileOptions& options) const {
     if (options.order) return *options.order;
-    return image ? kDefaultOrder : coefficients.order();
+    return image ? kLightOrder : coefficients.order();
 }
 
 PshVector LightFile::project(const FileOptions& options) const {

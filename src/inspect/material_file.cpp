@@ -21,7 +21,7 @@ namespace {
 
 using std::filesystem::path;
 
-constexpr int kDefaultOrder = 16;
+constexpr int kMaterialOrder = 16;
 
 void require_no_light_options(const FileOptions& options) {
     require_no_image_options(options, "a material");
@@ -102,7 +102,7 @@ std::vector<IsotropicMatrix> matrices_of(const StoredResponse& stored) {
 
 int MaterialFile::order(const FileOptions& options) const {
     if (options.order) return *options.order;
-    return material->matrix(0) ? material->matrix(0)->order_in() : kDefaultOrder;
+    return material->matrix(0) ? material->matrix(0)->order_in() : kMaterialOrder;
 }
 
 MaterialFile material_file(MaterialPtr material, const FileOptions& options) {

@@ -155,7 +155,7 @@ Cached through_cache(const Material& material, const std::string& content, const
 ResponseTable load_or_build(const Material& material, const LightLayout& layout, int channels,
                             const std::filesystem::path& folder, const CacheNotice& notice) {
     const std::string content = folder.empty() ? std::string() : material.content_key();
-    if (content.empty()) return ResponseTable(material, layout, channels);
+    if (content.empty()) return {material, layout, channels};
     Cached cached = through_cache(material, content, layout, channels, folder);
     if (notice) {
         if (!cached.unfit.empty()) notice(cached.unfit + "; the table is made anew");

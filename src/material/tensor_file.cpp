@@ -13,7 +13,7 @@ namespace nicol {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "files are little-endian");
-constexpr std::string_view kMagic("tensor_file\0", 12);
+constexpr std::string_view kSignature("tensor_file\0", 12);
 constexpr std::uint32_t kMaxFields = 1000;
 constexpr std::uint16_t kMaxNameBytes = 1000;
 constexpr std::uint16_t kMaxDimensions = 16;
@@ -35,7 +35,7 @@ TensorFile::TensorFile(std::filesystem::path path) : path_(std::move(path)) {
 
     std::array<char, 12> head{};
     file_.read(head.data(), head.size());
-    if (!file_ || std::string_view(head.data(), head.size()) != kMagic)
+    if (!file_ || std::string_view(head.data(), head.size()) != kSignature)
         invalid("is no .pbsdf file: it must begin with \"tensor_file\"");
     const auto major = next<std::uint8_t>();
     const auto minor = next<std::uint8_t>();

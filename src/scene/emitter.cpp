@@ -10,8 +10,6 @@ namespace nicol::scene {
 
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::max();
-
 void read_sky(Plugin& plugin, EmitterDescription& emitter) {
     emitter.kind = EmitterDescription::Kind::sky;
     emitter.radiance = plugin.color("radiance", 1.0);

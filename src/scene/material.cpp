@@ -10,8 +10,6 @@
 namespace nicol::scene {
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::max();
-
 struct NamedIor {
     std::string_view name;
     double ior;

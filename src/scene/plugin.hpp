@@ -27,6 +27,9 @@ struct NestedObject {
                                           const std::string& holder,
                                           std::initializer_list<std::string_view> accepted);
 
+/// The upper end of a range that has none.
+inline constexpr double kNoLimit = std::numeric_limits<double>::max();
+
 /// Every name that is read is recorded, so that finish() finds parameters that nothing reads: misspelt ones.
 /// All throw Error(invalid_file) with the place, the plug-in, the parameter and what is accepted.
 class Plugin {
@@ -54,7 +57,7 @@ public:
     glm::dvec3 vector(const std::string& name, std::optional<glm::dvec3> otherwise);
     /// An <rgb>, a <spectrum> or a <float>, in [0, most].
     ColorDescription color(const std::string& name, const ColorDescription& otherwise,
-                           double most = std::numeric_limits<double>::max());
+                           double most = kNoLimit);
     glm::dmat4 transform(const std::string& name);
     /// Known parameters that make no difference here.
     void pass_over(std::initializer_list<const char*> names);

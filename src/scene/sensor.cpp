@@ -13,7 +13,6 @@ namespace nicol {
 namespace scene {
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::max();
 constexpr int kMaxSize = 32768;
 
 /// The part to render must be the whole.

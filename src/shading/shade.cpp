@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "shading/lane_view.hpp"
 #include "simd/lane_transpose.hpp"
@@ -10,8 +11,8 @@
 
 namespace nicol {
 
-Shade::Shade(const LightLayout& layout, std::size_t least, std::size_t most)
-    : least_(least), most_(most), layout_(layout) {}
+Shade::Shade(LightLayout layout, std::size_t least, std::size_t most)
+    : least_(least), most_(most), layout_(std::move(layout)) {}
 
 void Shade::run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
                 std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,

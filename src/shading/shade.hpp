@@ -20,7 +20,7 @@ class Shade {
 public:
     /// Of the four components, those are computed that the material makes: but at least the first `least`
     /// and at most the first `most` of them (1, 3 or 4); the others are 0.
-    explicit Shade(const LightLayout& layout, std::size_t least = 1, std::size_t most = 4);
+    explicit Shade(LightLayout layout, std::size_t least = 1, std::size_t most = 4);
 
     /// For every vertex `first` <= v < `last` with visible[v] != 0, writes channel c's Stokes vector to
     /// out[c][v]; others are left alone. A light of one channel serves all. Sixteen vertices that share a

@@ -6,8 +6,8 @@ namespace nicol {
 
 template <int Width>
 struct DoubleVectors {
-    typedef double Vector __attribute__((vector_size(8 * Width)));
-    typedef long long Mask __attribute__((vector_size(8 * Width)));
+    using Vector [[gnu::vector_size(8 * Width)]] = double;
+    using Mask [[gnu::vector_size(8 * Width)]] = long long;
 };
 
 /// Between a vector and memory without any alignment. (Clang takes a vector's own alignment for granted in a

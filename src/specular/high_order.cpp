@@ -90,7 +90,7 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
                     std::span<const glm::vec3> normals, std::span<const std::uint8_t> visible,
                     const HighOrderShadows& shadows, std::size_t first, std::size_t last,
                     std::span<const std::span<glm::vec4>> out) const {
-    require(out.size() >= 1 && out.size() <= kMostChannels,
+    require(!out.empty() && out.size() <= kMostChannels,
             "high orders of " + std::to_string(out.size()) + " channels");
     const bool polarized = maps_.central->polarized();
     const bool outer = factors_.spread() > 0;

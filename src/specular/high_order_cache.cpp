@@ -32,7 +32,7 @@ std::string key_of(const std::string& content, int l_low, int l_high, int channe
 HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, int channels,
                              const std::filesystem::path& folder, const CacheNotice& notice) {
     const std::string content = folder.empty() ? std::string() : material.content_key();
-    if (content.empty()) return HighOrderFactors(material, l_low, l_high, channels);
+    if (content.empty()) return {material, l_low, l_high, channels};
     const int factor_channels = ResponseTable::channels_for(material, channels);
     const CacheFile file(folder, kMagic, kVersion, key_of(content, l_low, l_high, factor_channels), ".lobes");
     std::array<std::int32_t, 3> stencil{};  // central lobe, outer lobe, base

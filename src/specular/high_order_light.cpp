@@ -59,7 +59,7 @@ LobeMap convolved_map(const PshVector& light, std::span<const ConvolutionKernel>
         const ConvolutionKernel& kernel = kernels[static_cast<std::size_t>(given == 1 ? 0 : c)];
         convolve(kernel, light.channel(light.channels() == 1 ? 0 : c).first(size), out.channel(c));
     }
-    return LobeMap(out, gaussian_gains(0, l_low + 1, l_high), true, tolerance);
+    return {out, gaussian_gains(0, l_low + 1, l_high), true, tolerance};
 }
 
 }  // namespace nicol

@@ -54,8 +54,8 @@ struct Grid {
         const float u = (azimuth < 0 ? azimuth + 2 * kPi : azimuth) * across;
         const float v = angle_of(std::sqrt(x * x + y * y), d.z.value[i]) * down;
         // Comparisons fail for what is not a number.
-        std::int32_t left = static_cast<std::int32_t>(u > 0 ? u : 0.0F);
-        std::int32_t top = static_cast<std::int32_t>(v > 0 ? v : 0.0F);
+        auto left = static_cast<std::int32_t>(u > 0 ? u : 0.0F);
+        auto top = static_cast<std::int32_t>(v > 0 ? v : 0.0F);
         left = left < grid.columns - 1 ? left : grid.columns - 1;
         top = top < grid.rows - 2 ? top : grid.rows - 2;
         const float a = u - static_cast<float>(left);
