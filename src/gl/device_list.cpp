@@ -7,10 +7,10 @@
 #include <EGL/eglext.h>
 
 #include <optional>
-#include <sstream>
 #include <string_view>
 
 #include "error.hpp"
+#include "gl/egl_extensions.hpp"
 #include "gl/shared_library.hpp"
 
 // Of EGL_EXT_device_persistent_id and EGL_EXT_device_query_name, which older headers lack.
@@ -24,13 +24,6 @@
 namespace nicol::gl {
 namespace {
 
-bool has(const char* extensions, std::string_view name) {
-    std::istringstream words(extensions != nullptr ? extensions : "");
-    for (std::string word; words >> word;)
-        if (word == name) return true;
-    return false;
-}
-
 class DeviceQuery {
 public:
     /// Throws Error(no_backend) where there is no EGL.
@@ -38,7 +31,9 @@ public:
         const auto query_string = library_.function<decltype(&eglQueryString)>("eglQueryString");
         const auto proc_address = library_.function<decltype(&eglGetProcAddress)>("eglGetProcAddress");
         const char* client = query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-        if (!has(client, "EGL_EXT_device_enumeration") && !has(client, "EGL_EXT_device_base")) return;
+        if (!has_extension(client, "EGL_EXT_device_enumeration") &&
+            !has_extension(client, "EGL_EXT_device_base"))
+            return;
         devices_ = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(proc_address("eglQueryDevicesEXT"));
         string_ = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(proc_address("eglQueryDeviceStringEXT"));
     }
@@ -55,11 +50,11 @@ public:
     [[nodiscard]] Device describe(EGLDeviceEXT device, std::size_t index) const {
         const char* extensions = string_ != nullptr ? string_(device, EGL_EXTENSIONS) : nullptr;
         const auto text = [&](const char* extension, EGLint name) -> std::string {
-            const char* value = has(extensions, extension) ? string_(device, name) : nullptr;
+            const char* value = has_extension(extensions, extension) ? string_(device, name) : nullptr;
             return value != nullptr ? value : "";
         };
         Device out;
-        out.software = has(extensions, "EGL_MESA_device_software");
+        out.software = has_extension(extensions, "EGL_MESA_device_software");
         out.file = text("EGL_EXT_device_drm_render_node", EGL_DRM_RENDER_NODE_FILE_EXT);
         if (out.file.empty()) out.file = text("EGL_EXT_device_drm", EGL_DRM_DEVICE_FILE_EXT);
         out.vendor = text("EGL_EXT_device_query_name", EGL_VENDOR);

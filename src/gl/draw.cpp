@@ -62,7 +62,7 @@ void draw(RenderTarget& target, const Program& program, const VertexArray& verti
     for (std::size_t done = 0; done < count; done += most) {
         const std::size_t offset = (first + done) * sizeof(GLuint);
         gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(std::min(most, count - done)), GL_UNSIGNED_INT,
-                        reinterpret_cast<const void*>(offset));
+                        reinterpret_cast<const void*>(offset));  // NOLINT(performance-no-int-to-ptr)
     }
     target.context()->state().check("drawing with " + program.label());
 }

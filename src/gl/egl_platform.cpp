@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "error.hpp"
+#include "gl/egl_extensions.hpp"
 #include "gl/platform.hpp"
 #include "gl/shared_library.hpp"
 
@@ -20,6 +21,7 @@ namespace {
 
 struct Egl {
     SharedLibrary library{"libEGL.so.1", "libEGL.so"};
+// NOLINTNEXTLINE(bugprone-macro-parentheses): these are names
 #define NICOL_EGL(member, name) decltype(&name) member = library.function<decltype(&name)>(#name)
     NICOL_EGL(proc_address, eglGetProcAddress);
     NICOL_EGL(query_string, eglQueryString);
@@ -50,13 +52,6 @@ struct ThreadGuard {
     ~ThreadGuard() { loaded.release_thread(); }
 };
 
-bool has(const char* extensions, std::string_view name) {
-    std::istringstream words(extensions != nullptr ? extensions : "");
-    for (std::string word; words >> word;)
-        if (word == name) return true;
-    return false;
-}
-
 std::string error_text(const char* call) {
     std::ostringstream text;
     text << call << " failed with EGL error 0x" << std::hex << egl().get_error();
@@ -81,7 +76,8 @@ std::string vendor_hint() {
 
 std::vector<EGLDeviceEXT> query_devices() {
     const char* client = egl().query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    if (!has(client, "EGL_EXT_device_enumeration") && !has(client, "EGL_EXT_device_base")) return {};
+    if (!has_extension(client, "EGL_EXT_device_enumeration") && !has_extension(client, "EGL_EXT_device_base"))
+        return {};
     const auto query = egl().extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
     EGLint count = 0;
     if (query == nullptr || !query(0, nullptr, &count) || count <= 0) return {};
@@ -94,7 +90,7 @@ std::vector<EGLDeviceEXT> query_devices() {
 EGLDisplay get_display(const EglChoice& choice) {
     const auto get = egl().extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
     const char* client = egl().query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-    if (!has(client, "EGL_EXT_platform_base") || get == nullptr)
+    if (!has_extension(client, "EGL_EXT_platform_base") || get == nullptr)
         throw Error(ErrorCode::no_backend, "EGL lacks EGL_EXT_platform_base");
     EGLDisplay display = EGL_NO_DISPLAY;
     if (choice.device) {
@@ -121,10 +117,10 @@ public:
         if (!egl().initialize(display_, &major, &minor))
             throw Error(ErrorCode::no_backend, error_text("eglInitialize"));
         const char* extensions = egl().query_string(display_, EGL_EXTENSIONS);
-        if (major == 1 && minor < 5 && !has(extensions, "EGL_KHR_create_context"))
+        if (major == 1 && minor < 5 && !has_extension(extensions, "EGL_KHR_create_context"))
             throw Error(ErrorCode::no_backend, "the display lacks EGL 1.5 and EGL_KHR_create_context");
         for (const char* needed : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"})
-            if (!has(extensions, needed))
+            if (!has_extension(extensions, needed))
                 throw Error(ErrorCode::no_backend, std::string("the display lacks ") + needed);
         if (!egl().bind_api(EGL_OPENGL_API))
             throw Error(ErrorCode::no_backend, error_text("eglBindAPI(EGL_OPENGL_API)"));
@@ -176,12 +172,12 @@ EglChoices find_egl_choices() {
         EglChoice choice{i, "EGL device " + std::to_string(i)};
         EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
         const char* extensions = query != nullptr ? query(device, EGL_EXTENSIONS) : nullptr;
-        if (has(extensions, "EGL_MESA_device_software")) {
+        if (has_extension(extensions, "EGL_MESA_device_software")) {
             choice.name += " (software)";
             software.push_back(std::move(choice));
             continue;
         }
-        if (has(extensions, "EGL_EXT_device_drm"))
+        if (has_extension(extensions, "EGL_EXT_device_drm"))
             if (const char* file = query(device, EGL_DRM_DEVICE_FILE_EXT))
                 choice.name += std::string(" (") + file + ")";
         found.choices.push_back(std::move(choice));

@@ -71,7 +71,8 @@ std::shared_ptr<Context> required(std::shared_ptr<Context> context) {
 
 }  // namespace
 
-RenderTarget::RenderTarget(std::shared_ptr<Context> context, const RenderTargetDescription& description)
+RenderTarget::RenderTarget(const std::shared_ptr<Context>& context,
+                           const RenderTargetDescription& description)
     : description_(checked(description, required(context)->limits())),
       framebuffer_(context, ObjectKind::framebuffer) {
     const GladGLContext& gl = functions(*context, "RenderTarget");

@@ -25,7 +25,7 @@ struct RenderTargetDescription {
 /// is zero, depth 1.
 class RenderTarget {
 public:
-    RenderTarget(std::shared_ptr<Context> context, const RenderTargetDescription& description);
+    RenderTarget(const std::shared_ptr<Context>& context, const RenderTargetDescription& description);
 
     /// A texture that is not ours, as the only attachment, without depth: its first level of GL_TEXTURE_2D,
     /// of RGBA8, SRGB8_ALPHA8, RGBA16F or RGBA32F. It must outlive the target. Error(invalid_argument) for

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "harmonics/wigner.hpp"
 
-
 #include "harmonics/wigner_sweep.hpp"
 
 namespace nicol {
