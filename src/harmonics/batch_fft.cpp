@@ -73,6 +73,7 @@ BatchFft::Factorised::Factorised(int n) : length(n), factors(factors_of(n)) {
             for (int j = 1; j < p; ++j) stage.push_back(root_of_unity(static_cast<long long>(k) * j, left));
         twiddles.push_back(std::move(stage));
         std::vector<Complex> unit;
+        unit.reserve(static_cast<std::size_t>(p));
         for (int j = 0; j < p; ++j) unit.push_back(root_of_unity(j, p));
         roots.push_back(std::move(unit));
         left /= p;

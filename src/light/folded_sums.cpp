@@ -16,7 +16,7 @@ constexpr std::size_t kBlock = 64;
 
 /// Two halves, because that is what every processor has.
 struct Four {
-    typedef double Half __attribute__((vector_size(16)));
+    using Half = double __attribute__((vector_size(16)));
     Half low, high;
 
     Four operator+(const Four& o) const { return {low + o.low, high + o.high}; }

@@ -18,8 +18,8 @@ namespace {
 /// Largest sum of negative pixels, relative to the positive ones.
 constexpr double kLargestNegative = 0.25;
 
-typedef float Floats __attribute__((vector_size(16)));
-typedef int Ints __attribute__((vector_size(16)));
+using Floats = float __attribute__((vector_size(16)));
+using Ints = int __attribute__((vector_size(16)));
 
 bool any(Ints mask) {
     return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
@@ -160,7 +160,7 @@ private:
         std::string share = "all of it";
         if (positive > 0) {
             char text[64];
-            std::snprintf(text, sizeof text, "%.3g %% of the positive", 100 * negative / positive);
+            (void)std::snprintf(text, sizeof text, "%.3g %% of the positive", 100 * negative / positive);
             share = text;
         }
         refuse(darkest, "has s0 < 0, as has much of the channel (" + share +
@@ -200,6 +200,7 @@ ImageContents examine_equirect(const EquirectView& view, double scale, const std
         throw Error(code, name + ": " + std::to_string(view.width) + " x " + std::to_string(view.height) +
                               " pixels; an environment needs at least 2 x 2");
     std::vector<double> weights;
+    weights.reserve(static_cast<std::size_t>(view.height));
     for (int y = 0; y < view.height; ++y)
         weights.push_back(std::sin(std::numbers::pi * y / (view.height - 1)));
     return examine_image(view, scale, weights, name, code);

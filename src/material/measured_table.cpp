@@ -140,6 +140,7 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
 // The grid of |phi_d|, and where each azimuth of the file stands in it.
 void MeasuredTable::fold_azimuths(const std::vector<double>& phi) {
     std::vector<double> folded;
+    folded.reserve(phi.size());
     for (const double value : phi)
         folded.push_back(std::min(std::abs(value > pi ? value - 2 * pi : value), pi));
     std::vector<double> sorted = folded;

@@ -45,9 +45,10 @@ ConvolutionKernel mirrored_kernel(const IsotropicMatrix& matrix) {
 }
 
 std::vector<ConvolutionKernel> mirrored_kernels(const Material& material, int order, int channels) {
+    const int count = ResponseTable::channels_for(material, channels);
     std::vector<ConvolutionKernel> kernels;
-    for (int c = 0; c < ResponseTable::channels_for(material, channels); ++c)
-        kernels.push_back(mirrored_kernel(project_material(material, c, order)));
+    kernels.reserve(static_cast<std::size_t>(count));
+    for (int c = 0; c < count; ++c) kernels.push_back(mirrored_kernel(project_material(material, c, order)));
     return kernels;
 }
 

@@ -87,6 +87,7 @@ std::array<Tap, SplitStencil::kCount> SplitStencil::taps(double theta_out) const
 SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels)
     : material_(material), l_low_(l_low), l_high_(l_high), channels_(channels) {
     std::vector<std::vector<double>> lobes;
+    lobes.reserve(kLobes);
     for (const double width : kLobeWidths) lobes.push_back(gaussian_gains(width, l_low + 1, l_high));
     lobes.push_back(cosine_gains(l_low + 1, l_high));
     for (const auto& lobe : lobes) {
