@@ -5,6 +5,7 @@
 
 #include <openexr.h>
 
+#include <fstream>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -21,6 +22,44 @@ using std::filesystem::path;
 struct CloseContext {
     void operator()(exr_context_t context) const { exr_finish(&context); }
 };
+
+/// A name or type in a header; empty at the end of a header, and where the file ends.
+std::string header_text(std::istream& in) {
+    constexpr std::size_t longest = 255;
+    std::string text;
+    for (int c = in.get(); c > 0 && text.size() <= longest; c = in.get()) text += static_cast<char>(c);
+    return text;
+}
+
+/// Little endian; 0 where the file ends.
+std::uint32_t header_number(std::istream& in) {
+    std::uint32_t number = 0;
+    for (int shift = 0; shift < 32; shift += 8) number |= static_cast<std::uint32_t>(in.get()) << shift;
+    return in ? number : 0;
+}
+
+/// No attribute may be larger than the rest of the file: the C library leaves out those that are, and the C++
+/// library allocates what they claim. What else is wrong with the header is left to the libraries.
+void check_attributes(const path& file, std::uintmax_t file_size) {
+    constexpr std::uint32_t magic = 20000630, several_parts_flag = 0x1000;
+    std::ifstream in(file, std::ios::binary);
+    if (header_number(in) != magic) return;
+    const bool several_parts = (header_number(in) & several_parts_flag) != 0;
+    // An empty name ends a header; that of a further part may follow, or one more empty name.
+    for (bool inside = true;;) {
+        const std::string name = header_text(in);
+        if (!in || (name.empty() && !(inside && several_parts))) return;
+        inside = !name.empty();
+        if (!inside) continue;
+        header_text(in);  // the type
+        const std::uint32_t size = header_number(in);
+        if (!in) return;
+        if (size > file_size - static_cast<std::uintmax_t>(in.tellg()))
+            invalid_file(file, "the attribute \"" + name + "\" claims " + std::to_string(size) +
+                                   " bytes, more than the rest of the file has");
+        in.ignore(size);
+    }
+}
 
 /// Every chunk of part 0 must lie inside the file, where the table says.
 void check_chunks(const path& file, exr_const_context_t context, const exr_attr_box2i_t& window, bool tiled) {
@@ -51,6 +90,7 @@ void check_chunks(const path& file, exr_const_context_t context, const exr_attr_
 }  // namespace
 
 void check_exr_structure(const path& file, std::uintmax_t file_size) {
+    check_attributes(file, file_size);
     exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
     options.error_handler_fn = [](exr_const_context_t, exr_result_t, const char*) {};
     exr_context_t context = nullptr;

@@ -99,6 +99,12 @@ TEST_CASE("sizes beyond reason are refused before they are allocated") {
         write_bytes(folder / "lie.exr", lie);
         check_error(bad, CALL(read_exr(folder / "lie.exr")), "lie.exr");
     }
+    // A text of 2 GB in a file of a few kilobytes.
+    std::string lie = bytes;
+    const std::string text = std::string("software") + '\0' + "string" + '\0';
+    std::memcpy(lie.data() + lie.find(text) + text.size(), &huge, sizeof huge);
+    write_bytes(folder / "lie.exr", lie);
+    check_error(bad, CALL(read_exr(folder / "lie.exr")), "lie.exr", "attribute");
     CHECK(peak_megabytes() < before + 256);
 }
 
