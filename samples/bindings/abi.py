@@ -51,37 +51,6 @@ def parse(lines):
     return found
 
 
-def declarator(type_, name):
-    """`double[3]` and a name as C writes them."""
-    base, bracket, count = type_.partition("[")
-    return f"{base} {name}{bracket}{count}"
-
-
-def source(interface_):
-    """A C file with the types of an interface and an empty function for each of its functions."""
-    text = "#include <stdint.h>\n"
-    fields = {}
-    for (kind, name), value in interface_.items():
-        if kind == "field":
-            struct, field = name.split(".")
-            fields.setdefault(struct, []).append(declarator(value.split(" ", 2)[2], field))
-    for (kind, name), value in interface_.items():
-        result, _, parameters = value.partition(" (")
-        parameters = [p for p in parameters[:-1].split(", ") if p]
-        if kind == "alias":
-            text += f"typedef {value} {name};\n"
-        elif kind == "handle":
-            text += f"typedef struct {name}_impl* {name};\n"
-        elif kind == "callback":
-            text += f"typedef {result} (*{name})({', '.join(parameters) or 'void'});\n"
-        elif kind == "struct":
-            text += f"typedef struct {name} {{ {' '.join(f + ';' for f in fields[name])} }} {name};\n"
-        elif kind == "function":
-            named = ", ".join(declarator(p, f"p{i}") for i, p in enumerate(parameters)) or "void"
-            text += f"{result} {name}({named}) {{ return ({result})0; }}\n"
-    return text
-
-
 def embedded(interface_):
     """Structs that are part of others, whose size must stay."""
     return {value.split(" ")[2].split("[")[0] for (kind, _), value in interface_.items() if kind == "field"}

@@ -103,11 +103,14 @@ class HostTest(ProgramTest):
         self.assertNotEqual(pixel(spun, LEFT + SIZE // 2, middle), pixel(alone, LEFT + SIZE // 2, middle))
 
     def test_wrong_options_are_refused(self):
-        self.assert_fails(["--fraems"], "--fraems", "3")
-        self.assert_fails(["--frames"], "--screenshot", "shot.ppm")
-        self.assert_fails(["--frames"], "--frames", "0")
-        self.assert_fails(["--polarizer", "up"], "--frames", "1", "--polarizer", "up")
-        self.assert_fails(["shot.ppm"], "--frames", "1", "--screenshot", "nowhere/shot.ppm")
+        table = (
+            (["--fraems"], "--fraems 3"),
+            (["--frames"], "--screenshot shot.ppm"),
+            (["--frames"], "--frames 0"),
+            (["--polarizer", "up"], "--frames 1 --polarizer up"),
+            (["shot.ppm"], "--frames 1 --screenshot nowhere/shot.ppm"),
+        )
+        self.assert_each_fails(table)
         self.assertIn("--polarizer", self.assert_succeeds("--help").stdout)
 
 

@@ -32,7 +32,7 @@ class CommandLine(ProgramTest):
         self.assert_fails([FILES[2]], self.folder, "--out", self.path("out"))
 
     def test_arguments(self):
-        for words, arguments in (
+        table = (
             (["--size", "31"], ". --size 31"),
             (["--size", "4097"], ". --size 4097"),
             (["--frames", "-1"], ". --frames -1"),
@@ -41,8 +41,8 @@ class CommandLine(ProgramTest):
             (["--size", "value"], ". --size"),
             (["--lights"], ". --lights"),
             (["two folders"], "a b"),
-        ):
-            self.assert_fails(words, *arguments.split())
+        )
+        self.assert_each_fails(table)
 
     def test_help(self):
         done = self.assert_succeeds("--help")

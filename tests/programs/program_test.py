@@ -73,3 +73,9 @@ class ProgramTest(unittest.TestCase):
         for name in before:
             self.assertEqual(before[name], after[name], name)
         return lines[0]
+
+    def assert_each_fails(self, table, *before):
+        """assert_fails() for each row (words, arguments), its arguments in one text and after those of all rows."""
+        for words, arguments in table:
+            with self.subTest(arguments=arguments):
+                self.assert_fails(words, *before, *arguments.split())

@@ -6,9 +6,10 @@ import sys
 import tempfile
 import unittest
 
+from program_test import PROGRAM
 from serve_client import Server, write_scenes
 
-PROGRAM, RENDER = os.path.abspath(sys.argv.pop(1)), os.path.abspath(sys.argv.pop(1))
+RENDER = os.path.abspath(sys.argv.pop(1))
 SQUARE = "/scenes/square/"
 IMAGE = SQUARE + "image.png?size=32x24"
 
