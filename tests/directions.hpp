@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -15,12 +16,27 @@ inline glm::dvec3 direction(double zenith, double azimuth) {
     return {std::sin(zenith) * std::cos(azimuth), std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
 }
 
+/// Drawn by name: compilers evaluate the arguments of a call in different orders, and would test different
+/// numbers.
+template <class Random, class Normal = std::normal_distribution<double>>
+glm::dvec3 random_direction(Random& random, Normal&& normal = Normal()) {
+    const double z = normal(random), y = normal(random), x = normal(random);
+    return glm::normalize(glm::dvec3(x, y, z));
+}
+
+/// Up to this angle from z.
+template <class Random>
+glm::dvec3 random_direction_within(Random& random, double largest_zenith) {
+    std::uniform_real_distribution<double> uniform;
+    const double zenith = largest_zenith * uniform(random);
+    return direction(zenith, 2 * std::numbers::pi * uniform(random));
+}
+
 inline std::vector<glm::dvec3> random_directions(int count, unsigned seed = 1) {
     std::mt19937 engine(seed);
     std::normal_distribution<double> normal;
     std::vector<glm::dvec3> result;
-    for (int i = 0; i < count; ++i)
-        result.push_back(glm::normalize(glm::dvec3(normal(engine), normal(engine), normal(engine))));
+    for (int i = 0; i < count; ++i) result.push_back(random_direction(engine, normal));
     return result;
 }
 

@@ -54,7 +54,10 @@ TEST_CASE("nothing but the same file is taken") {
         write_bytes(file.path(), bad);
         CHECK(file.read(found, 1000).state == State::unfit);
     }
-    for (const std::string& other : {good + "x", std::string(good.size(), '\0'), std::string("foreign")}) {
+    const CacheFile another(folder.path(), "NICOLTST", 1, "more key", ".test");
+    CHECK(another.write(std::array{std::span<const unsigned char>(bytes)}).empty());
+    for (const std::string& other :
+         {good + "x", std::string(good.size(), '\0'), std::string("foreign"), file_bytes(another.path())}) {
         write_bytes(file.path(), other);
         CHECK(file.read(found, 1000).state == State::unfit);
     }

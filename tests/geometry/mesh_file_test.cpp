@@ -290,7 +290,7 @@ TEST_CASE("positions come through to the last bit, in any locale of the host") {
     std::string off = "OFF\n300 100 0\n";
     for (int i = 0; i < 300; ++i) {
         const float scale = std::pow(10.0f, static_cast<float>(i % 60 - 30));
-        points.emplace_back(scale * digits(random), scale * digits(random), scale * digits(random));
+        points.push_back(scale * glm::vec3{digits(random), digits(random), digits(random)});
         std::array<char, 100> line{};
         std::snprintf(line.data(), line.size(), "%.9g %.9g %.9g\n", double(points.back().x),
                       double(points.back().y), double(points.back().z));

@@ -21,7 +21,7 @@ std::vector<glm::vec3> cloud(double scale) {
     std::vector<glm::vec3> points;
     for (int i = 0; i < 2000; ++i) {
         points.emplace_back(scale *
-                            glm::dvec3(3 * positive(random), -2 * positive(random), 0.5 * positive(random)));
+                            glm::dvec3{3 * positive(random), -2 * positive(random), 0.5 * positive(random)});
     }
     return points;
 }
@@ -39,7 +39,7 @@ TEST_CASE("axes lie along the points and rotate with them") {
         std::normal_distribution<double> normal;
         for (int i = 0; i < 20; ++i) {
             const glm::dmat3 rotation = glm::mat3_cast(
-                glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random))));
+                glm::normalize(glm::dquat{normal(random), normal(random), normal(random), normal(random)}));
             std::vector<glm::vec3> rotated;
             for (const glm::vec3& point : points) rotated.emplace_back(rotation * glm::dvec3(point));
             CHECK(largest(principal_axes(rotated) - rotation * axes) < 1e-5);

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/ray_scene.hpp"
+
+#include "directions.hpp"
 #include "geometry/mesh.hpp"
 #include "test.hpp"
 
 using namespace nicol;
 
 namespace {
-
-glm::dvec3 random_direction(std::mt19937& random) {
-    std::normal_distribution<double> normal;
-    const double x = normal(random);
-    const double y = normal(random);
-    return glm::normalize(glm::dvec3(x, y, normal(random)));
-}
 
 RaySurface surface(const Mesh& mesh) {
     return {mesh.positions, mesh.triangles};

@@ -71,69 +71,12 @@ TEST_CASE(
     CHECK(worst_deviation(kernel, low, convolved(kernel, low), random) < 1e-12);
 }
 
-TEST_CASE("wrong variants of the theorem are noticed") {
-    std::mt19937_64 random(2);
-    const PshVector f = reference::random_field(random, 4);
-    const auto try_kernel = [&](auto&& change) {
-        const ConvolutionKernel right = random_kernel(random, 4);
-        ConvolutionKernel wrong = right;
-        for (KernelBand& band : wrong) change(band);
-        return worst_deviation(right, f, convolved(wrong, f), random);
-    };
-    CHECK(try_kernel([](KernelBand&) {}) < 1e-12);
-    CHECK(try_kernel([](KernelBand& b) { b.p0 = std::conj(b.p0); }) > .01);            // k10 - i k20
-    CHECK(try_kernel([](KernelBand& b) { b.from_p0 = std::conj(b.from_p0); }) > .01);  // k01 + i k02
-    CHECK(try_kernel([](KernelBand& b) { std::swap(b.iso, b.conj); }) > .01);
-    CHECK(try_kernel([](KernelBand& b) { b.conj = std::conj(b.conj); }) > .01);
-    // The conjugation part without (-1)^m.
-    ConvolutionKernel only_conj(5);
-    for (std::size_t l = 2; l < 5; ++l) only_conj[l].conj = 1;
-    PshVector wrong = convolved(only_conj, f);
-    CHECK(worst_deviation(only_conj, f, wrong, random) < 1e-12);
-    for (int l = 2; l <= 4; ++l)
-        for (int m = -l; m <= l; ++m)
-            for (const int p : {1, 2}) wrong.at(0, l, m, p) *= m % 2 == 0 ? 1 : -1;
-    CHECK(worst_deviation(only_conj, f, wrong, random) > .01);
-}
-
-TEST_CASE(
-    "convolutions join degrees of the same size, and only those (the text under Eq. 225 has it the other "
-    "way)") {
-    std::mt19937_64 random(8);
-    const CoefficientMatrix matrix = kernel_matrix(random_kernel(random, 3)).dense();
-    for (int m = -3; m <= 3; ++m)
-        for (int n = -3; n <= 3; ++n) {
-            double size = 0;
-            for (std::size_t p = 1; p <= 2; ++p)
-                size += std::abs(matrix(4 * psh_index(3, m) + p, 4 * psh_index(3, n)));
-            if (std::abs(m) == std::abs(n))
-                CHECK(size > 1e-3);
-            else
-                CHECK(size == 0);
-        }
-}
-
 TEST_CASE("kernel functions and coefficients are inverses of each other (Eq. 68)") {
     std::mt19937_64 random(3);
     const ConvolutionKernel kernel = random_kernel(random, 8);
     const ConvolutionKernel back =
         project_kernel([&](double theta) { return kernel_at(kernel, theta); }, 8, gauss_legendre_rows(9));
     CHECK(reference::kernel_difference(kernel, back) < 1e-13);
-}
-
-TEST_CASE("the scalar case is the classical theorem (Eq. 11): a cosine lobe scales orders by known factors") {
-    const ConvolutionKernel lambert = project_kernel(
-        [](double theta) {
-            Mueller m;
-            m(0, 0) = std::max(0.0, std::cos(theta)) / pi;
-            return m;
-        },
-        2, gauss_legendre_rows(2000));
-    const double factor[3] = {1, 2.0 / 3, 1.0 / 4};
-    PshVector f(2, 1);
-    for (int l = 0; l <= 2; ++l) f.at(0, l, l, 0) = 1;
-    const PshVector g = convolved(lambert, f);
-    for (int l = 0; l <= 2; ++l) CHECK(g.at(0, l, l, 0) == doctest::Approx(factor[l]).epsilon(1e-6));
 }
 
 TEST_CASE("convolution commutes with every rotation") {

@@ -33,10 +33,7 @@ TEST_CASE("the numbers of a light are its coefficients over another orthonormal 
                 for (std::size_t j = 0; j < numbers.size(); ++j)
                     for (const LightLayout::Term& term : layout.terms()[j])
                         back[term.coefficient] += term.factor * numbers[j];
-                double error = 0;
-                for (std::size_t i = 0; i < back.size(); ++i)
-                    error = std::max(error, std::abs(back[i] - light.channel(0)[i]));
-                CHECK(error < 1e-14);
+                CHECK(largest_difference(back, light.channel(0)) < 1e-14);
             });
     CHECK_THROWS_AS(LightLayout(-1, LightKind::full), Error);
     CHECK_THROWS_AS(LightLayout(kMaxOrder + 1, LightKind::full), Error);

@@ -172,7 +172,7 @@ TEST_CASE("the projection of an isotropic field equals that of the same field ta
     CHECK(largest_difference(by_general.data(), have.dense().data()) < 1e-12);
 }
 
-TEST_CASE("the mirror image (supplement E.6), with the sign (-1)^l and not (-1)^(l+m)") {
+TEST_CASE("the mirror image (supplement E.6)") {
     std::mt19937_64 random(6);
     const PshVector f = reference::random_field(random, 5);
     const PshVector g = reflected(f);
@@ -180,24 +180,14 @@ TEST_CASE("the mirror image (supplement E.6), with the sign (-1)^l and not (-1)^
     reflection_matrix(5).apply(f.channel(0), by_matrix.channel(0));
     CHECK(largest_difference(g.data(), by_matrix.data()) < 1e-15);
     CHECK(largest_difference(reflected(g).data(), f.data()) == 0);
-    PshVector wrong = g;
-    for (int l = 2; l <= 5; ++l)
-        for (int m = -l; m <= l; ++m)
-            for (const int p : {1, 2}) wrong.at(0, l, m, p) *= m % 2 == 0 ? 1 : -1;
-    double worst = 0;
-    double worst_wrong = 0;
     for (int i = 0; i < 20; ++i) {
         const glm::dvec3 d = reference::random_direction(random);
         // The mirrored theta-hat is minus that of the mirrored point: s2 changes sign, and so does s3.
         const Stokes s = evaluate(f, 0, {d.x, d.y, -d.z});
         const Stokes want(s[0], s[1], -s[2], -s[3]);
-        for (int p = 0; p < 4; ++p) {
-            worst = std::max(worst, std::abs(evaluate(g, 0, d)[p] - want[p]));
-            worst_wrong = std::max(worst_wrong, std::abs(evaluate(wrong, 0, d)[p] - want[p]));
-        }
+        const Stokes have = evaluate(g, 0, d);
+        for (int p = 0; p < 4; ++p) CHECK(std::abs(have[p] - want[p]) < 1e-13);
     }
-    CHECK(worst < 1e-13);
-    CHECK(worst_wrong > .1);
 }
 
 TEST_CASE("operators refuse bad arguments") {

@@ -46,7 +46,7 @@ inline std::array<std::complex<double>, 10> parts_of(const nicol::KernelBand& k)
 template <class Random>
 nicol::ConvolutionKernel random_kernel(Random& random, int order) {
     std::normal_distribution<double> normal;
-    const auto complex = [&] { return std::complex(normal(random), normal(random)); };
+    const auto complex = [&] { return std::complex{normal(random), normal(random)}; };
     nicol::ConvolutionKernel out(static_cast<std::size_t>(order) + 1);
     for (std::size_t l = 0; l < out.size(); ++l) {
         for (double* part : {&out[l].k00, &out[l].k03, &out[l].k30, &out[l].k33}) *part = normal(random);

@@ -112,15 +112,6 @@ glm::dmat3 about_y(double t) {
     return {{std::cos(t), 0, -std::sin(t)}, {0, 1, 0}, {std::sin(t), 0, std::cos(t)}};
 }
 
-glm::dvec3 random_direction(std::mt19937_64& random) {
-    std::normal_distribution<double> normal;
-    return glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
-}
-
-glm::dvec3 direction(double theta, double phi) {
-    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
 nicol::Frame theta_phi(const glm::dvec3& d) {
     const double theta = std::atan2(std::hypot(d.x, d.y), d.z);
     const double phi = std::atan2(d.y, d.x);

@@ -9,6 +9,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include "directions.hpp"
 #include "harmonics/psh.hpp"
 #include "polarization/stokes.hpp"
 
@@ -32,8 +33,8 @@ glm::dmat3 random_rotation(std::mt19937_64& random);
 glm::dmat3 about_z(double angle);
 glm::dmat3 about_y(double angle);
 
-glm::dvec3 random_direction(std::mt19937_64& random);
-glm::dvec3 direction(double theta, double phi);
+using ::direction;
+using ::random_direction;
 
 /// The theta-phi frame by its definition.
 nicol::Frame theta_phi(const glm::dvec3& direction);

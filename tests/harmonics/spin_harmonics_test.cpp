@@ -90,21 +90,6 @@ TEST_CASE("no value is lost up to order 4096") {
         CHECK(y[psh_index(4096, m)] ==
               doctest::Approx(reference::spin_harmonic(2, 4096, m, .4)).epsilon(0).scale(1).epsilon(1e-11));
 }
-TEST_CASE("conjugation: conj(sY_lm) = (-1)^(s+m) (-s)Y_{l,-m}") {
-    std::vector<double> plus(psh_count(12));
-    std::vector<double> minus(psh_count(12));
-    for (int s = 0; s <= kMaxSpin; ++s) {
-        spin_harmonics(s, 12, 1.1, plus);
-        spin_harmonics(-s, 12, 1.1, minus);
-        for (int l = s; l <= 12; ++l)
-            for (int m = -l; m <= l; ++m) {
-                const double sign = (s + m) % 2 == 0 ? 1 : -1;
-                CHECK(plus[psh_index(l, m)] ==
-                      doctest::Approx(sign * minus[psh_index(l, -m)]).epsilon(1e-13));
-            }
-    }
-}
-
 TEST_CASE("known values fix the signs") {
     std::vector<double> y(psh_count(2));
     spin_harmonics(0, 2, .8, y);

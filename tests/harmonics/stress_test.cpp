@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random orders, directions, rotations and coefficients of every size at the whole folder. The seed is
 // printed and can be given in NICOL_STRESS_SEED; NICOL_STRESS_CASES sets how many.
-#include "harmonics/convolution.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/product.hpp"
-#include "harmonics/random_operators.hpp"
 #include "harmonics/reference.hpp"
 #include "harmonics/rotation.hpp"
 #include "harmonics/transform.hpp"
@@ -37,7 +35,6 @@ public:
         for (double& value : f.data()) value = sparse && integer(0, 3) != 0 ? 0 : value * scale_;
         return f;
     }
-    ConvolutionKernel kernel(int order) { return reference::random_kernel(random_, order); }
     /// What an error is measured in.
     [[nodiscard]] double unit(int order) const { return scale_ * (order + 1) * (order + 1); }
     /// A relative bound, and the rounding of denormal numbers.
@@ -69,7 +66,7 @@ public:
             case 2:
                 return reference::about_z(real(-7, 7)) * reference::about_y(std::acos(-1.0));
             case 3:
-                return reference::about_y(real(-1e-9, 1e-9)) * reference::about_z(real(-7, 7));
+                return glm::transpose(reference::about_y(1e-9)) * reference::about_z(real(-7, 7));
             default:
                 return reference::random_rotation(random_);
         }
@@ -136,15 +133,6 @@ void check_product(Case& one) {
     for (int p = 0; p < 4; ++p) CHECK(std::abs(want[p] - have[p]) <= 1e-11 * unit * largest + 1e-319);
 }
 
-void check_convolution(Case& one) {
-    const int order = one.integer(0, 20);
-    const PshVector f = one.field(order);
-    const ConvolutionKernel kernel = one.kernel(order);
-    const glm::dmat3 r = one.rotation();
-    CHECK(largest_difference(rotated(convolved(kernel, f), r).data(),
-                             convolved(kernel, rotated(f, r)).data()) <= one.bound(1e-13, order));
-}
-
 /// Anything may be refused, nothing may crash or give a value that is not finite.
 void check_hostile(Case& one) {
     const double values[] = {0, -1, NAN, INFINITY, -INFINITY, 1e308, -1e308, 5e-324, 1};
@@ -153,20 +141,20 @@ void check_hostile(Case& one) {
     for (double& value : f.data()) value = one.integer(0, 9) == 0 ? any() : one.real(-1, 1);
     const bool finite = std::ranges::all_of(f.data(), [](double value) { return std::isfinite(value); });
     try {
-        const Stokes s = evaluate(f, one.integer(-1, 1), {any(), any(), any()});
+        const glm::dvec3 towards{any(), any(), any()};
+        (void)evaluate(f, one.integer(-1, 1), towards);
         CHECK(finite);
-        (void)s;
     } catch (const Error& error) {
         CHECK(error.code() == ErrorCode::invalid_argument);
     }
     try {
-        (void)rotated(f, glm::dmat3(any(), any(), any(), any(), any(), any(), any(), any(), any()));
+        (void)rotated(f, glm::dmat3{any(), any(), any(), any(), any(), any(), any(), any(), any()});
     } catch (const Error& error) {
         CHECK(error.code() == ErrorCode::invalid_argument);
     }
     try {
-        PshTransform transform(one.integer(-2, 5), fejer_rows(one.integer(-1, 6)), one.integer(-5, 12),
-                               any());
+        PshTransform transform{one.integer(-2, 5), fejer_rows(one.integer(-1, 6)), one.integer(-5, 12),
+                               any()};
         std::vector<double> samples(static_cast<std::size_t>(one.integer(0, 300)));
         transform.synthesize(f.channel(0), samples);
     } catch (const Error& error) {
@@ -187,7 +175,6 @@ TEST_CASE("random cases") {
         check_rotation(one);
         check_transform(one);
         check_product(one);
-        check_convolution(one);
         check_hostile(one);
     }
 }

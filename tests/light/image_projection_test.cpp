@@ -2,7 +2,6 @@
 // Coefficients of images against independent integration.
 #include "harmonics/evaluate.hpp"
 #include "light/images.hpp"
-#include "light/random_field.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -33,22 +32,6 @@ PshVector brute_force(const Environment& light, int width, int height, int order
     return result;
 }
 
-EquirectImage image_of(const PshVector& field, int width, int height) {
-    EquirectImage image(width, height, field.channels());
-    for (int c = 0; c < field.channels(); ++c)
-        for (int y = 0; y < height; ++y)
-            for (int x = 0; x < width; ++x) {
-                const double u = (x + 0.5) / width;
-                const double v = y / (height - 1.0);
-                const glm::dvec3 along = -towards(u, v);
-                const Stokes s = rotated(evaluate(field, c, along),
-                                         angle_between(theta_phi_frame(along), pixel_frame(u, v)));
-                for (std::size_t p = 0; p < 4; ++p)
-                    image.at(c, y, x)[p] = static_cast<float>(s[static_cast<int>(p)]);
-            }
-    return image;
-}
-
 }  // namespace
 
 TEST_CASE("the coefficients are those of the bilinear function that radiance() returns") {
@@ -75,27 +58,6 @@ TEST_CASE("a constant image has the coefficients of constant light, at any resol
         const PshVector f = image_environment(std::move(image))->project(20);
         CHECK(largest_difference(f, constant_environment({1.5})->project(20)) < 2e-13);
     }
-}
-
-TEST_CASE("a field of known harmonics comes back from its image, better the finer it is") {
-    const PshVector field = random_field(4, 2);
-    double previous = 0;
-    for (const int height : {33, 65, 129}) {
-        const auto light = image_environment(image_of(field, 2 * height - 2, height));
-        CHECK(light->polarized());
-        CHECK(light->circular());
-        const double error = largest_difference(light->project(4), field);
-        CHECK(error < 60.0 / (height * height));
-        if (previous > 0) CHECK(previous / error == doctest::Approx(4).epsilon(0.05));
-        previous = error;
-    }
-}
-
-TEST_CASE("radiance() is what the coefficients of high order say, for smooth light") {
-    const auto light = image_environment(image_of(random_field(3, 1), 128, 65));
-    const PshVector f = light->project(24);
-    for (const glm::dvec3& w : random_directions(60, 2))
-        CHECK(glm::length(light->radiance(0, w) - evaluate(f, 0, -w)) < 1e-3);
 }
 
 TEST_CASE("the same image gives the same bits every time") {

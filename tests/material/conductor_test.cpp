@@ -25,7 +25,6 @@ TEST_CASE("a facet reflects by Fresnel's matrix in frames of the half vector") {
                 {1.5, Distribution::ggx, 0.2},
                 {1.5, Distribution::beckmann, 0.2}};
     std::mt19937 random(3);
-    std::uniform_real_distribution<double> uniform;
     for (const auto& [eta, distribution, alpha] : rows) {
         const bool metal = eta.imag() != 0;
         const MaterialPtr material =
@@ -33,10 +32,9 @@ TEST_CASE("a facet reflects by Fresnel's matrix in frames of the half vector") {
                   : pplastic({.int_ior = 1.5, .ext_ior = 1, .alpha = alpha, .distribution = distribution});
         for (int i = 0; i < 200; ++i) {
             // The first in mirror directions, where the half vector is the normal.
-            const double zenith = 1.5 * uniform(random), azimuth = 2 * pi * uniform(random);
-            const glm::dvec3 light = direction(zenith, azimuth);
-            const glm::dvec3 viewer = i == 0 ? direction(zenith, azimuth + pi)
-                                             : direction(1.5 * uniform(random), 2 * pi * uniform(random));
+            const glm::dvec3 light = random_direction_within(random, 1.5);
+            const glm::dvec3 viewer =
+                i == 0 ? glm::dvec3(-light.x, -light.y, light.z) : random_direction_within(random, 1.5);
             const glm::dvec3 half = glm::normalize(light + viewer);
             const Frame in = frame_with_x(-light, glm::cross(half, -light));
             const Frame out = frame_with_x(viewer, glm::cross(half, viewer));

@@ -58,10 +58,9 @@ TEST_CASE("a plastic written to a file and read back has the same Mueller matric
         const MaterialPtr read = load_measured(path);
         REQUIRE(read->channels() == 1);
         std::mt19937 random(1);
-        std::uniform_real_distribution<double> uniform;
         for (int i = 0; i < 2000; ++i) {
-            const glm::dvec3 light = direction(1.1 * uniform(random), 2 * pi * uniform(random));
-            const glm::dvec3 viewer = direction(1.1 * uniform(random), 2 * pi * uniform(random));
+            const glm::dvec3 light = random_direction_within(random, 1.1);
+            const glm::dvec3 viewer = random_direction_within(random, 1.1);
             const Mueller expected = evaluate(*material, 0, light, viewer);
             const Mueller found = evaluate(*read, 0, light, viewer);
             // Bilinear interpolation over 1.5 and 7.5 degrees.
@@ -131,13 +130,6 @@ TEST_CASE("what breaks mirror symmetry is dropped, and nothing else") {
         const Mueller m = in_s_frames(evaluate(*read, 0, light, viewer), light, viewer);
         CHECK(std::abs(m(2, 0)) < 1e-3 * m(0, 0));
         CHECK(m(1, 0) - m(0, 1) == Approx(0.1 * m(0, 0)).epsilon(0.01));
-    }
-    // Mirror symmetric in the sense of Material.
-    const Mueller left = read->evaluate(0, direction(0.7, 1.7), direction(1.1, 0));
-    const Mueller right = read->evaluate(0, direction(0.7, -1.7), direction(1.1, 0));
-    for (std::size_t e = 0; e < 16; ++e) {
-        const double sign = (e / 4 < 2) == (e % 4 < 2) ? 1 : -1;
-        CHECK(left(e / 4, e % 4) == Approx(sign * right(e / 4, e % 4)).epsilon(1e-6));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "counting_material.hpp"
+#include "files/cache_checks.hpp"
 #include "material/conductor.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "temporary_folder.hpp"
@@ -18,23 +19,19 @@ const LightLayout layout(2, LightKind::linear);
 
 }  // namespace
 
-TEST_CASE("a table comes back from the cache as it was") {
-    const TemporaryFolder scratch;
-    const auto folder = scratch / "made/on/demand";
-    const Counting material;
-    std::vector<std::string> notices;
-    const auto notice = [&](const std::string& text) { notices.push_back(text); };
-    const ResponseTable built = load_or_build(material, layout, 3, folder, notice);
-    const int calls = material.calls;
-    CHECK(calls > 0);
-    const ResponseTable loaded = load_or_build(material, layout, 3, folder, notice);
-    CHECK(material.calls == calls);
-    CHECK(notices.empty());
-    CHECK(files_in(folder).size() == 1);
-    CHECK(std::ranges::equal(built.data(), loaded.data()));
-    CHECK(loaded.channels() == 1);
-    CHECK(loaded.makes(0));
-    CHECK_FALSE(loaded.makes(1));
+TEST_CASE("a table comes back from the cache as it was, and files that cannot be used are notices") {
+    test::check_cache(
+        [](const std::filesystem::path& folder) {
+            const Counting material;
+            std::vector<std::string> notices;
+            ResponseTable table = load_or_build(material, layout, 3, folder,
+                                                [&](const std::string& text) { notices.push_back(text); });
+            return test::CacheUse<ResponseTable>{std::move(table), material.calls > 0, notices};
+        },
+        [](const ResponseTable& a, const ResponseTable& b) {
+            return a.channels() == 1 && b.channels() == 1 && b.makes(0) && !b.makes(1) &&
+                   std::ranges::equal(a.data(), b.data());
+        });
 }
 
 TEST_CASE("without a folder or a key nothing is written") {
@@ -43,55 +40,6 @@ TEST_CASE("without a folder or a key nothing is written") {
     static_cast<void>(load_or_build(keyless, layout, 1, scratch.path()));
     static_cast<void>(load_or_build(Counting(), layout, 1));
     CHECK(files_in(scratch.path()).empty());
-}
-
-TEST_CASE("what is stale, damaged, truncated or foreign is rebuilt with a notice") {
-    const TemporaryFolder scratch;
-    const Counting material;
-    const ResponseTable built = load_or_build(material, layout, 1, scratch.path());
-    const auto file = files_in(scratch.path()).front();
-    const std::string good = file_bytes(file);
-    const auto rebuilt = [&](const std::string& bytes) {
-        write_bytes(file, bytes);
-        material.calls = 0;
-        int notices = 0;
-        const ResponseTable table =
-            load_or_build(material, layout, 1, scratch.path(), [&](const std::string& text) {
-                ++notices;
-                CHECK(text.find(file.filename().string()) != std::string::npos);
-            });
-        CHECK(notices == 1);
-        CHECK(material.calls > 0);
-        CHECK(std::ranges::equal(built.data(), table.data()));
-        CHECK(file_bytes(file) == good);
-    };
-    std::string stale = good;
-    stale[8] ^= 1;
-    rebuilt(stale);
-    rebuilt(good.substr(0, good.size() - 1));
-    // A table of another material under this one's name.
-    const Counting other("another");
-    static_cast<void>(load_or_build(other, layout, 1, scratch.path()));
-    for (const auto& path : files_in(scratch.path()))
-        if (path != file) rebuilt(file_bytes(path));
-}
-
-TEST_CASE("a folder that cannot be written, or a folder in the way, is a notice") {
-    const TemporaryFolder scratch;
-    write_bytes(scratch / "file", "in the way");
-    std::vector<std::string> notices;
-    const auto notice = [&](const std::string& text) { notices.push_back(text); };
-    const ResponseTable table = load_or_build(Counting(), layout, 1, scratch / "file", notice);
-    CHECK(table.makes(0));
-    CHECK(notices.size() == 1);
-    notices.clear();
-    const auto folder = scratch / "cache";
-    static_cast<void>(load_or_build(Counting(), layout, 1, folder));
-    const auto file = files_in(folder).front();
-    std::filesystem::remove(file);
-    std::filesystem::create_directory(file);
-    static_cast<void>(load_or_build(Counting(), layout, 1, folder, notice));
-    CHECK(notices.size() == 2);  // neither read nor written
 }
 
 TEST_CASE("every parameter is in the key") {

@@ -40,7 +40,7 @@ std::array<double, 2> mean_squares(const ResponseTable& table, const LightLayout
     std::array<double, 2> sum{};
     for (int i = 0; i < rotations; ++i) {
         const glm::dquat q =
-            glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random)));
+            glm::normalize(glm::dquat{normal(random), normal(random), normal(random), normal(random)});
         const auto z = test::light_pairs(layout, rotated(light, glm::mat3_cast(q)).channel(0));
         const double theta = std::acos(std::sqrt(uniform(random)));
         const auto angle = static_cast<int>(theta / std::acos(0.0) * (ResponseTable::kAngles - 1));

@@ -11,21 +11,6 @@ using doctest::Approx;
 
 namespace {
 
-// Rows of the table applied to light in the surface's own frame, viewer at that table angle and azimuth 0.
-Stokes respond(const ResponseTable& table, const LightLayout& layout, const PshVector& light, int angle,
-               int channel) {
-    const auto packed = test::light_pairs(layout, light.channel(channel));
-    const std::span<const float> rows = table.rows(angle, table.channels() == 1 ? 0 : channel);
-    Stokes out(0.0);
-    for (std::size_t j = 0; j < packed.size(); ++j) {
-        for (std::size_t p = 0; p < 4; ++p) {
-            const double part = p < 2 ? packed[j].real() : packed[j].imag();
-            out[static_cast<int>(p)] += static_cast<double>(rows[p * packed.size() + j]) * part;
-        }
-    }
-    return out;
-}
-
 const Frame upright(1.0);
 
 }  // namespace
@@ -65,7 +50,7 @@ TEST_CASE("rows times light equals the reflection integral in the angular domain
                 const double theta = angle * pi / 2 / (ResponseTable::kAngles - 1);
                 const glm::dvec3 viewer(std::sin(theta), 0, std::cos(theta));
                 const Stokes expected = test::reflected(*c.material, 0, light, upright, viewer, 256, 512);
-                CHECK(glm::distance(respond(table, layout, light, angle, 0), expected) < c.tolerance);
+                CHECK(glm::distance(test::respond(table, layout, light, angle), expected) < c.tolerance);
             }
         }
     }

@@ -2,6 +2,7 @@
 // Options, threads, progress and errors.
 #include <thread>
 
+#include "image_difference.hpp"
 #include "scenes.hpp"
 #include "test.hpp"
 
@@ -70,13 +71,9 @@ TEST_CASE("light with a table is looked up there, and light of coefficients has 
         scene.set_environment(std::make_shared<const Watched>(sky, table), glm::dmat3(1.0), 1);
         images.push_back(render(scene, camera(), width, height, {.samples = 16}));
     }
-    double difference = 0, size = 0;
-    for (std::size_t i = 0; i < images[0].data.size(); ++i) {
-        difference += std::pow(static_cast<double>(images[0].data[i] - images[1].data[i]), 2);
-        size += std::pow(static_cast<double>(images[0].data[i]), 2);
-    }
     // Same samples: nothing but the table's error remains.
-    CHECK(std::sqrt(difference / size) < 1e-3);
+    const double difference = rms_difference(images[0], images[1]);
+    CHECK(difference < 1e-3 * rms(images[0]));
     CHECK(difference > 0);
 }
 

@@ -2,7 +2,9 @@
 // Images against Mitsuba 3's, object pixels away from silhouettes. Fewer samples than the truth has; what
 // matters is that nothing but noise is left: it must average out over blocks of pixels as noise does.
 #include "reference/camera_rays.hpp"
+#include "scene/load_scene.hpp"
 #include "scenes.hpp"
+#include "temporary_folder.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -12,44 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the scene files beside the images say.
-struct MitsubaScene {
-    Scene scene;
-    Camera camera;
-    int width, height;
-};
-
-void add(MitsubaScene& s, Mesh mesh, const std::vector<double>& diffuse_reflectance, double alpha) {
-    s.scene.add({.mesh = std::make_shared<const Mesh>(std::move(mesh)),
-                 .material = pplastic({.diffuse_reflectance = diffuse_reflectance,
-                                       .int_ior = 1.5,
-                                       .ext_ior = 1,
-                                       .alpha = alpha,
-                                       .distribution = Distribution::ggx}),
-                 .to_world = glm::dmat4(1.0)});
-}
-
-MitsubaScene sphere_env(const fs::path& data) {
-    MitsubaScene s{.scene = {}, .camera = {.orthographic = true}, .width = 128, .height = 128};
-    s.camera.to_world = look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0});
-    s.camera.to_world[0] *= 1.25;
-    s.camera.to_world[1] *= 1.25;
-    add(s, make_sphere(), {0.5, 0.3, 0.1}, 0.3);
-    s.scene.set_environment(load_environment(data / "mitsuba/env.exr"), glm::dmat3(1.0), 1);
-    return s;
-}
-
-MitsubaScene buddha(const fs::path& data) {
-    MitsubaScene s{.scene = {}, .camera = {.fov = 42}, .width = 256, .height = 256};
-    s.camera.to_world = look_at({2.8, 1.6, 6.6}, {0, 0.1, 0}, {0, 1, 0});
-    add(s, load_mesh(data / "polarsh/buddha.obj"), {0.6, 0.35, 0.1}, 0.3);
-    add(s, load_mesh(data / "polarsh/plane.obj"), {0.4, 0.4, 0.4}, 0.5);
-    s.scene.set_environment(load_environment(data / "mitsuba/venice.exr"), glm::dmat3(1.0), 1);
-    return s;
-}
-
 /// 1 where a pixel and its eight neighbours show the same object.
-std::vector<char> inner_pixels(const MitsubaScene& s) {
+std::vector<char> inner_pixels(const LoadedScene& s) {
     std::vector<Mesh> meshes;
     std::vector<RaySurface> surfaces;
     for (const Instance& i : s.scene.instances()) meshes.push_back(transformed(*i.mesh, i.to_world));
@@ -119,7 +85,7 @@ Comparison compare(const StokesImage& ours, const StokesImage& truth, const std:
     return out;
 }
 
-void check(const MitsubaScene& s, const fs::path& truth_file, int samples) {
+void check(const LoadedScene& s, const fs::path& truth_file, int samples) {
     const StokesImage truth = read_exr(truth_file);
     const StokesImage ours = render(s.scene, s.camera, s.width, s.height, {.samples = samples});
     REQUIRE(ours.width == truth.width);
@@ -146,11 +112,16 @@ void check(const MitsubaScene& s, const fs::path& truth_file, int samples) {
 TEST_CASE("a sphere under an image of light is Mitsuba 3's, but for noise") {
     const fs::path truth = test_data("mitsuba/sphere_env_a03.exr");
     if (truth.empty()) return;
-    check(sphere_env(truth.parent_path().parent_path()), truth, 128);
+    check(load_scene(truth.parent_path() / "sphere_env.xml", {}), truth, 128);
 }
 
 TEST_CASE("a statue on a plane, with shadows, is Mitsuba 3's, but for noise") {
     const fs::path truth = test_data("mitsuba/buddha_plane_venice.exr");
     if (truth.empty() || test_data("polarsh/buddha.obj").empty()) return;
-    check(buddha(truth.parent_path().parent_path()), truth, 64);
+    // The scene's files lie in two folders.
+    const TemporaryFolder folder;
+    for (const char* name :
+         {"mitsuba/buddha.xml", "mitsuba/venice.exr", "polarsh/buddha.obj", "polarsh/plane.obj"})
+        fs::create_symlink(fs::absolute(test_data(name)), folder / fs::path(name).filename().string());
+    check(load_scene(folder / "buddha.xml", {}), truth, 64);
 }

@@ -72,20 +72,3 @@ TEST_CASE("one point over many seeds is evenly distributed, down to its last dig
         for (const double ones : bits) CHECK(std::abs(ones / count - 0.5) < 0.02);
     }
 }
-
-TEST_CASE("a smooth integral converges faster than by random points") {
-    // Root mean square error over seeds, against 1 / sqrt(12 n) ... of the same integrand by random points.
-    double square = 0;
-    constexpr int seeds = 64, count = 256;
-    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-        const LowDiscrepancy points(seed);
-        double sum = 0;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const glm::dvec2 p = points.point(i, 2);
-            sum += p.x * p.x * p.y;
-        }
-        square += std::pow(sum / count - 1.0 / 6, 2) / seeds;
-    }
-    const double random = std::sqrt((1.0 / 15 - 1.0 / 36) / count);
-    CHECK(std::sqrt(square) < random / 15);
-}

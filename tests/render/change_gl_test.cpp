@@ -304,12 +304,17 @@ TEST_CASE("options that change and change back leave no trace") {
     const Scene scene = balls_on_plate();
     Studio studio(context, Method::factored);
     const RenderOptions usual = studio.options;
-    RenderOptions others[5] = {usual, usual, usual, usual, usual};
+    std::array<RenderOptions, 8> others;
+    others.fill(usual);
     others[0].physical = true;
     others[1].method = Method::dense;
     others[2].executor = Executor::compute;
     others[3].high_orders = HighOrders::convolution;
     others[4].components = 1;
+    others[5].shadows = false;
+    others[6].high_orders_at = HighOrdersAt::pixels;
+    others[7].high_orders_at = HighOrdersAt::pixels;
+    others[7].high_orders = HighOrders::convolution;
     for (const RenderOptions& other : others) {
         for (const RenderOptions& options : {usual, other, usual}) {
             studio.options = options;
@@ -327,8 +332,9 @@ TEST_CASE("any series of changes ends where a fresh start does") {
         Scene scene = balls_on_plate();
         Studio studio(context, method);
         const auto some_place = [&] {
-            return glm::rotate(at(2 * value(random), value(random), 2 * value(random), 0.4), value(random),
-                               glm::dvec3(value(random), 1, value(random)));
+            const glm::dvec3 place{2 * value(random), value(random), 2 * value(random)};
+            const glm::dvec3 axis{value(random), 1, value(random)};
+            return glm::rotate(at(place.x, place.y, place.z, 0.4), value(random), axis);
         };
         for (int step = 0; step < 24; ++step) {
             const std::size_t edits = 1 + pick(2);

@@ -88,7 +88,8 @@ GL_TEST_CASE("compute shaders make what threads make, of every light, number of 
         {Method::dense, none, vertices, {1, 3, 6}, all, {{0, 0}, {4, 4}}, {true}},
         {factored, split, vertices, {1, 6}, two, {{3, 9}}, {false, true}},
         {factored, HighOrders::convolution, vertices, {1, 6}, two, {{3, 9}}, {false, true}},
-        {factored, split, HighOrdersAt::pixels, {1, 3, 6}, two, {{2, 9}}, {false, true}}};
+        {factored, split, HighOrdersAt::pixels, {1, 3, 6}, two, {{2, 9}}, {false, true}},
+        {factored, HighOrders::convolution, HighOrdersAt::pixels, {3}, two, {{2, 9}}, {true}}};
     for (const auto& row : rows) {
         for (const int channels : row.channels) {
             Comparison comparison(context, channels);

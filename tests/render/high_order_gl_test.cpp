@@ -128,15 +128,6 @@ TEST_CASE("light without high orders costs none") {
     CHECK(high.response_bytes == low.response_bytes);
 }
 
-GL_TEST_CASE("shadows leave a lone sphere alone") {
-    Statistics statistics;
-    const Scene lone = lone_sphere(falling_light(4, true), pplastic({}));
-    const StokesImage with_shadows =
-        render(context, lone, with(4, 4, HighOrders::none, true), camera_of(), &statistics);
-    CHECK(statistics.vertices_unoccluded == statistics.vertices);
-    CHECK(with_shadows.data == render(context, lone, with(4, 4, HighOrders::none)).data);
-}
-
 TEST_CASE("ringing can be windowed away, and what is left of it moved into the physical range") {
     const auto context = gl::make_context(gl::Backend::osmesa);
     const Scene scene = lone_sphere(test::lamp(), pplastic({.alpha = 0.1}));

@@ -220,17 +220,7 @@ GL_TEST_CASE("changes reach pixels") {
         // What has moved is computed in other axes.
         CHECK(largest_difference(here, fresh(scene, options, camera)) <= 1e-5 * largest(here));
     };
-    for (const auto& [where, shadows, form] : {std::tuple(HighOrdersAt::pixels, true, HighOrders::split),
-                                               {HighOrdersAt::vertices, true, HighOrders::split},
-                                               {HighOrdersAt::pixels, false, HighOrders::split},
-                                               {HighOrdersAt::pixels, false, HighOrders::convolution}}) {
-        options.high_orders_at = where;
-        options.shadows = shadows;
-        options.high_orders = form;
-        compare();
-    }
-    options.high_orders = HighOrders::split;
-    options.shadows = true;
+    compare();
     scene.set_environment(falling_light(5, false), glm::dmat3(1), 0.3);
     compare();
     scene.set_transform(0, test::at(0.3, 0.2, 0));

@@ -2,6 +2,7 @@
 #include "directions.hpp"
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
+#include "light/images.hpp"
 #include "render/scenes.hpp"
 
 using namespace nicol;
@@ -28,22 +29,6 @@ float middle(const StokesImage& image, int channel = 0, std::size_t component = 
     return image.at(channel, height / 2, width / 2)[component];
 }
 
-EnvironmentPtr noisy_polarized_light(int channels) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> value(-0.5F, 0.5F);
-    EquirectImage image(16, 9, channels);
-    for (int c = 0; c < channels; ++c) {
-        for (int y = 0; y < 9; ++y) {
-            for (int x = 0; x < 16; ++x) {
-                const auto pixel = image.at(c, y, x);
-                pixel[0] = 1 + value(random);
-                for (std::size_t p = 1; p < 4; ++p) pixel[p] = 0.5F * value(random);
-            }
-        }
-    }
-    return image_environment(std::move(image));
-}
-
 // The world's direction of a pixel's ray, written out once more.
 glm::dvec3 ray_of(const Camera& camera, int x, int y) {
     const double half = std::tan(camera.fov * pi / 360);
@@ -60,7 +45,7 @@ GL_TEST_CASE("the background is the environment, rotated, with its Stokes vector
         std::vector<double> radiance;
         for (int c = 0; c < channels; ++c) radiance.push_back(0.5 + c);
         const EnvironmentPtr light =
-            polarized ? noisy_polarized_light(channels) : constant_environment(radiance);
+            polarized ? image_environment(random_image(16, 9, channels, 5)) : constant_environment(radiance);
         scene.set_environment(light, some_rotation(), 1.5);
         const Camera camera = camera_at({2, 1, -3});
         const glm::dvec3 up = glm::normalize(glm::dvec3(camera.to_world[1]));

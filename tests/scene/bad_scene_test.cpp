@@ -25,10 +25,6 @@ void unsupported(const std::string& content, const std::vector<std::string>& par
     check_refused_text(scene(content), ErrorCode::unsupported, parts);
 }
 
-std::string shape_with(const std::string& parameters) {
-    return a_sensor + an_emitter + "<shape type='sphere'>" + parameters + "</shape>";
-}
-
 std::string plastic_with(const std::string& parameters) {
     return a_sensor + an_emitter + a_shape + "<bsdf type='pplastic'>\n" + parameters + "</bsdf>";
 }
@@ -98,7 +94,6 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
     unsupported("<bsdf type='roughplastic'/>", {"pplastic"});
     unsupported("<integrator type='aov'/>", {"integrator \"aov\"", "stokes, direct, path"});
     unsupported("<integrator type='stokes'><integrator type='volpath'/></integrator>", {"\"volpath\""});
-    unsupported("<emitter type='point'/>", {"emitter \"point\"", "envmap, constant, psh, sky"});
     unsupported("<sensor type='thinlens'/>",
                 {"sensor \"thinlens\"", "in focus", "perspective, orthographic"});
     unsupported(sensor_with("<float name='fov' value='40'/><film type='specfilm'/>"),

@@ -7,11 +7,6 @@ using namespace nicol;
 
 namespace {
 
-/// The matrix of a <transform>, read through a sphere.
-glm::dmat4 transform(const std::string& operations) {
-    return read_shape("<transform name='to_world'>" + operations + "</transform>").shapes.at(0).to_world;
-}
-
 void check_equal(const glm::dmat4& matrix, const glm::dmat4& expected) {
     CHECK(largest_difference(matrix, expected) < 1e-12);
 }
@@ -92,18 +87,16 @@ TEST_CASE("everything that a scene can hold is read") {
     CHECK(glm::distance(glm::dvec3(s.emitter->to_world * glm::dvec4(0, 0, 1, 0)), glm::dvec3(1, 0, 0)) <
           1e-12);
     REQUIRE(s.shapes.size() == 7);
-    CHECK(s.shapes[0].kind == ShapeDescription::Kind::ply);
     CHECK(s.shapes[0].id == "first");
     CHECK(s.shapes[0].filename == file.path().parent_path() / "first.PLY");
     CHECK(s.shapes[0].face_normals);
     CHECK(s.shapes[1].center == glm::dvec3(1, 0, 3));
     CHECK(s.shapes[1].radius == 0.25);
     CHECK(s.shapes[1].flip_normals);
-    CHECK(s.shapes[2].kind == ShapeDescription::Kind::rectangle);
-    CHECK(s.shapes[3].kind == ShapeDescription::Kind::cube);
-    CHECK(s.shapes[4].kind == ShapeDescription::Kind::off);
-    CHECK(s.shapes[5].kind == ShapeDescription::Kind::stl);
-    CHECK(s.shapes[6].kind == ShapeDescription::Kind::obj);
+    using Kind = ShapeDescription::Kind;
+    const Kind kinds[] = {Kind::ply, Kind::sphere, Kind::rectangle, Kind::cube,
+                          Kind::off, Kind::stl,    Kind::obj};
+    for (std::size_t i = 0; i < 7; ++i) CHECK(s.shapes[i].kind == kinds[i]);
     // Shared by reference, made once.
     REQUIRE(s.materials.size() == 3);
     CHECK(s.shapes[0].material == s.shapes[2].material);
@@ -226,20 +219,4 @@ TEST_CASE("the field of view along any axis") {
         a_shape);
     CHECK(horizontal_fov(s.sensor) ==
           doctest::Approx(2.0 * std::atan(18.0 / 50.0) * 180.0 / std::numbers::pi));
-}
-
-TEST_CASE("scenes rendered with Mitsuba are read") {
-    const std::filesystem::path folder = test_data("mitsuba/sphere_const.xml").parent_path();
-    if (folder.empty()) return;
-    const SceneDescription constant = read_mitsuba_scene(folder / "sphere_const.xml", {{"alpha", "0.1"}});
-    CHECK(constant.materials.at(0).alpha == 0.1);
-    CHECK(constant.materials.at(0).diffuse_reflectance.rgb == glm::dvec3(0.5, 0.3, 0.1));
-    CHECK(constant.sensor.width == 128);
-    const SceneDescription environment = read_mitsuba_scene(folder / "sphere_env.xml");
-    CHECK(environment.emitter.value().filename == (folder / "env.exr").lexically_normal());
-    CHECK(environment.materials.at(0).alpha == 0.3);
-    const SceneDescription buddha = read_mitsuba_scene(folder / "buddha.xml");
-    CHECK(buddha.shapes.size() == 2);
-    CHECK(buddha.materials.size() == 2);
-    CHECK(buddha.sensor.fov == 42.0);
 }

@@ -29,9 +29,16 @@ inline nicol::SceneDescription read(const std::string& content,
     return nicol::read_mitsuba_scene(SceneFile(scene(content)).scene(), parameters);
 }
 
-/// What is read of the shape that holds `inside`.
+/// A scene whose shape holds `inside`, and what is read of it.
+inline std::string shape_with(const std::string& inside) {
+    return a_sensor + an_emitter + "<shape type='sphere'>" + inside + "</shape>";
+}
 inline nicol::SceneDescription read_shape(const std::string& inside) {
-    return read(a_sensor + an_emitter + "<shape type='sphere'>" + inside + "</shape>");
+    return read(shape_with(inside));
+}
+/// The matrix of a <transform>.
+inline glm::dmat4 transform(const std::string& operations) {
+    return read_shape("<transform name='to_world'>" + operations + "</transform>").shapes.at(0).to_world;
 }
 
 /// The file must be refused with `code` and a message that begins with `start`, holds every part and ends

@@ -21,7 +21,7 @@ TEST_CASE("moving keeps s0 and the angle, whatever the size of the numbers") {
     for (const float scale : {1e-15F, 1.0F, 1e15F}) {
         std::vector<glm::vec4> stokes(1000);
         for (glm::vec4& s : stokes)
-            s = scale * glm::vec4(normal(random), normal(random), normal(random), normal(random));
+            s = scale * glm::vec4{normal(random), normal(random), normal(random), normal(random)};
         const std::vector<glm::vec4> before = stokes;
         make_physical(stokes);
         for (std::size_t i = 0; i < stokes.size(); ++i) {

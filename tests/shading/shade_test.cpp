@@ -16,7 +16,7 @@ std::vector<glm::vec3> test_normals() {
     std::mt19937 random(3);
     std::normal_distribution<float> normal;
     while (normals.size() < 37) {
-        normals.push_back(glm::normalize(glm::vec3(normal(random), normal(random), normal(random))));
+        normals.push_back(glm::normalize(glm::vec3{normal(random), normal(random), normal(random)}));
     }
     return normals;
 }

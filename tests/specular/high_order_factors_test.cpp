@@ -63,28 +63,6 @@ TEST_CASE("gains are the Legendre coefficients of their lobes") {
     CHECK_THROWS_AS(cosine_gains(0, kMaxOrder + 1), Error);
 }
 
-TEST_CASE("the kernel of a mirrored convolution is that convolution") {
-    ConvolutionKernel kernel(6);
-    std::mt19937 random(1);
-    std::normal_distribution<double> normal;
-    for (std::size_t l = 0; l < kernel.size(); ++l) {
-        KernelBand& k = kernel[l];
-        k.k00 = normal(random);
-        k.k33 = normal(random);
-        if (l < 2) continue;
-        k.p0 = k.from_p0 = normal(random);
-        k.iso = normal(random);
-        k.conj = normal(random);
-    }
-    const IsotropicMatrix matrix = kernel_matrix(kernel);
-    const IsotropicMatrix found = kernel_matrix(mirrored_kernel(compose(reflection_matrix(5), matrix)));
-    CHECK(largest_difference(found.dense().data(), matrix.dense().data()) < 1e-12);
-    // A glossy lobe about the mirror direction keeps most of its energy in the kernel.
-    const MaterialPtr gold = rough_conductor({.eta = metal_index("Au"), .alpha = 0.1});
-    const IsotropicMatrix gloss = project_material(*gold, 0, 5);
-    CHECK(mirrored_kernel(gloss)[4].k00 > 5 * std::abs(nearest_kernel(gloss.dense())[4].k00));
-}
-
 TEST_CASE("the kernel without a dense matrix is the kernel") {
     const MaterialPtr material = rough_conductor({.eta = metal_index("Cu"), .alpha = 0.4});
     const IsotropicMatrix matrix = project_material(*material, 1, 7);
@@ -138,26 +116,7 @@ TEST_CASE("factors from samples of a material and from its rows agree") {
     }
 }
 
-TEST_CASE("factors are linear between angles, by channel, and laid out for a texture") {
-    const MaterialPtr gold = rough_conductor({.eta = metal_index("Au"), .alpha = 0.3});
-    const HighOrderFactors factors(*gold, 4, 9, 3);
-    CHECK(factors.channels() == 3);
-    CHECK(factors.data().size() == HighOrderFactors::kElements * HighOrderFactors::kAngles * 3);
-    constexpr float step = 1.0F / (HighOrderFactors::kAngles - 1);
-    const Elements low = elements_at(factors, 40 * step, 2);
-    const Elements middle = elements_at(factors, 40.25F * step, 2);
-    const Elements high = elements_at(factors, 41 * step, 2);
-    const std::vector<float> texels = factors.texels(1, 2, true);
-    REQUIRE(texels.size() == HighOrderFactors::kElements * HighOrderFactors::kAngles * 4);
-    for (std::size_t i = 0; i < low.size(); ++i) {
-        CHECK(middle[i] == doctest::Approx(0.75F * low[i] + 0.25F * high[i]).epsilon(1e-4));
-        const std::size_t texel = 4 * (i * HighOrderFactors::kAngles + 40);
-        CHECK(texels[texel + 1] == doctest::Approx(low[i]).epsilon(1e-4));
-        CHECK(texels[texel + 2] == 0);
-    }
-    CHECK(factors.texels(0, 1, false).size() ==
-          HighOrderFactors::kUnpolarized * HighOrderFactors::kAngles * 4);
-
+TEST_CASE("a mirror has one tap, of the whole light, and no base") {
     const Elements mirror = elements_at(HighOrderFactors::mirror(), 0.4F, 0);
     CHECK(HighOrderFactors::mirror().spread() == 0);
     CHECK_FALSE(HighOrderFactors::mirror().has_base());

@@ -18,20 +18,6 @@ constexpr int l_low = 4;
 
 }  // namespace
 
-TEST_CASE("rotating the light rotates what is looked up") {
-    const PshVector light = test::random_light(12, 1, 4, 8);
-    const test::SphereView sphere(4, 9);
-    const glm::dmat3 rotation = some_rotation();
-    const HighOrderFactors factors(*plastic(0.2), l_low, 12, 1 + 2);
-    HighOrderLight still(light, l_low, 12, true);
-    HighOrderLight rotated_light(rotated(light, rotation), l_low, 12, true);
-    const auto black = sphere.black(3);
-    const auto expected =
-        sphere.with(black, HighOrder(factors, rotated_light.maps(factors), glm::dmat3(1.0)));
-    const auto found = sphere.with(black, HighOrder(factors, still.maps(factors), rotation));
-    for (const double e : test::relative_error(found, expected)) CHECK(e < 3e-3);
-}
-
 TEST_CASE("unpolarized light has the same look-up in maps of either kind") {
     const PshVector light = test::random_light(20, 5, 1, 2);
     const test::SphereView sphere(4, 5);

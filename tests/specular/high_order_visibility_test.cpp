@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "specular/high_order_visibility.hpp"
 
-#include "harmonics/evaluate.hpp"
-#include "harmonics/grid.hpp"
+#include "harmonics/scalar_harmonics.hpp"
 #include "specular/high_order_gains.hpp"
 #include "test.hpp"
 
@@ -10,33 +9,12 @@ using namespace nicol;
 
 namespace {
 
-/// Coefficients over real harmonics of a function of the propagation direction.
-template <class Function>
-std::vector<float> project(Function function, int order) {
-    const LatitudeRows rows = gauss_legendre_rows(128);
-    constexpr int columns = 256;
-    std::vector<double> sum(psh_count(order));
-    std::vector<double> scalar(psh_count(order));
-    std::vector<std::complex<double>> spin2(psh_count(order));
-    for (std::size_t j = 0; j < rows.theta.size(); ++j) {
-        for (int c = 0; c < columns; ++c) {
-            const double phi = 2 * pi * (c + 0.5) / columns;
-            const glm::dvec3 d(std::sin(rows.theta[j]) * std::cos(phi),
-                               std::sin(rows.theta[j]) * std::sin(phi), std::cos(rows.theta[j]));
-            harmonics_at(order, d, scalar, spin2);
-            for (std::size_t i = 0; i < sum.size(); ++i)
-                sum[i] += function(d) * rows.weight[j] * 2 * pi / columns * scalar[i];
-        }
-    }
-    return {sum.begin(), sum.end()};
-}
-
 /// Vertices whose visibility has these coefficients.
-VisibilityBlocks seen_of(std::span<const float> coefficients, int order, std::size_t vertices) {
+VisibilityBlocks seen_of(std::span<const double> coefficients, int order, std::size_t vertices) {
     static const DirectionSet set(DirectionSet::kFewest);
     VisibilityBlocks out(Visibility(set.size(), vertices), order);
     std::vector<Lanes> lanes(coefficients.size());
-    for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i].value.fill(coefficients[i]);
+    for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i].value.fill(static_cast<float>(coefficients[i]));
     for (std::size_t block = 0; block * kLanes < vertices; ++block) out.set(block, lanes.data());
     return out;
 }
@@ -58,8 +36,8 @@ glm::vec2 at(const HighOrderVisibility& fraction, const VisibilityBlocks& seen, 
 
 TEST_CASE("unoccluded lobes are visible as a whole, and occluded ones are dark") {
     constexpr int order = 8;
-    const auto all = project([](const glm::dvec3&) { return 1.0; }, order);
-    const std::vector<float> none(psh_count(order));
+    const auto all = test::project_scalar(order, [](const glm::dvec3&) { return 1.0; });
+    const std::vector<double> none(psh_count(order));
     const HighOrderVisibility fraction(order, 0.2);
     for (const double theta : {0.0, 0.4, 1.0, 1.5}) {
         const glm::vec3 d(std::sin(theta) * 0.6, std::sin(theta) * 0.8, -std::cos(theta));
@@ -73,21 +51,19 @@ TEST_CASE("unoccluded lobes are visible as a whole, and occluded ones are dark")
 TEST_CASE("the fraction is the visibility filtered by the lobe, and by the cosine about the normal") {
     // A wall on the +x side, seen from below: light that travels towards -x is blocked.
     constexpr int order = 12;
-    const auto wall = project([](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; }, order);
+    const auto wall = test::project_scalar(order, [](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; });
     const HighOrderVisibility fraction(order, 0.3);
     const VisibilityBlocks seen = seen_of(wall, order, 1);
     const OrderGains lobe = gaussian_gains(0.3, 0, order);
-    std::vector<double> scalar(psh_count(order));
-    std::vector<std::complex<double>> spin2(psh_count(order));
     double before = -1;
     for (const double x : {-0.9, -0.4, -0.1, 0.0, 0.1, 0.4, 0.9}) {
         const glm::dvec3 d(x, 0.3 * std::sqrt(1 - x * x), -std::sqrt(0.91 * (1 - x * x)));
-        harmonics_at(order, d, scalar, spin2);
+        const std::vector<double> scalar = test::scalar_harmonics(order, d);
         double expected = 0;
         for (int l = 0; l <= order; ++l)
             for (int m = -l; m <= l; ++m)
-                expected += lobe[static_cast<std::size_t>(l)] * static_cast<double>(wall[psh_index(l, m)]) *
-                            scalar[psh_index(l, m)];
+                expected +=
+                    lobe[static_cast<std::size_t>(l)] * wall[psh_index(l, m)] * scalar[psh_index(l, m)];
         const glm::vec2 found = at(fraction, seen, glm::vec3(d));
         CHECK(found[0] == doctest::Approx(std::clamp(expected, 0.0, 1.0)).epsilon(1e-4));
         CHECK(found[0] >= before - 1e-3);
@@ -99,7 +75,7 @@ TEST_CASE("the fraction is the visibility filtered by the lobe, and by the cosin
 
 TEST_CASE("every vertex is evaluated along its mirrored view direction") {
     constexpr int order = 12;
-    const auto wall = project([](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; }, order);
+    const auto wall = test::project_scalar(order, [](const glm::dvec3& d) { return d.x < 0 ? 0.0 : 1.0; });
     const HighOrderVisibility fraction(order, 0.2);
     // All have the same wall in their own frames, whose axes are theta-hat and phi-hat.
     const std::vector<glm::vec3> normals{{1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}};

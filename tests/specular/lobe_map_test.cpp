@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "specular/lobe_map.hpp"
 
-#include "directions.hpp"
-
-#include "harmonics/evaluate.hpp"
-#include "light/random_field.hpp"
+#include "light/images.hpp"
 #include "specular/look_up.hpp"
 #include "test.hpp"
 
@@ -87,25 +84,6 @@ TEST_CASE("grids are as fine as the filtered light needs") {
     const PshVector bright = random_field(6, 1);
     CHECK(look_up(LobeMap(bright, mean, false), 0, {0, 0.6, 0.8}, {1, 0, 0})[0] ==
           doctest::Approx(bright.at(0, 0, 0, 0) / std::sqrt(4 * pi)));
-}
-
-TEST_CASE("layers apart are for textures") {
-    const LobeMap map(random_field(5, 2), std::vector<double>(6, 1.0), true);
-    const std::vector<float> two = map.layers_apart(1, 2);
-    const auto columns = static_cast<std::size_t>(map.columns());
-    const auto rows = static_cast<std::size_t>(map.rows());
-    REQUIRE(two.size() == 2 * rows * columns * 4);
-    for (const std::size_t row : {std::size_t{0}, rows / 3, rows - 1}) {
-        for (const std::size_t column : {std::size_t{0}, std::size_t{7}, columns - 1}) {
-            for (std::size_t i = 0; i < 8; ++i) {
-                const float expected = map.texels()[16 * (row * (columns + 1) + column) + 4 + i];
-                CHECK(two[4 * ((i / 4 * rows + row) * columns + column) + i % 4] == expected);
-            }
-        }
-        for (std::size_t i = 0; i < 16; ++i)
-            CHECK(map.texels()[16 * row * (columns + 1) + i] ==
-                  map.texels()[16 * (row * (columns + 1) + columns) + i]);
-    }
 }
 
 TEST_CASE("what no map can be made of is refused") {

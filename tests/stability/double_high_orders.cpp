@@ -7,7 +7,7 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "harmonics/evaluate.hpp"
+#include "harmonics/scalar_harmonics.hpp"
 #include "specular/high_order_gains.hpp"
 #include "specular/look_up.hpp"
 #include "stability/double_transfer.hpp"
@@ -115,9 +115,7 @@ glm::dvec2 fractions_in_double(const Vertices& vertices, std::size_t vertex,
     const OrderGains lobe = gaussian_gains(std::max(width, 1.7 / (order + 1)), 0, order);
     const OrderGains cosine = cosine_gains(0, order);
     const auto sum = [&](const OrderGains& gains, const glm::dvec3& direction) {
-        std::vector<double> scalar(psh_count(order));
-        std::vector<std::complex<double>> spin2(psh_count(order));
-        harmonics_at(order, direction, scalar, spin2);
+        const std::vector<double> scalar = scalar_harmonics(order, direction);
         double seen = 0;
         for (int l = 0; l <= order; ++l)
             for (int m = -l; m <= l; ++m)

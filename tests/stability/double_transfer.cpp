@@ -11,10 +11,12 @@
 #include <random>
 #include <utility>
 
+#include "directions.hpp"
 #include "harmonics/evaluate.hpp"
 #include "harmonics/light_numbers.hpp"
 #include "harmonics/product.hpp"
 #include "harmonics/rotation.hpp"
+#include "visibility/visibility_in_double.hpp"
 
 namespace nicol::test {
 namespace {
@@ -78,14 +80,11 @@ Vertices::Vertices(const DirectionSet& directions, double unit, std::size_t norm
 
     std::mt19937 random(17);
     std::normal_distribution<double> gauss;
-    const auto anywhere = [&] {
-        return glm::normalize(glm::dvec3(gauss(random), gauss(random), gauss(random)));
-    };
     std::vector<glm::dvec3> axes{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (const double tilt : {1e-3, 1e-6, 1e-9})
         for (const double side : {1.0, -1.0})
             axes.push_back(glm::normalize(glm::dvec3(tilt * 0.6, -tilt * 0.8, side)));
-    for (std::size_t i = 0; i < normals_anywhere; ++i) axes.push_back(anywhere());
+    for (std::size_t i = 0; i < normals_anywhere; ++i) axes.push_back(random_direction(random, gauss));
 
     const auto add = [&](const glm::dvec3& normal, const glm::dvec3& towards) {
         normals.emplace_back(normal);
@@ -109,7 +108,7 @@ Vertices::Vertices(const DirectionSet& directions, double unit, std::size_t norm
     visibility = Visibility(directions.size(), normals.size());
     for (std::size_t v = 0; v < normals.size(); ++v) {
         const bool unoccluded = v % 5 == 2;
-        const glm::vec3 plane(anywhere());
+        const glm::vec3 plane(random_direction(random, gauss));
         const float least = unoccluded ? -2.0F : static_cast<float>(0.3 * gauss(random));
         visibility.set_unoccluded(v, unoccluded);
         for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -118,39 +117,6 @@ Vertices::Vertices(const DirectionSet& directions, double unit, std::size_t norm
                 visibility.at(v)[i / 64] |= std::uint64_t{1} << (i % 64);
         }
     }
-}
-
-std::vector<double> visibility_in_double(const Vertices& vertices, const DirectionSet& directions,
-                                         std::size_t vertex, int order) {
-    std::vector<double> out(psh_count(order));
-    out[0] = std::sqrt(4 * pi);
-    if (vertices.visibility.unoccluded(vertex)) return out;
-    const glm::dvec3 normal = glm::normalize(glm::dvec3(vertices.normals[vertex]));
-    const Frame frame = theta_phi_frame(normal);
-    double seen = 0;
-    double all = 0;
-    std::vector<std::size_t> above;
-    for (std::size_t i = 0; i < directions.size(); ++i) {
-        if (glm::dot(glm::dvec3(directions.directions()[i]), normal) <= 0) continue;
-        above.push_back(i);
-        const double weight = static_cast<double>(directions.weights()[i]);
-        all += weight;
-        if (vertices.visibility.seen(vertex, i)) seen += weight;
-    }
-    const double fraction = all > 0 ? seen / all : 0;
-    out[0] *= fraction;
-    std::vector<double> scalar(out.size());
-    std::vector<std::complex<double>> spin2(out.size());
-    for (const std::size_t i : above) {
-        const glm::dvec3 propagation = -(glm::dvec3(directions.directions()[i]) * frame);
-        harmonics_at(order, propagation, scalar, spin2);
-        const double weight = static_cast<double>(directions.weights()[i]) *
-                              (vertices.visibility.seen(vertex, i) ? 1 - fraction : -fraction);
-        for (int l = 0; l <= order; ++l)
-            for (int m = -l; m <= l; ++m)
-                if ((l + m) % 2 == 0) out[psh_index(l, m)] += 2 * weight * scalar[psh_index(l, m)];
-    }
-    return out;
 }
 
 namespace {
@@ -208,7 +174,7 @@ std::vector<Image> shaded_in_double(const Vertices& vertices, const DirectionSet
     for (std::size_t v = 0; v < vertices.normals.size(); ++v) {
         const Frame surface = theta_phi_frame(glm::dvec3(vertices.normals[v]));
         const Sight sight(vertices.view, vertices.positions[v], surface);
-        product.set(visibility_in_double(vertices, directions, v, 2 * order));
+        product.set(visibility_in_double(vertices.visibility, v, vertices.normals[v], directions, 2 * order));
         for (std::size_t i = 0; i < lights.size(); ++i) {
             const PshVector local = rotated(lights[i], glm::transpose(surface));
             for (int c = 0; c < channels; ++c) {

@@ -36,11 +36,6 @@ struct Vertices {
     std::vector<bool> any_azimuth;
 };
 
-/// Coefficients of a vertex's mirrored visibility over real harmonics, [psh_index(l, m)].
-[[nodiscard]] std::vector<double> visibility_in_double(const Vertices& vertices,
-                                                       const DirectionSet& directions, std::size_t vertex,
-                                                       int order);
-
 /// Stokes vectors in the camera's frame, [channel][vertex].
 using Image = std::vector<std::vector<Stokes>>;
 

@@ -2,7 +2,6 @@
 // The size of the scene changes nothing.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
-#include "material/conductor.hpp"
 #include "render/renderer.hpp"
 #include "render/scenes.hpp"
 #include "stability/lights.hpp"
@@ -33,14 +32,12 @@ StokesImage image(const std::shared_ptr<gl::Context>& context, double unit, Exec
     Scene scene;
     scene.add({.mesh = test::coarse_sphere(12),
                .material = pplastic({.diffuse_reflectance = {0.3, 0.2, 0.1}, .alpha = 0.2}),
-               .to_world = grow * glm::translate(glm::dmat4(1), {0.2, 1, 0.1})});
-    scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(24)),
-               .material = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.3}),
-               .to_world = grow * glm::rotate(glm::dmat4(1), glm::radians(-90.0), glm::dvec3(1, 0, 0)) *
-                           glm::scale(glm::dmat4(1), glm::dvec3(3))});
+               .to_world = grow * test::at(0.2, 1, 0.1)});
+    scene.add({.mesh = test::rectangle(24),
+               .material = test::some_metal(0.3),
+               .to_world = grow * test::plate_at(0, 3)});
     scene.set_environment(light(), glm::dmat3(1), 1);
-    Camera camera;
-    camera.to_world = look_at(unit * glm::dvec3(2, 4, 6), unit * glm::dvec3(0, 0.5, 0), {0, 1, 0});
+    Camera camera = test::camera_at(unit * glm::dvec3(2, 4, 6), unit * glm::dvec3(0, 0.5, 0));
     camera.near_clip *= unit;
     camera.far_clip *= unit;
     return rendered(context, scene, camera, executor);
@@ -71,9 +68,8 @@ TEST_CASE("normals that point straight away from the camera make no holes in the
     for (glm::vec3& normal : plate.normals) normal = -normal;
     Scene scene;
     scene.add({.mesh = std::make_shared<const Mesh>(std::move(plate)), .material = pplastic({.alpha = 0.2})});
-    scene.add({.mesh = test::coarse_sphere(4),
-               .material = diffuse({0.5}),
-               .to_world = glm::translate(glm::dmat4(1), {0.3, 0.2, -1.5})});
+    scene.add(
+        {.mesh = test::coarse_sphere(4), .material = diffuse({0.5}), .to_world = test::at(0.3, 0.2, -1.5)});
     scene.set_environment(light(), glm::dmat3(1), 1);
     Camera camera;
     camera.orthographic = true;

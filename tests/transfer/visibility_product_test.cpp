@@ -26,7 +26,7 @@ struct Scene {
         std::mt19937 random(11);
         std::normal_distribution<float> normal;
         const auto direction = [&] {
-            return glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
+            return glm::normalize(glm::vec3{normal(random), normal(random), normal(random)});
         };
         for (std::size_t v = 0; v < vertices; ++v) {
             normals.push_back(v == 0 ? glm::vec3(0, 0, 1) : v == 1 ? glm::vec3(0, 0, -1) : direction());

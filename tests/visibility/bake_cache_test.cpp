@@ -2,6 +2,7 @@
 // Visibility kept on disk.
 #include "visibility/bake_cache.hpp"
 
+#include "files/cache_checks.hpp"
 #include "geometry/mesh.hpp"
 #include "temporary_folder.hpp"
 #include "test.hpp"
@@ -30,18 +31,16 @@ bool same(const Visibility& a, const Visibility& b) {
            std::ranges::equal(a.unoccluded(), b.unoccluded());
 }
 
-struct Baked {
-    Visibility visibility;
-    BakeStatistics statistics;
+test::CacheUse<Visibility> bake_with(const Mesh& mesh, const DirectionSet& directions,
+                                     const std::filesystem::path& folder) {
     std::vector<std::string> notices;
-};
-
-Baked bake_with(const Mesh& mesh, const DirectionSet& directions, const std::filesystem::path& folder) {
-    Baked out;
-    out.visibility = load_or_bake(
+    BakeStatistics statistics;
+    Visibility visibility = load_or_bake(
         {mesh.positions, mesh.normals, mesh.triangles}, directions, folder,
-        [&](const std::string& notice) { out.notices.push_back(notice); }, {}, &out.statistics);
-    return out;
+        [&](const std::string& notice) { notices.push_back(notice); }, {}, &statistics);
+    CHECK(statistics.from_cache == (statistics.rays == 0));
+    CHECK(statistics.unoccluded == visibility.unoccluded_count());
+    return {std::move(visibility), !statistics.from_cache, notices};
 }
 
 const DirectionSet& few() {
@@ -51,26 +50,9 @@ const DirectionSet& few() {
 
 }  // namespace
 
-TEST_CASE("what was baked comes back from the cache as it was") {
-    const TemporaryFolder scratch;
-    const auto folder = scratch / "made/on/demand";
-    const Baked first = bake_with(scene(), few(), folder);
-    CHECK_FALSE(first.statistics.from_cache);
-    CHECK(first.statistics.rays > 0);
-    const Baked second = bake_with(scene(), few(), folder);
-    CHECK(second.statistics.from_cache);
-    CHECK(second.statistics.rays == 0);
-    CHECK(second.statistics.unoccluded == first.statistics.unoccluded);
-    CHECK(same(first.visibility, second.visibility));
-    CHECK(first.notices.empty());
-    CHECK(second.notices.empty());
-    CHECK(files_in(folder).size() == 1);
-}
-
-TEST_CASE("without a folder nothing is written") {
-    const Baked baked = bake_with(scene(), few(), {});
-    CHECK_FALSE(baked.statistics.from_cache);
-    CHECK(baked.notices.empty());
+TEST_CASE("what was baked comes back from the cache as it was, and files that cannot be used are notices") {
+    test::check_cache([](const std::filesystem::path& folder) { return bake_with(scene(), few(), folder); },
+                      same);
 }
 
 TEST_CASE("another geometry or other directions have a file of their own") {
@@ -78,8 +60,8 @@ TEST_CASE("another geometry or other directions have a file of their own") {
     static_cast<void>(bake_with(scene(), few(), scratch.path()));
     std::size_t files = 1;
     const auto is_new = [&](const Mesh& mesh, const DirectionSet& directions) {
-        const Baked baked = bake_with(mesh, directions, scratch.path());
-        CHECK_FALSE(baked.statistics.from_cache);
+        const auto baked = bake_with(mesh, directions, scratch.path());
+        CHECK(baked.computed);
         CHECK(baked.notices.empty());
         CHECK(files_in(scratch.path()).size() == ++files);
     };
@@ -95,40 +77,8 @@ TEST_CASE("another geometry or other directions have a file of their own") {
     is_new(scene(), DirectionSet(301));
 }
 
-TEST_CASE("what is stale, damaged, truncated or foreign is baked anew with a notice") {
+TEST_CASE("cancelling leaves no file") {
     const TemporaryFolder scratch;
-    const Baked good = bake_with(scene(), few(), scratch.path());
-    const auto file = files_in(scratch.path()).front();
-    const std::string bytes = file_bytes(file);
-    const auto rebuilt = [&](const std::string& other) {
-        write_bytes(file, other);
-        const Baked baked = bake_with(scene(), few(), scratch.path());
-        CHECK_FALSE(baked.statistics.from_cache);
-        REQUIRE(baked.notices.size() == 1);
-        CHECK(baked.notices[0].find(file.string()) == 0);
-        CHECK(same(good.visibility, baked.visibility));
-        CHECK(file_bytes(file) == bytes);
-    };
-    std::string stale = bytes;
-    stale[8] ^= 1;
-    rebuilt(stale);
-    rebuilt(bytes.substr(0, bytes.size() - 1));
-    // Another geometry's file under this one's name.
-    Mesh mesh = scene();
-    mesh.positions[0].x += 0.5F;
-    static_cast<void>(bake_with(mesh, few(), scratch.path()));
-    for (const auto& foreign : files_in(scratch.path())) {
-        if (foreign != file) rebuilt(file_bytes(foreign));
-    }
-}
-
-TEST_CASE("a folder that cannot be used is a notice, and cancelling leaves no file") {
-    const TemporaryFolder scratch;
-    std::ofstream(scratch / "file") << "x";
-    const Baked baked = bake_with(scene(), few(), scratch / "file");
-    CHECK(baked.notices.size() == 1);
-    CHECK(baked.statistics.rays > 0);
-
     const Mesh mesh = scene();
     const auto folder = scratch / "cancelled";
     CHECK_THROWS_AS(load_or_bake({mesh.positions, mesh.normals, mesh.triangles}, few(), folder, {},
