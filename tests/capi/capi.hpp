@@ -2,23 +2,11 @@
 // What the tests of the C interface share.
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "nicol.h"
 #include "nicol_files.h"
 #include "nicol_psh.h"
 #include "temporary_folder.hpp"
+#include "test.hpp"
 
 #define OK(call)                               \
     do {                                       \
@@ -42,30 +30,18 @@
 
 namespace capi_test {
 
-inline nicol_result release(nicol_context handle) {
-    return nicol_context_release(handle);
-}
-inline nicol_result release(nicol_environment handle) {
-    return nicol_environment_release(handle);
-}
-inline nicol_result release(nicol_material handle) {
-    return nicol_material_release(handle);
-}
-inline nicol_result release(nicol_mesh handle) {
-    return nicol_mesh_release(handle);
-}
-inline nicol_result release(nicol_scene handle) {
-    return nicol_scene_release(handle);
-}
-inline nicol_result release(nicol_framebuffer handle) {
-    return nicol_framebuffer_release(handle);
-}
-inline nicol_result release(nicol_job handle) {
-    return nicol_job_release(handle);
-}
-inline nicol_result release(nicol_psh_transform handle) {
-    return nicol_psh_transform_release(handle);
-}
+#define NICOL_RELEASE_OF(type)                 \
+    inline nicol_result release(type handle) { \
+        return type##_release(handle);         \
+    }
+NICOL_RELEASE_OF(nicol_context)
+NICOL_RELEASE_OF(nicol_environment)
+NICOL_RELEASE_OF(nicol_material)
+NICOL_RELEASE_OF(nicol_mesh)
+NICOL_RELEASE_OF(nicol_scene)
+NICOL_RELEASE_OF(nicol_framebuffer)
+NICOL_RELEASE_OF(nicol_job)
+NICOL_RELEASE_OF(nicol_psh_transform)
 
 /// Releases its handle with the object.
 template <class Handle>
@@ -89,14 +65,30 @@ private:
     Handle handle_ = nullptr;
 };
 
+/// The handle that create(arguments..., &handle) makes.
+template <class... Parameters, class... Arguments>
+auto make(nicol_result (*create)(Parameters...), const Arguments&... arguments) {
+    std::remove_pointer_t<std::tuple_element_t<sizeof...(Arguments), std::tuple<Parameters...>>> handle =
+        nullptr;
+    OK(create(arguments..., &handle));
+    return handle;
+}
+
 inline constexpr nicol_backend every_backend[] = {NICOL_BACKEND_EGL, NICOL_BACKEND_OSMESA};
 
-inline nicol_context make_context(nicol_backend backend) {
+inline nicol_context_options two_threads(nicol_backend backend) {
     nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
     options.backend = backend;
     options.threads = 2;
-    nicol_context context = nullptr;
-    OK(nicol_context_create(&options, &context));
+    return options;
+}
+inline nicol_context make_context(nicol_backend backend) {
+    const nicol_context_options options = two_threads(backend);
+    return make(nicol_context_create, &options);
+}
+
+inline nicol_context retained(nicol_context context) {
+    OK(nicol_context_retain(context));
     return context;
 }
 
@@ -112,30 +104,20 @@ void on_every_backend(Test test) {
 }
 
 inline nicol_mesh cube(nicol_context context) {
-    nicol_mesh mesh = nullptr;
-    OK(nicol_mesh_create_cube(context, &mesh));
-    return mesh;
+    return make(nicol_mesh_create_cube, context);
 }
 inline nicol_mesh sphere(nicol_context context) {
-    nicol_mesh mesh = nullptr;
-    OK(nicol_mesh_create_sphere(context, &mesh));
-    return mesh;
+    return make(nicol_mesh_create_sphere, context);
 }
 inline nicol_mesh rectangle(nicol_context context) {
-    nicol_mesh mesh = nullptr;
-    OK(nicol_mesh_create_rectangle(context, &mesh));
-    return mesh;
+    return make(nicol_mesh_create_rectangle, context);
 }
 inline nicol_scene empty_scene(nicol_context context) {
-    nicol_scene scene = nullptr;
-    OK(nicol_scene_create(context, &scene));
-    return scene;
+    return make(nicol_scene_create, context);
 }
 inline nicol_framebuffer framebuffer_of(nicol_context context, std::uint32_t width, std::uint32_t height,
                                         std::uint32_t channels) {
-    nicol_framebuffer framebuffer = nullptr;
-    OK(nicol_framebuffer_create(context, width, height, channels, &framebuffer));
-    return framebuffer;
+    return make(nicol_framebuffer_create, context, width, height, channels);
 }
 
 inline nicol_spectrum spectrum(const std::vector<float>& values) {
@@ -148,23 +130,55 @@ inline nicol_spectrum spectrum(const std::vector<float>& values) {
 /// The same from every direction.
 inline nicol_environment constant_light(nicol_context context, const std::vector<float>& radiance) {
     const nicol_spectrum values = spectrum(radiance);
-    nicol_environment environment = nullptr;
-    OK(nicol_environment_create_constant(context, &values, &environment));
-    return environment;
+    return make(nicol_environment_create_constant, context, &values);
+}
+/// [row][column][channel][component]
+inline nicol_image image_of(const std::vector<float>& pixels, std::uint32_t width, std::uint32_t height,
+                            std::uint32_t channels, std::uint32_t components = 4) {
+    nicol_image image = NICOL_IMAGE_INIT;
+    image.width = width;
+    image.height = height;
+    image.channels = channels;
+    image.components = components;
+    image.pixels = pixels.data();
+    image.byte_size = pixels.size() * sizeof(float);
+    return image;
+}
+
+/// A clear sky of three channels with the sun in that direction.
+inline nicol_environment clear_sky(nicol_context context, const std::array<float, 3>& sun = {0, 1, 0}) {
+    nicol_sky sky = NICOL_SKY_INIT;
+    std::ranges::copy(sun, sky.sun_direction);
+    return make(nicol_environment_create_sky, context, &sky);
 }
 inline nicol_material diffuse(nicol_context context, const std::vector<float>& reflectance) {
     const nicol_spectrum values = spectrum(reflectance);
-    nicol_material material = nullptr;
-    OK(nicol_material_create_diffuse(context, &values, &material));
-    return material;
+    return make(nicol_material_create_diffuse, context, &values);
+}
+inline nicol_material plastic_of(nicol_context context,
+                                 const nicol_pplastic& parameters = NICOL_PPLASTIC_INIT) {
+    return make(nicol_material_create_pplastic, context, &parameters);
+}
+/// A grey material as a function, without `user` and `release`.
+inline nicol_callback_material grey_function() {
+    nicol_callback_material parameters = NICOL_CALLBACK_MATERIAL_INIT;
+    parameters.mueller = [](void*, std::uint32_t, const double*, const double*, double* mueller) {
+        std::fill_n(mueller, 16, 0.0);
+        mueller[0] = 0.1;
+        return std::int32_t{1};
+    };
+    return parameters;
 }
 
+inline nicol_camera camera_at(const glm::dvec3& origin) {
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    const double target[] = {0, 0, 0}, up[] = {0, 1, 0};
+    OK(nicol_camera_look_at(&camera, &origin.x, target, up));
+    return camera;
+}
 /// A camera at (0, 0, distance) that looks at the origin; the world's x is to the image's right.
 inline nicol_camera front_camera(double distance = 3) {
-    nicol_camera camera = NICOL_CAMERA_INIT;
-    const double origin[] = {0, 0, distance}, target[] = {0, 0, 0}, up[] = {0, 1, 0};
-    OK(nicol_camera_look_at(&camera, origin, target, up));
-    return camera;
+    return camera_at({0, 0, distance});
 }
 
 struct Matrix {
@@ -224,16 +238,52 @@ inline std::vector<float> read_all(nicol_framebuffer framebuffer) {
     return all;
 }
 
-inline float largest_of(const std::vector<float>& image) {
-    float largest = 0;
-    for (const float value : image) largest = std::max(largest, std::abs(value));
-    return largest;
+/// Norms of the difference of images and of the truth, of each Stokes component, over the pixels that count.
+struct Distance {
+    std::array<double, 4> error{}, size{};
+
+    template <class Number>
+    Distance(const std::vector<Number>& found, const std::vector<Number>& truth,
+             const std::vector<bool>& counts = {true}) {
+        REQUIRE(found.size() == truth.size());
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+            if (!counts[i / 4 % counts.size()]) continue;
+            error[i % 4] = std::hypot(error[i % 4], double(found[i]) - double(truth[i]));
+            size[i % 4] = std::hypot(size[i % 4], double(truth[i]));
+        }
+    }
+};
+
+/// One channel is the luminance of three, to a relative tolerance.
+inline void check_luminance(const std::vector<float>& y, const std::vector<float>& rgb, double tolerance) {
+    REQUIRE(rgb.size() == 3 * y.size());
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const double wanted = 0.2126 * rgb[i] + 0.7152 * rgb[y.size() + i] + 0.0722 * rgb[2 * y.size() + i];
+        CHECK(y[i] == doctest::Approx(wanted).epsilon(tolerance));
+    }
 }
-inline float largest_difference(const std::vector<float>& a, std::vector<float> b) {
-    REQUIRE(a.size() == b.size());
-    for (std::size_t i = 0; i < a.size(); ++i) b[i] -= a[i];
-    return largest_of(b);
-}
+
+/// A scene file, what it asks for, and a framebuffer for that.
+struct LoadedScene {
+    Owned<nicol_scene> scene;
+    Owned<nicol_framebuffer> framebuffer;
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    std::uint32_t width = 0, height = 0, channels = 0;
+
+    LoadedScene(nicol_context context, const std::string& path, std::vector<const char*> definitions = {})
+        : scene(make(nicol_scene_load, context, path.c_str(), definitions.data(),
+                     static_cast<std::uint32_t>(definitions.size()))) {
+        OK(nicol_scene_get_camera(scene, &camera));
+        OK(nicol_scene_get_film_size(scene, &width, &height));
+        OK(nicol_scene_get_channels(scene, &channels));
+        OK(nicol_framebuffer_create(context, width, height, channels, &framebuffer));
+    }
+    [[nodiscard]] std::vector<float> image(
+        const nicol_render_options& options = NICOL_RENDER_OPTIONS_INIT) const {
+        OK(nicol_render(scene, &camera, &options, framebuffer));
+        return read_all(framebuffer);
+    }
+};
 
 /// A cube under a polarizing sky, and a small framebuffer: something of everything.
 struct Stage {
@@ -247,15 +297,11 @@ struct Stage {
 
     explicit Stage(nicol_context owner)
         : context(owner),
+          environment(clear_sky(context, {1, 1, 0})),
+          material(plastic_of(context)),
           mesh(cube(context)),
           scene(empty_scene(context)),
           framebuffer(framebuffer_of(context, 24, 16, 3)) {
-        nicol_sky sky = NICOL_SKY_INIT;
-        sky.sun_direction[0] = 1;
-        sky.sun_direction[1] = 1;
-        OK(nicol_environment_create_sky(context, &sky, &environment));
-        const nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
-        OK(nicol_material_create_pplastic(context, &plastic, &material));
         OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
         add(scene, mesh, material, {{0.4, 0, 0.3, 0, 0.1, 0.5, 0, 0, -0.3, 0, 0.4, 0, 0, 0, 0, 1}});
     }
@@ -315,3 +361,15 @@ Handle marker() {
 }
 
 }  // namespace capi_test
+
+/// A test case that runs once a backend, each time with a fresh `context` or `stage`.
+#define CONTEXT_TEST_CASE(title) CAPI_TEST_CASE(title, backend, nicol_context context)
+#define STAGE_TEST_CASE(title) CAPI_TEST_CASE(title, stage, const capi_test::Stage& stage)
+#define CAPI_TEST_CASE(title, what, ...) \
+    CAPI_TEST_CASE_NAMED(title, what, DOCTEST_ANONYMOUS(run_on_), __VA_ARGS__)
+#define CAPI_TEST_CASE_NAMED(title, what, run, ...) \
+    static void run(__VA_ARGS__);                   \
+    TEST_CASE(title) {                              \
+        capi_test::on_every_##what(run);            \
+    }                                               \
+    static void run(__VA_ARGS__)

@@ -3,12 +3,8 @@
 // time.
 #pragma once
 
-#include <array>
 #include <bit>
-#include <cstring>
-#include <functional>
 #include <map>
-#include <type_traits>
 
 #include "capi.hpp"
 
@@ -30,16 +26,6 @@ enum class Kind : std::uint8_t {
     number
 };
 
-enum HandleType : std::uint8_t {
-    contexts,
-    environments,
-    materials,
-    meshes,
-    scenes,
-    framebuffers,
-    jobs,
-    transforms
-};
 inline constexpr std::array handle_names = {"nicol_context", "nicol_environment",  "nicol_material",
                                             "nicol_mesh",    "nicol_scene",        "nicol_framebuffer",
                                             "nicol_job",     "nicol_psh_transform"};
@@ -67,11 +53,8 @@ concept Sized = requires(T t) {
 template <class T>
 void make_good(T&) {}
 inline void make_good(nicol_image& image) {
-    static const float pixels[4] = {1, 1, 1, 1};
-    image.width = image.height = 2;
-    image.channels = image.components = 1;
-    image.pixels = pixels;
-    image.byte_size = sizeof pixels;
+    static const std::vector<float> pixels(4, 1.0F);
+    image = image_of(pixels, 2, 2, 1, 1);
 }
 inline void make_good(nicol_mesh_data& data) {
     static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -82,11 +65,7 @@ inline void make_good(nicol_mesh_data& data) {
     data.indices = indices;
 }
 inline void make_good(nicol_callback_material& material) {
-    material.mueller = [](void*, std::uint32_t, const double*, const double*, double* mueller) {
-        std::fill_n(mueller, 16, 0.0);
-        mueller[0] = 0.1;
-        return std::int32_t{1};
-    };
+    material = grey_function();
 }
 inline void make_good(nicol_psh_mueller_field& field) {
     field.order_out = field.order_in = 3;
@@ -199,37 +178,38 @@ inline const Function& function(const std::string& name) {
 struct Everything {
     std::array<Slot, handle_names.size()> handles{};
 
+    /// Takes the reference to the context.
     explicit Everything(nicol_context context) {
-        nicol_environment environment = nullptr;
-        nicol_material material = nullptr;
-        nicol_mesh mesh = nullptr;
-        nicol_scene scene = nullptr;
-        nicol_framebuffer framebuffer = nullptr;
-        nicol_job job = nullptr;
-        nicol_psh_transform transform = nullptr;
         light = folder.file("light.npz");
         OK(nicol_psh_write_file(light.c_str(), 0, 1, std::array{1.0, 0.0, 0.0, 0.0}.data(), 4));
-        OK(nicol_environment_load(context, light.c_str(), nullptr, &environment));
-        OK(nicol_material_create_diffuse(context, nullptr, &material));
+        const nicol_material material = make(nicol_material_create_diffuse, context, nullptr);
         nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
         options.order = 3;
         reflectance = folder.file("material.npz");
         OK(nicol_material_write(material, &options, reflectance.c_str()));
-        OK(nicol_mesh_create_rectangle(context, &mesh));
         const std::string file =
             folder.write("scene.xml",
                          "<scene version='3.0.0'><sensor type='perspective'>"
                          "<float name='fov' value='50'/></sensor><shape type='rectangle'/></scene>");
-        OK(nicol_scene_load(context, file.c_str(), nullptr, 0, &scene));
-        OK(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer));
+        const nicol_scene scene = make(nicol_scene_load, context, file.c_str(), nullptr, 0U);
+        const nicol_framebuffer framebuffer = framebuffer_of(context, 4, 4, 1);
         const nicol_camera camera = front_camera();
-        OK(nicol_render_async(scene, &camera, nullptr, framebuffer, &job));
+        const nicol_job job = make(nicol_render_async, scene, &camera, nullptr, framebuffer);
         OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
         nicol_psh_sampling sampling = NICOL_PSH_SAMPLING_INIT;
         sampling.order = 3;
-        OK(nicol_psh_transform_create(&sampling, &transform));
-        handles = {slot(context), slot(environment), slot(material), slot(mesh),
-                   slot(scene),   slot(framebuffer), slot(job),      slot(transform)};
+        handles = {slot(context),  slot(make(nicol_environment_load, context, light.c_str(), nullptr)),
+                   slot(material), slot(rectangle(context)),
+                   slot(scene),    slot(framebuffer),
+                   slot(job),      slot(make(nicol_psh_transform_create, &sampling))};
+    }
+    ~Everything() { release_all(); }
+    Everything(const Everything&) = delete;
+    Everything& operator=(const Everything&) = delete;
+    /// Once; the addresses stay.
+    void release_all() {
+        if (std::exchange(released, true)) return;
+        for (std::size_t type = handles.size(); type-- > 0;) CHECK(release(type) == NICOL_OK);
     }
     template <class T>
     static Slot slot(T* pointer) {
@@ -241,10 +221,6 @@ struct Everything {
     [[nodiscard]] nicol_result release(std::size_t type) const {
         return function(std::string(handle_names[type]) + "_release").call(&handles[type]);
     }
-    template <class T>
-    [[nodiscard]] T as(HandleType type) const {
-        return argument<T>(handles[type]);
-    }
     [[nodiscard]] const char* text(const std::string& function, const std::string& parameter) const {
         if (function == "nicol_file_describe_material") return reflectance.c_str();
         return function.ends_with("_write") || function.find("_write_") != std::string::npos ||
@@ -255,6 +231,7 @@ struct Everything {
 
     TemporaryFolder folder;
     std::string light, reflectance, written = folder.file("written.npz");
+    bool released = false;
 };
 
 /// Arguments of a function, with the memory that they point to.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What holds for every function of nicol.h: what it refuses, and that a call that fails writes nothing. Each
 // argument of each function is made wrong in every way that its type allows.
-#include <set>
-
 #include "contract.hpp"
 
 using namespace capi_test;
@@ -82,48 +80,43 @@ void set_size(std::vector<std::byte>& bytes, std::size_t size) {
 
 }  // namespace
 
-TEST_CASE("every function refuses what is no live handle of the type") {
-    on_every_backend([](nicol_context context) {
-        OK(nicol_context_retain(context));
-        const Everything all(context), gone(make_context(NICOL_BACKEND_OSMESA));
-        for (std::size_t type = 0; type < all.handles.size(); ++type) {
-            check_no_handle(all, type, 0, "NULL");
-            check_no_handle(all, type, Everything::slot(marker<void*>()), "never created");
-            for (std::size_t other = 0; other < all.handles.size(); ++other)
-                if (other != type)
-                    check_no_handle(all, type, all.handles[other], std::string("a ") + handle_names[other]);
-        }
-        // Addresses of released handles may be used again, so nothing else is made from here on.
-        for (std::size_t type = gone.handles.size(); type-- > 0;) OK(gone.release(type));
-        for (std::size_t type = 0; type < all.handles.size(); ++type)
-            check_no_handle(all, type, gone.handles[type], "released");
-        for (std::size_t type = all.handles.size(); type-- > 0;) OK(all.release(type));
-    });
+CONTEXT_TEST_CASE("every function refuses what is no live handle of the type") {
+    const Everything all(retained(context));
+    Everything gone(make_context(NICOL_BACKEND_OSMESA));
+    for (std::size_t type = 0; type < all.handles.size(); ++type) {
+        check_no_handle(all, type, 0, "NULL");
+        check_no_handle(all, type, Everything::slot(marker<void*>()), "never created");
+        for (std::size_t other = 0; other < all.handles.size(); ++other)
+            if (other != type)
+                check_no_handle(all, type, all.handles[other], std::string("a ") + handle_names[other]);
+    }
+    // Addresses of released handles may be used again, so nothing else is made from here on.
+    gone.release_all();
+    for (std::size_t type = 0; type < all.handles.size(); ++type)
+        check_no_handle(all, type, gone.handles[type], "released");
 }
 
-TEST_CASE("a handle lives until each of its references is released, and releasing NULL does nothing") {
-    on_every_backend([](nicol_context context) {
-        OK(nicol_context_retain(context));
-        const Everything all(context);
-        for (std::size_t type = all.handles.size(); type-- > 0;) {
-            CAPTURE(handle_names[type]);
-            const Slot null = 0;
-            OK(function(std::string(handle_names[type]) + "_release").call(&null));
-            for (int n = 0; n < 5; ++n) OK(all.retain(type));
-            for (int n = 0; n < 5; ++n) OK(all.release(type));
-            OK(all.retain(type));  // still alive
-            OK(all.release(type));
-            OK(all.release(type));
-            if (type == contexts) continue;  // on_every_backend has another reference
-            FAILS(all.retain(type), NICOL_ERROR_INVALID_HANDLE, "released");
-            FAILS(all.release(type), NICOL_ERROR_INVALID_HANDLE, "released");
-        }
-    });
+CONTEXT_TEST_CASE(
+    "a handle lives until each of its references is released, and releasing NULL does nothing") {
+    Everything all(retained(context));
+    all.released = true;  // here, by hand
+    for (std::size_t type = all.handles.size(); type-- > 0;) {
+        CAPTURE(handle_names[type]);
+        const Slot null = 0;
+        OK(function(std::string(handle_names[type]) + "_release").call(&null));
+        for (int n = 0; n < 5; ++n) OK(all.retain(type));
+        for (int n = 0; n < 5; ++n) OK(all.release(type));
+        OK(all.retain(type));  // still alive
+        OK(all.release(type));
+        OK(all.release(type));
+        if (type == 0) continue;  // on_every_backend has another reference
+        FAILS(all.retain(type), NICOL_ERROR_INVALID_HANDLE, "released");
+        FAILS(all.release(type), NICOL_ERROR_INVALID_HANDLE, "released");
+    }
 }
 
 TEST_CASE("every function refuses NULL for what it needs, by name") {
-    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
-    const Everything all(context);
+    const Everything all(make_context(NICOL_BACKEND_OSMESA));
     each_parameter({Kind::new_handle, Kind::struct_in, Kind::struct_out, Kind::text, Kind::input,
                     Kind::output, Kind::callback},
                    [&](const Function& f, std::size_t i) {
@@ -132,89 +125,80 @@ TEST_CASE("every function refuses NULL for what it needs, by name") {
                        arguments.set(i, 0);
                        REFUSES(arguments.call(), std::string(f.parameters[i].name) + " is NULL");
                    });
-    for (std::size_t type = all.handles.size(); type-- > 0;) OK(all.release(type));
 }
 
-TEST_CASE(
+CONTEXT_TEST_CASE(
     "structs of older and newer callers are read, and those without a size or with unknown fields refused") {
-    on_every_backend([](nicol_context context) {
-        OK(nicol_context_retain(context));
-        const Everything all(context);
-        each_parameter({Kind::struct_in}, [&](const Function& f, std::size_t i) {
-            if (needs_host(f)) return;
-            const Parameter& parameter = f.parameters[i];
-            const std::string name = parameter.name;
-            for (const std::uint32_t size : {0U, 1U, 3U, 65537U, UINT32_MAX}) {
-                Arguments arguments(f, all);
-                set_size(arguments.memory(i), size);
-                REFUSES(arguments.call(), name + "->struct_size");
-            }
-            const auto outcome = [&](std::vector<std::byte> bytes) {
-                set_size(bytes, bytes.size());
-                Arguments arguments(f, all);
-                arguments.point(i, std::move(bytes));
-                const nicol_result result = arguments.call();
-                return std::pair(result, std::string(result == NICOL_OK ? "" : nicol_last_error()));
-            };
-            std::vector<std::byte> newer = parameter.good;
-            newer.resize(parameter.size + 24);
-            CHECK(outcome(newer) == outcome(parameter.good));
-            for (const std::size_t at : {parameter.size, parameter.size + 11, parameter.size + 23}) {
-                std::vector<std::byte> unknown = newer;
-                unknown[at] = std::byte{1};
-                const auto [result, message] = outcome(unknown);
-                CHECK(result == NICOL_ERROR_INVALID_ARGUMENT);
-                CHECK(message.find(name + " has fields set") != std::string::npos);
-            }
-            // Fields that an older caller does not have are zero.
-            for (std::size_t size = 8; size < parameter.size; size += 8) {
-                const auto cut = parameter.good.begin() + static_cast<std::ptrdiff_t>(size);
-                std::vector<std::byte> older(parameter.good.begin(), cut), zero = older;
-                zero.resize(parameter.size);
-                CHECK(outcome(older) == outcome(zero));
-            }
-        });
-        for (std::size_t type = all.handles.size(); type-- > 0;) OK(all.release(type));
+    const Everything all(retained(context));
+    each_parameter({Kind::struct_in}, [&](const Function& f, std::size_t i) {
+        if (needs_host(f)) return;
+        const Parameter& parameter = f.parameters[i];
+        const std::string name = parameter.name;
+        for (const std::uint32_t size : {0U, 1U, 3U, 65537U, UINT32_MAX}) {
+            Arguments arguments(f, all);
+            set_size(arguments.memory(i), size);
+            REFUSES(arguments.call(), name + "->struct_size");
+        }
+        const auto outcome = [&](std::vector<std::byte> bytes) {
+            set_size(bytes, bytes.size());
+            Arguments arguments(f, all);
+            arguments.point(i, std::move(bytes));
+            const nicol_result result = arguments.call();
+            return std::pair(result, std::string(result == NICOL_OK ? "" : nicol_last_error()));
+        };
+        std::vector<std::byte> newer = parameter.good;
+        newer.resize(parameter.size + 24);
+        CHECK(outcome(newer) == outcome(parameter.good));
+        for (const std::size_t at : {parameter.size, parameter.size + 11, parameter.size + 23}) {
+            std::vector<std::byte> unknown = newer;
+            unknown[at] = std::byte{1};
+            const auto [result, message] = outcome(unknown);
+            CHECK(result == NICOL_ERROR_INVALID_ARGUMENT);
+            CHECK(message.find(name + " has fields set") != std::string::npos);
+        }
+        // Fields that an older caller does not have are zero.
+        for (std::size_t size = 8; size < parameter.size; size += 8) {
+            const auto cut = parameter.good.begin() + static_cast<std::ptrdiff_t>(size);
+            std::vector<std::byte> older(parameter.good.begin(), cut), zero = older;
+            zero.resize(parameter.size);
+            CHECK(outcome(older) == outcome(zero));
+        }
     });
 }
 
-TEST_CASE("structs are filled as far as the caller has room, and those without a size stay as they are") {
-    on_every_backend([](nicol_context context) {
-        OK(nicol_context_retain(context));
-        const Everything all(context);
-        each_parameter({Kind::struct_out}, [&](const Function& f, std::size_t i) {
-            if (needs_host(f) || f.name == "nicol_camera_look_at") return;  // which also reads its struct
-            const std::size_t whole_size = f.parameters[i].size;
-            for (const std::size_t size : {0U, 3U}) {
-                Arguments arguments(f, all);
-                std::ranges::fill(arguments.memory(i), std::byte{0x7e});
-                set_size(arguments.memory(i), size);
-                REFUSES(arguments.call(), std::string(f.parameters[i].name) + "->struct_size");
-            }
-            const auto filled = [&](std::size_t size) {
-                Arguments arguments(f, all);
-                std::vector<std::byte> room(size, std::byte{77});
-                set_size(room, size);
-                arguments.point(i, std::move(room));
-                OK(arguments.call());
-                std::uint32_t left = 0;
-                std::memcpy(&left, arguments.memory(i).data(), sizeof left);
-                CHECK(left == size);
-                return arguments.memory(i);
-            };
-            const std::vector<std::byte> whole = filled(whole_size), newer = filled(whole_size + 8);
-            const std::vector<std::byte> older = filled(8);
-            CHECK(std::equal(older.begin() + 4, older.end(), whole.begin() + 4));
-            CHECK(std::equal(whole.begin() + 4, whole.end(), newer.begin() + 4));
-            for (std::size_t at = whole_size; at < newer.size(); ++at) CHECK(newer[at] == std::byte{77});
-        });
-        for (std::size_t type = all.handles.size(); type-- > 0;) OK(all.release(type));
+CONTEXT_TEST_CASE(
+    "structs are filled as far as the caller has room, and those without a size stay as they are") {
+    const Everything all(retained(context));
+    each_parameter({Kind::struct_out}, [&](const Function& f, std::size_t i) {
+        if (needs_host(f) || f.name == "nicol_camera_look_at") return;  // which also reads its struct
+        const std::size_t whole_size = f.parameters[i].size;
+        for (const std::size_t size : {0U, 3U}) {
+            Arguments arguments(f, all);
+            std::ranges::fill(arguments.memory(i), std::byte{0x7e});
+            set_size(arguments.memory(i), size);
+            REFUSES(arguments.call(), std::string(f.parameters[i].name) + "->struct_size");
+        }
+        const auto filled = [&](std::size_t size) {
+            Arguments arguments(f, all);
+            std::vector<std::byte> room(size, std::byte{77});
+            set_size(room, size);
+            arguments.point(i, std::move(room));
+            OK(arguments.call());
+            std::uint32_t left = 0;
+            std::memcpy(&left, arguments.memory(i).data(), sizeof left);
+            CHECK(left == size);
+            return arguments.memory(i);
+        };
+        const std::vector<std::byte> whole = filled(whole_size), newer = filled(whole_size + 8);
+        const std::vector<std::byte> older = filled(8);
+        CHECK(std::equal(older.begin() + 4, older.end(), whole.begin() + 4));
+        CHECK(std::equal(whole.begin() + 4, whole.end(), newer.begin() + 4));
+        for (std::size_t at = whole_size; at < newer.size(); ++at) CHECK(newer[at] == std::byte{77});
     });
 }
 
 TEST_CASE("arrays of doubles must have the length that orders and vectors ask for, and finite values") {
-    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
-    const Everything all(context);
+    const Everything all(make_context(NICOL_BACKEND_OSMESA));
     each_parameter({Kind::input, Kind::output}, [&](const Function& f, std::size_t i) {
         const std::size_t length = f.count_of(i);
         const std::string name = f.parameters[i].name;
@@ -239,12 +223,10 @@ TEST_CASE("arrays of doubles must have the length that orders and vectors ask fo
                 REFUSES(arguments.call(), name + "[" + std::to_string(at) + "]");
             }
     });
-    for (std::size_t type = all.handles.size(); type-- > 0;) OK(all.release(type));
 }
 
 TEST_CASE("orders have a limit") {
-    const nicol_context context = make_context(NICOL_BACKEND_OSMESA);
-    const Everything all(context);
+    const Everything all(make_context(NICOL_BACKEND_OSMESA));
     each_parameter({Kind::number}, [&](const Function& f, std::size_t i) {
         const std::string name = f.parameters[i].name;
         if (name.find("order") == std::string::npos) return;
@@ -258,5 +240,4 @@ TEST_CASE("orders have a limit") {
             REFUSES(arguments.call(), name + " is " + std::to_string(wrong));
         }
     });
-    for (std::size_t type = all.handles.size(); type-- > 0;) OK(all.release(type));
 }

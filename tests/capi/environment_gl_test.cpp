@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Light from memory, files and coefficients, and what is known of it.
-#include <cmath>
-#include <limits>
-
 #include "capi.hpp"
 #include "image/stokes_image.hpp"
 
@@ -23,16 +20,10 @@ std::vector<double> coefficients_of(nicol_environment environment, std::uint32_t
     return out;
 }
 
-nicol_environment make_sky(nicol_context context, const nicol_sky& sky) {
-    nicol_environment environment = nullptr;
-    OK(nicol_environment_create_sky(context, &sky, &environment));
-    return environment;
-}
-
 // A 4 x 3 image of three channels whose rows lie `stride` floats apart.
 struct Pixels {
     std::vector<float> values;
-    nicol_image image = NICOL_IMAGE_INIT;
+    nicol_image image;
     int released = 0;
 
     explicit Pixels(std::uint32_t components = 1, std::size_t stride = 0) {
@@ -44,13 +35,8 @@ struct Pixels {
             for (std::size_t i = 0; i < row; ++i)
                 values[y * stride + i] =
                     i % components == 0 ? 1 + 0.1F * static_cast<float>(y * row + i) : 0.2F;
-        image.width = 4;
-        image.height = 3;
-        image.channels = 3;
-        image.components = components;
-        image.pixels = values.data();
+        image = image_of(values, 4, 3, 3, components);
         image.row_stride = stride == row ? 0 : stride * sizeof(float);
-        image.byte_size = values.size() * sizeof(float);
         image.release = [](void* user) { ++*static_cast<int*>(user); };
         image.release_user = &released;
     }
@@ -60,124 +46,112 @@ struct Pixels {
 
 }  // namespace
 
-TEST_CASE("rows of an image may lie apart, and what lies between them is not read") {
-    on_every_backend([](nicol_context context) {
-        for (const std::uint32_t components : {1U, 4U}) {
-            Pixels tight(components), loose(components, std::size_t{4} * 3 * components + 5);
-            Owned<nicol_environment> a, b;
-            OK(nicol_environment_create_image(context, &tight.image, &a));
-            OK(nicol_environment_create_image(context, &loose.image, &b));
-            CHECK((tight.released == 1 && loose.released == 1));
-            // The pixels are no longer needed.
-            for (Pixels* pixels : {&tight, &loose}) pixels->values.assign(pixels->values.size(), 0);
-            const std::vector<double> light = coefficients_of(a, 2);
-            CHECK(light == coefficients_of(b, 2));
-            CHECK(light[0] > 0);
-            CHECK(info_of(a).polarized == (components == 4 ? 1 : 0));
-        }
-        Pixels quiet;
-        quiet.image.release = nullptr;
-        Owned<nicol_environment> environment;
-        OK(nicol_environment_create_image(context, &quiet.image, &environment));
-    });
+CONTEXT_TEST_CASE("rows of an image may lie apart, and what lies between them is not read") {
+    for (const std::uint32_t components : {1U, 4U}) {
+        Pixels tight(components), loose(components, std::size_t{4} * 3 * components + 5);
+        const Owned a(make(nicol_environment_create_image, context, &tight.image)),
+            b(make(nicol_environment_create_image, context, &loose.image));
+        CHECK((tight.released == 1 && loose.released == 1));
+        // The pixels are no longer needed.
+        for (Pixels* pixels : {&tight, &loose}) pixels->values.assign(pixels->values.size(), 0);
+        const std::vector<double> light = coefficients_of(a, 2);
+        CHECK(light == coefficients_of(b, 2));
+        CHECK(light[0] > 0);
+        CHECK(info_of(a).polarized == (components == 4 ? 1 : 0));
+    }
+    Pixels quiet;
+    quiet.image.release = nullptr;
+    const Owned environment(make(nicol_environment_create_image, context, &quiet.image));
 }
 
-TEST_CASE("an image that cannot be taken is given back") {
-    on_every_backend([](nicol_context context) {
-        Pixels pixels;
-        nicol_environment environment = marker<nicol_environment>();
-        const auto create = [&](const nicol_image& image) {
-            pixels.released = 0;
-            const nicol_result result = nicol_environment_create_image(context, &image, &environment);
-            CHECK(environment == marker<nicol_environment>());
-            CHECK(pixels.released == 1);
-            return result;
-        };
-        using I = nicol_image;
-        check_wrong(pixels.image, create,
-                    {{"byte_size", [](I& i) { i.byte_size -= 1; }},
-                     {"byte_size", [](I& i) { i.byte_size = 0; }},
-                     {"row_stride", [](I& i) { i.row_stride = 44; }},
-                     {"row_stride", [](I& i) { i.row_stride = 50; }},
-                     {"byte_size", [](I& i) { i.row_stride = 96; }},
-                     {"row_stride", [](I& i) { i.row_stride = UINT64_MAX - 3; }},
-                     {"row_stride", [](I& i) { i.row_stride = std::uint64_t{1} << 63; }},
-                     {"width", [](I& i) { i.width = 0; }},
-                     {"width", [](I& i) { i.width = NICOL_MAX_SIZE + 1; }},
-                     {"height", [](I& i) { i.height = 1; }},
-                     {"height", [](I& i) { i.height = UINT32_MAX; }},
-                     {"channels", [](I& i) { i.channels = 0; }},
-                     {"channels", [](I& i) { i.channels = NICOL_MAX_CHANNELS + 1; }},
-                     {"components", [](I& i) { i.components = 0; }},
-                     {"components", [](I& i) { i.components = 3; }},
-                     {"pixels", [](I& i) { i.pixels = nullptr; }},
-                     // Larger than any image may be, and the caller even claims to have it.
-                     {"16384", [](I& i) {
-                          i.width = i.height = NICOL_MAX_SIZE;
-                          i.channels = NICOL_MAX_CHANNELS;
-                          i.components = 4;
-                          i.byte_size = UINT64_MAX;
-                      }}});
-        for (const float bad : {NAN, INFINITY, -300.0F}) {
-            const float before = std::exchange(pixels.values[19], bad);  // where it has a weight
-            REFUSES(create(pixels.image), "");
-            pixels.values[19] = before;
-        }
-        FAILS(nicol_environment_create_image(nullptr, &pixels.image, &environment),
-              NICOL_ERROR_INVALID_HANDLE, "nicol_context");
-        REFUSES(nicol_environment_create_image(context, &pixels.image, nullptr), "environment");
-        CHECK(pixels.released == 3);
-        pixels.image.struct_size = 0;  // nothing can be said of such a struct
-        REFUSES(nicol_environment_create_image(context, &pixels.image, nullptr), "");
-        CHECK(pixels.released == 3);
-    });
+CONTEXT_TEST_CASE("an image that cannot be taken is given back") {
+    Pixels pixels;
+    nicol_environment environment = marker<nicol_environment>();
+    const auto create = [&](const nicol_image& image) {
+        pixels.released = 0;
+        const nicol_result result = nicol_environment_create_image(context, &image, &environment);
+        CHECK(environment == marker<nicol_environment>());
+        CHECK(pixels.released == 1);
+        return result;
+    };
+    using I = nicol_image;
+    check_wrong(pixels.image, create,
+                {{"byte_size", [](I& i) { i.byte_size -= 1; }},
+                 {"byte_size", [](I& i) { i.byte_size = 0; }},
+                 {"row_stride", [](I& i) { i.row_stride = 44; }},
+                 {"row_stride", [](I& i) { i.row_stride = 50; }},
+                 {"byte_size", [](I& i) { i.row_stride = 96; }},
+                 {"row_stride", [](I& i) { i.row_stride = UINT64_MAX - 3; }},
+                 {"row_stride", [](I& i) { i.row_stride = std::uint64_t{1} << 63; }},
+                 {"width", [](I& i) { i.width = 0; }},
+                 {"width", [](I& i) { i.width = NICOL_MAX_SIZE + 1; }},
+                 {"height", [](I& i) { i.height = 1; }},
+                 {"height", [](I& i) { i.height = UINT32_MAX; }},
+                 {"channels", [](I& i) { i.channels = 0; }},
+                 {"channels", [](I& i) { i.channels = NICOL_MAX_CHANNELS + 1; }},
+                 {"components", [](I& i) { i.components = 0; }},
+                 {"components", [](I& i) { i.components = 3; }},
+                 {"pixels", [](I& i) { i.pixels = nullptr; }},
+                 // Larger than any image may be, and the caller even claims to have it.
+                 {"16384", [](I& i) {
+                      i.width = i.height = NICOL_MAX_SIZE;
+                      i.channels = NICOL_MAX_CHANNELS;
+                      i.components = 4;
+                      i.byte_size = UINT64_MAX;
+                  }}});
+    for (const float bad : {NAN, INFINITY, -300.0F}) {
+        const float before = std::exchange(pixels.values[19], bad);  // where it has a weight
+        REFUSES(create(pixels.image), "");
+        pixels.values[19] = before;
+    }
+    FAILS(nicol_environment_create_image(nullptr, &pixels.image, &environment), NICOL_ERROR_INVALID_HANDLE,
+          "nicol_context");
+    REFUSES(nicol_environment_create_image(context, &pixels.image, nullptr), "environment");
+    CHECK(pixels.released == 3);
+    pixels.image.struct_size = 0;  // nothing can be said of such a struct
+    REFUSES(nicol_environment_create_image(context, &pixels.image, nullptr), "");
+    CHECK(pixels.released == 3);
 }
 
-TEST_CASE("zero in a sky means its default, and a negative number none") {
-    on_every_backend([](nicol_context context) {
-        nicol_sky sky = NICOL_SKY_INIT;
-        const auto light = [&] { return coefficients_of(Owned(make_sky(context, sky)), 2); };
-        const std::vector<double> standard = light();
-        sky.dop_max = 0.8F;
-        sky.sun_direction[1] = 2;
-        sky.radiance = spectrum({1, 1, 1});
-        const std::vector<double> spelled = light();
-        sky.dop_max = -1;
-        const std::vector<double> unpolarized = light();
-        double largest = 0;
-        for (std::size_t i = 0; i < standard.size(); ++i) {
-            CHECK(std::abs(standard[i] - spelled[i]) < 1e-5);
-            CHECK(std::abs(unpolarized[i] - (i % 4 == 0 ? standard[i] : 0)) < 1e-5);
-            if (i % 4 != 0) largest = std::max(largest, std::abs(standard[i]));
-        }
-        CHECK(largest > 0.1);
+CONTEXT_TEST_CASE("zero in a sky means its default, and a negative number none") {
+    nicol_sky sky = NICOL_SKY_INIT;
+    const auto light = [&] {
+        return coefficients_of(Owned(make(nicol_environment_create_sky, context, &sky)), 2);
+    };
+    const std::vector<double> standard = light();
+    sky.dop_max = 0.8F;
+    sky.sun_direction[1] = 2;
+    sky.radiance = spectrum({1, 1, 1});
+    CHECK(largest_difference(standard, light()) < 1e-5);
+    sky.dop_max = -1;
+    std::vector<double> s0 = standard;
+    for (std::size_t i = 0; i < s0.size(); ++i) s0[i] *= i % 4 == 0 ? 1 : 0;
+    CHECK(largest_difference(light(), s0) < 1e-5);
+    CHECK(largest_difference(standard, s0) > 0.1);
 
-        // The ground of a hazy sky; s0 of order 0 is 2 sqrt(pi) times the mean over the sphere.
-        const auto mean = [&](float turbidity, float albedo) {
-            sky.turbidity = turbidity;
-            sky.ground_albedo = albedo;
-            return light()[36] / (2 * std::sqrt(std::acos(-1.0)));  // of green
-        };
-        CHECK(mean(3, 0) == Approx(mean(3, 0.2F)).epsilon(1e-6));
-        CHECK(mean(3, 0.2F) > mean(3, -1));
-        CHECK(mean(0, 0.4F) == Approx(mean(0, -1)));
-    });
+    // The ground of a hazy sky; s0 of order 0 is 2 sqrt(pi) times the mean over the sphere.
+    const auto mean = [&](float turbidity, float albedo) {
+        sky.turbidity = turbidity;
+        sky.ground_albedo = albedo;
+        return light()[36] / (2 * std::sqrt(pi));  // of green
+    };
+    CHECK(mean(3, 0) == Approx(mean(3, 0.2F)).epsilon(1e-6));
+    CHECK(mean(3, 0.2F) > mean(3, -1));
+    CHECK(mean(0, 0.4F) == Approx(mean(0, -1)));
 }
 
 TEST_CASE("files are loaded at a scale and at wavelengths") {
     const TemporaryFolder folder;
     nicol::StokesImage image(8, 5, 4);  // whose radiance is the wavelength / 100 nm
     image.wavelengths = {450, 500, 550, 600};
-    for (int c = 0; c < 4; ++c)
-        for (int y = 0; y < 5; ++y)
-            for (int x = 0; x < 8; ++x) image.at(c, y, x)[0] = 4.5F + 0.5F * static_cast<float>(c);
+    for (std::size_t i = 0; i < image.data.size(); i += 4)
+        image.data[i] = static_cast<float>(image.wavelengths[i / 160]) / 100;
     const std::string path = folder.file("spectral.exr"), plain = folder.file("plain.exr");
     const std::string text = folder.write("text.npz", "no archive");
     nicol::write_exr(path, image, {.components = 0});
     nicol::write_exr(plain, nicol::StokesImage(4, 3, 3));
     on_every_backend([&](nicol_context context) {
-        Owned<nicol_environment> environment;
-        OK(nicol_environment_load(context, path.c_str(), nullptr, &environment));
+        Owned environment(make(nicol_environment_load, context, path.c_str(), nullptr));
         nicol_environment_info info = info_of(environment);
         CHECK((info.channels == 4 && info.polarized == 0 && info.circular == 0));
         REQUIRE(info.wavelength_count == 4);
@@ -214,27 +188,15 @@ TEST_CASE("files are loaded at a scale and at wavelengths") {
     });
 }
 
-TEST_CASE("light goes through its coefficients and back") {
-    on_every_stage([](const Stage& stage) {
-        nicol_sky parameters = NICOL_SKY_INIT;
-        parameters.sun_direction[0] = 1;
-        parameters.sun_direction[1] = 0.7F;
-        const Owned sky(make_sky(stage.context, parameters));
-        // The sky of single scattering has no order above 2, and no circular light.
-        std::vector<double> low = coefficients_of(sky, 2);
-        for (std::size_t i = 3; i < low.size(); i += 4) CHECK(std::abs(std::exchange(low[i], 0)) < 1e-12);
-        Owned<nicol_environment> light;
-        OK(nicol_environment_create_psh(stage.context, 2, 3, low.data(), low.size(), &light));
-        for (const nicol_environment_info& info : {info_of(sky), info_of(light)}) {
-            CHECK((info.channels == 3 && info.polarized == 1 && info.circular == 0));
-            CHECK(info.wavelength_count == 0);
-        }
-        CHECK(coefficients_of(light, 2) == low);
-
-        OK(nicol_scene_set_environment(stage.scene, sky, nullptr, 0));
-        const std::vector<float> before = stage.image();
-        OK(nicol_scene_set_environment(stage.scene, light, nullptr, 0));
-        const std::vector<float> after = stage.image();
-        for (std::size_t i = 0; i < before.size(); ++i) CHECK(std::abs(after[i] - before[i]) < 2e-3F);
-    });
+CONTEXT_TEST_CASE("light goes through its coefficients and back") {
+    const Owned sky(clear_sky(context, {1, 0.7F, 0}));
+    // The sky of single scattering has no order above 2, and no circular light.
+    std::vector<double> low = coefficients_of(sky, 2);
+    for (std::size_t i = 3; i < low.size(); i += 4) CHECK(std::abs(std::exchange(low[i], 0)) < 1e-12);
+    const Owned light(make(nicol_environment_create_psh, context, 2U, 3U, low.data(), low.size()));
+    for (const nicol_environment_info& info : {info_of(sky), info_of(light)}) {
+        CHECK((info.channels == 3 && info.polarized == 1 && info.circular == 0));
+        CHECK(info.wavelength_count == 0);
+    }
+    CHECK(coefficients_of(light, 2) == low);
 }

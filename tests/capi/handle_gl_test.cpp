@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // How long objects live: handles released in any order, by many threads, while others use them.
-#include <algorithm>
 #include <numeric>
 #include <thread>
 
@@ -93,7 +92,9 @@ TEST_CASE("objects of different contexts do not mix") {
     const nicol_camera camera = front_camera();
     const auto foreign = NICOL_ERROR_INVALID_HANDLE;
     nicol_job job = marker<nicol_job>();
+    nicol_material both = marker<nicol_material>();
     check_refused({
+        {"different", [&] { return nicol_material_create_twosided(a.context, b.material, &both); }, foreign},
         {"contexts", [&] { return add_to_a(b.mesh, a.material); }, foreign},
         {"contexts", [&] { return add_to_a(a.mesh, b.material); }, foreign},
         {"contexts", [&] { return nicol_scene_set_environment(a.scene, b.environment, nullptr, 0); },
@@ -104,40 +105,38 @@ TEST_CASE("objects of different contexts do not mix") {
          foreign},
     });
     CHECK(id == 77);
-    CHECK(job == marker<nicol_job>());
+    CHECK((job == marker<nicol_job>() && both == marker<nicol_material>()));
     for (const Connected* all : {&a, &b}) {
         for (const auto& release : releases(*all)) OK(release());
     }
 }
 
-TEST_CASE("threads may share and drop handles while others use them") {
-    on_every_backend([](nicol_context context) {
-        for (int round = 0; round < 10; ++round) {
-            OK(nicol_context_retain(context));
-            const Connected all{context};
-            all.connect();
-            const nicol_camera camera = front_camera();
-            std::vector<std::string> wrong(4);
-            std::vector<std::thread> threads;
-            for (std::size_t t = 0; t < wrong.size(); ++t) {
-                threads.emplace_back([&, t] {
-                    const auto expect_alive_or_gone = [&](nicol_result result) {
-                        if (result != NICOL_OK && result != NICOL_ERROR_INVALID_HANDLE)
-                            wrong[t] = nicol_last_error();
-                    };
-                    for (int n = 0; n < 3; ++n) {
-                        expect_alive_or_gone(nicol_render(all.scene, &camera, nullptr, all.framebuffer));
-                        std::uint32_t vertices = 0, triangles = 0;
-                        expect_alive_or_gone(nicol_mesh_get_size(all.mesh, &vertices, &triangles));
-                    }
-                    // The first thread to come drops what the others still use.
-                    for (std::size_t i = 1; i < 6; ++i) expect_alive_or_gone(releases(all)[i]());
-                });
-            }
-            for (std::thread& thread : threads) thread.join();
-            for (const std::string& message : wrong) CHECK(message == "");
-            for (std::size_t i = 1; i < 6; ++i) CHECK(releases(all)[i]() == NICOL_ERROR_INVALID_HANDLE);
-            OK(nicol_context_release(context));
+CONTEXT_TEST_CASE("threads may share and drop handles while others use them") {
+    for (int round = 0; round < 10; ++round) {
+        OK(nicol_context_retain(context));
+        const Connected all{context};
+        all.connect();
+        const nicol_camera camera = front_camera();
+        std::vector<std::string> wrong(4);
+        std::vector<std::thread> threads;
+        for (std::size_t t = 0; t < wrong.size(); ++t) {
+            threads.emplace_back([&, t] {
+                const auto expect_alive_or_gone = [&](nicol_result result) {
+                    if (result != NICOL_OK && result != NICOL_ERROR_INVALID_HANDLE)
+                        wrong[t] = nicol_last_error();
+                };
+                for (int n = 0; n < 3; ++n) {
+                    expect_alive_or_gone(nicol_render(all.scene, &camera, nullptr, all.framebuffer));
+                    std::uint32_t vertices = 0, triangles = 0;
+                    expect_alive_or_gone(nicol_mesh_get_size(all.mesh, &vertices, &triangles));
+                }
+                // The first thread to come drops what the others still use.
+                for (std::size_t i = 1; i < 6; ++i) expect_alive_or_gone(releases(all)[i]());
+            });
         }
-    });
+        for (std::thread& thread : threads) thread.join();
+        for (const std::string& message : wrong) CHECK(message == "");
+        for (std::size_t i = 1; i < 6; ++i) CHECK(releases(all)[i]() == NICOL_ERROR_INVALID_HANDLE);
+        OK(nicol_context_release(context));
+    }
 }

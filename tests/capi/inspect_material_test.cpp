@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Files of materials: from one format to another, and what they hold.
-#include <cmath>
-#include <glm/geometric.hpp>
-
 #include "inspect.hpp"
 #include "material/material.hpp"
 #include "material/material_projection.hpp"
 #include "material/pbsdf_file.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "material/response_cache.hpp"
-#include "psh_checks.hpp"
 
 using namespace capi_test;
 using nicol::IsotropicMatrix;
@@ -65,7 +61,7 @@ TEST_CASE("inspect: SHMat is described, stays as it is, is cut and scaled") {
         if (c > 0) CHECK(r.albedo[c] > r.albedo[c - 1]);
         CHECK(r.largest_albedo[c] >= r.albedo[c]);
     }
-    convert(file, folder.file("same.npz"), NICOL_FILE_OPTIONS_INIT);
+    convert(file, folder.file("same.npz"));
     CHECK(distance(folder.file("same.npz"), file, 8) < 1e-15);
     convert(file, folder.file("cut.npz"), of_order(2));
     convert(folder.file("same.npz"), folder.file("cut2.npz"), of_order(2));
@@ -95,7 +91,7 @@ TEST_CASE("inspect: tables of the cache are materials again") {
     nicol_file_kind kind = 0;
     OK(nicol_file_identify(table.c_str(), &kind));
     CHECK(kind == NICOL_FILE_MATERIAL_TABLE);
-    convert(table, folder.file("back.npz"), NICOL_FILE_OPTIONS_INIT);
+    convert(table, folder.file("back.npz"));
     CHECK(distance(folder.file("back.npz"), folder.file("p.npz"), order) < 1e-4);
     const nicol_material_report r = report_of(table);
     CHECK((r.file_order == 5 && r.stokes_columns == 4 && r.channels == 3));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Renders as jobs: what they make, their order, their end, and who may let go of what.
-#include <condition_variable>
+#include <atomic>
 #include <mutex>
 #include <thread>
 
@@ -15,29 +15,21 @@ class Gate {
 public:
     static std::int32_t callback(void* user, const char*, double) {
         auto& gate = *static_cast<Gate*>(user);
-        std::unique_lock lock(gate.mutex_);
         gate.entered_ = true;
-        gate.changed_.notify_all();
-        gate.changed_.wait(lock, [&] { return gate.open_; });
+        gate.entered_.notify_all();
+        gate.answer_.wait(closed);
         return gate.answer_;
     }
-    void wait_until_entered() {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [this] { return entered_; });
-    }
+    void wait_until_entered() { entered_.wait(false); }
     void open(std::int32_t answer = 1) {
-        const std::lock_guard lock(mutex_);
-        open_ = true;
         answer_ = answer;
-        changed_.notify_all();
+        answer_.notify_all();
     }
 
 private:
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    bool entered_ = false;
-    bool open_ = false;
-    std::int32_t answer_ = 1;
+    static constexpr std::int32_t closed = -1;
+    std::atomic<bool> entered_ = false;
+    std::atomic<std::int32_t> answer_ = closed;
 };
 
 // Every render with these traces anew.
@@ -57,10 +49,7 @@ nicol_render_options gated(Gate& gate) {
 }
 
 nicol_job submit(const Stage& stage, const nicol_render_options& options = traced()) {
-    nicol_job job = nullptr;
-    OK(nicol_render_async(stage.scene, &stage.camera, &options, stage.framebuffer, &job));
-    REQUIRE(job != nullptr);
-    return job;
+    return make(nicol_render_async, stage.scene, &stage.camera, &options, stage.framebuffer);
 }
 
 nicol_job_status poll(nicol_job job) {
@@ -71,124 +60,98 @@ nicol_job_status poll(nicol_job job) {
 
 }  // namespace
 
-TEST_CASE("a job makes the image that a render makes") {
-    on_every_stage([](const Stage& stage) {
-        for (const nicol_method method :
-             {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {
-            nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-            options.method = method;
-            options.samples = 4;
-            const std::vector<float> image = stage.image(options);
-            const Owned other(framebuffer_of(stage.context, 24, 16, 3));
-            Owned<nicol_job> job;
-            OK(nicol_render_async(stage.scene, &stage.camera, &options, other, &job));
-            OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
-            OK(nicol_job_wait(job, 0));
-            const nicol_job_status status = poll(job);
-            CHECK((status.state == NICOL_JOB_DONE && status.result == NICOL_OK));
-            CHECK((status.fraction == 1 && std::string(status.verb) == ""));
-            CHECK(read_all(other) == image);
-            OK(nicol_job_cancel(job));  // too late
-            OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
-        }
-    });
-}
-
-TEST_CASE("a job renders the scene as it was, while the scene changes") {
-    on_every_stage([](const Stage& stage) {
-        const nicol_render_options options = traced();
-        const std::vector<float> before = stage.image(options);
-
+STAGE_TEST_CASE("a job makes the image that a render makes") {
+    for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.method = method;
+        options.samples = 4;
+        const std::vector<float> image = stage.image(options);
         const Owned other(framebuffer_of(stage.context, 24, 16, 3));
-        Gate gate;
-        const nicol_job first = submit(stage, gated(gate));
-        gate.wait_until_entered();
-        nicol_job second = nullptr;
-        OK(nicol_render_async(stage.scene, &stage.camera, &options, other, &second));
-        // None of these waits for the job, which would never end.
-        OK(nicol_scene_set_transform(stage.scene, 0, placed(0.5, 0, 0, 0.2).rows));
-        OK(nicol_scene_set_environment(stage.scene, stage.environment, nullptr, 3));
-        std::uint32_t channels = 0;
-        OK(nicol_scene_get_channels(stage.scene, &channels));
-        const nicol_job third = submit(stage, options);
-        gate.open();
-        OK(nicol_job_wait(second, NICOL_WAIT_FOREVER));
-        OK(nicol_job_wait(third, NICOL_WAIT_FOREVER));
-        CHECK(read_all(other) == before);
-        const std::vector<float> after = read_all(stage.framebuffer);
-        CHECK(after != before);
-        OK(nicol_render(stage.scene, &stage.camera, &options, other));
-        CHECK(read_all(other) == after);
-        for (const nicol_job job : {first, second, third}) OK(nicol_job_release(job));
-    });
+        const Owned job(make(nicol_render_async, stage.scene, &stage.camera, &options, other));
+        OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
+        OK(nicol_job_wait(job, 0));
+        const nicol_job_status status = poll(job);
+        CHECK((status.state == NICOL_JOB_DONE && status.result == NICOL_OK));
+        CHECK((status.fraction == 1 && std::string(status.verb) == ""));
+        CHECK(read_all(other) == image);
+        OK(nicol_job_cancel(job));  // too late
+        OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
+    }
 }
 
-TEST_CASE("jobs wait their turn, and end at once when they are cancelled there") {
-    on_every_stage([](const Stage& stage) {
-        const std::vector<float> image = stage.image();
-        Gate gate;
-        const Owned running(submit(stage, gated(gate)));
-        const Owned waiting(submit(stage));
-        gate.wait_until_entered();
-        const nicol_job_status status = poll(running);
-        CHECK((status.state == NICOL_JOB_RUNNING && status.result == NICOL_OK));
-        CHECK(std::string(status.verb) == "trace");
-        CHECK((status.fraction >= 0 && status.fraction <= 1));
-        CHECK(poll(waiting).state == NICOL_JOB_WAITING);
-        FAILS(nicol_job_wait(waiting, 0), NICOL_ERROR_TIMEOUT, "0 milliseconds");
-        FAILS(nicol_job_wait(running, 1), NICOL_ERROR_TIMEOUT, "1 milliseconds");
-        // While the other one still holds the thread.
-        OK(nicol_job_cancel(waiting));
-        FAILS(nicol_job_wait(waiting, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "cancelled");
-        CHECK(poll(waiting).state == NICOL_JOB_DONE);
-        CHECK(poll(waiting).result == NICOL_ERROR_CANCELLED);
-        CHECK(poll(running).state == NICOL_JOB_RUNNING);
-        OK(nicol_job_cancel(running));
-        CHECK(poll(running).state == NICOL_JOB_RUNNING);
-        gate.open();
-        FAILS(nicol_job_wait(running, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "cancelled");
-        CHECK(read_all(stage.framebuffer) == image);
-    });
+STAGE_TEST_CASE("a job renders the scene as it was, while the scene changes") {
+    const nicol_render_options options = traced();
+    const std::vector<float> before = stage.image(options);
+
+    const Owned other(framebuffer_of(stage.context, 24, 16, 3));
+    Gate gate;
+    const Owned first(submit(stage, gated(gate)));
+    gate.wait_until_entered();
+    const Owned second(make(nicol_render_async, stage.scene, &stage.camera, &options, other));
+    // None of these waits for the job, which would never end.
+    OK(nicol_scene_set_transform(stage.scene, 0, placed(0.5, 0, 0, 0.2).rows));
+    OK(nicol_scene_set_environment(stage.scene, stage.environment, nullptr, 3));
+    std::uint32_t channels = 0;
+    OK(nicol_scene_get_channels(stage.scene, &channels));
+    const Owned third(submit(stage, options));
+    gate.open();
+    OK(nicol_job_wait(second, NICOL_WAIT_FOREVER));
+    OK(nicol_job_wait(third, NICOL_WAIT_FOREVER));
+    CHECK(read_all(other) == before);
+    const std::vector<float> after = read_all(stage.framebuffer);
+    CHECK(after != before);
+    OK(nicol_render(stage.scene, &stage.camera, &options, other));
+    CHECK(read_all(other) == after);
 }
 
-TEST_CASE("a progress callback stops its job") {
-    on_every_stage([](const Stage& stage) {
-        Gate gate;
-        gate.open(0);
-        const Owned job(submit(stage, gated(gate)));
-        FAILS(nicol_job_wait(job, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "progress");
-    });
+STAGE_TEST_CASE("jobs wait their turn, and end at once when they are cancelled there") {
+    const std::vector<float> image = stage.image();
+    Gate gate;
+    const Owned running(submit(stage, gated(gate)));
+    const Owned waiting(submit(stage));
+    gate.wait_until_entered();
+    const nicol_job_status status = poll(running);
+    CHECK((status.state == NICOL_JOB_RUNNING && status.result == NICOL_OK));
+    CHECK(std::string(status.verb) == "trace");
+    CHECK((status.fraction >= 0 && status.fraction <= 1));
+    CHECK(poll(waiting).state == NICOL_JOB_WAITING);
+    FAILS(nicol_job_wait(waiting, 0), NICOL_ERROR_TIMEOUT, "0 milliseconds");
+    FAILS(nicol_job_wait(running, 1), NICOL_ERROR_TIMEOUT, "1 milliseconds");
+    // While the other one still holds the thread.
+    OK(nicol_job_cancel(waiting));
+    FAILS(nicol_job_wait(waiting, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "cancelled");
+    CHECK(poll(waiting).state == NICOL_JOB_DONE);
+    CHECK(poll(waiting).result == NICOL_ERROR_CANCELLED);
+    CHECK(poll(running).state == NICOL_JOB_RUNNING);
+    OK(nicol_job_cancel(running));
+    CHECK(poll(running).state == NICOL_JOB_RUNNING);
+    gate.open();
+    FAILS(nicol_job_wait(running, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "cancelled");
+    CHECK(read_all(stage.framebuffer) == image);
+}
+
+STAGE_TEST_CASE("a progress callback stops its job") {
+    Gate gate;
+    gate.open(0);
+    const Owned job(submit(stage, gated(gate)));
+    FAILS(nicol_job_wait(job, NICOL_WAIT_FOREVER), NICOL_ERROR_CANCELLED, "progress");
 }
 
 TEST_CASE("everything may be released while a job runs and others wait") {
-    struct Released {
-        std::mutex mutex;
-        std::condition_variable changed;
-        bool done = false;
-    };
     for (const nicol_backend backend : every_backend) {
         const nicol_context context = make_context(backend);
-        Released released;
+        std::atomic<bool> released = false;
         Gate gate;
         {
             const Stage stage(context);
-            nicol_callback_material parameters = NICOL_CALLBACK_MATERIAL_INIT;
-            parameters.mueller = [](void*, std::uint32_t, const double*, const double*, double* mueller) {
-                std::fill_n(mueller, 16, 0.0);
-                mueller[0] = 0.3;
-                return std::int32_t{1};
-            };
+            nicol_callback_material parameters = grey_function();
             parameters.user = &released;
             parameters.release = [](void* user) {
-                auto& all = *static_cast<Released*>(user);
-                const std::lock_guard lock(all.mutex);
-                all.done = true;
-                all.changed.notify_all();
+                auto& done = *static_cast<std::atomic<bool>*>(user);
+                done = true;
+                done.notify_all();
             };
-            nicol_material material = nullptr;
-            OK(nicol_material_create_callback(context, &parameters, &material));
-            add(stage.scene, stage.mesh, material);
-            OK(nicol_material_release(material));
+            add(stage.scene, stage.mesh, Owned(make(nicol_material_create_callback, context, &parameters)));
             const nicol_job first = submit(stage, gated(gate));
             const nicol_job second = submit(stage);
             const nicol_job dropped = submit(stage);
@@ -197,38 +160,31 @@ TEST_CASE("everything may be released while a job runs and others wait") {
             for (const nicol_job job : {dropped, first, second}) OK(nicol_job_release(job));
         }  // scene, framebuffer and all the rest
         OK(nicol_context_release(context));
-        {
-            const std::lock_guard lock(released.mutex);
-            CHECK_FALSE(released.done);
-        }
+        CHECK_FALSE(released);
         gate.open();
-        std::unique_lock lock(released.mutex);
-        released.changed.wait(lock, [&] { return released.done; });
+        released.wait(false);
     }
 }
 
-TEST_CASE("the message of a failed job is there for every thread that asks") {
-    on_every_stage([](const Stage& stage) {
-        const Owned wrong(framebuffer_of(stage.context, 4, 4, 2));
-        Owned<nicol_job> job;
-        OK(nicol_render_async(stage.scene, &stage.camera, nullptr, wrong, &job));
-        std::vector<std::string> messages(4);
-        std::vector<nicol_result> results(4);
-        std::vector<std::thread> threads;
-        for (std::size_t i = 0; i < 4; ++i) {
-            threads.emplace_back([&, i] {
-                results[i] = nicol_job_wait(job, NICOL_WAIT_FOREVER);
-                messages[i] = nicol_last_error();
-            });
-        }
-        for (std::thread& thread : threads) thread.join();
-        for (std::size_t i = 0; i < 4; ++i) {
-            CHECK(results[i] == NICOL_ERROR_INVALID_ARGUMENT);
-            CHECK(messages[i].find("colour channels") != std::string::npos);
-        }
-        CHECK(poll(job).result == NICOL_ERROR_INVALID_ARGUMENT);
-        CHECK(poll(job).fraction < 1);
-    });
+STAGE_TEST_CASE("the message of a failed job is there for every thread that asks") {
+    const Owned wrong(framebuffer_of(stage.context, 4, 4, 2));
+    const Owned job(make(nicol_render_async, stage.scene, &stage.camera, nullptr, wrong));
+    std::vector<std::string> messages(4);
+    std::vector<nicol_result> results(4);
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < 4; ++i) {
+        threads.emplace_back([&, i] {
+            results[i] = nicol_job_wait(job, NICOL_WAIT_FOREVER);
+            messages[i] = nicol_last_error();
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(results[i] == NICOL_ERROR_INVALID_ARGUMENT);
+        CHECK(messages[i].find("colour channels") != std::string::npos);
+    }
+    CHECK(poll(job).result == NICOL_ERROR_INVALID_ARGUMENT);
+    CHECK(poll(job).fraction < 1);
 }
 
 TEST_CASE("only so many jobs wait") {
@@ -240,13 +196,15 @@ TEST_CASE("only so many jobs wait") {
     std::vector<nicol_job> jobs;
     for (std::size_t i = 0; i < NICOL_MAX_JOBS; ++i) jobs.push_back(submit(stage));
     nicol_job job = marker<nicol_job>();
-    FAILS(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job), NICOL_ERROR_BUSY,
-          "256");
-    CHECK(job == marker<nicol_job>());
+    const auto refused = [&](const char* text) {
+        FAILS(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job),
+              NICOL_ERROR_BUSY, text);
+    };
+    refused("256");
     OK(nicol_job_cancel(jobs[100]));  // makes room for one
     jobs.push_back(submit(stage));
-    FAILS(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job), NICOL_ERROR_BUSY,
-          "wait");
+    refused("wait");
+    CHECK(job == marker<nicol_job>());
     for (const nicol_job one : jobs) OK(nicol_job_cancel(one));
     gate.open();
     OK(nicol_job_wait(running, NICOL_WAIT_FOREVER));
@@ -302,23 +260,15 @@ TEST_CASE("what a scene lets go of must not edit it") {
     on_every_stage([](const Stage& stage) {
         Removed removed;
         removed.scene = stage.scene;
-        nicol_callback_material parameters = NICOL_CALLBACK_MATERIAL_INIT;
-        parameters.mueller = [](void*, std::uint32_t, const double*, const double*, double* mueller) {
-            std::fill_n(mueller, 16, 0.0);
-            return std::int32_t{1};
-        };
+        nicol_callback_material parameters = grey_function();
         parameters.user = &removed;
         parameters.release = [](void* user) {
             auto& all = *static_cast<Removed*>(user);
             all.called = true;
             all.edited = nicol_scene_set_transform(all.scene, 0, placed(0, 0, 0).rows);
         };
-        nicol_instance instance = NICOL_INSTANCE_INIT;
-        instance.mesh = stage.mesh;
-        OK(nicol_material_create_callback(stage.context, &parameters, &instance.material));
-        std::uint32_t id = 0;
-        OK(nicol_scene_add_instance(stage.scene, &instance, &id));
-        OK(nicol_material_release(instance.material));
+        const std::uint32_t id = add(stage.scene, stage.mesh,
+                                     Owned(make(nicol_material_create_callback, stage.context, &parameters)));
         OK(nicol_scene_remove_instance(stage.scene, id));
         CHECK(removed.called);
         CHECK(removed.edited == NICOL_ERROR_INVALID_ARGUMENT);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the log is told, how severely, and that nothing is lost.
-#include <algorithm>
 #include <mutex>
-#include <utility>
 
 #include "capi.hpp"
 
@@ -35,15 +33,11 @@ private:
 };
 
 nicol_context logging_context(nicol_backend backend, Log& log, const std::string& cache) {
-    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
-    options.backend = backend;
-    options.threads = 2;
+    nicol_context_options options = two_threads(backend);
     options.log = Log::callback;
     options.log_user = &log;
     options.cache_folder = cache.c_str();
-    nicol_context context = nullptr;
-    OK(nicol_context_create(&options, &context));
-    return context;
+    return make(nicol_context_create, &options);
 }
 
 std::size_t count_of(const std::vector<Entry>& entries, const std::string& text) {
@@ -82,8 +76,7 @@ TEST_CASE("every notice of a scene file arrives, once, in one line") {
                 <film type="hdrfilm"><string name="pixel_format" value="rgba"/>
                     <string name="component_format" value="float16"/></film></sensor>
             <shape type="cube"/></scene>)");
-        Owned<nicol_scene> scene;
-        OK(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
+        const Owned scene(make(nicol_scene_load, context, path.c_str(), nullptr, 0U));
         const std::vector<Entry> entries = log.take();
         for (const char* about : {"path", "alpha", "float32", "emitter"})
             CHECK(count_of(entries, about) >= 1);
@@ -99,46 +92,37 @@ TEST_CASE("every notice of a scene file arrives, once, in one line") {
 }
 
 TEST_CASE("caches that are damaged or cannot be kept are notices, from jobs too") {
-    for (const nicol_backend backend : every_backend) {
-        for (const bool as_job : {false, true}) {
-            Log log;
-            const TemporaryFolder folder;
-            const auto render = [&](const std::string& cache) {
-                const nicol_context context = logging_context(backend, log, cache);
-                {
-                    const Stage stage(context);
-                    if (as_job) {
-                        Owned<nicol_job> job;
-                        OK(nicol_render_async(stage.scene, &stage.camera, nullptr, stage.framebuffer, &job));
-                        OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
-                    } else {
-                        stage.render();
-                    }
-                }
-                OK(nicol_context_release(context));
-                std::vector<Entry> entries = log.take();
-                std::erase_if(entries, [](const Entry& entry) { return entry.severity == NICOL_LOG_INFO; });
-                return entries;
-            };
-            const std::string cache = folder.file("cache");
-            CHECK(render(cache).empty());
-            CHECK(render(cache).empty());
-            std::vector<std::string> files;  // what drivers do not make: tables and a bake
-            for (const auto& entry : std::filesystem::directory_iterator(cache)) {
-                if (entry.path().extension() == ".program") continue;
-                std::filesystem::resize_file(entry.path(), entry.file_size() / 2);
-                files.push_back(entry.path().filename().string());
+    for_all({NICOL_BACKEND_EGL, NICOL_BACKEND_OSMESA}, {false, true}, [](nicol_backend backend, bool as_job) {
+        Log log;
+        const TemporaryFolder folder;
+        const auto notices = [&](const std::string& cache) {
+            const Owned context(logging_context(backend, log, cache));
+            const Stage stage(context);
+            if (as_job) {
+                const Owned job(
+                    make(nicol_render_async, stage.scene, &stage.camera, nullptr, stage.framebuffer));
+                OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
+            } else {
+                stage.render();
             }
-            REQUIRE(files.size() >= 2);
-            const std::vector<Entry> damaged = render(cache);
-            CHECK(damaged.size() == files.size());
-            for (const std::string& file : files) CHECK(count_of(damaged, file) == 1);
-            CHECK(render(cache).empty());
-            const std::string file = folder.write("file", "not a folder");
-            const std::vector<Entry> unusable = render(file);
-            CHECK_FALSE(unusable.empty());
-            for (const Entry& entry : damaged) CHECK(entry.severity == NICOL_LOG_NOTICE);
-            for (const Entry& entry : unusable) CHECK(entry.severity == NICOL_LOG_NOTICE);
+            std::vector<Entry> entries = log.take();
+            std::erase_if(entries, [](const Entry& entry) { return entry.severity == NICOL_LOG_INFO; });
+            for (const Entry& entry : entries) CHECK(entry.severity == NICOL_LOG_NOTICE);
+            return entries;
+        };
+        const std::string cache = folder.file("cache");
+        CHECK(notices(cache).empty());
+        std::vector<std::string> files;  // what drivers do not make: tables and a bake
+        for (const std::filesystem::path& file : files_in(cache)) {
+            if (file.extension() == ".program") continue;
+            std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+            files.push_back(file.filename().string());
         }
-    }
+        REQUIRE(files.size() >= 2);
+        const std::vector<Entry> damaged = notices(cache);
+        CHECK(damaged.size() == files.size());
+        for (const std::string& file : files) CHECK(count_of(damaged, file) == 1);
+        CHECK(notices(cache).empty());
+        CHECK_FALSE(notices(folder.write("file", "not a folder")).empty());
+    });
 }

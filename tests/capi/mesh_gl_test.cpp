@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Meshes as they come, from their arrays to the image.
-#include <array>
-#include <cmath>
-
 #include "capi.hpp"
 #include "harmonics/operator.hpp"
 #include "material/psh_matrix_file.hpp"
@@ -20,15 +17,14 @@ struct Arrays {
     std::vector<std::uint32_t> indices;
 
     // Spanned by u and v; its front and its normals towards u x v.
-    void add_square(const std::array<float, 3>& centre, const std::array<float, 3>& u,
-                    const std::array<float, 3>& v) {
-        const std::array<float, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                     u[0] * v[1] - u[1] * v[0]};
+    void add_square(const glm::vec3& centre, const glm::vec3& u, const glm::vec3& v) {
+        const glm::vec3 n = glm::cross(u, v);
         const auto first = static_cast<std::uint32_t>(positions.size() / 3);
         for (std::uint32_t i = 0; i < 25; ++i) {
             const float a = 0.5F * static_cast<float>(i % 5) - 1, b = 0.5F * static_cast<float>(i / 5) - 1;
-            for (std::size_t k = 0; k < 3; ++k) positions.push_back(centre[k] + a * u[k] + b * v[k]);
-            normals.insert(normals.end(), n.begin(), n.end());
+            const glm::vec3 position = centre + a * u + b * v;
+            positions.insert(positions.end(), {position.x, position.y, position.z});
+            normals.insert(normals.end(), {n.x, n.y, n.z});
             const std::uint32_t at = first + i;
             if (i % 5 < 4 && i < 20) indices.insert(indices.end(), {at, at + 1, at + 6, at, at + 6, at + 5});
         }
@@ -56,14 +52,11 @@ Arrays corner() {
 // A context, light and a material, and images of meshes with them.
 struct Studio {
     Owned<nicol_context> context{make_context(NICOL_BACKEND_AUTOMATIC)};
-    Owned<nicol_environment> environment;
+    Owned<nicol_environment> environment{clear_sky(context, {1, 1, 1})};
     Owned<nicol_material> material;
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
 
     Studio() {
-        nicol_sky sky = NICOL_SKY_INIT;
-        for (float& x : sky.sun_direction) x = 1;
-        OK(nicol_environment_create_sky(context, &sky, &environment));
         nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
         plastic.alpha = 0.2F;
         OK(nicol_material_create_pplastic(context, &plastic, &material));
@@ -73,18 +66,15 @@ struct Studio {
     // [channel][pixel][component]; the camera stands 4 units before the origin, a little up and aside.
     [[nodiscard]] std::vector<float> image(const Arrays& arrays, double unit = 1) const {
         const nicol_mesh_data data = arrays.data();
-        Owned<nicol_mesh> mesh;
-        OK(nicol_mesh_create(context, &data, &mesh));
+        const Owned mesh(make(nicol_mesh_create, context, &data));
         const Owned scene(simple_scene(context, environment, mesh, material));
         const Owned framebuffer(framebuffer_of(context, edge, edge, 3));
-        nicol_camera camera = NICOL_CAMERA_INIT;
-        const double origin[] = {0.3 * unit, 0.5 * unit, 4 * unit}, target[] = {0, 0, 0}, up[] = {0, 1, 0};
-        OK(nicol_camera_look_at(&camera, origin, target, up));
+        nicol_camera camera = camera_at(unit * glm::dvec3(0.3, 0.5, 4));
         camera.near_clip = 0.01 * unit;
         camera.far_clip = 100 * unit;
         OK(nicol_render(scene, &camera, &options, framebuffer));
         std::vector<float> all = read_all(framebuffer);
-        CHECK(std::ranges::all_of(all, [](float value) { return std::isfinite(value); }));
+        CHECK(std::isfinite(largest(all)));
         return all;
     }
 };
@@ -95,48 +85,41 @@ float middle(const std::vector<float>& image) {
 
 }  // namespace
 
-TEST_CASE("a mesh tells its size and copies its arrays") {
-    on_every_backend([](nicol_context context) {
-        Arrays arrays = corner();
-        const nicol_mesh_data data = arrays.data();
-        Owned<nicol_mesh> mesh;
-        OK(nicol_mesh_create(context, &data, &mesh));
-        arrays.positions.assign(arrays.positions.size(), NAN);
-        arrays.indices.assign(arrays.indices.size(), 99);
-        const Owned box(cube(context)), ball(sphere(context));
-        std::uint32_t vertices = 7, triangles = 7;
-        OK(nicol_mesh_get_size(mesh, &vertices, &triangles));
-        CHECK((vertices == 50 && triangles == 64));
-        OK(nicol_mesh_get_size(box, &vertices, &triangles));
-        CHECK(triangles >= 12);
-        OK(nicol_mesh_get_size(ball, &vertices, &triangles));
-        CHECK(vertices >= 1000);
-    });
+CONTEXT_TEST_CASE("a mesh tells its size and copies its arrays") {
+    Arrays arrays = corner();
+    const nicol_mesh_data data = arrays.data();
+    const Owned mesh(make(nicol_mesh_create, context, &data));
+    arrays.positions.assign(arrays.positions.size(), NAN);
+    arrays.indices.assign(arrays.indices.size(), 99);
+    const Owned box(cube(context)), ball(sphere(context));
+    std::uint32_t vertices = 7, triangles = 7;
+    OK(nicol_mesh_get_size(mesh, &vertices, &triangles));
+    CHECK((vertices == 50 && triangles == 64));
+    OK(nicol_mesh_get_size(box, &vertices, &triangles));
+    CHECK(triangles >= 12);
+    OK(nicol_mesh_get_size(ball, &vertices, &triangles));
+    CHECK(vertices >= 1000);
 }
 
-TEST_CASE("files of meshes, light and scenes are read, or refused by name") {
-    on_every_backend([](nicol_context context) {
-        const TemporaryFolder folder;
-        for (const char* name : {"text.exr", "text.ply", "text.xml"}) folder.write(name, "no such thing");
-        for (const auto& [name, code] :
-             {std::pair("absent", NICOL_ERROR_FILE_NOT_FOUND), std::pair("text", NICOL_ERROR_INVALID_FILE)}) {
-            const std::string exr = std::string(name) + ".exr", ply = std::string(name) + ".ply",
-                              xml = std::string(name) + ".xml";
-            nicol_environment environment = marker<nicol_environment>();
-            nicol_mesh mesh = marker<nicol_mesh>();
-            nicol_scene scene = marker<nicol_scene>();
-            FAILS(nicol_environment_load(context, folder.file(exr).c_str(), nullptr, &environment), code,
-                  exr);
-            FAILS(nicol_mesh_load(context, folder.file(ply).c_str(), &mesh), code, ply);
-            FAILS(nicol_scene_load(context, folder.file(xml).c_str(), nullptr, 0, &scene), code, xml);
-            CHECK(environment == marker<nicol_environment>());
-            CHECK(mesh == marker<nicol_mesh>());
-            CHECK(scene == marker<nicol_scene>());
-        }
-        const std::string obj = folder.write("good.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        Owned<nicol_mesh> mesh;
-        OK(nicol_mesh_load(context, obj.c_str(), &mesh));
-    });
+CONTEXT_TEST_CASE("files of meshes, light and scenes are read, or refused by name") {
+    const TemporaryFolder folder;
+    for (const char* name : {"text.exr", "text.ply", "text.xml"}) folder.write(name, "no such thing");
+    for (const auto& [name, code] :
+         {std::pair("absent", NICOL_ERROR_FILE_NOT_FOUND), std::pair("text", NICOL_ERROR_INVALID_FILE)}) {
+        const std::string exr = std::string(name) + ".exr", ply = std::string(name) + ".ply",
+                          xml = std::string(name) + ".xml";
+        nicol_environment environment = marker<nicol_environment>();
+        nicol_mesh mesh = marker<nicol_mesh>();
+        nicol_scene scene = marker<nicol_scene>();
+        FAILS(nicol_environment_load(context, folder.file(exr).c_str(), nullptr, &environment), code, exr);
+        FAILS(nicol_mesh_load(context, folder.file(ply).c_str(), &mesh), code, ply);
+        FAILS(nicol_scene_load(context, folder.file(xml).c_str(), nullptr, 0, &scene), code, xml);
+        CHECK(environment == marker<nicol_environment>());
+        CHECK(mesh == marker<nicol_mesh>());
+        CHECK(scene == marker<nicol_scene>());
+    }
+    const std::string obj = folder.write("good.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Owned mesh(make(nicol_mesh_load, context, obj.c_str()));
 }
 
 TEST_CASE(
@@ -162,20 +145,8 @@ TEST_CASE(
     for (const Arrays& each : {inverted, mixed}) static_cast<void>(studio.image(each));
 }
 
-TEST_CASE("the size of an object does not matter") {
+TEST_CASE("a tiny object may stand on a huge one") {
     const Studio studio;
-    const auto truth = studio.image(corner());
-    for (const float unit : {1e-7F, 1e7F}) {
-        CAPTURE(unit);
-        Arrays sized = corner();
-        for (float& p : sized.positions) p *= unit;
-        const auto found = studio.image(sized, static_cast<double>(unit));
-        // Edges may fall on the other side of a pixel's centre.
-        std::size_t apart = 0;
-        for (std::size_t i = 0; i < found.size(); ++i) apart += std::abs(found[i] - truth[i]) > 1e-4F ? 1 : 0;
-        CHECK(apart < found.size() / 100);
-    }
-    // One of each in one scene: the small one stands on the large one.
     Arrays together = corner();
     for (float& p : together.positions) p *= 1e7F;
     const std::size_t large = together.positions.size();

@@ -32,28 +32,26 @@ std::vector<Number> channel(const std::string& path, const char* name) {
 
 }  // namespace
 
-TEST_CASE("planes of surfaces in an image are those that are read, and leave the others as they are") {
-    on_every_stage([](const Stage& stage) {
-        const TemporaryFolder folder;
-        const std::string bare = folder.file("bare.exr"), full = folder.file("full.exr");
-        stage.render();
-        OK(nicol_framebuffer_write_exr(stage.framebuffer, bare.c_str()));
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.aovs = NICOL_AOV_ALL;
-        OK(stage.try_render(options));
-        OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
-        const Surfaces seen(stage.framebuffer);
-        CHECK(channel<float>(full, "Z") == seen.depth);
-        CHECK(channel<std::uint32_t>(full, "id") == seen.instance);
-        const char* axes[] = {"X", "Y", "Z"};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::vector<float> normal = channel<float>(full, (std::string("N.") + axes[k]).c_str());
-            const std::vector<float> position = channel<float>(full, (std::string("P.") + axes[k]).c_str());
-            for (std::size_t i = 0; i < normal.size(); ++i) {
-                CHECK(normal[i] == seen.normal[3 * i + k]);
-                CHECK(position[i] == seen.position[3 * i + k]);
-            }
+STAGE_TEST_CASE("planes of surfaces in an image are those that are read, and leave the others as they are") {
+    const TemporaryFolder folder;
+    const std::string bare = folder.file("bare.exr"), full = folder.file("full.exr");
+    stage.render();
+    OK(nicol_framebuffer_write_exr(stage.framebuffer, bare.c_str()));
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.aovs = NICOL_AOV_ALL;
+    OK(stage.try_render(options));
+    OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
+    const Surfaces seen(stage.framebuffer);
+    CHECK(channel<float>(full, "Z") == seen.depth);
+    CHECK(channel<std::uint32_t>(full, "id") == seen.instance);
+    const char* axes[] = {"X", "Y", "Z"};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::vector<float> normal = channel<float>(full, (std::string("N.") + axes[k]).c_str());
+        const std::vector<float> position = channel<float>(full, (std::string("P.") + axes[k]).c_str());
+        for (std::size_t i = 0; i < normal.size(); ++i) {
+            CHECK(normal[i] == seen.normal[3 * i + k]);
+            CHECK(position[i] == seen.position[3 * i + k]);
         }
-        CHECK(nicol::read_exr(full).data == nicol::read_exr(bare).data);
-    });
+    }
+    CHECK(nicol::read_exr(full).data == nicol::read_exr(bare).data);
 }

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Planes in every format, with strides and all channels at once.
-#include <bit>
-#include <cstring>
-
 #include "planes.hpp"
 
 using namespace capi_test;
@@ -52,20 +49,11 @@ std::size_t components_of(nicol_plane plane) {
 // A light of many magnitudes, seen directly: what half precision rounds, makes infinite and makes small.
 nicol_framebuffer image_of_magnitudes(nicol_context context) {
     std::vector<float> pixels;
-    for (int i = 0; i < 64 * 33; ++i) {
-        for (const double base : {1.0, 65000.0, 6e-8}) {
+    for (int i = 0; i < 64 * 33; ++i)
+        for (const double base : {1.0, 65000.0, 6e-8})
             pixels.push_back(static_cast<float>(base * (1 + 0.0173 * (i % 61)) * (1 + 1e-4 * i)));
-        }
-    }
-    nicol_image image = NICOL_IMAGE_INIT;
-    image.width = 64;
-    image.height = 33;
-    image.channels = 3;
-    image.components = 1;
-    image.pixels = pixels.data();
-    image.byte_size = pixels.size() * sizeof(float);
-    Owned<nicol_environment> light;
-    OK(nicol_environment_create_image(context, &image, &light));
+    const nicol_image image = image_of(pixels, 64, 33, 3, 1);
+    const Owned light(make(nicol_environment_create_image, context, &image));
     const Owned scene(empty_scene(context));
     OK(nicol_scene_set_environment(scene, light, nullptr, 0));
     const nicol_framebuffer framebuffer = framebuffer_of(context, 40, 30, 3);
@@ -77,13 +65,14 @@ nicol_framebuffer image_of_magnitudes(nicol_context context) {
 }  // namespace
 
 TEST_CASE("half precision is the nearest number, ties to even, infinite beyond its range") {
-    CHECK(nearest_half(1) == 0x3c00);
-    CHECK(nearest_half(-2) == 0xc000);
-    CHECK(nearest_half(65504) == 0x7bff);
-    CHECK(nearest_half(65519) == 0x7bff);
-    CHECK(nearest_half(65520) == 0x7c00);
-    CHECK(nearest_half(1 + 1.0F / 2048) == 0x3c00);
-    CHECK(nearest_half(1 + 3.0F / 2048) == 0x3c02);
+    for (const auto& [value, half] : {std::pair(1.0F, 0x3c00),
+                                      {-2, 0xc000},
+                                      {65504, 0x7bff},
+                                      {65519, 0x7bff},
+                                      {65520, 0x7c00},
+                                      {1 + 1.0F / 2048, 0x3c00},
+                                      {1 + 3.0F / 2048, 0x3c02}})
+        CHECK(nearest_half(value) == half);
     on_every_backend([](nicol_context context) {
         const Owned framebuffer(image_of_magnitudes(context));
         std::set<bool> infinite, small;
@@ -104,74 +93,69 @@ TEST_CASE("half precision is the nearest number, ties to even, infinite beyond i
     });
 }
 
-TEST_CASE("all channels are interleaved, in both formats, with and without a stride") {
-    on_every_stage([](const Stage& stage) {
-        stage.render();
-        for (nicol_plane plane = NICOL_PLANE_S0; plane <= NICOL_PLANE_AOLP; ++plane) {
-            CAPTURE(plane);
-            const std::size_t n = components_of(plane), row = 24 * 3 * n;
-            std::vector<float> channels[3];
-            for (std::uint32_t c = 0; c < 3; ++c) channels[c] = read_plane(stage.framebuffer, plane, c);
-            const std::size_t loose_row = 24 * n + 3;
-            std::vector<float> loose(loose_row * 16 - 3, -7.5F);  // the last row needs no padding
-            OK(nicol_framebuffer_read(stage.framebuffer, plane, 1, loose.data(), 4 * loose_row,
-                                      4 * loose.size()));
-            for (std::size_t i = 0; i < loose.size(); ++i) {
-                const std::size_t y = i / loose_row, x = i % loose_row;
-                CHECK(loose[i] == (x < 24 * n ? channels[1][y * 24 * n + x] : -7.5F));
-            }
-            for (const std::size_t stride : {std::size_t{0}, row, row + 5}) {
-                const std::size_t step = stride == 0 ? row : stride;
-                std::vector<float> single(step * 15 + row, -7.5F);
-                std::vector<std::uint16_t> half(single.size(), 0x1234);
-                nicol_plane_buffer to = buffer(plane, NICOL_FORMAT_AUTOMATIC, NICOL_ALL_CHANNELS,
-                                               single.data(), 4 * single.size());
-                to.row_stride = 4 * stride;
-                OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
-                to = buffer(plane, NICOL_FORMAT_FLOAT16, NICOL_ALL_CHANNELS, half.data(), 2 * half.size());
-                to.row_stride = 2 * stride;
-                OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
-                for (std::size_t i = 0; i < single.size(); ++i) {
-                    const std::size_t y = i / step, in_row = i % step;
-                    if (in_row >= row) {
-                        CHECK(single[i] == -7.5F);
-                        CHECK(half[i] == 0x1234);
-                        continue;
-                    }
-                    const std::size_t x = in_row / (3 * n), c = in_row / n % 3, k = in_row % n;
-                    CHECK(single[i] == channels[c][(y * 24 + x) * n + k]);
-                    CHECK(half[i] == nearest_half(single[i]));
+STAGE_TEST_CASE("all channels are interleaved, in both formats, with and without a stride") {
+    stage.render();
+    for (nicol_plane plane = NICOL_PLANE_S0; plane <= NICOL_PLANE_AOLP; ++plane) {
+        CAPTURE(plane);
+        const std::size_t n = components_of(plane), row = 24 * 3 * n;
+        std::vector<float> channels[3];
+        for (std::uint32_t c = 0; c < 3; ++c) channels[c] = read_plane(stage.framebuffer, plane, c);
+        const std::size_t loose_row = 24 * n + 3;
+        std::vector<float> loose(loose_row * 16 - 3, -7.5F);  // the last row needs no padding
+        OK(nicol_framebuffer_read(stage.framebuffer, plane, 1, loose.data(), 4 * loose_row,
+                                  4 * loose.size()));
+        for (std::size_t i = 0; i < loose.size(); ++i) {
+            const std::size_t y = i / loose_row, x = i % loose_row;
+            CHECK(loose[i] == (x < 24 * n ? channels[1][y * 24 * n + x] : -7.5F));
+        }
+        for (const std::size_t stride : {std::size_t{0}, row, row + 5}) {
+            const std::size_t step = stride == 0 ? row : stride;
+            std::vector<float> single(step * 15 + row, -7.5F);
+            std::vector<std::uint16_t> half(single.size(), 0x1234);
+            nicol_plane_buffer to =
+                buffer(plane, NICOL_FORMAT_AUTOMATIC, NICOL_ALL_CHANNELS, single.data(), 4 * single.size());
+            to.row_stride = 4 * stride;
+            OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
+            to = buffer(plane, NICOL_FORMAT_FLOAT16, NICOL_ALL_CHANNELS, half.data(), 2 * half.size());
+            to.row_stride = 2 * stride;
+            OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
+            for (std::size_t i = 0; i < single.size(); ++i) {
+                const std::size_t y = i / step, in_row = i % step;
+                if (in_row >= row) {
+                    CHECK(single[i] == -7.5F);
+                    CHECK(half[i] == 0x1234);
+                    continue;
                 }
+                const std::size_t x = in_row / (3 * n), c = in_row / n % 3, k = in_row % n;
+                CHECK(single[i] == channels[c][(y * 24 + x) * n + k]);
+                CHECK(half[i] == nearest_half(single[i]));
             }
         }
-    });
+    }
 }
 
-TEST_CASE("planes of surfaces come in their formats") {
-    on_every_stage([](const Stage& stage) {
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.aovs = NICOL_AOV_ALL;
-        OK(stage.try_render(options));
-        for (const nicol_plane plane : {NICOL_PLANE_DEPTH, NICOL_PLANE_NORMAL, NICOL_PLANE_POSITION}) {
-            const std::size_t n = components_of(plane);
-            const std::vector<float> single = read_surface<float>(stage.framebuffer, plane, n);
-            std::vector<float> old(single.size());
-            OK(nicol_framebuffer_read(stage.framebuffer, plane, 0, old.data(), 0, 4 * old.size()));
-            CHECK(old == single);
-            std::vector<std::uint16_t> half(single.size());
-            const nicol_plane_buffer to =
-                buffer(plane, NICOL_FORMAT_FLOAT16, 0, half.data(), 2 * half.size());
-            OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
-            for (std::size_t i = 0; i < half.size(); ++i) CHECK(half[i] == nearest_half(single[i]));
-        }
-        const std::vector<std::uint32_t> ids =
-            read_surface<std::uint32_t>(stage.framebuffer, NICOL_PLANE_INSTANCE, 1);
-        std::vector<std::uint32_t> named(27 * 16, 5);
-        nicol_plane_buffer to =
-            buffer(NICOL_PLANE_INSTANCE, NICOL_FORMAT_UINT32, 0, named.data(), 4 * named.size());
-        to.row_stride = 4 * 27;
+STAGE_TEST_CASE("planes of surfaces come in their formats") {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.aovs = NICOL_AOV_ALL;
+    OK(stage.try_render(options));
+    for (const nicol_plane plane : {NICOL_PLANE_DEPTH, NICOL_PLANE_NORMAL, NICOL_PLANE_POSITION}) {
+        const std::size_t n = components_of(plane);
+        const std::vector<float> single = read_surface<float>(stage.framebuffer, plane, n);
+        std::vector<float> old(single.size());
+        OK(nicol_framebuffer_read(stage.framebuffer, plane, 0, old.data(), 0, 4 * old.size()));
+        CHECK(old == single);
+        std::vector<std::uint16_t> half(single.size());
+        const nicol_plane_buffer to = buffer(plane, NICOL_FORMAT_FLOAT16, 0, half.data(), 2 * half.size());
         OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
-        for (std::size_t i = 0; i < named.size(); ++i)
-            CHECK(named[i] == (i % 27 < 24 ? ids[i / 27 * 24 + i % 27] : 5));
-    });
+        for (std::size_t i = 0; i < half.size(); ++i) CHECK(half[i] == nearest_half(single[i]));
+    }
+    const std::vector<std::uint32_t> ids =
+        read_surface<std::uint32_t>(stage.framebuffer, NICOL_PLANE_INSTANCE, 1);
+    std::vector<std::uint32_t> named(27 * 16, 5);
+    nicol_plane_buffer to =
+        buffer(NICOL_PLANE_INSTANCE, NICOL_FORMAT_UINT32, 0, named.data(), 4 * named.size());
+    to.row_stride = 4 * 27;
+    OK(nicol_framebuffer_read_plane(stage.framebuffer, &to));
+    for (std::size_t i = 0; i < named.size(); ++i)
+        CHECK(named[i] == (i % 27 < 24 ? ids[i / 27 * 24 + i % 27] : 5));
 }

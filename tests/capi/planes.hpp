@@ -2,12 +2,6 @@
 // Reading planes of surfaces.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <type_traits>
-
 #include "capi.hpp"
 
 namespace capi_test {

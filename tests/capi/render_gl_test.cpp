@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What a render shows, what it refuses, and how it is stopped.
-#include <array>
-#include <cmath>
-#include <cstring>
 #include <thread>
 
 #include "capi.hpp"
@@ -11,26 +8,6 @@
 using namespace capi_test;
 
 namespace {
-
-// A diffuse square of half the image's width in front of constant light.
-struct Square {
-    Owned<nicol_scene> scene;
-    Owned<nicol_framebuffer> framebuffer;
-    nicol_camera camera = front_camera();
-
-    Square(nicol_context context, const std::vector<float>& light, const std::vector<float>& reflectance)
-        : scene(empty_scene(context)) {
-        const Owned environment(constant_light(context, light));
-        const Owned material(diffuse(context, reflectance));
-        const Owned mesh(rectangle(context));
-        OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
-        add(scene, mesh, material, placed(0, 0, 0, 0.5));
-        std::uint32_t channels = 0;
-        OK(nicol_scene_get_channels(scene, &channels));
-        OK(nicol_framebuffer_create(context, 20, 20, channels, &framebuffer));
-    }
-    void render() const { OK(nicol_render(scene, &camera, nullptr, framebuffer)); }
-};
 
 // Stops at the first call, and remembers what it was told.
 struct Stop {
@@ -52,247 +29,201 @@ struct Stop {
 
 }  // namespace
 
-TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
-    on_every_backend([](nicol_context context) {
-        for (const std::size_t channels : {1U, 2U, 5U, 16U}) {
-            CAPTURE(channels);
-            std::vector<float> light, reflectance;
-            for (std::size_t c = 0; c < channels; ++c) {
-                light.push_back(1 + 0.5F * static_cast<float>(c));
-                reflectance.push_back(0.9F - 0.05F * static_cast<float>(c));
-            }
-            const Square square(context, light, reflectance);
-            square.render();
-            for (std::size_t c = 0; c < channels; ++c) {
-                const std::vector<float> stokes =
-                    read_plane(square.framebuffer, NICOL_PLANE_STOKES, static_cast<std::uint32_t>(c));
-                const float* corner = stokes.data();
-                const float* middle = stokes.data() + std::size_t{4} * (10 * 20 + 10);
-                CHECK(corner[0] == doctest::Approx(light[c]).epsilon(1e-5));
-                // Light from all over its half of the sphere: what a diffuse surface sends back is its part.
-                CHECK(middle[0] == doctest::Approx(light[c] * reflectance[c]).epsilon(1e-3));
-                for (std::size_t p = 1; p < 4; ++p) {
-                    CHECK(std::abs(corner[p]) < 1e-6F);
-                    CHECK(std::abs(middle[p]) < 1e-6F);
-                }
-            }
-            const TemporaryFolder folder;
-            const std::string exr = folder.file("image.exr"), png = folder.file("image.png");
-            const nicol_observation image = NICOL_OBSERVATION_INIT;
-            // Files hold any number of channels; images for people need one or three.
-            OK(nicol_framebuffer_write_exr(square.framebuffer, exr.c_str()));
-            CHECK(nicol::read_exr(exr).data == read_all(square.framebuffer));
-            if (channels == 1) {
-                OK(nicol_framebuffer_write_png(square.framebuffer, &image, png.c_str()));
-            } else {
-                REFUSES(nicol_framebuffer_write_png(square.framebuffer, &image, png.c_str()),
-                        "must have 1 (grey) or 3");
-                CHECK(folder.names() == std::set<std::string>{"image.exr"});
-            }
+CONTEXT_TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
+    for (const std::uint32_t channels : {1U, 2U, 5U, 16U}) {
+        CAPTURE(channels);
+        std::vector<float> light, reflectance;
+        for (std::size_t c = 0; c < channels; ++c) {
+            light.push_back(1 + 0.5F * static_cast<float>(c));
+            reflectance.push_back(0.9F - 0.05F * static_cast<float>(c));
         }
-    });
-}
-
-TEST_CASE("an empty scene shows its environment, and no environment is darkness") {
-    on_every_backend([](nicol_context context) {
-        const Owned environment(constant_light(context, {0.25F, 2, 0}));
+        // A diffuse square of half the image's width in front of constant light.
         const Owned scene(empty_scene(context));
-        const Owned framebuffer(framebuffer_of(context, 6, 5, 3)), grey(framebuffer_of(context, 6, 5, 1));
-        nicol_camera camera = front_camera();
-        OK(nicol_render(scene, &camera, nullptr, grey));
-        for (const nicol_plane plane : {NICOL_PLANE_STOKES, NICOL_PLANE_DOLP, NICOL_PLANE_AOLP})
-            for (const float value : read_plane(grey, plane)) REQUIRE(value == 0);
-        OK(nicol_scene_set_environment(scene, environment, nullptr, 3));
-        for (const nicol_projection projection :
-             {NICOL_PROJECTION_PERSPECTIVE, NICOL_PROJECTION_ORTHOGRAPHIC}) {
-            camera.projection = projection;
-            OK(nicol_render(scene, &camera, nullptr, framebuffer));
-            const float wanted[] = {0.75F, 6, 0};
-            for (std::uint32_t c = 0; c < 3; ++c) {
-                const std::vector<float> stokes = read_plane(framebuffer, NICOL_PLANE_STOKES, c);
-                for (std::size_t i = 0; i < stokes.size(); ++i)
-                    CHECK(stokes[i] == doctest::Approx(i % 4 == 0 ? wanted[c] : 0).epsilon(1e-5));
+        const Owned framebuffer(framebuffer_of(context, 20, 20, channels));
+        OK(nicol_scene_set_environment(scene, Owned(constant_light(context, light)), nullptr, 0));
+        add(scene, Owned(rectangle(context)), Owned(diffuse(context, reflectance)), placed(0, 0, 0, 0.5));
+        const nicol_camera camera = front_camera();
+        OK(nicol_render(scene, &camera, nullptr, framebuffer));
+        for (std::size_t c = 0; c < channels; ++c) {
+            const std::vector<float> stokes =
+                read_plane(framebuffer, NICOL_PLANE_STOKES, static_cast<std::uint32_t>(c));
+            const float* corner = stokes.data();
+            const float* middle = stokes.data() + std::size_t{4} * (10 * 20 + 10);
+            CHECK(corner[0] == doctest::Approx(light[c]).epsilon(1e-5));
+            // Light from all over its half of the sphere: what a diffuse surface sends back is its part.
+            CHECK(middle[0] == doctest::Approx(light[c] * reflectance[c]).epsilon(1e-3));
+            for (std::size_t p = 1; p < 4; ++p) {
+                CHECK(std::abs(corner[p]) < 1e-6F);
+                CHECK(std::abs(middle[p]) < 1e-6F);
             }
         }
-        CHECK(statistics_of(framebuffer).vertices == 0);
-        CHECK(statistics_of(framebuffer).triangles == 0);
-        OK(nicol_scene_set_environment(scene, nullptr, nullptr, 0));
-        OK(nicol_render(scene, &camera, nullptr, grey));
-        CHECK(largest_of(read_all(grey)) == 0);
-    });
+        const TemporaryFolder folder;
+        const std::string exr = folder.file("image.exr"), png = folder.file("image.png");
+        const nicol_observation image = NICOL_OBSERVATION_INIT;
+        // Files hold any number of channels; images for people need one or three.
+        OK(nicol_framebuffer_write_exr(framebuffer, exr.c_str()));
+        CHECK(nicol::read_exr(exr).data == read_all(framebuffer));
+        if (channels == 1) {
+            OK(nicol_framebuffer_write_png(framebuffer, &image, png.c_str()));
+        } else {
+            REFUSES(nicol_framebuffer_write_png(framebuffer, &image, png.c_str()), "must have 1 (grey) or 3");
+            CHECK(folder.names() == std::set<std::string>{"image.exr"});
+        }
+    }
 }
 
-TEST_CASE("0 asks for the default orders, and -1 for order 0") {
-    on_every_stage([](const Stage& stage) {
-        const std::vector<float> before = stage.image();
+STAGE_TEST_CASE("0 asks for the default orders, and -1 for order 0") {
+    const std::vector<float> before = stage.image();
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    // The sky of this scene has no order above 2.
+    for (const auto& [low, high, order] : std::vector<std::array<std::int32_t, 3>>{
+             {-1, 0, 2}, {-1, -1, 0}, {1, 1, 1}, {1, 0, 2}, {12, 0, 12}, {2, 9, 2}, {0, 0, 4}}) {
+        options.order_low = low;
+        options.order_high = high;
+        OK(stage.try_render(options));
+        CHECK(statistics_of(stage.framebuffer).order == static_cast<std::uint32_t>(order));
+    }
+    CHECK(read_all(stage.framebuffer) == before);
+    // Every default by name.
+    options.order_low = 4;
+    options.order_high = 9;
+    options.shadows = 1;
+    options.bake_directions = 2048;
+    options.high_orders = NICOL_HIGH_ORDERS_SPLIT;
+    CHECK(stage.image(options) == before);
+}
+
+STAGE_TEST_CASE("a framebuffer must have the scene's channels, or one of three") {
+    for (const std::uint32_t channels : {2U, 4U, 16U}) {
+        const Owned other(framebuffer_of(stage.context, 4, 4, channels));
+        REFUSES(nicol_render(stage.scene, &stage.camera, nullptr, other), "channels");
+    }
+}
+
+STAGE_TEST_CASE("a cancelled render leaves the image, whichever verb was at work") {
+    const auto stop_at = [&](const char* verb, nicol_scene scene, const nicol_camera& camera,
+                             std::int32_t shadows = 1) {
+        INFO(std::string(verb));
+        const std::vector<float> image = read_all(stage.framebuffer);
+        const nicol_statistics before = statistics_of(stage.framebuffer);
+        Stop stop;
+        stop.options.shadows = shadows;
+        FAILS(nicol_render(scene, &camera, &stop.options, stage.framebuffer), NICOL_ERROR_CANCELLED,
+              "progress");
+        CHECK(stop.verbs == std::vector<std::string>{verb});
+        CHECK(read_all(stage.framebuffer) == image);
+        nicol_statistics after = statistics_of(stage.framebuffer);
+        after.observe_ms = before.observe_ms;  // the reading in between
+        CHECK(std::memcmp(&before, &after, sizeof before) == 0);
+    };
+    // The first render of all: the framebuffer is still fresh.
+    stop_at("bake", stage.scene, stage.camera);
+    stop_at("bake", stage.scene, stage.camera);
+    stop_at("project", stage.scene, stage.camera, -1);
+    const std::vector<float> still = stage.image();
+    OK(nicol_scene_set_transform(stage.scene, 0, placed(0.3, 0, 0, 0.4).rows));
+    stop_at("bake", stage.scene, stage.camera);
+    stop_at("relight", stage.scene, stage.camera, -1);
+    stop_at("relight", stage.scene, stage.camera, -1);
+    const std::vector<float> moved = stage.image();
+    CHECK(moved != still);
+    stop_at("shade", stage.scene, front_camera(5));
+    const Owned empty(empty_scene(stage.context));
+    OK(nicol_scene_set_environment(empty, stage.environment, nullptr, 0));
+    stop_at("draw", empty, stage.camera, -1);
+}
+
+CONTEXT_TEST_CASE("a callback that calls back gets an error and no deadlock") {
+    struct Caller {
+        const Stage& own;
+        const Stage& other;
+        std::vector<nicol_result> refused, allowed;
+        std::thread::id thread = std::this_thread::get_id();
+        bool same_thread = true;
+    };
+    const Owned second(make_context(NICOL_BACKEND_OSMESA));
+    {
+        const Stage stage(context), other(second);
+        Caller caller{stage, other, {}, {}};
         nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        // The sky of this scene has no order above 2.
-        for (const auto& [low, high, order] : std::vector<std::array<std::int32_t, 3>>{
-                 {-1, 0, 2}, {-1, -1, 0}, {1, 1, 1}, {1, 0, 2}, {12, 0, 12}, {2, 9, 2}, {0, 0, 4}}) {
-            options.order_low = low;
-            options.order_high = high;
-            OK(stage.try_render(options));
-            CHECK(statistics_of(stage.framebuffer).order == static_cast<std::uint32_t>(order));
-        }
-        CHECK(read_all(stage.framebuffer) == before);
-        // Every default by name.
-        options.order_low = 4;
-        options.order_high = 9;
-        options.shadows = 1;
-        options.bake_directions = 2048;
-        options.high_orders = NICOL_HIGH_ORDERS_SPLIT;
-        CHECK(stage.image(options) == before);
-    });
-}
-
-TEST_CASE("a framebuffer must have the scene's channels, or one of three") {
-    on_every_stage([](const Stage& stage) {
-        for (const std::uint32_t channels : {2U, 4U, 16U}) {
-            const Owned other(framebuffer_of(stage.context, 4, 4, channels));
-            REFUSES(nicol_render(stage.scene, &stage.camera, nullptr, other), "channels");
-        }
-    });
-}
-
-TEST_CASE("a cancelled render leaves the image, whichever verb was at work") {
-    on_every_stage([](const Stage& stage) {
-        const auto stop_at = [&](const char* verb, nicol_scene scene, const nicol_camera& camera,
-                                 std::int32_t shadows = 1) {
-            INFO(std::string(verb));
-            const std::vector<float> image = read_all(stage.framebuffer);
-            const nicol_statistics before = statistics_of(stage.framebuffer);
-            Stop stop;
-            stop.options.shadows = shadows;
-            FAILS(nicol_render(scene, &camera, &stop.options, stage.framebuffer), NICOL_ERROR_CANCELLED,
-                  "progress");
-            CHECK(stop.verbs == std::vector<std::string>{verb});
-            CHECK(read_all(stage.framebuffer) == image);
-            nicol_statistics after = statistics_of(stage.framebuffer);
-            after.observe_ms = before.observe_ms;  // the reading in between
-            CHECK(std::memcmp(&before, &after, sizeof before) == 0);
-        };
-        // The first render of all: the framebuffer is still fresh.
-        stop_at("bake", stage.scene, stage.camera);
-        stop_at("bake", stage.scene, stage.camera);
-        stop_at("project", stage.scene, stage.camera, -1);
-        const std::vector<float> still = stage.image();
-        OK(nicol_scene_set_transform(stage.scene, 0, placed(0.3, 0, 0, 0.4).rows));
-        stop_at("bake", stage.scene, stage.camera);
-        stop_at("relight", stage.scene, stage.camera, -1);
-        stop_at("relight", stage.scene, stage.camera, -1);
-        const std::vector<float> moved = stage.image();
-        CHECK(moved != still);
-        stop_at("shade", stage.scene, front_camera(5));
-        const Owned empty(empty_scene(stage.context));
-        OK(nicol_scene_set_environment(empty, stage.environment, nullptr, 0));
-        stop_at("draw", empty, stage.camera, -1);
-
-        // What was begun does not spoil what is rendered later.
-        const Stage twin(stage.context);
-        OK(nicol_scene_set_transform(twin.scene, 0, placed(0.3, 0, 0, 0.4).rows));
-        CHECK(twin.image() == moved);
-        CHECK(stage.image() == moved);
-    });
-}
-
-TEST_CASE("a callback that calls back gets an error and no deadlock") {
-    on_every_backend([](nicol_context context) {
-        struct Caller {
-            const Stage& own;
-            const Stage& other;
-            std::vector<nicol_result> refused, allowed;
-            std::thread::id thread = std::this_thread::get_id();
-            bool same_thread = true;
-        };
-        const Owned second(make_context(NICOL_BACKEND_OSMESA));
-        {
-            const Stage stage(context), other(second);
-            Caller caller{stage, other, {}, {}};
-            nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-            options.progress_user = &caller;
-            options.progress = [](void* user, const char*, double) -> std::int32_t {
-                Caller& self = *static_cast<Caller*>(user);
-                self.same_thread = self.same_thread && std::this_thread::get_id() == self.thread;
-                const Stage& own = self.own;
-                nicol_instance instance = NICOL_INSTANCE_INIT;
-                instance.mesh = own.mesh;
-                instance.material = own.material;
-                nicol_statistics statistics = NICOL_STATISTICS_INIT;
-                const nicol_observation image = NICOL_OBSERVATION_INIT;
-                float pixels[24 * 16] = {};
-                std::uint32_t channels = 0;
-                self.refused = {
-                    nicol_render(own.scene, &own.camera, nullptr, own.framebuffer),
-                    nicol_scene_add_instance(own.scene, &instance, nullptr),
-                    nicol_scene_set_transform(own.scene, 0, placed(0, 0, 0).rows),
-                    nicol_scene_set_environment(own.scene, nullptr, nullptr, 0),
-                    nicol_scene_get_channels(own.scene, &channels),
-                    nicol_framebuffer_get_statistics(own.framebuffer, &statistics),
-                    nicol_framebuffer_read(own.framebuffer, NICOL_PLANE_S0, 0, pixels, 0, sizeof pixels),
-                    nicol_framebuffer_write_exr(own.framebuffer, "/nowhere/x.exr"),
-                    nicol_framebuffer_write_png(own.framebuffer, &image, "/nowhere/x.png")};
-                self.allowed = {
-                    nicol_render(self.other.scene, &self.other.camera, nullptr, self.other.framebuffer),
-                    nicol_framebuffer_read(self.other.framebuffer, NICOL_PLANE_S0, 0, pixels, 0,
-                                           sizeof pixels),
-                    nicol_mesh_retain(own.mesh), nicol_mesh_release(own.mesh)};
-                return 1;
-            };
-            OK(stage.try_render(options));
-            CHECK(caller.same_thread);
-            CHECK(caller.refused.size() == 9);
-            for (const nicol_result result : caller.refused) CHECK(result == NICOL_ERROR_INVALID_ARGUMENT);
-            CHECK(caller.allowed.size() == 4);
-            for (const nicol_result result : caller.allowed) CHECK(result == NICOL_OK);
-            // None of the refused calls had an effect.
-            const std::vector<float> watched = read_all(stage.framebuffer);
-            CHECK(stage.image() == watched);
-        }
-    });
-}
-
-TEST_CASE("objects released inside a callback live until the call is over") {
-    on_every_backend([](nicol_context context) {
-        auto* stage = new Stage(context);
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.progress_user = stage;
+        options.progress_user = &caller;
         options.progress = [](void* user, const char*, double) -> std::int32_t {
-            delete static_cast<Stage*>(user);
-            return 0;
+            Caller& self = *static_cast<Caller*>(user);
+            self.same_thread = self.same_thread && std::this_thread::get_id() == self.thread;
+            const Stage& own = self.own;
+            nicol_instance instance = NICOL_INSTANCE_INIT;
+            instance.mesh = own.mesh;
+            instance.material = own.material;
+            nicol_statistics statistics = NICOL_STATISTICS_INIT;
+            const nicol_observation image = NICOL_OBSERVATION_INIT;
+            float pixels[24 * 16] = {};
+            std::uint32_t channels = 0;
+            self.refused = {
+                nicol_render(own.scene, &own.camera, nullptr, own.framebuffer),
+                nicol_scene_add_instance(own.scene, &instance, nullptr),
+                nicol_scene_set_transform(own.scene, 0, placed(0, 0, 0).rows),
+                nicol_scene_set_environment(own.scene, nullptr, nullptr, 0),
+                nicol_scene_get_channels(own.scene, &channels),
+                nicol_framebuffer_get_statistics(own.framebuffer, &statistics),
+                nicol_framebuffer_read(own.framebuffer, NICOL_PLANE_S0, 0, pixels, 0, sizeof pixels),
+                nicol_framebuffer_write_exr(own.framebuffer, "/nowhere/x.exr"),
+                nicol_framebuffer_write_png(own.framebuffer, &image, "/nowhere/x.png")};
+            self.allowed = {
+                nicol_render(self.other.scene, &self.other.camera, nullptr, self.other.framebuffer),
+                nicol_framebuffer_read(self.other.framebuffer, NICOL_PLANE_S0, 0, pixels, 0, sizeof pixels),
+                nicol_mesh_retain(own.mesh), nicol_mesh_release(own.mesh)};
+            return 1;
         };
-        const nicol_scene scene = stage->scene;
-        const nicol_camera camera = stage->camera;
-        FAILS(nicol_render(scene, &camera, &options, stage->framebuffer), NICOL_ERROR_CANCELLED, "progress");
-        FAILS(nicol_scene_retain(scene), NICOL_ERROR_INVALID_HANDLE, "released");
-    });
+        OK(stage.try_render(options));
+        CHECK(caller.same_thread);
+        CHECK(caller.refused.size() == 9);
+        for (const nicol_result result : caller.refused) CHECK(result == NICOL_ERROR_INVALID_ARGUMENT);
+        CHECK(caller.allowed.size() == 4);
+        for (const nicol_result result : caller.allowed) CHECK(result == NICOL_OK);
+        // None of the refused calls had an effect.
+        const std::vector<float> watched = read_all(stage.framebuffer);
+        CHECK(stage.image() == watched);
+    }
 }
 
-TEST_CASE("statistics tell what a render did") {
-    on_every_stage([](const Stage& stage) {
-        stage.render();
-        const nicol_statistics first = statistics_of(stage.framebuffer);
-        std::uint32_t vertices = 0, triangles = 0;
-        OK(nicol_mesh_get_size(stage.mesh, &vertices, &triangles));
-        CHECK(first.struct_size == sizeof first);
-        CHECK(first.order == 4);
-        CHECK(first.vertices == vertices);
-        CHECK(first.triangles == triangles);
-        CHECK(first.project_ms > 0);
-        CHECK(first.relight_ms > 0);
-        CHECK(first.vertices_skipped > 0);
-        CHECK(first.light_columns_skipped == 1);  // no s3 in a sky
-        CHECK(first.channels_shared == 2);        // a grey one
-        CHECK(first.response_bytes > 0);
-        CHECK(first.texture_bytes >= std::uint64_t{24} * 16 * 16 * 3);
-        stage.render();
-        const nicol_statistics second = statistics_of(stage.framebuffer);
-        CHECK(second.relight_ms == 0);
-        CHECK(second.transfer_bytes == first.transfer_bytes);
-        CHECK(second.buffer_bytes == first.buffer_bytes);
-        CHECK(second.texture_bytes == first.texture_bytes);
-        // The automatic executor is threads where OpenGL runs on the CPU.
-        nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
-        OK(nicol_context_get_info(stage.context, &info));
-        CHECK(first.compute == (info.software != 0 ? 0U : 1U));
-    });
+CONTEXT_TEST_CASE("objects released inside a callback live until the call is over") {
+    auto* stage = new Stage(context);
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.progress_user = stage;
+    options.progress = [](void* user, const char*, double) -> std::int32_t {
+        delete static_cast<Stage*>(user);
+        return 0;
+    };
+    const nicol_scene scene = stage->scene;
+    const nicol_camera camera = stage->camera;
+    FAILS(nicol_render(scene, &camera, &options, stage->framebuffer), NICOL_ERROR_CANCELLED, "progress");
+    FAILS(nicol_scene_retain(scene), NICOL_ERROR_INVALID_HANDLE, "released");
+}
+
+STAGE_TEST_CASE("statistics tell what a render did") {
+    stage.render();
+    const nicol_statistics first = statistics_of(stage.framebuffer);
+    std::uint32_t vertices = 0, triangles = 0;
+    OK(nicol_mesh_get_size(stage.mesh, &vertices, &triangles));
+    CHECK(first.struct_size == sizeof first);
+    CHECK(first.order == 4);
+    CHECK(first.vertices == vertices);
+    CHECK(first.triangles == triangles);
+    CHECK(first.project_ms > 0);
+    CHECK(first.relight_ms > 0);
+    CHECK(first.vertices_skipped > 0);
+    CHECK(first.light_columns_skipped == 1);  // no s3 in a sky
+    CHECK(first.channels_shared == 2);        // a grey one
+    CHECK(first.response_bytes > 0);
+    CHECK(first.texture_bytes >= std::uint64_t{24} * 16 * 16 * 3);
+    stage.render();
+    const nicol_statistics second = statistics_of(stage.framebuffer);
+    CHECK(second.relight_ms == 0);
+    CHECK(second.transfer_bytes == first.transfer_bytes);
+    CHECK(second.buffer_bytes == first.buffer_bytes);
+    CHECK(second.texture_bytes == first.texture_bytes);
+    // The automatic executor is threads where OpenGL runs on the CPU.
+    nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
+    OK(nicol_context_get_info(stage.context, &info));
+    CHECK(first.compute == (info.software != 0 ? 0U : 1U));
 }

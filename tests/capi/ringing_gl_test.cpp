@@ -6,22 +6,19 @@ using namespace capi_test;
 
 TEST_CASE("de-ringing removes the negative light of the demonstration") {
     const Owned context(make_context(NICOL_BACKEND_EGL));
-    Owned<nicol_scene> scene;
-    OK(nicol_scene_load(context, NICOL_TEST_ASSETS "/snail_hdr.xml", nullptr, 0, &scene));
-    nicol_camera camera = NICOL_CAMERA_INIT;
-    OK(nicol_scene_get_camera(scene, &camera));
+    const LoadedScene loaded(context, NICOL_TEST_ASSETS "/snail_hdr.xml");
     // A sphere on y = 0 in place of the snail, whose grooves are darker than truncated shadows can hold.
     Owned<nicol_material> material;
-    OK(nicol_scene_get_instance(scene, 0, nullptr, &material, nullptr));
-    OK(nicol_scene_remove_instance(scene, 0));
-    add(scene, Owned(sphere(context)), material, placed(0, 1, 0));
+    OK(nicol_scene_get_instance(loaded.scene, 0, nullptr, &material, nullptr));
+    OK(nicol_scene_remove_instance(loaded.scene, 0));
+    add(loaded.scene, Owned(sphere(context)), material, placed(0, 1, 0));
     const Owned framebuffer(framebuffer_of(context, 200, 150, 3));
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.order_low = 9;
     options.high_orders = NICOL_HIGH_ORDERS_NONE;
     // The least s0 over the mean.
     const auto least = [&] {
-        OK(nicol_render(scene, &camera, &options, framebuffer));
+        OK(nicol_render(loaded.scene, &loaded.camera, &options, framebuffer));
         const std::vector<float> image = read_all(framebuffer);
         float least_s0 = 1;
         double sum = 0;

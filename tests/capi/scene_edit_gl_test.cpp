@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Scenes that change: instances removed, asked about, given other materials.
-#include <array>
-#include <cmath>
 #include <thread>
 
 #include "capi.hpp"
@@ -36,101 +34,86 @@ std::vector<float> fresh(const Stage& stage) {
 
 }  // namespace
 
-TEST_CASE("ids of removed instances are not given again, and those of others stay") {
-    on_every_stage([](const Stage& stage) {
-        const std::uint32_t second = add(stage.scene, stage.mesh, stage.material, placed(1, 0, 0, 0.3));
-        const std::uint32_t third = add(stage.scene, stage.mesh, stage.material, placed(-1, 0, 0, 0.3));
-        CHECK(ids_of(stage.scene) == std::vector<std::uint32_t>{0, 1, 2});
-        OK(nicol_scene_remove_instance(stage.scene, second));
-        CHECK(ids_of(stage.scene) == std::vector<std::uint32_t>{0, 2});
-        CHECK(stage.image() == fresh(stage));
+STAGE_TEST_CASE("ids of removed instances are not given again, and those of others stay") {
+    const std::uint32_t second = add(stage.scene, stage.mesh, stage.material, placed(1, 0, 0, 0.3));
+    const std::uint32_t third = add(stage.scene, stage.mesh, stage.material, placed(-1, 0, 0, 0.3));
+    CHECK(ids_of(stage.scene) == std::vector<std::uint32_t>{0, 1, 2});
+    OK(nicol_scene_remove_instance(stage.scene, second));
+    CHECK(ids_of(stage.scene) == std::vector<std::uint32_t>{0, 2});
+    CHECK(stage.image() == fresh(stage));
 
-        REFUSES(nicol_scene_remove_instance(stage.scene, second), "instance 1");
-        REFUSES(nicol_scene_set_transform(stage.scene, second, placed(0, 0, 0).rows), "removed");
-        REFUSES(nicol_scene_set_material(stage.scene, second, stage.material), "instance 1");
-        REFUSES(nicol_scene_remove_instance(stage.scene, 3), "instance 3");
-        OK(nicol_scene_remove_instance(stage.scene, third));
-        CHECK(add(stage.scene, stage.mesh, stage.material, placed(0, 1, 0, 0.3)) == 3);
-        OK(nicol_scene_remove_instance(stage.scene, 0));
-        OK(nicol_scene_remove_instance(stage.scene, 3));
-        CHECK(ids_of(stage.scene).empty());
-        OK(nicol_scene_get_instance_ids(stage.scene, nullptr, 0));
-        CHECK(stage.image() == fresh(stage));
-    });
+    REFUSES(nicol_scene_remove_instance(stage.scene, second), "instance 1");
+    REFUSES(nicol_scene_set_transform(stage.scene, second, placed(0, 0, 0).rows), "removed");
+    REFUSES(nicol_scene_set_material(stage.scene, second, stage.material), "instance 1");
+    REFUSES(nicol_scene_remove_instance(stage.scene, 3), "instance 3");
+    for (const std::uint32_t id : {0U, third}) OK(nicol_scene_remove_instance(stage.scene, id));
+    CHECK(ids_of(stage.scene).empty());
+    OK(nicol_scene_get_instance_ids(stage.scene, nullptr, 0));
+    CHECK(stage.image() == fresh(stage));
 }
 
-TEST_CASE("an instance tells what it is made of") {
-    on_every_stage([](const Stage& stage) {
-        const Matrix at = placed(1, 2, 3, 0.5);
-        const std::uint32_t id =
-            add(stage.scene, stage.mesh, Owned(diffuse(stage.context, {0.3F})), at);  // the scene keeps it
-        Owned<nicol_mesh> mesh;
-        Owned<nicol_material> material;
-        Matrix told{};
-        OK(nicol_scene_get_instance(stage.scene, id, &mesh, &material, told.rows));
-        CHECK(std::ranges::equal(at.rows, told.rows));
-        std::array<std::uint32_t, 2> size{}, wanted{};
-        OK(nicol_mesh_get_size(mesh, size.data(), size.data() + 1));
-        OK(nicol_mesh_get_size(stage.mesh, wanted.data(), wanted.data() + 1));
-        CHECK(size == wanted);
-        OK(nicol_scene_remove_instance(stage.scene, id));
-        // They live as long as their handles.
-        CHECK(add(stage.scene, mesh, material, at) == id + 1);
-        OK(nicol_scene_get_instance(stage.scene, id + 1, nullptr, nullptr, nullptr));
+STAGE_TEST_CASE("an instance tells what it is made of") {
+    const Matrix at = placed(1, 2, 3, 0.5);
+    const std::uint32_t id =
+        add(stage.scene, stage.mesh, Owned(diffuse(stage.context, {0.3F})), at);  // the scene keeps it
+    Owned<nicol_mesh> mesh;
+    Owned<nicol_material> material;
+    Matrix told{};
+    OK(nicol_scene_get_instance(stage.scene, id, &mesh, &material, told.rows));
+    CHECK(std::ranges::equal(at.rows, told.rows));
+    std::array<std::uint32_t, 2> size{}, wanted{};
+    OK(nicol_mesh_get_size(mesh, size.data(), size.data() + 1));
+    OK(nicol_mesh_get_size(stage.mesh, wanted.data(), wanted.data() + 1));
+    CHECK(size == wanted);
+    OK(nicol_scene_remove_instance(stage.scene, id));
+    // They live as long as their handles.
+    CHECK(add(stage.scene, mesh, material, at) == id + 1);
+    OK(nicol_scene_get_instance(stage.scene, id + 1, nullptr, nullptr, nullptr));
 
-        nicol_mesh no_mesh = marker<nicol_mesh>();
-        nicol_material no_material = marker<nicol_material>();
-        REFUSES(nicol_scene_get_instance(stage.scene, id, &no_mesh, &no_material, told.rows), "removed");
-        CHECK(no_mesh == marker<nicol_mesh>());
-        CHECK(no_material == marker<nicol_material>());
-        CHECK(std::ranges::equal(at.rows, told.rows));
-    });
+    nicol_mesh no_mesh = marker<nicol_mesh>();
+    nicol_material no_material = marker<nicol_material>();
+    REFUSES(nicol_scene_get_instance(stage.scene, id, &no_mesh, &no_material, told.rows), "removed");
+    CHECK(no_mesh == marker<nicol_mesh>());
+    CHECK(no_material == marker<nicol_material>());
+    CHECK(std::ranges::equal(at.rows, told.rows));
 }
 
-TEST_CASE("a material is swapped for one that fits the others' channels") {
-    on_every_stage([](const Stage& stage) {
-        const std::uint32_t id = add(stage.scene, stage.mesh, stage.material, placed(0.6, 0.5, 0.5, 0.3));
-        stage.render();
-        const nicol_statistics first = statistics_of(stage.framebuffer);
-        CHECK((first.lights_projected == 1 && first.matrices_baked == 0));
-        CHECK((first.vertices_traced == first.vertices && first.vertices_relit == first.vertices));
-        OK(nicol_scene_set_material(stage.scene, id, Owned(diffuse(stage.context, {0.2F}))));
-        const std::vector<float> image = stage.image();
-        CHECK(statistics_of(stage.framebuffer).materials_projected == first.materials_projected);
-        CHECK(statistics_of(stage.framebuffer).vertices_relit == 0);
-        CHECK(image == fresh(stage));
+STAGE_TEST_CASE("a material is swapped for one that fits the others' channels") {
+    const std::uint32_t id = add(stage.scene, stage.mesh, stage.material, placed(0.6, 0.5, 0.5, 0.3));
+    stage.render();
+    OK(nicol_scene_set_material(stage.scene, id, Owned(diffuse(stage.context, {0.2F}))));
+    const std::vector<float> image = stage.image();
+    CHECK(statistics_of(stage.framebuffer).vertices_relit == 0);
+    CHECK(image == fresh(stage));
 
-        const Owned elsewhere(make_context(NICOL_BACKEND_OSMESA));
-        const Owned foreign(diffuse(elsewhere, {0.2F})), unfit(diffuse(stage.context, {0.1F, 0.2F}));
-        REFUSES(nicol_scene_set_material(stage.scene, id, unfit), "channels");
-        FAILS(nicol_scene_set_material(stage.scene, id, foreign), NICOL_ERROR_INVALID_HANDLE, "contexts");
-        CHECK(stage.image() == image);
-    });
+    const Owned elsewhere(make_context(NICOL_BACKEND_OSMESA));
+    const Owned foreign(diffuse(elsewhere, {0.2F})), unfit(diffuse(stage.context, {0.1F, 0.2F}));
+    REFUSES(nicol_scene_set_material(stage.scene, id, unfit), "channels");
+    FAILS(nicol_scene_set_material(stage.scene, id, foreign), NICOL_ERROR_INVALID_HANDLE, "contexts");
+    CHECK(stage.image() == image);
 }
 
-TEST_CASE("scenes are edited from several threads") {
-    on_every_stage([](const Stage& stage) {
-        std::vector<std::thread> threads;
-        std::array<std::uint32_t, 4> left{};
-        for (std::size_t t = 0; t < left.size(); ++t) {
-            threads.emplace_back([&stage, &left, t] {
-                nicol_instance instance = NICOL_INSTANCE_INIT;
-                instance.mesh = stage.mesh;
-                instance.material = stage.material;
-                for (int i = 0; i < 50; ++i) {
-                    std::uint32_t id = 0;
-                    if (nicol_scene_add_instance(stage.scene, &instance, &id) != NICOL_OK) return;
-                    if (i < 49 && nicol_scene_remove_instance(stage.scene, id) != NICOL_OK) return;
-                    left[t] = id;
-                }
-            });
-        }
-        for (std::thread& thread : threads) thread.join();
-        std::set<std::uint32_t> expected(left.begin(), left.end());
-        expected.insert(0);
-        const std::vector<std::uint32_t> ids = ids_of(stage.scene);
-        CHECK(std::set(ids.begin(), ids.end()) == expected);
-        CHECK(ids.size() == 5);
-        CHECK(ids.back() <= 200);
-    });
+STAGE_TEST_CASE("scenes are edited from several threads") {
+    std::vector<std::thread> threads;
+    std::array<std::uint32_t, 4> left{};
+    for (std::size_t t = 0; t < left.size(); ++t) {
+        threads.emplace_back([&stage, &left, t] {
+            nicol_instance instance = NICOL_INSTANCE_INIT;
+            instance.mesh = stage.mesh;
+            instance.material = stage.material;
+            for (int i = 0; i < 50; ++i) {
+                std::uint32_t id = 0;
+                if (nicol_scene_add_instance(stage.scene, &instance, &id) != NICOL_OK) return;
+                if (i < 49 && nicol_scene_remove_instance(stage.scene, id) != NICOL_OK) return;
+                left[t] = id;
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    std::set<std::uint32_t> expected(left.begin(), left.end());
+    expected.insert(0);
+    const std::vector<std::uint32_t> ids = ids_of(stage.scene);
+    CHECK(std::set(ids.begin(), ids.end()) == expected);
+    CHECK(ids.size() == 5);
+    CHECK(ids.back() <= 200);
 }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Scenes: instances, environments, what a file asks for.
-#include <cmath>
-
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -24,56 +22,52 @@ constexpr const char* scene_text = R"(<scene version="3.0.0">
 
 }  // namespace
 
-TEST_CASE("an environment is rotated and scaled, nothing else") {
-    on_every_stage([](const Stage& stage) {
-        const std::vector<float> before = stage.image();
-        const auto image = [&](const double* to_world, double scale) {
-            OK(nicol_scene_set_environment(stage.scene, stage.environment, to_world, scale));
-            return stage.image();
-        };
-        // 0 asks for 1, zeros for the identity; a scale in the matrix is no matter.
-        const double zeros[16] = {};
-        CHECK(image(zeros, 0) == before);
-        CHECK(image(nullptr, 0) == before);
-        CHECK(image(placed(0, 0, 0, 2).rows, 1) == before);
-        const std::vector<float> doubled = image(nullptr, 2);
-        for (std::size_t i = 0; i < before.size(); ++i)
-            CHECK(doubled[i] == doctest::Approx(2 * before[i]).epsilon(1e-4));
-        const double rotated[16] = {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1};
-        CHECK(image(rotated, 1) != before);
-    });
+STAGE_TEST_CASE("an environment is rotated and scaled, nothing else") {
+    const std::vector<float> before = stage.image();
+    const auto image = [&](const double* to_world, double scale) {
+        OK(nicol_scene_set_environment(stage.scene, stage.environment, to_world, scale));
+        return stage.image();
+    };
+    // 0 asks for 1, zeros for the identity; a scale in the matrix is no matter.
+    const double zeros[16] = {};
+    CHECK(image(zeros, 0) == before);
+    CHECK(image(nullptr, 0) == before);
+    CHECK(image(placed(0, 0, 0, 2).rows, 1) == before);
+    const std::vector<float> doubled = image(nullptr, 2);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        CHECK(doubled[i] == doctest::Approx(2 * before[i]).epsilon(1e-4));
+    const double rotated[16] = {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1};
+    CHECK(image(rotated, 1) != before);
 }
 
-TEST_CASE("a scene's environment comes back as it was set") {
-    on_every_stage([](const Stage& stage) {
-        const double rotated[16] = {0, 0, 2, 0, 0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 0, 1};
-        OK(nicol_scene_set_environment(stage.scene, stage.environment, rotated, 0.25));
-        const std::vector<float> before = stage.image();
+STAGE_TEST_CASE("a scene's environment comes back as it was set") {
+    const double rotated[16] = {0, 0, 2, 0, 0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 0, 1};
+    OK(nicol_scene_set_environment(stage.scene, stage.environment, rotated, 0.25));
+    const std::vector<float> before = stage.image();
 
-        nicol_environment light = nullptr;
-        double to_world[16] = {}, scale = 0;
-        OK(nicol_scene_get_environment(stage.scene, &light, to_world, &scale));
-        CHECK(scale == 0.25);
-        // The rotation alone: what else is in a matrix does not concern light.
-        for (std::size_t i = 0; i < 16; ++i) CHECK(to_world[i] == (i < 12 ? rotated[i] / 2 : rotated[i]));
-        nicol_environment_info info = NICOL_ENVIRONMENT_INFO_INIT;
-        OK(nicol_environment_get_info(light, &info));
-        CHECK(info.polarized == 1);
+    nicol_environment light = nullptr;
+    double to_world[16] = {}, scale = 0;
+    OK(nicol_scene_get_environment(stage.scene, &light, to_world, &scale));
+    CHECK(scale == 0.25);
+    // The rotation alone: what else is in a matrix does not concern light.
+    for (std::size_t i = 0; i < 16; ++i) CHECK(to_world[i] == (i < 12 ? rotated[i] / 2 : rotated[i]));
+    nicol_environment_info info = NICOL_ENVIRONMENT_INFO_INIT;
+    OK(nicol_environment_get_info(light, &info));
+    CHECK(info.polarized == 1);
 
-        // The handle outlives the scene's own use of the light.
-        OK(nicol_scene_set_environment(stage.scene, nullptr, nullptr, 0));
-        nicol_environment none = marker<nicol_environment>();
-        double identity[16] = {};
-        OK(nicol_scene_get_environment(stage.scene, &none, identity, &scale));
-        CHECK(none == nullptr);
-        CHECK(scale == 1);
-        for (std::size_t i = 0; i < 16; ++i) CHECK(identity[i] == (i % 5 == 0 ? 1 : 0));
-        OK(nicol_scene_get_environment(stage.scene, &none, nullptr, nullptr));
+    // The handle outlives the scene's own use of the light.
+    OK(nicol_scene_set_environment(stage.scene, nullptr, nullptr, 0));
+    nicol_environment none = marker<nicol_environment>();
+    double identity[16] = {};
+    OK(nicol_scene_get_environment(stage.scene, &none, identity, &scale));
+    CHECK(none == nullptr);
+    CHECK(scale == 1);
+    for (std::size_t i = 0; i < 16; ++i) CHECK(identity[i] == (i % 5 == 0 ? 1 : 0));
+    OK(nicol_scene_get_environment(stage.scene, &none, nullptr, nullptr));
 
-        OK(nicol_scene_set_environment(stage.scene, light, to_world, 0.25));
-        OK(nicol_environment_release(light));
-        CHECK(stage.image() == before);
-    });
+    OK(nicol_scene_set_environment(stage.scene, light, to_world, 0.25));
+    OK(nicol_environment_release(light));
+    CHECK(stage.image() == before);
 }
 
 TEST_CASE("a file's light comes back with its rotation and scale, a scale of 0 as darkness") {
@@ -87,15 +81,13 @@ TEST_CASE("a file's light comes back with its rotation and scale, a scale of 0 a
         <transform name="to_world"><rotate y="1" angle="90"/></transform></emitter>)");
     const std::string path = folder.write("scene.xml", text);
     on_every_backend([&](nicol_context context) {
-        nicol_environment light = constant_light(context, {1});
-        OK(nicol_environment_write(light, nullptr, folder.file("light.exr").c_str()));
-        OK(nicol_environment_release(light));
+        OK(nicol_environment_write(Owned(constant_light(context, {1})), nullptr,
+                                   folder.file("light.exr").c_str()));
+        nicol_environment light = nullptr;
         for (const bool dark : {false, true}) {
-            const char* definition = dark ? "scale=0" : "scale=2.5";
-            Owned<nicol_scene> scene;
-            OK(nicol_scene_load(context, path.c_str(), &definition, 1, &scene));
+            const LoadedScene loaded(context, path, {dark ? "scale=0" : "scale=2.5"});
             double to_world[16] = {}, scale = 0;
-            OK(nicol_scene_get_environment(scene, &light, to_world, &scale));
+            OK(nicol_scene_get_environment(loaded.scene, &light, to_world, &scale));
             CHECK((light == nullptr) == dark);
             CHECK(scale == (dark ? 1 : 2.5));
             const double rotated[16] = {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 0, 1};
@@ -106,80 +98,66 @@ TEST_CASE("a file's light comes back with its rotation and scale, a scale of 0 a
     });
 }
 
-TEST_CASE("a scene has the channels of its parts, which must fit, and no camera of its own") {
-    on_every_backend([](nicol_context context) {
-        const Owned scene(empty_scene(context));
-        std::uint32_t channels = 0;
-        OK(nicol_scene_get_channels(scene, &channels));
-        CHECK(channels == 1);
-        const Owned two(constant_light(context, {1, 2})), three(constant_light(context, {1, 2, 3}));
-        const Owned material(diffuse(context, {0.1F, 0.2F, 0.3F}));
-        const Owned mesh(cube(context));
-        // Only a loaded scene has a camera and a film.
-        nicol_camera camera = NICOL_CAMERA_INIT;
-        camera.fov = 12;
-        std::uint32_t width = 5, height = 6;
-        FAILS(nicol_scene_get_camera(scene, &camera), NICOL_ERROR_UNSUPPORTED, "camera");
-        FAILS(nicol_scene_get_film_size(scene, &width, &height), NICOL_ERROR_UNSUPPORTED, "film");
-        CHECK((camera.fov == 12 && width == 5 && height == 6));
+CONTEXT_TEST_CASE("a scene has the channels of its parts, which must fit, and no camera of its own") {
+    const Owned scene(empty_scene(context));
+    std::uint32_t channels = 0;
+    OK(nicol_scene_get_channels(scene, &channels));
+    CHECK(channels == 1);
+    const Owned two(constant_light(context, {1, 2})), three(constant_light(context, {1, 2, 3}));
+    const Owned material(diffuse(context, {0.1F, 0.2F, 0.3F}));
+    const Owned mesh(cube(context));
+    // Only a loaded scene has a camera and a film.
+    nicol_camera camera = NICOL_CAMERA_INIT;
+    camera.fov = 12;
+    std::uint32_t width = 5, height = 6;
+    FAILS(nicol_scene_get_camera(scene, &camera), NICOL_ERROR_UNSUPPORTED, "camera");
+    FAILS(nicol_scene_get_film_size(scene, &width, &height), NICOL_ERROR_UNSUPPORTED, "film");
+    CHECK((camera.fov == 12 && width == 5 && height == 6));
 
-        OK(nicol_scene_set_environment(scene, two, nullptr, 0));
-        OK(nicol_scene_get_channels(scene, &channels));
-        CHECK(channels == 2);
-        nicol_instance instance = NICOL_INSTANCE_INIT;
-        instance.mesh = mesh;
-        instance.material = material;
-        REFUSES(nicol_scene_add_instance(scene, &instance, nullptr), "channels");
-        OK(nicol_scene_set_environment(scene, three, nullptr, 0));
-        OK(nicol_scene_add_instance(scene, &instance, nullptr));
-        REFUSES(nicol_scene_set_environment(scene, two, nullptr, 0), "channels");
-        OK(nicol_scene_set_environment(scene, nullptr, nullptr, 0));
-        OK(nicol_scene_get_channels(scene, &channels));
-        CHECK(channels == 3);
-    });
+    OK(nicol_scene_set_environment(scene, two, nullptr, 0));
+    OK(nicol_scene_get_channels(scene, &channels));
+    CHECK(channels == 2);
+    nicol_instance instance = NICOL_INSTANCE_INIT;
+    instance.mesh = mesh;
+    instance.material = material;
+    REFUSES(nicol_scene_add_instance(scene, &instance, nullptr), "channels");
+    OK(nicol_scene_set_environment(scene, three, nullptr, 0));
+    OK(nicol_scene_add_instance(scene, &instance, nullptr));
+    REFUSES(nicol_scene_set_environment(scene, two, nullptr, 0), "channels");
+    OK(nicol_scene_set_environment(scene, nullptr, nullptr, 0));
+    OK(nicol_scene_get_channels(scene, &channels));
+    CHECK(channels == 3);
 }
 
-TEST_CASE("a file is loaded with definitions, and those that are none are refused") {
-    on_every_backend([](nicol_context context) {
-        const TemporaryFolder folder;
-        const std::string path = folder.write("sc\xC3\xA8ne.xml", scene_text);
-        Owned<nicol_scene> scene;
-        OK(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
-        nicol_camera camera = NICOL_CAMERA_INIT;
-        std::uint32_t width = 0, height = 0, channels = 0;
-        OK(nicol_scene_get_camera(scene, &camera));
-        OK(nicol_scene_get_film_size(scene, &width, &height));
-        OK(nicol_scene_get_channels(scene, &channels));
-        CHECK(camera.fov == doctest::Approx(50));
-        CHECK(camera.projection == NICOL_PROJECTION_PERSPECTIVE);
-        CHECK((width == 12 && height == 9 && channels == 3));
-        const nicol_camera made = front_camera(4);
-        for (std::size_t i = 0; i < 16; ++i) CHECK(camera.to_world[i] == doctest::Approx(made.to_world[i]));
-        const Owned framebuffer(framebuffer_of(context, width, height, channels));
-        OK(nicol_render(scene, &camera, nullptr, framebuffer));
-        // The corner shows the light, the middle a reflectance of 0.2, 0.4, 0.6 under it.
-        for (std::uint32_t c = 0; c < 3; ++c) {
-            const std::vector<float> s0 = read_plane(framebuffer, NICOL_PLANE_S0, c);
-            const double light = c + 1.0;
-            CHECK(s0[0] == doctest::Approx(light).epsilon(1e-3));
-            CHECK(s0[4 * 12 + 6] == doctest::Approx(light * 0.2 * (c + 1)).epsilon(1e-3));
-        }
-        const char* definitions[] = {"fov=25", "spp=1"};
-        OK(nicol_scene_load(context, path.c_str(), definitions, 2, &scene));
-        OK(nicol_scene_get_camera(scene, &camera));
-        CHECK(camera.fov == doctest::Approx(25));
+CONTEXT_TEST_CASE("a file is loaded with definitions, and those that are none are refused") {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("sc\xC3\xA8ne.xml", scene_text);
+    const LoadedScene loaded(context, path);
+    CHECK(loaded.camera.fov == doctest::Approx(50));
+    CHECK(loaded.camera.projection == NICOL_PROJECTION_PERSPECTIVE);
+    CHECK((loaded.width == 12 && loaded.height == 9 && loaded.channels == 3));
+    const nicol_camera made = front_camera(4);
+    CHECK(largest_difference(loaded.camera.to_world, made.to_world) < 1e-6);
+    const std::vector<float> image = loaded.image();
+    // The corner shows the light, the middle a reflectance of 0.2, 0.4, 0.6 under it.
+    for (std::uint32_t c = 0; c < 3; ++c) {
+        const float* pixels = &image[std::size_t{c} * 4 * 12 * 9];
+        const double light = c + 1.0;
+        CHECK(pixels[0] == doctest::Approx(light).epsilon(1e-3));
+        CHECK(pixels[4 * (4 * 12 + 6)] == doctest::Approx(light * 0.2 * (c + 1)).epsilon(1e-3));
+    }
+    CHECK(LoadedScene(context, path, {"fov=25", "spp=1"}).camera.fov == doctest::Approx(25));
 
-        const auto load = [&](const char* const* given) {
-            nicol_scene none = marker<nicol_scene>();
-            const nicol_result result = nicol_scene_load(context, path.c_str(), given, 1, &none);
-            CHECK(none == marker<nicol_scene>());
-            return result;
-        };
-        REFUSES(load(nullptr), "definitions");
-        const char* null = nullptr;
-        REFUSES(load(&null), "definitions");
-        for (const char* bad : {"fov", "=3", ""}) REFUSES(load(&bad), "name=value");
-        const char* unreadable = "fov=wide";
-        FAILS(load(&unreadable), NICOL_ERROR_INVALID_FILE, "fov");
-    });
+    const auto load = [&](const char* const* given) {
+        nicol_scene none = marker<nicol_scene>();
+        const nicol_result result = nicol_scene_load(context, path.c_str(), given, 1, &none);
+        CHECK(none == marker<nicol_scene>());
+        return result;
+    };
+    REFUSES(load(nullptr), "definitions");
+    const char* null = nullptr;
+    REFUSES(load(&null), "definitions");
+    for (const char* bad : {"fov", "=3", ""}) REFUSES(load(&bad), "name=value");
+    const char* unreadable = "fov=wide";
+    FAILS(load(&unreadable), NICOL_ERROR_INVALID_FILE, "fov");
 }

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What a render may leave out: with every skip the image is the same as without it.
-#include <algorithm>
-#include <cmath>
-
 #include "capi.hpp"
 
 using namespace capi_test;
@@ -25,10 +22,8 @@ nicol_environment plain_light(nicol_context context, bool grey) {
             coefficients[c * count + i] = i == 0 ? 4 : 0.5 * wave;
         }
     }
-    nicol_environment environment = nullptr;
-    OK(nicol_environment_create_psh(context, order, channels, coefficients.data(), coefficients.size(),
-                                    &environment));
-    return environment;
+    return make(nicol_environment_create_psh, context, order, channels, coefficients.data(),
+                coefficients.size());
 }
 
 /// Two spheres that shadow each other, one of plastic and one diffuse.
@@ -41,10 +36,7 @@ struct Pair {
         : scene(empty_scene(context)), framebuffer(framebuffer_of(context, 64, 48, 3)) {
         OK(nicol_scene_set_environment(scene, environment, nullptr, 1));
         const Owned ball(sphere(context));
-        const Owned wall(diffuse(context, {0.5F}));
-        Owned<nicol_material> plastic;
-        const nicol_pplastic parameters = NICOL_PPLASTIC_INIT;
-        OK(nicol_material_create_pplastic(context, &parameters, &plastic));
+        const Owned wall(diffuse(context, {0.5F})), plastic(plastic_of(context));
         add(scene, ball, plastic, placed(-1.1, 0, 0));
         add(scene, ball, wall, placed(1.1, 0, 0));
     }
@@ -56,62 +48,58 @@ struct Pair {
 
 }  // namespace
 
-TEST_CASE("skips leave the image as it is, and count") {
-    on_every_backend([](nicol_context context) {
-        for (const bool grey : {false, true}) {
-            const Owned environment(plain_light(context, grey));
-            const Pair pair(context, environment);
-            nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-            options.bake_directions = 512;
-            const std::vector<float> skipping = pair.render(options);
-            const float brightest = largest_of(skipping);
-            CHECK(brightest > 0.01F);
-            const nicol_statistics skipped = statistics_of(pair.framebuffer);
-            CHECK(skipped.light_columns_skipped > 0);
-            CHECK(skipped.channels_shared == (grey ? 2 : 0));
-            CHECK(skipped.order == 4);
-            CHECK(skipped.vertices_skipped > 0);
-            CHECK(skipped.vertices_unoccluded > 0);
-            for (const std::uint32_t skip : every_skip) {
-                CAPTURE(skip);
-                options.disabled_optimisations = skip;
-                CHECK(largest_difference(skipping, pair.render(options)) < 1e-6F * brightest);
-                const nicol_statistics s = statistics_of(pair.framebuffer);
-                CHECK(s.draw_ms > 0);
-                const auto off = [&](std::uint32_t which) { return (skip & which) != 0; };
-                CHECK((s.light_columns_skipped == 0) == off(NICOL_OPTIMISATION_LIGHT_COMPONENTS));
-                CHECK((s.channels_shared == 0) == (off(NICOL_OPTIMISATION_CHANNELS) || !grey));
-                CHECK(s.order == (off(NICOL_OPTIMISATION_ORDERS) ? 9 : 4));
-                CHECK((s.vertices_skipped == 0) == off(NICOL_OPTIMISATION_HIDDEN));
-                CHECK((s.vertices_unoccluded == 0) == off(NICOL_OPTIMISATION_UNOCCLUDED));
-            }
-            options.disabled_optimisations = 0;
-            CHECK(pair.render(options) == skipping);
-            CHECK(pair.render(options) == skipping);
-            CHECK(statistics_of(pair.framebuffer).draw_ms == 0);
-            options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
-            CHECK(pair.render(options) == skipping);
-            CHECK(pair.render(options) == skipping);
-            CHECK(statistics_of(pair.framebuffer).draw_ms > 0);
+CONTEXT_TEST_CASE("skips leave the image as it is, and count") {
+    for (const bool grey : {false, true}) {
+        const Owned environment(plain_light(context, grey));
+        const Pair pair(context, environment);
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.bake_directions = 512;
+        const std::vector<float> skipping = pair.render(options);
+        const double brightest = largest(skipping);
+        CHECK(brightest > 0.01);
+        const nicol_statistics skipped = statistics_of(pair.framebuffer);
+        CHECK(skipped.light_columns_skipped > 0);
+        CHECK(skipped.channels_shared == (grey ? 2 : 0));
+        CHECK(skipped.order == 4);
+        CHECK(skipped.vertices_skipped > 0);
+        CHECK(skipped.vertices_unoccluded > 0);
+        for (const std::uint32_t skip : every_skip) {
+            CAPTURE(skip);
+            options.disabled_optimisations = skip;
+            CHECK(largest_difference(skipping, pair.render(options)) < 1e-6 * brightest);
+            const nicol_statistics s = statistics_of(pair.framebuffer);
+            CHECK(s.draw_ms > 0);
+            const auto off = [&](std::uint32_t which) { return (skip & which) != 0; };
+            CHECK((s.light_columns_skipped == 0) == off(NICOL_OPTIMISATION_LIGHT_COMPONENTS));
+            CHECK((s.channels_shared == 0) == (off(NICOL_OPTIMISATION_CHANNELS) || !grey));
+            CHECK(s.order == (off(NICOL_OPTIMISATION_ORDERS) ? 9 : 4));
+            CHECK((s.vertices_skipped == 0) == off(NICOL_OPTIMISATION_HIDDEN));
+            CHECK((s.vertices_unoccluded == 0) == off(NICOL_OPTIMISATION_UNOCCLUDED));
         }
-    });
+        options.disabled_optimisations = 0;
+        CHECK(pair.render(options) == skipping);
+        CHECK(pair.render(options) == skipping);
+        CHECK(statistics_of(pair.framebuffer).draw_ms == 0);
+        options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
+        CHECK(pair.render(options) == skipping);
+        CHECK(pair.render(options) == skipping);
+        CHECK(statistics_of(pair.framebuffer).draw_ms > 0);
+    }
 }
 
-TEST_CASE("components that nobody asked for are 0 and the others the same") {
-    on_every_stage([](const Stage& stage) {
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        const auto render = [&](nicol_components components) {
-            options.components = components;
-            return stage.image(options);
-        };
-        const std::vector<float> all = render(NICOL_COMPONENTS_ALL);
-        CHECK(std::ranges::any_of(all, [](float value) { return value < 0; }));  // s1 or s2
-        for (const nicol_components components : {NICOL_COMPONENTS_S0, NICOL_COMPONENTS_LINEAR}) {
-            const std::vector<float> some = render(components);
-            std::size_t wrong = 0;
-            for (std::size_t i = 0; i < all.size(); ++i)
-                wrong += some[i] != (i % 4 < components ? all[i] : 0.0F) ? 1 : 0;
-            CHECK(wrong == 0);
-        }
-    });
+STAGE_TEST_CASE("components that nobody asked for are 0 and the others the same") {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    const auto render = [&](nicol_components components) {
+        options.components = components;
+        return stage.image(options);
+    };
+    const std::vector<float> all = render(NICOL_COMPONENTS_ALL);
+    CHECK(std::ranges::any_of(all, [](float value) { return value < 0; }));  // s1 or s2
+    for (const nicol_components components : {NICOL_COMPONENTS_S0, NICOL_COMPONENTS_LINEAR}) {
+        const std::vector<float> some = render(components);
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            wrong += some[i] != (i % 4 < components ? all[i] : 0.0F) ? 1 : 0;
+        CHECK(wrong == 0);
+    }
 }

@@ -1,49 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Images against Mitsuba 3's.
-#include <cstdlib>
-
-#include "capi.hpp"
 #include "image/stokes_image.hpp"
+#include "planes.hpp"
 
 using namespace capi_test;
 
 namespace {
 
-/// A file of Mitsuba's below NICOL_TEST_DATA; empty, with a message, where it is not there.
-std::filesystem::path data(const char* name) {
-    const char* folder = std::getenv("NICOL_TEST_DATA");
-    const std::filesystem::path file = std::filesystem::absolute(folder != nullptr ? folder : "") / name;
-    if (std::filesystem::exists(file)) return file;
-    MESSAGE("skipped: NICOL_TEST_DATA has no " << std::string(name));
-    return {};
+nicol_render_options low_orders(std::int32_t order, std::int32_t shadows = 0) {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.order_low = order;
+    options.high_orders = NICOL_HIGH_ORDERS_NONE;
+    options.shadows = shadows;
+    options.aovs = NICOL_AOV_INSTANCES;
+    return options;
 }
-
-/// A scene file and a framebuffer of its film's size.
-struct File {
-    Owned<nicol_context> context;
-    Owned<nicol_scene> scene;
-    Owned<nicol_framebuffer> framebuffer;
-    nicol_camera camera = NICOL_CAMERA_INIT;
-    std::uint32_t width = 0, height = 0, channels = 0;
-
-    File(nicol_backend backend, const std::string& file, const char* definition = nullptr)
-        : context(make_context(backend)) {
-        OK(nicol_scene_load(context, file.c_str(), &definition, definition != nullptr ? 1 : 0, &scene));
-        OK(nicol_scene_get_camera(scene, &camera));
-        OK(nicol_scene_get_film_size(scene, &width, &height));
-        OK(nicol_scene_get_channels(scene, &channels));
-        OK(nicol_framebuffer_create(context, width, height, channels, &framebuffer));
-    }
-    /// Of orders up to this one, [channel][pixel][component].
-    [[nodiscard]] std::vector<float> render(std::int32_t order, std::int32_t shadows = 0) const {
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-        options.order_low = order;
-        options.high_orders = NICOL_HIGH_ORDERS_NONE;
-        options.shadows = shadows;
-        OK(nicol_render(scene, &camera, &options, framebuffer));
-        return read_all(framebuffer);
-    }
-};
 
 // What is compared over the interior of a sphere of radius 1 in an image of half width 1.25.
 struct Comparison {
@@ -72,12 +43,11 @@ Comparison compare(const std::vector<float>& ours, const nicol::StokesImage& tru
                 const nicol::Stokes mirrored = truth.stokes(c, y, truth.width - 1 - x);
                 ++count;
                 mean += other[0];
-                total += static_cast<double>(ours[i]);
+                total += ours[i];
                 total_truth += other[0];
-                out.largest_s3 = std::fmax(out.largest_s3, std::abs(static_cast<double>(ours[i + 3])));
+                out.largest_s3 = std::fmax(out.largest_s3, std::abs(double(ours[i + 3])));
                 for (std::size_t p = 0; p < 3; ++p) {
-                    const auto a = static_cast<double>(ours[i + p]);
-                    const double b = other[static_cast<int>(p)], m = mirrored[static_cast<int>(p)];
+                    const double a = ours[i + p], b = other[int(p)], m = mirrored[int(p)];
                     product[p] += a * b;
                     square[p] += b * b;
                     error[p] += (a - b) * (a - b);
@@ -95,27 +65,17 @@ Comparison compare(const std::vector<float>& ours, const nicol::StokesImage& tru
     return out;
 }
 
-/// 1 where a pixel and its eight neighbours show the same object. Under even light without shadows the
-/// background is 1, the plane grey and the statue coloured. Sets the scene's light to that.
-std::vector<char> inner_pixels(const File& file) {
-    const Owned even(constant_light(file.context, {1, 1, 1}));
-    OK(nicol_scene_set_environment(file.scene, even, nullptr, 0));
-    const std::vector<float> image = file.render(-1, -1);
-    const std::size_t width = file.width, pixels = width * file.height;
-    std::vector<int> object(pixels);
-    for (std::size_t i = 0; i < pixels; ++i) {
-        const float red = image[4 * i], blue = image[4 * (2 * pixels + i)];
-        object[i] = red > 0.9999F && blue > 0.9999F ? 0 : red - blue < 0.01F ? 1 : 2;
-    }
-    std::vector<char> inner(pixels, 0);
-    for (std::size_t y = 1; y + 1 < file.height; ++y) {
-        for (std::size_t x = 1; x + 1 < width; ++x) {
-            const int own = object[y * width + x];
-            bool same = own != 0;
-            for (std::size_t n = 0; n < 9; ++n)
-                same = same && object[(y + n / 3 - 1) * width + x + n % 3 - 1] == own;
-            inner[y * width + x] = same ? 1 : 0;
-        }
+/// Where a pixel of the last render and its eight neighbours show the same object.
+std::vector<bool> inner_pixels(const LoadedScene& file) {
+    const auto object = read_surface<std::uint32_t>(file.framebuffer, NICOL_PLANE_INSTANCE, 1);
+    const std::size_t width = file.width;
+    std::vector<bool> inner(object.size(), false);
+    for (std::size_t i = width + 1; i + width + 1 < object.size(); ++i) {
+        if (i % width == 0 || i % width == width - 1) continue;
+        bool same = object[i] != NICOL_NO_INSTANCE;
+        for (std::size_t n = 0; n < 9; ++n)
+            same = same && object[i + n / 3 * width - width + n % 3 - 1] == object[i];
+        inner[i] = same;
     }
     return inner;
 }
@@ -142,11 +102,12 @@ TEST_CASE("a sphere is Mitsuba 3's in every Stokes component, but for noise and 
          }) {
         CAPTURE(c.truth);
         CAPTURE(c.order);
-        const std::filesystem::path truth = data(c.truth);
+        const std::filesystem::path truth = test_data(c.truth);
         if (truth.empty()) continue;
         const std::string scene = (truth.parent_path() / "sphere_").string() + c.scene + ".xml";
-        const Comparison result =
-            compare(File(c.backend, scene, c.definition).render(c.order), nicol::read_exr(truth));
+        const Owned context(make_context(c.backend));
+        const Comparison result = compare(
+            LoadedScene(context, scene, {c.definition}).image(low_orders(c.order)), nicol::read_exr(truth));
         MESSAGE(std::string(c.truth) << ", order " << c.order << ": mean s0 ratio " << result.mean_ratio
                                      << ", slopes s1 " << result.slope[1] << " s2 " << result.slope[2]
                                      << ", |s3| " << result.largest_s3 << ", relative RMSE s0 "
@@ -176,39 +137,24 @@ TEST_CASE("a statue on a plane, with shadows, is Mitsuba 3's, but for truncation
     const TemporaryFolder folder;
     for (const char* name :
          {"mitsuba/buddha.xml", "mitsuba/venice.exr", "polarsh/buddha.obj", "polarsh/plane.obj"}) {
-        const std::filesystem::path file = data(name);
+        const std::filesystem::path file = test_data(name);
         if (file.empty()) return;
-        std::filesystem::create_symlink(file, folder / file.filename().string());
+        std::filesystem::create_symlink(std::filesystem::absolute(file), folder / file.filename().string());
     }
-    const File file(NICOL_BACKEND_OSMESA, folder.file("buddha.xml"));
-    const nicol::StokesImage truth = nicol::read_exr(data("mitsuba/buddha_plane_venice.exr"));
-    const std::vector<float> shadowed = file.render(9, 1), plain = file.render(9, -1);
-    const std::vector<char> mask = inner_pixels(file);
-    const auto covered = std::count(mask.begin(), mask.end(), 1);
+    const Owned context(make_context(NICOL_BACKEND_OSMESA));
+    const LoadedScene file(context, folder.file("buddha.xml"));
+    const std::vector<float> truth = nicol::read_exr(test_data("mitsuba/buddha_plane_venice.exr")).data;
+    const std::vector<float> shadowed = file.image(low_orders(9, 1)), plain = file.image(low_orders(9, -1));
+    const std::vector<bool> inner = inner_pixels(file);
+    const auto covered = std::count(inner.begin(), inner.end(), true);
     CHECK(covered > 10000);
-    // Of s0, s1 and s2, over the root mean square of the truth's s0.
-    const auto relative_rmse = [&](const std::vector<float>& ours) {
-        std::array<double, 3> error{};
-        double size = 0;
-        REQUIRE(ours.size() == truth.data.size());
-        for (std::size_t i = 0; i < ours.size(); i += 4) {
-            if (mask[i / 4 % mask.size()] == 0) continue;
-            const auto at = [i](const std::vector<float>& v, std::size_t p) {
-                return static_cast<double>(v[i + p]);
-            };
-            for (std::size_t p = 0; p < 3; ++p) error[p] += std::pow(at(ours, p) - at(truth.data, p), 2);
-            size += std::pow(at(truth.data, 0), 2);
-        }
-        for (double& e : error) e = std::sqrt(e / size);
-        return error;
-    };
-    const auto error = relative_rmse(shadowed), without = relative_rmse(plain);
-    MESSAGE("relative RMSE s0 " << error[0] << " s1 " << error[1] << " s2 " << error[2]
-                                << ", without shadows s0 " << without[0] << ", over " << covered
-                                << " pixels");
-    CHECK(error[0] < 0.03);
-    CHECK(error[1] < 0.01);
-    CHECK(error[2] < 0.01);
+    const Distance with(shadowed, truth, inner), without(plain, truth, inner);
+    MESSAGE("relative RMSE s0 " << with.error[0] / with.size[0] << " s1 " << with.error[1] / with.size[0]
+                                << " s2 " << with.error[2] / with.size[0] << ", without shadows s0 "
+                                << without.error[0] / with.size[0] << ", over " << covered << " pixels");
+    CHECK(with.error[0] < 0.03 * with.size[0]);
+    CHECK(with.error[1] < 0.01 * with.size[0]);
+    CHECK(with.error[2] < 0.01 * with.size[0]);
     // Shadows are what makes the image right.
-    CHECK(without[0] > 3 * error[0]);
+    CHECK(without.error[0] > 3 * with.error[0]);
 }

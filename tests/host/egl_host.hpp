@@ -13,6 +13,8 @@
 
 namespace host_test {
 
+using namespace capi_test;
+
 struct Egl {
     void* library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
 #define EGL_FUNCTION(member, name) \
@@ -103,11 +105,8 @@ inline nicol_host host() {
 /// A context of the library's inside the one that is current.
 inline nicol_context make_host_context() {
     const nicol_host access = host();
-    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
-    options.threads = 2;
-    nicol_context context = nullptr;
-    OK(nicol_context_create_host(&access, &options, &context));
-    return context;
+    const nicol_context_options options = two_threads(NICOL_BACKEND_AUTOMATIC);
+    return make(nicol_context_create_host, &access, &options);
 }
 
 }  // namespace host_test

@@ -6,7 +6,6 @@
 #include "host/egl_host.hpp"
 #include "host/gl_state.hpp"
 
-using namespace capi_test;
 using namespace host_test;
 
 namespace {
@@ -46,24 +45,20 @@ TEST_CASE("a wrong host is refused by name") {
     FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NOT_CURRENT, "not current");
     const Application application;
     FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NOT_CURRENT, "not current");
+    using H = nicol_host;
+    check_wrong(host(), [&](const H& given) { return nicol_context_create_host(&given, nullptr, &context); },
+                {{"reserved", [](H& h) { h.reserved = 1; }},
+                 {"get_proc_address", [](H& h) { h.get_proc_address = nullptr; }}});
     access = host();
-    REFUSES(nicol_context_create_host(nullptr, nullptr, &context), "host");
-    REFUSES(nicol_context_create_host(&access, nullptr, nullptr), "context");
-    access.reserved = 1;
-    REFUSES(nicol_context_create_host(&access, nullptr, &context), "reserved");
-    access = host();
-    access.get_proc_address = nullptr;
-    REFUSES(nicol_context_create_host(&access, nullptr, &context), "get_proc_address");
     access.get_proc_address = [](void*, const char*) -> void* { return nullptr; };
     FAILS(nicol_context_create_host(&access, nullptr, &context), NICOL_ERROR_NO_BACKEND, "functions");
     access = host();
-    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
-    options.device = 1;
-    REFUSES(nicol_context_create_host(&access, &options, &context), "device");
-    options = NICOL_CONTEXT_OPTIONS_INIT;
-    options.backend = NICOL_BACKEND_HOST;
-    REFUSES(nicol_context_create_host(&access, &options, &context), "backend");
-    REFUSES(nicol_context_create(&options, &context), "nicol_context_create_host");
+    using O = nicol_context_options;
+    const O good = NICOL_CONTEXT_OPTIONS_INIT, of_host = two_threads(NICOL_BACKEND_HOST);
+    check_wrong(
+        good, [&](const O& given) { return nicol_context_create_host(&access, &given, &context); },
+        {{"device", [](O& o) { o.device = 1; }}, {"backend", [](O& o) { o.backend = NICOL_BACKEND_HOST; }}});
+    REFUSES(nicol_context_create(&of_host, &context), "nicol_context_create_host");
     CHECK(context == marker<nicol_context>());
 }
 
@@ -122,15 +117,12 @@ TEST_CASE("the host's word that its context is not current counts") {
     nicol_host access = host();
     access.is_current = [](void* user) -> std::int32_t { return *static_cast<bool*>(user) ? 1 : 0; };
     access.user = &current;
-    nicol_context context = nullptr;
-    OK(nicol_context_create_host(&access, nullptr, &context));
+    const Owned context(make(nicol_context_create_host, &access, nullptr));
     nicol_framebuffer framebuffer = marker<nicol_framebuffer>();
     current = false;
     FAILS(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer), NICOL_ERROR_NOT_CURRENT, "not current");
     current = true;
-    OK(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer));
-    OK(nicol_framebuffer_release(framebuffer));
-    OK(nicol_context_release(context));
+    OK(nicol_framebuffer_release(framebuffer_of(context, 4, 4, 1)));
 }
 
 TEST_CASE("the host's context may move to another thread, and Nicol with it") {
@@ -153,19 +145,18 @@ TEST_CASE("objects dropped elsewhere go at the next call that finds the context"
     const GlState nothing = gl_names(application.gl);
     const nicol_context context = make_host_context();
     const GlState empty = gl_names(application.gl);
-    nicol_framebuffer framebuffers[2] = {};
-    for (nicol_framebuffer& framebuffer : framebuffers)
-        OK(nicol_framebuffer_create(context, 4, 4, 3, &framebuffer));
+    const auto make_one = [&] { return framebuffer_of(context, 4, 4, 3); };
+    const auto release_elsewhere = [](nicol_framebuffer framebuffer) {
+        std::thread([=] { CHECK(nicol_framebuffer_release(framebuffer) == NICOL_OK); }).join();
+    };
+    const nicol_framebuffer first = make_one(), second = make_one();
     CHECK(difference(empty, gl_names(application.gl)) != "");
-    std::thread([&] { CHECK(nicol_framebuffer_release(framebuffers[0]) == NICOL_OK); }).join();
+    release_elsewhere(first);
     CHECK(difference(empty, gl_names(application.gl)) != "");
-    OK(nicol_framebuffer_release(framebuffers[1]));
-    nicol_framebuffer next = nullptr;
-    OK(nicol_framebuffer_create(context, 4, 4, 3, &next));
-    OK(nicol_framebuffer_release(next));
+    OK(nicol_framebuffer_release(second));
+    OK(nicol_framebuffer_release(make_one()));
     CHECK(difference(empty, gl_names(application.gl)) == "");
-    OK(nicol_framebuffer_create(context, 4, 4, 3, &next));
-    std::thread([&] { CHECK(nicol_framebuffer_release(next) == NICOL_OK); }).join();
+    release_elsewhere(make_one());
     OK(nicol_context_release(context));
     CHECK(difference(nothing, gl_names(application.gl)) == "");
 }
@@ -189,19 +180,15 @@ TEST_CASE("everything may be released after the host's context is gone") {
 }
 
 TEST_CASE("a host's context and one of our own render side by side") {
-    const nicol_context own = make_context(NICOL_BACKEND_EGL);
+    const Owned own(make_context(NICOL_BACKEND_EGL));
     const Application application;
-    const nicol_context context = make_host_context();
-    {
-        const Stage ours(own), theirs(context);
-        for (int round = 0; round < 3; ++round) {
-            OK(try_render(ours));
-            OK(try_render(theirs));
-        }
-        CHECK(read_all(ours.framebuffer) == read_all(theirs.framebuffer));
-        FAILS(nicol_render(ours.scene, &ours.camera, nullptr, theirs.framebuffer), NICOL_ERROR_INVALID_HANDLE,
-              "different contexts");
+    const Owned context(make_host_context());
+    const Stage ours(own), theirs(context);
+    for (int round = 0; round < 3; ++round) {
+        OK(try_render(ours));
+        OK(try_render(theirs));
     }
-    OK(nicol_context_release(context));
-    OK(nicol_context_release(own));
+    CHECK(read_all(ours.framebuffer) == read_all(theirs.framebuffer));
+    FAILS(nicol_render(ours.scene, &ours.camera, nullptr, theirs.framebuffer), NICOL_ERROR_INVALID_HANDLE,
+          "different contexts");
 }

@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
 // An application's OpenGL state, however odd, is the same after every call, and does not show in the image.
-#include <array>
-
 #include "host/egl_host.hpp"
 #include "host/gl_state.hpp"
 
-using namespace capi_test;
 using namespace host_test;
 
 namespace {
 
-GLuint program_of(const GladGLContext& gl) {
-    const char* sources[] = {"#version 450\nvoid main() { gl_Position = vec4(0, 0, 0, 1); }",
-                             "#version 450\nout vec4 c; void main() { c = vec4(1); }"};
+GLuint program_of(const GladGLContext& gl, std::initializer_list<std::pair<GLenum, const char*>> shaders) {
     const GLuint program = gl.CreateProgram();
-    for (int i = 0; i < 2; ++i) {
-        const GLuint shader = gl.CreateShader(i == 0 ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
-        gl.ShaderSource(shader, 1, &sources[i], nullptr);
+    for (const auto& [stage, source] : shaders) {
+        const GLuint shader = gl.CreateShader(stage);
+        gl.ShaderSource(shader, 1, &source, nullptr);
         gl.CompileShader(shader);
         gl.AttachShader(program, shader);
         gl.DeleteShader(shader);
     }
     gl.LinkProgram(program);
     return program;
+}
+GLuint program_of(const GladGLContext& gl) {
+    return program_of(gl,
+                      {{GL_VERTEX_SHADER, "#version 450\nvoid main() { gl_Position = vec4(0, 0, 0, 1); }"},
+                       {GL_FRAGMENT_SHADER, "#version 450\nout vec4 c; void main() { c = vec4(1); }"}});
 }
 
 /// Nothing as a fresh context has it; most of it would spoil an image drawn with it.
@@ -171,23 +171,15 @@ TEST_CASE("every call leaves the application's state as it was") {
 }
 
 TEST_CASE("the application's state does not show in the image") {
-    const nicol_context own = make_context(NICOL_BACKEND_EGL);
     std::vector<float> expected[2];
     constexpr nicol_executor executors[] = {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE};
-    for (int i = 0; i < 2; ++i) expected[i] = image_of(own, executors[i]);
-    OK(nicol_context_release(own));
+    for (int i = 0; i < 2; ++i) expected[i] = image_of(Owned(make_context(NICOL_BACKEND_EGL)), executors[i]);
     for (const Profile profile : every_profile) {
         CAPTURE(static_cast<int>(profile));
         const Application application(profile);
         disarrange(application.gl, profile == Profile::compatibility);
-        const nicol_context context = make_host_context();
-        for (int i = 0; i < 2; ++i) {
-            const std::vector<float> image = image_of(context, executors[i]);
-            std::size_t different = 0;
-            for (std::size_t k = 0; k < image.size(); ++k) different += image[k] != expected[i][k];
-            CHECK(different == 0);
-        }
-        OK(nicol_context_release(context));
+        const Owned context(make_host_context());
+        for (int i = 0; i < 2; ++i) CHECK(image_of(context, executors[i]) == expected[i]);
     }
 }
 
@@ -201,16 +193,12 @@ TEST_CASE("an error that the application left is told and not taken for ours") {
     };
     options.log_user = &told;
     const nicol_host access = host();
-    nicol_context context = nullptr;
-    OK(nicol_context_create_host(&access, &options, &context));
+    const Owned context(make(nicol_context_create_host, &access, &options));
     application.gl.Enable(GL_TEXTURE_WRAP_S);
-    nicol_framebuffer framebuffer = nullptr;
-    OK(nicol_framebuffer_create(context, 4, 4, 1, &framebuffer));
+    const Owned framebuffer(framebuffer_of(context, 4, 4, 1));
     REQUIRE(told.size() == 1);
     CHECK(told[0].find("GL_INVALID_ENUM") != std::string::npos);
     CHECK(application.gl.GetError() == GL_NO_ERROR);
-    OK(nicol_framebuffer_release(framebuffer));
-    OK(nicol_context_release(context));
 }
 
 TEST_CASE("what cannot be put back is refused") {
@@ -226,15 +214,9 @@ TEST_CASE("what cannot be put back is refused") {
     gl.UseProgram(0);
     CHECK(framebuffer == marker<nicol_framebuffer>());
 
-    const char* source =
-        "#version 450\nlayout(xfb_buffer = 0, xfb_offset = 0) out vec4 v;"
-        "void main() { v = vec4(1); gl_Position = v; }";
-    const GLuint shader = gl.CreateShader(GL_VERTEX_SHADER), feedback = gl.CreateProgram();
-    gl.ShaderSource(shader, 1, &source, nullptr);
-    gl.CompileShader(shader);
-    gl.AttachShader(feedback, shader);
-    gl.LinkProgram(feedback);
-    gl.UseProgram(feedback);
+    gl.UseProgram(program_of(gl, {{GL_VERTEX_SHADER,
+                                   "#version 450\nlayout(xfb_buffer = 0, xfb_offset = 0) out vec4 v;"
+                                   "void main() { v = vec4(1); gl_Position = v; }"}}));
     GLuint buffer = 0;
     gl.CreateBuffers(1, &buffer);
     gl.NamedBufferStorage(buffer, 1024, nullptr, 0);

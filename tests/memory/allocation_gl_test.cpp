@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A render that runs out of memory anywhere says so, and the next one works.
-#include <algorithm>
-
 #include "capi/capi.hpp"
 #include "memory/failing_new.hpp"
 
@@ -31,9 +29,8 @@ struct Tent {
     Owned<nicol_material> material;
     Owned<nicol_mesh> mesh;
 
-    explicit Tent(nicol_context context) : material(diffuse(context, {0.5F})) {
-        const nicol_sky sky = NICOL_SKY_INIT;
-        OK(nicol_environment_create_sky(context, &sky, &environment));
+    explicit Tent(nicol_context context)
+        : environment(clear_sky(context)), material(diffuse(context, {0.5F})) {
         const float positions[] = {-1, 1, -1, 0, -1, 0, 0, 1, 0, 1, 1, -1, 0, -1, 0.5F, 0, 1, 0.5F};
         const std::uint32_t indices[] = {0, 1, 2, 3, 5, 4};
         nicol_mesh_data data = NICOL_MESH_DATA_INIT;
@@ -63,8 +60,7 @@ nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer
 TEST_CASE("a render that lacks memory says so and harms nothing") {
     nicol_context_options context_options = NICOL_CONTEXT_OPTIONS_INIT;
     context_options.threads = 1;
-    Owned<nicol_context> context;
-    OK(nicol_context_create(&context_options, &context));
+    const Owned context(make(nicol_context_create, &context_options));
     const Tent tent(context);
     for (const Variant& variant : variants) {
         CAPTURE(std::string(variant.name));

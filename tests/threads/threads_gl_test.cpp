@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contexts, and objects of one context, used from several threads at once. Without a sanitizer it tells wrong
 // images, with ThreadSanitizer every unordered access.
-#include <array>
 #include <atomic>
 #include <thread>
 
@@ -21,8 +20,7 @@ namespace {
 constexpr std::uint32_t size = 8;
 
 nicol_context context_of(nicol_backend backend, std::uint32_t threads) {
-    nicol_context_options options = NICOL_CONTEXT_OPTIONS_INIT;
-    options.backend = backend;
+    nicol_context_options options = two_threads(backend);
     options.threads = threads;
     nicol_context context = nullptr;
     return nicol_context_create(&options, &context) == NICOL_OK ? context : nullptr;
@@ -163,8 +161,7 @@ TEST_CASE("threads fail, log and cancel at once") {
         ++*static_cast<std::atomic<int>*>(user);
     };
     options.log_user = &told;
-    nicol_context context = nullptr;
-    OK(nicol_context_create(&options, &context));
+    const Owned context(make(nicol_context_create, &options));
     CHECK(failures(4, [&](int i) {
               Painting painting(context);
               nicol_framebuffer framebuffer = nullptr;
@@ -183,5 +180,4 @@ TEST_CASE("threads fail, log and cancel at once") {
                      !painting.frame(i).empty();
           }) == 0);
     CHECK(told > 0);
-    OK(nicol_context_release(context));
 }
