@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Contexts: finding them, their threads, their ends.
-#include <atomic>
 #include <cstdio>
 #include <stdexcept>
 #include <thread>
@@ -138,43 +137,6 @@ GL_TEST_CASE("an object can be moved and assigned") {
         CHECK(b.size() == 16);
     });
     CHECK(total_bytes(context->memory()) == 0);
-}
-
-TEST_CASE("contexts are made and destroyed many times") {
-    for (int cycle = 0; cycle < 20; ++cycle) {
-        on_every_backend([](const std::shared_ptr<Context>& context) {
-            CHECK(context->run([&] {
-                const std::array<float, 4> numbers{1, 2, 3, 4};
-                std::array<float, 4> back{};
-                const Buffer buffer(context, BufferUse::storage, std::as_bytes(std::span(numbers)));
-                buffer.read(0, std::as_writable_bytes(std::span(back)));
-                return numbers == back;
-            }));
-        });
-    }
-}
-
-TEST_CASE("contexts of both backends live side by side") {
-    std::vector<std::thread> threads;
-    std::atomic<int> right = 0;
-    for (int i = 0; i < 6; ++i) {
-        threads.emplace_back([i, &right] {
-            const auto context = make_context(every_backend[i % 2]);
-            for (int round = 0; round < 25; ++round) {
-                const auto value = static_cast<float>(100 * i + round);
-                const std::vector<float> numbers(1000, value);
-                std::vector<float> back(1000);
-                const auto buffer = context->run([&] {
-                    return std::make_unique<Buffer>(context, BufferUse::storage,
-                                                    std::as_bytes(std::span(numbers)));
-                });
-                context->run([&] { buffer->read(0, std::as_writable_bytes(std::span(back))); });
-                right += back == numbers;
-            }
-        });
-    }
-    for (std::thread& thread : threads) thread.join();
-    CHECK(right == 6 * 25);
 }
 
 GL_TEST_CASE("several threads share one context") {

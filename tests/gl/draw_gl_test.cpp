@@ -101,10 +101,12 @@ TEST_CASE("both backends draw the same image") {
 GL_THREAD_TEST_CASE("the nearer triangle wins in either order, unless the test is off") {
     const Program program = coloured(context);
     const std::array<float, 4> red{1, 0, 0, 1}, green{0, 1, 0, 1};
-    // The first three are nearer (smaller z).
-    const std::array<Vertex, 6> two{vertex(-3, -3, -0.5f, red), vertex(3, -3, -0.5f, red),
-                                    vertex(0, 3, -0.5f, red),   vertex(-3, -3, 0.5f, green),
-                                    vertex(3, -3, 0.5f, green), vertex(0, 3, 0.5f, green)};
+    // A red and a green triangle over all pixels, at these depths.
+    const auto triangles = [&](float a, float b) {
+        return std::array{vertex(-3, -3, a, red),   vertex(3, -3, a, red),   vertex(0, 3, a, red),
+                          vertex(-3, -3, b, green), vertex(3, -3, b, green), vertex(0, 3, b, green)};
+    };
+    const std::array<Vertex, 6> two = triangles(-0.5f, 0.5f);
     const std::uint32_t near_first[] = {0, 1, 2, 3, 4, 5}, far_first[] = {3, 4, 5, 0, 1, 2};
     const auto middle = [&](std::span<const std::uint32_t> order, const DrawState& state) {
         RenderTarget target(context, {3, 3, 1, true});
@@ -117,11 +119,8 @@ GL_THREAD_TEST_CASE("the nearer triangle wins in either order, unless the test i
     CHECK(middle(near_first, {DepthTest::less, false, Cull::none}) == green);
 
     // The same depth again: less keeps the first, less_equal takes the second.
-    const std::array<Vertex, 6> same{vertex(-3, -3, 0, red),  vertex(3, -3, 0, red),
-                                     vertex(0, 3, 0, red),    vertex(-3, -3, 0, green),
-                                     vertex(3, -3, 0, green), vertex(0, 3, 0, green)};
     RenderTarget target(context, {3, 3, 1, true});
-    const VertexArray vertices = interleaved(context, same, near_first);
+    const VertexArray vertices = interleaved(context, triangles(0, 0), near_first);
     draw(target, program, vertices);
     CHECK(pixel(pixels_of(target, 0), 3, 1, 1) == red);
     draw(target, program, vertices, {DepthTest::less_equal, true, Cull::none});
