@@ -18,6 +18,18 @@ nicol_result create(nicol_context context, Impl** out, const char* name, Make&& 
     });
 }
 
+/// The same from a file: make(budget) is given the context's limits.
+template <class Impl, class Make>
+nicol_result load(nicol_context context, const char* path, Impl** out, const char* name, Make&& make) {
+    return guarded([&] {
+        require(out, name);
+        const SessionPtr session = resolve(context).session;
+        require(path, "path");
+        LoadBudget budget(session->load_limits);
+        *out = make_handle<Impl>(session, make(budget));
+    });
+}
+
 /// Calls a descriptor's release callback with its user pointer when the last copy of what this returns goes:
 /// once, and on failure too. Even a descriptor that is refused has one, if its struct_size reaches `end`, the
 /// number of bytes up to and with both fields.

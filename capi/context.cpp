@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Version, results and contexts.
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <thread>
 
@@ -68,7 +69,18 @@ nicol_context_options context_options(const nicol_context_options* options) {
     if (chosen.threads > 1024) {
         refuse("threads is " + std::to_string(chosen.threads) + "; it must lie in 0 (one a core) to 1024");
     }
+    if (!std::isfinite(chosen.load_seconds_limit) || chosen.load_seconds_limit < 0)
+        refuse("load_seconds_limit must be finite and not negative");
     return chosen;
+}
+
+LoadLimits load_limits(const nicol_context_options& options) {
+    LoadLimits limits;
+    if (options.load_bytes_limit > 0) limits.bytes = options.load_bytes_limit;
+    if (options.vertex_limit > 0) limits.vertices = options.vertex_limit;
+    if (options.triangle_limit > 0) limits.triangles = options.triangle_limit;
+    if (options.load_seconds_limit > 0) limits.seconds = options.load_seconds_limit;
+    return limits;
 }
 
 nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_context_options& options) {
@@ -78,6 +90,7 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     session->log = options.log;
     session->log_user = options.log_user;
     session->memory_limit = options.memory_limit;
+    session->load_limits = load_limits(options);
     session->cache = cache_folder(options.cache_folder);
     session->gl->run([&] { gl::keep_programs(*session->gl, session->cache); });
     log_what_opened(*session);

@@ -50,8 +50,7 @@ EquirectView view_of(const nicol_image& image) {
             .pixel_stride = std::size_t{image.channels} * image.components};
 }
 
-EnvironmentPtr load(const char* path, const nicol_environment_load_options* options) {
-    require(path, "path");
+EnvironmentPtr from_file(const char* path, const nicol_environment_load_options* options) {
     const nicol_environment_load_options given =
         options != nullptr ? read_struct(options, "options")
                            : nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT;
@@ -83,7 +82,10 @@ ImagePixels nicol::capi::read_image(const nicol_image* image) {
 nicol_result nicol_environment_load(nicol_context context, const char* path,
                                     const nicol_environment_load_options* options,
                                     nicol_environment* environment) {
-    return create(context, environment, "environment", [&] { return load(path, options); });
+    return load(context, path, environment, "environment", [&](LoadBudget& budget) {
+        for (const std::filesystem::path& file : environment_files(path)) budget.take_file(file);
+        return from_file(path, options);
+    });
 }
 
 nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,

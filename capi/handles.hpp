@@ -12,6 +12,8 @@
 #include <thread>
 
 #include "boundary.hpp"
+#include "files/file_record.hpp"
+#include "files/load_budget.hpp"
 #include "geometry/mesh.hpp"
 #include "gl/context.hpp"
 #include "job.hpp"
@@ -30,8 +32,9 @@ struct Session {
     int threads = 0;
     nicol_log_callback log = nullptr;
     void* log_user = nullptr;
-    std::filesystem::path cache;                    ///< folder of tables; empty: none
-    std::uint64_t memory_limit = 0;                 ///< of a scene, bytes; 0: none
+    std::filesystem::path cache;     ///< folder of tables; empty: none
+    std::uint64_t memory_limit = 0;  ///< of a scene, bytes; 0: none
+    LoadLimits load_limits;
     std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws an image
     std::mutex mutex;
     std::atomic<std::thread::id> busy{};  ///< the thread inside a call
@@ -111,8 +114,10 @@ struct SceneState {
     std::mutex edit;
     std::atomic<std::thread::id> editor{};  ///< the thread that holds it
     Scene scene;
-    Renderer renderer;         // used with the session's lock alone
-    std::optional<Film> film;  // of the file it was loaded from
+    Renderer renderer;  // used with the session's lock alone
+    // Of the scene file, and never changed.
+    std::optional<Film> film;
+    std::vector<FileRecord> files;
 };
 
 /// Every handle: a session, the object and a reference count.

@@ -61,8 +61,7 @@ MaterialPtr make(const nicol_conductor& given) {
                             .distribution = distribution});
 }
 
-MaterialPtr load(const char* path, const nicol_measured* options) {
-    require(path, "path");
+MaterialPtr measured(const char* path, const nicol_measured* options) {
     const nicol_measured given =
         options != nullptr ? read_struct(options, "options") : nicol_measured NICOL_MEASURED_INIT;
     require_constant(given.sampling, NICOL_WAVELENGTH_NEAREST, "options->sampling", "NICOL_WAVELENGTH_...");
@@ -125,13 +124,16 @@ nicol_result nicol_material_create_conductor(nicol_context context, const nicol_
 
 nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                           const nicol_measured* options, nicol_material* material) {
-    return create(context, material, "material", [&] { return load(path, options); });
+    return load(context, path, material, "material", [&](LoadBudget& budget) {
+        budget.take_file(path);
+        return measured(path, options);
+    });
 }
 
 nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_spectrum* scale,
                                      nicol_material* material) {
-    return create(context, material, "material", [&] {
-        require(path, "path");
+    return load(context, path, material, "material", [&](LoadBudget& budget) {
+        budget.take_file(path);
         const std::vector<double> factors = spectrum_at(scale, 1, "scale");
         return psh_matrix_material(read_psh_matrix(path), factors);
     });

@@ -6,9 +6,11 @@ using namespace nicol;
 using namespace nicol::capi;
 
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh) {
-    return create(context, mesh, "mesh", [&] {
-        require(path, "path");
-        return std::make_shared<const Mesh>(load_mesh(path));
+    return load(context, path, mesh, "mesh", [&](LoadBudget& budget) {
+        budget.take_file(path);
+        auto loaded = std::make_shared<const Mesh>(load_mesh(path));
+        budget.take_instance(path, loaded->positions.size(), loaded->triangles.size());
+        return loaded;
     });
 }
 

@@ -76,7 +76,8 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
         require(scene, "scene");
         const SessionPtr session = resolve(context).session;
         require(path, "path");
-        LoadedScene loaded = load_scene(path, parameters_from(definitions, definition_count));
+        LoadedScene loaded =
+            load_scene(path, parameters_from(definitions, definition_count), session->load_limits);
         for (const std::string& notice : loaded.notices) session->notice(notice);
         auto state = std::make_shared<SceneState>(session);
         state->scene = std::move(loaded.scene);
@@ -84,6 +85,7 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
                        .width = static_cast<uint32_t>(loaded.width),
                        .height = static_cast<uint32_t>(loaded.height),
                        .luminance = loaded.luminance};
+        state->files = std::move(loaded.files);
         *scene = make_handle<nicol_scene_impl>(session, state);
     });
 }
@@ -228,6 +230,29 @@ nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint3
         const Film& film = film_of(*self.content);
         *width = film.width;
         *height = film.height;
+    });
+}
+
+nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(count, "count");
+        *count = static_cast<uint32_t>(self.content->files.size());
+    });
+}
+
+nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene_file* file) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        nicol_scene_file out = NICOL_SCENE_FILE_INIT;
+        const std::vector<FileRecord>& files = self.content->files;
+        if (index >= files.size())
+            refuse("index is " + std::to_string(index) + "; the scene was made of " +
+                   std::to_string(files.size()) + " files");
+        out.path = files[index].path.c_str();
+        out.digest = files[index].digest.c_str();
+        out.bytes = files[index].bytes;
+        write_struct(file, out, "file");
     });
 }
 

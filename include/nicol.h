@@ -164,9 +164,15 @@ typedef struct nicol_context_options {
      * allocates; if it exceeds the limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY, and the message
      * has both numbers. With a tolerance, the bound is for the orders in the options. 0: no limit */
     uint64_t memory_limit;
+    /* Limits of each call that loads from files; beyond them it fails with NICOL_ERROR_UNSUPPORTED, and the
+     * message names the option. */
+    uint64_t load_bytes_limit; /* of all files together; 0: 8 GiB */
+    uint64_t vertex_limit;     /* of a mesh, or of all instances of a scene together; 0: 2^26 */
+    uint64_t triangle_limit;   /* likewise; 0: 2^27 */
+    double load_seconds_limit; /* checked between files and between instances; 0: 600 */
 } nicol_context_options;
 #define NICOL_CONTEXT_OPTIONS_INIT \
-    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 typedef struct nicol_context_info {
     uint32_t struct_size;
@@ -513,6 +519,21 @@ NICOL_API nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_envi
 /* The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+typedef struct nicol_scene_file {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const char* path;   /* as it was opened; the strings live as long as the scene */
+    const char* digest; /* of the bytes that were read: 32 hexadecimal digits, not a cryptographic hash */
+    uint64_t bytes;
+} nicol_scene_file;
+#define NICOL_SCENE_FILE_INIT \
+    { sizeof(nicol_scene_file), 0, 0, 0, 0 }
+
+/* The files that nicol_scene_load has read, each once: the scene file, those that it includes, then light,
+ * materials and meshes. With equal digests the scene is the same. None for a scene that was not loaded. */
+NICOL_API nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count);
+/* index from 0; beyond the last, NICOL_ERROR_INVALID_ARGUMENT */
+NICOL_API nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene_file* file);
 /* Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 if the film of a
  * loaded file is luminance. */
 NICOL_API nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);

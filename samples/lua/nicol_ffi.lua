@@ -33,6 +33,10 @@ typedef struct nicol_context_options {
     void* log_user;
     const char* cache_folder;
     uint64_t memory_limit;
+    uint64_t load_bytes_limit;
+    uint64_t vertex_limit;
+    uint64_t triangle_limit;
+    double load_seconds_limit;
 } nicol_context_options;
 typedef struct nicol_context_info {
     uint32_t struct_size;
@@ -141,6 +145,13 @@ typedef struct nicol_instance {
     nicol_material material;
     double to_world[16];
 } nicol_instance;
+typedef struct nicol_scene_file {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const char* path;
+    const char* digest;
+    uint64_t bytes;
+} nicol_scene_file;
 typedef uint32_t nicol_method;
 typedef uint32_t nicol_high_orders;
 typedef uint32_t nicol_high_orders_at;
@@ -387,6 +398,8 @@ nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment en
 nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment, double to_world[16], double* scale);
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count);
+nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene_file* file);
 nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
 nicol_result nicol_scene_retain(nicol_scene scene);
 nicol_result nicol_scene_release(nicol_scene scene);
@@ -592,6 +605,8 @@ return {
         scene_get_environment = true,
         scene_get_camera = true,
         scene_get_film_size = true,
+        scene_get_file_count = true,
+        scene_get_file = true,
         scene_get_channels = true,
         framebuffer_create = "nicol_framebuffer",
         framebuffer_get_size = true,
@@ -655,6 +670,7 @@ return {
         mesh_data = true,
         camera = true,
         instance = true,
+        scene_file = true,
         render_options = true,
         job_status = true,
         statistics = true,

@@ -158,6 +158,10 @@ export const types = [
       ["log_user", "void *", 0],
       ["cache_folder", "const char *", 0],
       ["memory_limit", "uint64_t", 0],
+      ["load_bytes_limit", "uint64_t", 0],
+      ["vertex_limit", "uint64_t", 0],
+      ["triangle_limit", "uint64_t", 0],
+      ["load_seconds_limit", "double", 0],
     ],
   },
   {
@@ -325,6 +329,18 @@ export const types = [
       ["mesh", "nicol_mesh", 0],
       ["material", "nicol_material", 0],
       ["to_world", "double", 16],
+    ],
+  },
+  {
+    kind: "struct",
+    name: "nicol_scene_file",
+    // name, type, length of a fixed array
+    fields: [
+      ["struct_size", "uint32_t", 0],
+      ["reserved", "uint32_t", 0],
+      ["path", "const char *", 0],
+      ["digest", "const char *", 0],
+      ["bytes", "uint64_t", 0],
     ],
   },
   { kind: "alias", name: "nicol_method", of: "uint32_t" },
@@ -642,6 +658,8 @@ export const functions = {
   scene_get_environment: ["nicol_result nicol_scene_get_environment(nicol_scene scene, _Out_ nicol_environment *environment, _Out_ double *to_world, _Out_ double *scale)", true, null],
   scene_get_camera: ["nicol_result nicol_scene_get_camera(nicol_scene scene, _Inout_ nicol_camera *camera)", true, null],
   scene_get_film_size: ["nicol_result nicol_scene_get_film_size(nicol_scene scene, _Out_ uint32_t *width, _Out_ uint32_t *height)", true, null],
+  scene_get_file_count: ["nicol_result nicol_scene_get_file_count(nicol_scene scene, _Out_ uint32_t *count)", true, null],
+  scene_get_file: ["nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, _Inout_ nicol_scene_file *file)", true, null],
   scene_get_channels: ["nicol_result nicol_scene_get_channels(nicol_scene scene, _Out_ uint32_t *channels)", true, null],
   scene_retain: ["nicol_result nicol_scene_retain(nicol_scene scene)", true, null],
   scene_release: ["nicol_result nicol_scene_release(nicol_scene scene)", true, null],

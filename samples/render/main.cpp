@@ -29,6 +29,10 @@ Context make_context(const Options& options, ProgressBar& progress) {
     wanted.log = log;
     wanted.log_user = &progress;
     wanted.cache_folder = options.cache.c_str();
+    wanted.load_bytes_limit = options.load_bytes_limit;
+    wanted.vertex_limit = options.vertex_limit;
+    wanted.triangle_limit = options.triangle_limit;
+    wanted.load_seconds_limit = options.load_seconds_limit;
     nicol_context context = nullptr;
     check(nicol_context_create(&wanted, &context));
     return Context(context);

@@ -39,6 +39,9 @@ const char* const usage =
     "      --seed N             of the reference method, gives other noise; default 0\n"
     "      --cache DIR          keeps tables of materials and bakes of shadows there between runs;\n"
     "                           default: NICOL_CACHE, else none\n"
+    "      --load-bytes-limit N, --vertex-limit N, --triangle-limit N, --load-seconds-limit S\n"
+    "                           what a scene may take, with all that it names and each instance counted;\n"
+    "                           default 8 GiB, 2^26, 2^27 and 600\n"
     "      --size WxH           replaces the size of the scene's film\n"
     "      --stats FILE         writes what ran, and how long it took, as JSON\n"
     "      --help               shows this text\n"
@@ -235,6 +238,14 @@ Options parse_options(int argc, const char* const* argv) {
             options.seed = parse_number<std::uint64_t>(name, value());
         else if (name == "--cache")
             options.cache = path();
+        else if (name == "--load-bytes-limit")
+            options.load_bytes_limit = parse_number<std::uint64_t>(name, value());
+        else if (name == "--vertex-limit")
+            options.vertex_limit = parse_number<std::uint64_t>(name, value());
+        else if (name == "--triangle-limit")
+            options.triangle_limit = parse_number<std::uint64_t>(name, value());
+        else if (name == "--load-seconds-limit")
+            options.load_seconds_limit = parse_strength(name, value());
         else if (name == "--size")
             parse_size(options, value());
         else if (name == "--stats")

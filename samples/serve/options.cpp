@@ -3,7 +3,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string_view>
+#include <type_traits>
 
 const char* const usage =
     "usage: nicol-serve --scenes DIR [options]\n"
@@ -23,6 +25,10 @@ const char* const usage =
     "  --max-side N            of an image, default 2048\n"
     "  --max-pixels N          of an image, default 2097152\n"
     "  --max-order N           of light, 4 to 64, default 16\n"
+    "  --load-bytes-limit N, --vertex-limit N, --triangle-limit N, --load-seconds-limit S\n"
+    "                          of each scene with all that it names, each instance counted; default 8 GiB,\n"
+    "                          2^26, 2^27 and 600\n"
+    "  --memory-limit MIB      of each worker's address space, default 16384, 0 for none\n"
     "  --queue N               length of the queue, default 64; further requests are answered 503\n"
     "  --connections N         open at once, default 512; more are answered 503\n"
     "  --max-header BYTES      of a request, 256 to 1048576, default 8192\n"
@@ -45,9 +51,10 @@ const char* const usage =
 
 namespace {
 
-std::uint32_t parse_count(std::string_view option, std::string_view text, std::uint32_t least,
-                          std::uint32_t most) {
-    std::uint32_t value = 0;
+template <class Count = std::uint32_t>
+Count parse_count(std::string_view option, std::string_view text, std::type_identity_t<Count> least,
+                  std::type_identity_t<Count> most) {
+    Count value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value < least || value > most)
         throw Failure(std::string(option) + ": '" + std::string(text) + "' is not a whole number from " +
@@ -89,6 +96,7 @@ std::uint32_t parse_mib(std::string_view option, std::string_view text) {
 /// False where there is no such option.
 bool parse_limit(Options& o, std::string_view name, std::string_view text) {
     constexpr std::uint32_t million = 1000000;
+    constexpr std::uint64_t whole = std::numeric_limits<std::uint64_t>::max();
     constexpr double shortest = 0.01;
     if (name == "--max-side")
         o.limits.max_side = parse_count(name, text, 1, NICOL_MAX_SIZE);
@@ -96,6 +104,16 @@ bool parse_limit(Options& o, std::string_view name, std::string_view text) {
         o.limits.max_pixels = parse_count(name, text, 1, 1u << 25u);
     else if (name == "--max-order")
         o.limits.max_order = static_cast<std::int32_t>(parse_count(name, text, 4, 64));
+    else if (name == "--load-bytes-limit")
+        o.load_bytes_limit = parse_count<std::uint64_t>(name, text, 1, whole);
+    else if (name == "--vertex-limit")
+        o.vertex_limit = parse_count<std::uint64_t>(name, text, 1, whole);
+    else if (name == "--triangle-limit")
+        o.triangle_limit = parse_count<std::uint64_t>(name, text, 1, whole);
+    else if (name == "--load-seconds-limit")
+        o.load_seconds_limit = parse_seconds(name, text, shortest).count();
+    else if (name == "--memory-limit")
+        o.memory_bytes = std::uint64_t{parse_count(name, text, 0, 1u << 30u)} << 20u;
     else if (name == "--queue")
         o.queue = parse_count(name, text, 0, million);
     else if (name == "--connections")

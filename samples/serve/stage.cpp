@@ -11,10 +11,10 @@
 #include "camera.hpp"
 #include "common/failure.hpp"
 #include "common/handles.hpp"
+#include "digest.hpp"
 #include "exr.hpp"
 #include "observe.hpp"
 #include "png.hpp"
-#include "scene_files.hpp"
 
 namespace {
 
@@ -49,14 +49,28 @@ std::string encode_float_image(FloatImage image, Observer observer) {
     return encode_exr(image.width, image.height, exr_names(image.values), image.data);
 }
 
+/// Of all files that a scene was made of. In the order of the scene, so that two meshes that change their
+/// names are noticed.
+std::string digest_of(nicol_scene scene) {
+    std::uint32_t count = 0;
+    check(nicol_scene_get_file_count(scene, &count));
+    std::string digests;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        nicol_scene_file file = NICOL_SCENE_FILE_INIT;
+        check(nicol_scene_get_file(scene, i, &file));
+        digests += file.digest;
+    }
+    return hex(sha256(digests));
+}
+
 }  // namespace
 
 Stage::Stage(nicol_context context, const std::filesystem::path& path) : context_(context) {
     info_.id = path.stem();
-    info_.digest = scene_digest(path);
     nicol_scene scene = nullptr;
     check(nicol_scene_load(context, path.c_str(), nullptr, 0, &scene));
     scene_.reset(scene);
+    info_.digest = digest_of(scene);
     check(nicol_scene_get_camera(scene, &camera_));
     check(nicol_scene_get_film_size(scene, &info_.width, &info_.height));
     check(nicol_scene_get_channels(scene, &info_.channels));

@@ -3,6 +3,7 @@
 
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -109,6 +110,10 @@ Context make_context(const Options& options) {
     wanted.threads = options.threads;
     wanted.log = log;
     wanted.cache_folder = options.cache.c_str();
+    wanted.load_bytes_limit = options.load_bytes_limit;
+    wanted.vertex_limit = options.vertex_limit;
+    wanted.triangle_limit = options.triangle_limit;
+    wanted.load_seconds_limit = options.load_seconds_limit;
     nicol_context context = nullptr;
     check(nicol_context_create(&wanted, &context));
     return Context(context);
@@ -134,6 +139,18 @@ void render(const Channel& channel, std::uint64_t id, const ImageRequest& reques
     }
     if (result.status >= 500) log(nullptr, NICOL_LOG_WARNING, NICOL_OK, content.c_str());
     channel.send({.kind = MessageKind::result, .length = 0, .job = id}, bytes_of(result), content);
+}
+
+/// What a scene or a request needs beyond it fails, instead of the machine.
+void limit_memory(std::uint64_t bytes) {
+#if !defined(NICOL_SANITIZED)  // the sanitizers reserve terabytes
+    if (bytes == 0) return;
+    const rlimit limit{.rlim_cur = bytes, .rlim_max = bytes};
+    if (setrlimit(RLIMIT_AS, &limit) != 0)
+        log(nullptr, NICOL_LOG_WARNING, NICOL_OK, "--memory-limit cannot be set; without it");
+#else
+    static_cast<void>(bytes);
+#endif
 }
 
 void serve(const Channel& channel, const Options& options) {
@@ -165,6 +182,7 @@ int run_worker(int socket, const Options& options) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     // Mesa's software renderer would start a thread a core in every worker.
     if (options.threads > 0) setenv("LP_NUM_THREADS", std::to_string(options.threads).c_str(), 0);
+    limit_memory(options.memory_bytes);
     const Channel channel(socket);
     try {
         try {

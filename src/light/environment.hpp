@@ -77,6 +77,9 @@ protected:
 
 using EnvironmentPtr = std::shared_ptr<const Environment>;
 
+/// The files that load_environment() reads for this path: itself, or the four of a cube map.
+[[nodiscard]] std::vector<std::filesystem::path> environment_files(const std::filesystem::path& path);
+
 /// Light from a file, its values multiplied by `scale`:
 /// - `.npz`: coefficients, see read_psh_vector() and psh_environment();
 /// - any of `NAME_s0.exr` ... `NAME_s3.exr`, or `NAME` where no file has that name: see read_cube_cross();

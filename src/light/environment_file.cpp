@@ -17,12 +17,28 @@ const std::vector<double>& Environment::wavelengths() const noexcept {
     return none;
 }
 
+namespace {
+
+bool is_cube(const path& file) {
+    return cube_cross_stem(file) || (!file.empty() && !std::filesystem::exists(file) &&
+                                     std::filesystem::exists(cube_cross_file(file, 0)));
+}
+
+}  // namespace
+
+std::vector<path> environment_files(const path& file) {
+    if (!is_cube(file)) return {file};
+    const path stem = cube_cross_stem(file).value_or(file);
+    std::vector<path> files;
+    for (int component = 0; component < 4; ++component) files.push_back(cube_cross_file(stem, component));
+    return files;
+}
+
 EnvironmentPtr load_environment(const path& file, double scale, std::span<const double> wavelengths) {
     const std::string name = file.string();
     check_scale(name, scale);
     const bool coefficients = file.extension() == ".npz";
-    const bool cube = cube_cross_stem(file) || (!file.empty() && !std::filesystem::exists(file) &&
-                                                std::filesystem::exists(cube_cross_file(file, 0)));
+    const bool cube = is_cube(file);
     if (!wavelengths.empty() && (coefficients || cube))
         throw Error(ErrorCode::invalid_argument,
                     name + ": wavelengths can be chosen from spectral EXR files only");

@@ -19,13 +19,37 @@
 namespace nicol {
 namespace {
 
-EnvironmentPtr make(const EmitterDescription& d) {
+/// Reads what a scene names, within a budget, and keeps a record of each file.
+class Files {
+public:
+    Files(std::vector<FileRecord> known, const LoadLimits& limits)
+        : recorder_(std::move(known)), budget_(limits) {}
+
+    template <class Read>
+    auto read(const std::filesystem::path& file, Read read) {
+        return this->read(std::vector{file}, read);
+    }
+    template <class Read>
+    auto read(const std::vector<std::filesystem::path>& files, Read read) {
+        for (const std::filesystem::path& file : files) budget_.take_file(file);
+        return recorder_.read(files, read);
+    }
+
+    [[nodiscard]] LoadBudget& budget() { return budget_; }
+    [[nodiscard]] std::vector<FileRecord> records() { return recorder_.take(); }
+
+private:
+    FileRecorder recorder_;
+    LoadBudget budget_;
+};
+
+EnvironmentPtr make(const EmitterDescription& d, Files& files) {
     const SceneChannels rgb;
     switch (d.kind) {
         case EmitterDescription::Kind::envmap:
-            return load_environment(d.filename);
+            return files.read(environment_files(d.filename), [&] { return load_environment(d.filename); });
         case EmitterDescription::Kind::psh:
-            return psh_environment(read_psh_vector(d.filename));
+            return psh_environment(files.read(d.filename, [&] { return read_psh_vector(d.filename); }));
         case EmitterDescription::Kind::constant:
             return constant_environment(radiance(d.radiance, rgb));
         case EmitterDescription::Kind::sky:
@@ -73,7 +97,7 @@ MaterialPtr measured_material(const MaterialDescription& d, const SceneChannels&
     return load_measured(d.filename, {.wavelengths = channels.wavelengths});
 }
 
-MaterialPtr make_front(const MaterialDescription& d, const SceneChannels& channels) {
+MaterialPtr make_front(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
     const Distribution distribution =
         d.distribution == MaterialDescription::Distribution::ggx ? Distribution::ggx : Distribution::beckmann;
     switch (d.kind) {
@@ -94,22 +118,23 @@ MaterialPtr make_front(const MaterialDescription& d, const SceneChannels& channe
                                     .alpha = d.alpha,
                                     .distribution = distribution});
         case MaterialDescription::Kind::psh:
-            return matrix_material(d, channels);
+            return files.read(d.filename, [&] { return matrix_material(d, channels); });
         case MaterialDescription::Kind::measured_polarized:
             break;
     }
-    return measured_material(d, channels);
+    return files.read(d.filename, [&] { return measured_material(d, channels); });
 }
 
-MaterialPtr make(const MaterialDescription& d, const SceneChannels& channels) {
+MaterialPtr make(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
     try {
-        return d.twosided ? twosided(make_front(d, channels)) : make_front(d, channels);
+        MaterialPtr front = make_front(d, channels, files);
+        return d.twosided ? twosided(std::move(front)) : front;
     } catch (const Error& error) {
         throw Error(error.code(), "bsdf" + (d.id.empty() ? "" : " \"" + d.id + "\"") + ": " + error.what());
     }
 }
 
-Mesh make(const ShapeDescription& d) {
+Mesh make(const ShapeDescription& d, Files& files) {
     Mesh mesh;
     switch (d.kind) {
         case ShapeDescription::Kind::sphere:
@@ -122,7 +147,7 @@ Mesh make(const ShapeDescription& d) {
             mesh = make_cube();
             break;
         default:
-            mesh = load_mesh(d.filename);
+            mesh = files.read(d.filename, [&] { return load_mesh(d.filename); });
             break;
     }
     if (d.face_normals) mesh = with_face_normals(mesh);
@@ -133,17 +158,20 @@ Mesh make(const ShapeDescription& d) {
 /// Shapes of the same file and flags share a mesh.
 class Meshes {
 public:
+    explicit Meshes(Files& files) : files_(files) {}
+
     std::shared_ptr<const Mesh> of(const ShapeDescription& d) {
         const Key key{d.kind,     d.filename, d.center.x,     d.center.y,
                       d.center.z, d.radius,   d.face_normals, d.flip_normals};
         std::shared_ptr<const Mesh>& mesh = made_[key];
-        if (!mesh) mesh = std::make_shared<const Mesh>(make(d));
+        if (!mesh) mesh = std::make_shared<const Mesh>(make(d, files_));
         return mesh;
     }
 
 private:
     using Key =
         std::tuple<ShapeDescription::Kind, std::filesystem::path, double, double, double, double, bool, bool>;
+    Files& files_;
     std::map<Key, std::shared_ptr<const Mesh>> made_;
 };
 
@@ -159,24 +187,28 @@ Camera make(const SensorDescription& d) {
 
 }  // namespace
 
-LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters) {
+LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
+                       const LoadLimits& limits) {
     const SceneDescription description = read_mitsuba_scene(file, parameters);
+    Files files(description.files, limits);
     LoadedScene out;
     out.notices = description.notices;
     if (description.emitter) {
-        out.scene.set_environment(make(*description.emitter),
+        out.scene.set_environment(make(*description.emitter, files),
                                   rotation_of(description.emitter->to_world, "emitter"),
                                   description.emitter->scale);
     }
     const SceneChannels channels = channels_under(out.scene.environment());
     std::vector<MaterialPtr> materials;
     for (const MaterialDescription& material : description.materials)
-        materials.push_back(make(material, channels));
-    Meshes meshes;
+        materials.push_back(make(material, channels, files));
+    Meshes meshes(files);
     for (const ShapeDescription& shape : description.shapes) {
-        out.scene.add(
-            {.mesh = meshes.of(shape), .material = materials.at(shape.material), .to_world = shape.to_world});
+        const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
+        files.budget().take_instance(file, mesh->positions.size(), mesh->triangles.size());
+        out.scene.add({.mesh = mesh, .material = materials.at(shape.material), .to_world = shape.to_world});
     }
+    out.files = files.records();
     out.camera = make(description.sensor);
     out.width = description.sensor.width;
     out.height = description.sensor.height;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "files/load_budget.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_description.hpp"
@@ -18,13 +19,15 @@ struct LoadedScene {
     int width = 0;  ///< of the film, pixels
     int height = 0;
     bool luminance = false;            ///< the film has one channel
+    std::vector<FileRecord> files;     ///< all that were read, as they were then; the scene file first
     std::vector<std::string> notices;  ///< what the file says that has no effect, one line each
 };
 
 /// Reads a scene file and everything it names. The light says what the channels of colours are; grey light
 /// and none mean red, green and blue. Shapes of the same file share a mesh. Throws what read_mitsuba_scene()
-/// and the readers of images, meshes and materials throw.
-[[nodiscard]] LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters);
+/// and the readers of images, meshes and materials throw, and what LoadBudget throws.
+[[nodiscard]] LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
+                                     const LoadLimits& limits = {});
 
 /// The rotation of an affine matrix whose axes are at right angles. Throws Error(invalid_argument) naming
 /// `what` for any other.

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "files/file_record.hpp"
+
 namespace nicol {
 
 /// A value for each colour: three of linear RGB, or a table over the wavelength.
@@ -99,6 +101,7 @@ struct SceneDescription {
     std::vector<MaterialDescription> materials;
     std::vector<ShapeDescription> shapes;
     std::optional<EmitterDescription> emitter;
+    std::vector<FileRecord> files;     ///< the scene file and those that it includes
     std::vector<std::string> notices;  ///< what was read and not followed, one sentence each
 };
 

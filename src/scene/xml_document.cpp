@@ -94,6 +94,13 @@ XmlDocument::XmlDocument(const std::filesystem::path& file, const SceneParameter
 
 XmlDocument::~XmlDocument() = default;
 
+std::vector<FileRecord> XmlDocument::files() const {
+    std::vector<FileRecord> all;
+    all.reserve(sources_.size());
+    for (const auto& source : sources_) all.push_back(source->xml.record());
+    return all;
+}
+
 void XmlDocument::load(const std::filesystem::path& file, pugi::xml_node include) {
     try {
         sources_.push_back(std::make_unique<Source>(file, budget_, include));

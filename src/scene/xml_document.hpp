@@ -31,6 +31,8 @@ public:
     [[nodiscard]] pugi::xml_node with_id(const std::string& id) const;
     /// What a name inside `node` stands for, as read_mitsuba_scene says.
     [[nodiscard]] std::filesystem::path resolved(pugi::xml_node node, const std::string& filename) const;
+    /// The scene file, then those that it includes.
+    [[nodiscard]] std::vector<FileRecord> files() const;
     /// "file:line" of a node.
     [[nodiscard]] std::string where(pugi::xml_node node) const;
     /// Throws Error(code) "file:line: message", and who includes the file.

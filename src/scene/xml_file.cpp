@@ -50,6 +50,7 @@ std::string tag(pugi::xml_node node) {
 
 XmlFile::XmlFile(const std::filesystem::path& file, std::size_t& budget) : file_(file) {
     const std::string bytes = read_text(file, budget);
+    record_ = record_of(file, bytes);
     line_starts_.push_back(0);
     for (std::size_t at = bytes.find('\n'); at != std::string::npos; at = bytes.find('\n', at + 1))
         line_starts_.push_back(static_cast<std::ptrdiff_t>(at + 1));

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "files/file_record.hpp"
+
 namespace nicol::scene {
 
 /// Text in quotes for a message, long or unprintable text made harmless.
@@ -25,6 +27,7 @@ public:
     /// The outermost element.
     [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
     [[nodiscard]] const std::filesystem::path& path() const { return file_; }
+    [[nodiscard]] const FileRecord& record() const { return record_; }
     /// Number of the line that holds a node of this file, from 1.
     [[nodiscard]] std::ptrdiff_t line(pugi::xml_node node) const { return line(node.offset_debug()); }
 
@@ -33,6 +36,7 @@ private:
     void check_entities() const;
 
     std::filesystem::path file_;
+    FileRecord record_;
     pugi::xml_document document_;
     std::vector<std::ptrdiff_t> line_starts_;
 };

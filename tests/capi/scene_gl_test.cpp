@@ -147,6 +147,13 @@ CONTEXT_TEST_CASE("a file is loaded with definitions, and those that are none ar
         CHECK(pixels[4 * (4 * 12 + 6)] == doctest::Approx(light * 0.2 * (c + 1)).epsilon(1e-3));
     }
     CHECK(LoadedScene(context, path, {"fov=25", "spp=1"}).camera.fov == doctest::Approx(25));
+    std::uint32_t files = 0;
+    OK(nicol_scene_get_file_count(loaded.scene, &files));
+    CHECK(files == 1);
+    nicol_scene_file file = NICOL_SCENE_FILE_INIT;
+    OK(nicol_scene_get_file(loaded.scene, 0, &file));
+    CHECK((file.path == path && file.bytes == std::strlen(scene_text) && std::strlen(file.digest) == 32));
+    REFUSES(nicol_scene_get_file(loaded.scene, 1, &file), "index is 1");
 
     const auto load = [&](const char* const* given) {
         nicol_scene none = marker<nicol_scene>();

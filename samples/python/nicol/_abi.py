@@ -156,6 +156,10 @@ class ContextOptions(Struct):
         ("log_user", c_void_p),
         ("cache_folder", c_char_p),
         ("memory_limit", c_uint64),
+        ("load_bytes_limit", c_uint64),
+        ("vertex_limit", c_uint64),
+        ("triangle_limit", c_uint64),
+        ("load_seconds_limit", c_double),
     ]
 
 
@@ -315,6 +319,16 @@ class Instance(Struct):
         ("mesh", c_void_p),
         ("material", c_void_p),
         ("to_world", c_double * 16),
+    ]
+
+
+class SceneFile(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("path", c_char_p),
+        ("digest", c_char_p),
+        ("bytes", c_uint64),
     ]
 
 
@@ -831,6 +845,19 @@ class Scene(Handle):
         check(_scene_get_film_size(self, byref(width), byref(height)))
         return width.value, height.value
 
+    def get_file_count(self):
+        """The files that nicol_scene_load has read, each once: the scene file, those that it includes, then light,
+        materials and meshes. With equal digests the scene is the same. None for a scene that was not loaded."""
+        count = c_uint32()
+        check(_scene_get_file_count(self, byref(count)))
+        return count.value
+
+    def get_file(self, index):
+        """index from 0; beyond the last, NICOL_ERROR_INVALID_ARGUMENT"""
+        file = SceneFile()
+        check(_scene_get_file(self, index, byref(file)))
+        return file
+
     def get_channels(self):
         """Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 if the film of a
         loaded file is luminance."""
@@ -1243,6 +1270,8 @@ _scene_set_environment = declare("nicol_scene_set_environment", c_int32, Scene, 
 _scene_get_environment = declare("nicol_scene_get_environment", c_int32, Scene, POINTER(Environment), POINTER(c_double), POINTER(c_double))
 _scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))
 _scene_get_film_size = declare("nicol_scene_get_film_size", c_int32, Scene, POINTER(c_uint32), POINTER(c_uint32))
+_scene_get_file_count = declare("nicol_scene_get_file_count", c_int32, Scene, POINTER(c_uint32))
+_scene_get_file = declare("nicol_scene_get_file", c_int32, Scene, c_uint32, POINTER(SceneFile))
 _scene_get_channels = declare("nicol_scene_get_channels", c_int32, Scene, POINTER(c_uint32))
 Scene._release = declare("nicol_scene_release", c_int32, c_void_p)
 _framebuffer_create = declare("nicol_framebuffer_create", c_int32, Context, c_uint32, c_uint32, c_uint32, POINTER(Framebuffer))
@@ -1426,6 +1455,7 @@ __all__ = [
     "PshTransform",
     "RenderOptions",
     "Scene",
+    "SceneFile",
     "Sky",
     "Spectrum",
     "Statistics",

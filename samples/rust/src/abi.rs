@@ -224,6 +224,10 @@ pub struct nicol_context_options {
     pub log_user: *mut c_void,
     pub cache_folder: *const c_char,
     pub memory_limit: u64,
+    pub load_bytes_limit: u64,
+    pub vertex_limit: u64,
+    pub triangle_limit: u64,
+    pub load_seconds_limit: f64,
 }
 impl Default for nicol_context_options {
     fn default() -> Self {
@@ -234,7 +238,7 @@ impl Default for nicol_context_options {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_context_options>() == 48);
+    assert!(size_of::<nicol_context_options>() == 80);
     assert!(offset_of!(nicol_context_options, struct_size) == 0);
     assert!(offset_of!(nicol_context_options, backend) == 4);
     assert!(offset_of!(nicol_context_options, device) == 8);
@@ -243,6 +247,10 @@ const _: () = {
     assert!(offset_of!(nicol_context_options, log_user) == 24);
     assert!(offset_of!(nicol_context_options, cache_folder) == 32);
     assert!(offset_of!(nicol_context_options, memory_limit) == 40);
+    assert!(offset_of!(nicol_context_options, load_bytes_limit) == 48);
+    assert!(offset_of!(nicol_context_options, vertex_limit) == 56);
+    assert!(offset_of!(nicol_context_options, triangle_limit) == 64);
+    assert!(offset_of!(nicol_context_options, load_seconds_limit) == 72);
 };
 
 #[repr(C)]
@@ -620,6 +628,32 @@ const _: () = {
     assert!(offset_of!(nicol_instance, mesh) == 8);
     assert!(offset_of!(nicol_instance, material) == 16);
     assert!(offset_of!(nicol_instance, to_world) == 24);
+};
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_scene_file {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub path: *const c_char,
+    pub digest: *const c_char,
+    pub bytes: u64,
+}
+impl Default for nicol_scene_file {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_scene_file>() == 32);
+    assert!(offset_of!(nicol_scene_file, struct_size) == 0);
+    assert!(offset_of!(nicol_scene_file, reserved) == 4);
+    assert!(offset_of!(nicol_scene_file, path) == 8);
+    assert!(offset_of!(nicol_scene_file, digest) == 16);
+    assert!(offset_of!(nicol_scene_file, bytes) == 24);
 };
 pub type nicol_method = u32;
 pub type nicol_high_orders = u32;
@@ -1303,6 +1337,11 @@ extern "C" {
     /// The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
     pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
+    /// The files that nicol_scene_load has read, each once: the scene file, those that it includes, then light,
+    /// materials and meshes. With equal digests the scene is the same. None for a scene that was not loaded.
+    pub fn nicol_scene_get_file_count(scene: nicol_scene, count: *mut u32) -> nicol_result;
+    /// index from 0; beyond the last, NICOL_ERROR_INVALID_ARGUMENT
+    pub fn nicol_scene_get_file(scene: nicol_scene, index: u32, file: *mut nicol_scene_file) -> nicol_result;
     /// Colour channels of its images: those of everything in it, 1 (all grey) or more, and 1 if the film of a
     /// loaded file is luminance.
     pub fn nicol_scene_get_channels(scene: nicol_scene, channels: *mut u32) -> nicol_result;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "files/file_record.hpp"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include "files/content_hash.hpp"
+#include "files/file_error.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr int kAttempts = 3;
+
+/// Empty if there is no such file. The time of the last change cannot be set back, unlike that of the last
+/// modification.
+std::string identity_of(const std::filesystem::path& file) {
+    struct stat status = {};
+    if (::stat(file.c_str(), &status) != 0) return {};
+    std::string text;
+    for (const auto part :
+         {static_cast<long long>(status.st_dev), static_cast<long long>(status.st_ino),
+          static_cast<long long>(status.st_size), static_cast<long long>(status.st_ctim.tv_sec),
+          static_cast<long long>(status.st_ctim.tv_nsec)})
+        text += std::to_string(part) + ' ';
+    return text;
+}
+
+}  // namespace
+
+FileRecord record_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read");
+    FileRecord record;
+    record.path = file;
+    ContentHash hash;
+    std::array<char, 1 << 16> buffer;
+    while (in.read(buffer.data(), buffer.size()), in.gcount() > 0) {
+        const auto count = static_cast<std::size_t>(in.gcount());
+        hash.add({reinterpret_cast<const unsigned char*>(buffer.data()), count});
+        record.bytes += count;
+    }
+    record.digest = hash.text();
+    return record;
+}
+
+FileRecord record_of(const std::filesystem::path& file, const std::string& bytes) {
+    return {.path = file, .bytes = bytes.size(), .digest = ContentHash().add(bytes).text()};
+}
+
+FileRecorder::State FileRecorder::state_of(std::span<const std::filesystem::path> files) {
+    State state;
+    for (const std::filesystem::path& file : files) {
+        std::error_code status;
+        Seen& seen = state.emplace_back();
+        seen.identity = identity_of(file);
+        // A device or a pipe may never end.
+        if (std::filesystem::is_regular_file(file, status)) seen.record = record_of(file);
+    }
+    return state;
+}
+
+bool FileRecorder::keep(std::span<const std::filesystem::path> files, const State& before, int attempt) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (identity_of(files[i]) == before[i].identity) continue;
+        if (attempt == kAttempts) invalid_file(files[i], "changes while it is read");
+        return false;
+    }
+    for (const auto& [identity, record] : before)
+        if (!record.path.empty() &&
+            std::ranges::find(records_, record.path, &FileRecord::path) == records_.end())
+            records_.push_back(record);
+    return true;
+}
+
+}  // namespace nicol

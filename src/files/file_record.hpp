@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Which files something was made of, and what they held.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace nicol {
+
+struct FileRecord {
+    std::filesystem::path path;
+    std::uint64_t bytes = 0;  ///< its size
+    std::string digest;       ///< ContentHash of its bytes
+};
+
+/// Of a file as it is now. Throws Error(file_not_found) if it cannot be read.
+[[nodiscard]] FileRecord record_of(const std::filesystem::path& file);
+/// Of bytes that were read from a file.
+[[nodiscard]] FileRecord record_of(const std::filesystem::path& file, const std::string& bytes);
+
+/// Keeps a record of each file that it sees read, once each.
+class FileRecorder {
+public:
+    explicit FileRecorder(std::vector<FileRecord> known) : records_(std::move(known)) {}
+
+    /// Calls read(), which reads `files`, and returns its result. If one of them changes meanwhile, so that
+    /// its record would not be of what was read, this starts again; throws Error(invalid_file) if that is of
+    /// no use. A file that cannot be read is left to read() to report.
+    template <class Read>
+    auto read(std::span<const std::filesystem::path> files, Read read) {
+        for (int attempt = 1;; ++attempt) {
+            const State before = state_of(files);
+            auto result = read();
+            if (keep(files, before, attempt)) return result;
+        }
+    }
+
+    [[nodiscard]] std::vector<FileRecord> take() { return std::move(records_); }
+
+private:
+    /// For each file what the system says of it, which changes when its content does, and its record.
+    struct Seen {
+        std::string identity;
+        FileRecord record;
+    };
+    using State = std::vector<Seen>;
+
+    static State state_of(std::span<const std::filesystem::path> files);
+    bool keep(std::span<const std::filesystem::path> files, const State& before, int attempt);
+
+    std::vector<FileRecord> records_;
+};
+
+}  // namespace nicol

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Which files a scene is made of.
+#include "scene/load_scene.hpp"
+#include "light/cube_cross.hpp"
+#include "scene/scene_file.hpp"
+
+using namespace nicol;
+using std::filesystem::path;
+
+namespace {
+
+const std::string a_triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+std::string obj(const std::string& filename) {
+    return "<shape type='obj'><string name='filename' value='" + filename + "'/></shape>\n";
+}
+
+/// A digest of all, and checks that the files are these, in this order.
+std::string digests(const SceneFile& file, const std::vector<std::string>& names) {
+    const LoadedScene loaded = load_scene(file.scene(), {});
+    std::vector<std::string> found;
+    std::string all;
+    for (const FileRecord& record : loaded.files) {
+        found.push_back(record.path.lexically_relative(file.path()).string());
+        CHECK(record.bytes == file_size(record.path));
+        CHECK(record.digest.size() == 32);
+        all += record.digest;
+    }
+    CHECK(found == names);
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("a loaded scene knows every file it was made of, and what it held") {
+    // Names that a search for quotes in the text would lose: after an apostrophe, under a <path>, with an
+    // entity, with a parameter within another's name, of parts of a cube map, in an included file.
+    const SceneFile file(
+        scene("<!-- the lamp's light -->\n<path value='far'/><default name='m' value='wrong'/>"
+              "<default name='mesh' value='right'/>" +
+              a_sensor + obj("below.obj") + obj("a&amp;b.obj") + obj("$mesh.obj") + obj("a&amp;b.obj") +
+              "<include filename='part/b.xml'/><emitter type='envmap'>"
+              "<string name='filename' value='light_s0.exr'/></emitter>"));
+    for (const char* name : {"far/below.obj", "a&b.obj", "right.obj", "part/c.obj", "unused.obj"})
+        file.write(name, a_triangle);
+    file.write("part/b.xml", scene(obj("c.obj")));
+    write_cube_cross(file / "light", *constant_environment({1, 1, 1}), 2);
+
+    const std::vector<std::string> names = {"scene.xml",    "part/b.xml",   "light_s0.exr",  "light_s1.exr",
+                                            "light_s2.exr", "light_s3.exr", "far/below.obj", "a&b.obj",
+                                            "right.obj",    "part/c.obj"};
+    std::string known = digests(file, names);
+    CHECK(digests(file, names) == known);
+    const auto changes = [&](const std::string& name, const auto& change) {
+        change();
+        const std::string now = digests(file, names);
+        CHECK_MESSAGE((now != known) == (name != "unused.obj"), name);
+        known = now;
+    };
+    for (const std::string name : {"far/below.obj", "a&b.obj", "right.obj", "part/c.obj", "unused.obj"})
+        changes(name, [&] { file.write(name, a_triangle + "\n"); });
+    changes("part/b.xml", [&] { file.write("part/b.xml", scene(" " + obj("c.obj"))); });
+    changes("light_s0.exr", [&] { write_cube_cross(file / "light", *constant_environment({2, 1, 1}), 2); });
+}
+
+TEST_CASE("a record is of the bytes that were read, also if the file changes meanwhile") {
+    const TemporaryFolder folder;
+    const path file = folder.write("a", "first");
+    int reads = 0;
+    const auto read = [&](int changes) {
+        reads = 0;
+        FileRecorder recorder({});
+        const std::string bytes = recorder.read(std::span(&file, 1), [&] {
+            std::string content = file_bytes(file);
+            // A new file of the same size, as an editor saves it.
+            if (reads++ < changes) rename(folder.write("b", "next" + std::to_string(reads)), file);
+            return content;
+        });
+        const std::vector<FileRecord> records = recorder.take();
+        REQUIRE(records.size() == 1);
+        CHECK(records[0].digest == record_of(file, bytes).digest);
+        return bytes;
+    };
+    CHECK(read(0) == "first");
+    CHECK(read(1) == "next1");
+    CHECK(reads == 2);
+    CHECK(error_of(CALL(read(100)), ErrorCode::invalid_file).find("changes while") != std::string::npos);
+    CHECK(reads == 3);
+}
+
+TEST_CASE("what takes more than its limits is refused, and the option is named") {
+    const SceneFile file(scene("<shape type='shapegroup' id='g'>" + obj("a.obj") + obj("b.obj") + "</shape>" +
+                               a_sensor +
+                               "<shape type='instance'><ref id='g'/></shape>"
+                               "<shape type='instance'><ref id='g'/></shape>"));
+    file.write("a.obj", a_triangle);
+    file.write("b.obj", a_triangle);
+    const LoadLimits exact{.bytes = 2 * a_triangle.size(), .vertices = 12, .triangles = 4};
+    CHECK(load_scene(file.scene(), {}, exact).scene.ids().size() == 4);
+    struct Case {
+        const char* option;
+        LoadLimits limits;
+    };
+    std::vector<Case> cases(4, {"", exact});
+    cases[0].option = "load_bytes_limit", --cases[0].limits.bytes;
+    cases[1].option = "vertex_limit", --cases[1].limits.vertices;
+    cases[2].option = "triangle_limit", --cases[2].limits.triangles;
+    cases[3].option = "load_seconds_limit", cases[3].limits.seconds = 0;
+    for (const auto& [option, limits] : cases)
+        check_error(ErrorCode::unsupported, CALL(load_scene(file.scene(), {}, limits)), option,
+                    file.path().string());
+}
