@@ -13,8 +13,9 @@
 namespace nicol {
 namespace {
 
-// Embree squares coordinates in single precision.
+// Embree multiplies coordinates in single precision.
 constexpr float kLargestCoordinate = 1e15F;
+constexpr float kSmallestScene = 1e-6F;
 
 [[noreturn]] void refuse(std::size_t surface, const std::string& message) {
     throw Error(ErrorCode::invalid_argument, "surface " + std::to_string(surface) + ": " + message);
@@ -71,7 +72,7 @@ struct RayScene::Embree {
                     "Embree failed with error " + std::to_string(static_cast<int>(error)));
     }
 
-    void add(const RaySurface& surface, unsigned id) {
+    void add(const RaySurface& surface, unsigned id, float scale) {
         RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
         const std::size_t vertices = surface.positions.size();
         const std::size_t triangles = surface.triangles.size();
@@ -80,7 +81,8 @@ struct RayScene::Embree {
         void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                 sizeof(glm::uvec3), triangles);
         if (positions != nullptr && indices != nullptr) {
-            std::ranges::copy(surface.positions, static_cast<glm::vec3*>(positions));
+            std::ranges::transform(surface.positions, static_cast<glm::vec3*>(positions),
+                                   [scale](const glm::vec3& p) { return scale * p; });
             std::ranges::copy(surface.triangles, static_cast<glm::uvec3*>(indices));
             rtcCommitGeometry(geometry);
             rtcAttachGeometryByID(scene.get(), geometry, id);
@@ -95,9 +97,12 @@ RayScene::RayScene(std::span<const RaySurface> surfaces) {
     for (std::size_t s = 0; s < surfaces.size(); ++s) largest = std::max(largest, check(s, surfaces[s]));
     offset_ = std::ldexp(static_cast<double>(largest), -19);
 
+    // The areas by which boxes are sorted would be 0 in a tiny scene, and every ray would meet every box.
+    if (largest > 0 && largest < kSmallestScene) scale_ = std::ldexp(1.0, -std::ilogb(largest));
     embree_ = std::make_unique<Embree>();
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        if (!surfaces[s].triangles.empty()) embree_->add(surfaces[s], static_cast<unsigned>(s));
+        if (!surfaces[s].triangles.empty())
+            embree_->add(surfaces[s], static_cast<unsigned>(s), static_cast<float>(scale_));
     }
     rtcCommitScene(embree_->scene.get());
     embree_->check();
@@ -107,7 +112,7 @@ RayScene::~RayScene() = default;
 
 std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
     RTCRayHit query{};
-    const glm::vec3 origin(ray.origin);
+    const glm::vec3 origin(scale_ * ray.origin);
     const glm::vec3 direction(ray.direction);
     query.ray.org_x = origin.x;
     query.ray.org_y = origin.y;
@@ -115,8 +120,9 @@ std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
     query.ray.dir_x = direction.x;
     query.ray.dir_y = direction.y;
     query.ray.dir_z = direction.z;
-    query.ray.tnear = static_cast<float>(ray.nearest);
-    query.ray.tfar = static_cast<float>(std::min(ray.farthest, double{std::numeric_limits<float>::max()}));
+    query.ray.tnear = static_cast<float>(scale_ * ray.nearest);
+    query.ray.tfar =
+        static_cast<float>(std::min(scale_ * ray.farthest, double{std::numeric_limits<float>::max()}));
     query.ray.mask = ~0U;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
@@ -125,7 +131,7 @@ std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return RayHit{.surface = query.hit.geomID,
                   .triangle = query.hit.primID,
-                  .distance = static_cast<double>(query.ray.tfar),
+                  .distance = static_cast<double>(query.ray.tfar) / scale_,
                   .b1 = static_cast<double>(query.hit.u),
                   .b2 = static_cast<double>(query.hit.v)};
 }
@@ -133,7 +139,7 @@ std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
 bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal,
                         const glm::dvec3& direction) const {
     const double side = glm::dot(normal, direction) < 0 ? -offset_ : offset_;
-    const glm::vec3 origin(point + side * normal);
+    const glm::vec3 origin(scale_ * (point + side * normal));
     const glm::vec3 towards(direction);
     RTCRay ray{};
     ray.org_x = origin.x;
@@ -157,10 +163,11 @@ std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundl
     alignas(64) std::array<int, count> valid{};
     for (std::size_t i = 0; i < count; ++i) valid[i] = (active >> i & 1) != 0 ? -1 : 0;
     RTCRay16 rays{};
+    const glm::vec3 start = static_cast<float>(scale_) * origin;
     for (std::size_t i = 0; i < count; ++i) {
-        rays.org_x[i] = origin.x;
-        rays.org_y[i] = origin.y;
-        rays.org_z[i] = origin.z;
+        rays.org_x[i] = start.x;
+        rays.org_y[i] = start.y;
+        rays.org_z[i] = start.z;
         rays.dir_x[i] = bundle.x[i];
         rays.dir_y[i] = bundle.y[i];
         rays.dir_z[i] = bundle.z[i];

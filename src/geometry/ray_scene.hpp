@@ -72,6 +72,7 @@ private:
     struct Embree;
     std::unique_ptr<Embree> embree_;
     double offset_ = 0;
+    double scale_ = 1;  ///< from the world to Embree's: a power of two, so that nothing is rounded
 };
 
 }  // namespace nicol

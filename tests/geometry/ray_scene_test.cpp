@@ -79,7 +79,7 @@ TEST_CASE("only distances in range count") {
 
 TEST_CASE("no ray leaves a closed surface and no surface hides itself, large or small, near or far") {
     std::mt19937 random(2);
-    for (const double radius : {1e-6, 1.0, 1e6}) {
+    for (const double radius : {1e-30, 1e-6, 1.0, 1e6}) {
         for (const double away : {0.0, 100.0}) {
             CAPTURES(radius, away);
             const glm::dvec3 center(away * radius, 0, 0);
@@ -99,6 +99,11 @@ TEST_CASE("no ray leaves a closed surface and no surface hides itself, large or 
                 wrong += scene.occluded(point, i % 2 == 0 ? normal : -normal, direction) == inwards ? 0 : 1;
             }
             CHECK(wrong == 0);
+            for (int i = 0; i < 100; ++i) {
+                const auto hit = scene.intersect({.origin = center, .direction = random_direction(random)});
+                REQUIRE(hit);
+                CHECK(hit->distance / radius == doctest::Approx(1).epsilon(0.01));
+            }
         }
     }
 }
