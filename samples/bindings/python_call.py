@@ -37,6 +37,9 @@ class Call:
             self.takes.append("cls")
         for parameter, role, partners in roles[self.method :]:
             getattr(self, role)(parameter, variable_name(parameter.name), partners)
+        # What changes a struct returns it, so that Camera(fov=40).look_at(...) is a camera.
+        if "byref(self)" in self.arguments and not self.results:
+            self.results.append("self")
 
     def lines(self):
         call = f"_{self.function.name.removeprefix('nicol_')}({', '.join(self.arguments)})"

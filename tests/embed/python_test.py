@@ -37,9 +37,7 @@ def planes_of(framebuffer, pixels, **wanted):
 
 
 def camera():
-    result = nicol.Camera(fov=40)
-    result.look_at((0, 0, 4), (0, 0, 0), (0, 1, 0))
-    return result
+    return nicol.Camera(fov=40).look_at((0, 0, 4), (0, 0, 0), (0, 1, 0))
 
 
 class AbiTest(unittest.TestCase):
@@ -154,6 +152,12 @@ class CallTest(unittest.TestCase):
         nicol.render(self.scene, camera(), nicol.RenderOptions(aovs=nicol.AOV_ALL), framebuffer)
         ids = planes_of(framebuffer, array.array("I", bytes(4 * 1024)), plane=nicol.PLANE_INSTANCE)
         self.assertEqual((ids[0], ids[16 * 32 + 16]), (nicol.NO_INSTANCE, 0))
+        for plane, last in ((nicol.PLANE_NORMAL, (3,)), (nicol.PLANE_POSITION, (3,)), (nicol.PLANE_DEPTH, ()),
+                            (nicol.PLANE_INSTANCE, ()), (nicol.PLANE_STOKES, (4,))):  # fmt: skip
+            self.assertEqual(tuple(framebuffer.plane(plane).shape), (32, 32, *last))
+        self.assertEqual(framebuffer.plane(nicol.PLANE_INSTANCE)[0, 0], nicol.NO_INSTANCE)
+        self.assertAlmostEqual(float(framebuffer.plane(nicol.PLANE_NORMAL)[16, 16, 2]), 1, places=2)
+        self.assertEqual(tuple(framebuffer.plane(channel=nicol.ALL_CHANNELS).shape), (32, 32, 1, 4))
         half = planes_of(framebuffer, array.array("H", bytes(2 * 1024)), plane=nicol.PLANE_S0, format=nicol.FORMAT_FLOAT16)
         self.assertEqual(half[0], 0x4000)
         with self.assertRaises(TypeError):
@@ -168,6 +172,18 @@ class CallTest(unittest.TestCase):
         job.wait(nicol.WAIT_FOREVER)
         self.assertEqual(job.poll().state, nicol.JOB_DONE)
         self.assertEqual(set(seen), {"trace"})
+
+    @unittest.skipIf(numpy is None, "numpy is absent")
+    def test_arrays_of_numpy(self):
+        square = numpy.array([[0, 0, 0, 9], [1, 0, 0, 9], [0, 1, 0, 9]], numpy.float64)
+        mesh = nicol.Mesh.create(self.context, nicol.mesh_data(square[:, :3], numpy.arange(3)))
+        self.assertEqual(mesh.get_size(), (3, 1))
+        pixels = numpy.ones((4, 8, 3))
+        self.assertEqual(nicol.Environment.create_image(self.context, nicol.image(pixels)).get_info().channels, 3)
+        out = numpy.zeros((32, 32, 4), numpy.float16)
+        self.assertAlmostEqual(float(self.render().plane(out=out)[16, 16, 0]), 2 * GREY, places=3)
+        with self.assertRaisesRegex(TypeError, "numbers of kind 'd'"):
+            self.render().plane(out=out.astype(numpy.float64))
 
     @unittest.skipIf(numpy is None, "numpy is absent")
     def test_plane_into_a_part_of_an_array(self):
@@ -243,6 +259,10 @@ class CallTest(unittest.TestCase):
         indices = array.array("I", [0, 1, 2, 2, 1, 3])
         mesh = nicol.Mesh.create(self.context, nicol.mesh_data(positions, indices))
         self.assertEqual(mesh.get_size(), (4, 2))
+        wide = nicol.mesh_data(array.array("d", positions), array.array("q", indices))
+        self.assertEqual(nicol.Mesh.create(self.context, wide).get_size(), (4, 2))
+        with self.assertRaisesRegex(ValueError, "cannot hold"):
+            nicol.mesh_data(positions, array.array("i", [0, 1, -2]))
         with self.assertRaisesRegex(ValueError, "positions takes three"):
             nicol.mesh_data(positions[1:], indices)
         with self.assertRaisesRegex(ValueError, "3 normals of 4 vertices"):

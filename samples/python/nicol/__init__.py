@@ -5,6 +5,8 @@ Every function of the C headers is here without its prefix, as a method where it
 nicol_scene_load is Scene.load, nicol_render is render. What C returns through pointers is returned, failures raise Error.
 """
 
+import math
+
 from . import _abi
 from ._abi import *  # noqa: F403
 from ._runtime import Error, Handle, Struct
@@ -22,29 +24,48 @@ class Framebuffer(_abi.Framebuffer):
     __doc__ = _abi.Framebuffer.__doc__
 
     def plane(self, plane=_abi.PLANE_STOKES, channel=0, out=None):
-        """One plane of one colour channel as 32-bit floats, of shape (height, width), or (height, width, 4) for Stokes
-        vectors: a numpy array, without numpy a memoryview. The library writes straight into `out` where it is given,
-        which may be a part of a larger array as long as its rows are in one piece."""
-        width, height, _ = self.get_size()
-        shape = (height, width, 4) if plane == _abi.PLANE_STOKES else (height, width)
+        """One plane as an array (height, width), with three numbers a pixel of normals and positions, four of Stokes
+        vectors: a numpy array, without numpy a memoryview. channel ALL_CHANNELS: (height, width, channels) and so on.
+        Numbers are 32-bit floats, of PLANE_INSTANCE unsigned integers. The library writes straight into `out` where it
+        is given, which may be of 16-bit floats, and a part of a larger array as long as its rows are in one piece."""
+        width, height, channels = self.get_size()
+        shape = (height, width)
+        if channel == _abi.ALL_CHANNELS:
+            shape += (channels,)
+        shape += _COMPONENTS.get(plane, ())
+        kind = "I" if plane == _abi.PLANE_INSTANCE else "f"
         if out is None:
             if numpy is not None:
-                out = numpy.empty(shape, numpy.float32)
+                out = numpy.empty(shape, kind)
             else:
-                out = memoryview(bytearray(4 * width * height * (4 if len(shape) == 3 else 1))).cast("f", shape)
-        elif tuple(out.shape) != shape:
-            raise ValueError(f"out has the shape {tuple(out.shape)}; the plane has {shape}")
-        self.read(plane, channel, out)
+                out = memoryview(bytearray(4 * math.prod(shape))).cast(kind, shape)
+        view = memoryview(out)
+        if view.shape != shape:
+            raise ValueError(f"out has the shape {view.shape}; the plane has {shape}")
+        if view.format not in _FORMATS:
+            raise TypeError(f"out has numbers of kind '{view.format}'; a plane has those of {', '.join(_FORMATS)}")
+        row_stride = view.strides[0]
+        self.read_plane(
+            _abi.PlaneBuffer(
+                plane=plane, format=_FORMATS[view.format], channel=channel, pixels=out, row_stride=row_stride,
+                byte_size=row_stride * (height - 1) + view[:1].nbytes,
+            )
+        )  # fmt: skip
         return out
 
 
+_COMPONENTS = {_abi.PLANE_STOKES: (4,), _abi.PLANE_NORMAL: (3,), _abi.PLANE_POSITION: (3,)}
+_FORMATS = {"f": _abi.FORMAT_FLOAT32, "e": _abi.FORMAT_FLOAT16, "I": _abi.FORMAT_UINT32}
+
+
 def mesh_data(positions, indices, normals=None):
-    """For Mesh.create, from buffers of 32-bit floats and unsigned integers: three numbers a vertex and a triangle."""
+    """For Mesh.create, from arrays of three numbers a vertex and a triangle."""
     counts = []
     for name, value in (("positions", positions), ("indices", indices), ("normals", normals)):
-        count, rest = divmod(0 if value is None else memoryview(value).nbytes, 12)
+        view = memoryview(b"" if value is None else value)
+        count, rest = divmod(view.nbytes // view.itemsize, 3)
         if rest:
-            raise ValueError(f"{name} takes three 32-bit numbers each; {12 * count + rest} bytes are no multiple of 12")
+            raise ValueError(f"{name} takes three numbers each; {3 * count + rest} are no multiple of 3")
         counts.append(count)
     if normals is not None and counts[2] != counts[0]:
         raise ValueError(f"{counts[2]} normals of {counts[0]} vertices")
@@ -54,14 +75,14 @@ def mesh_data(positions, indices, normals=None):
 
 
 def image(pixels):
-    """For Environment.create_image, from 32-bit floats of shape (height, width, channels), or (height, width, channels, 4)
+    """For Environment.create_image, from numbers of shape (height, width, channels), or (height, width, channels, 4)
     for Stokes vectors."""
     view = memoryview(pixels)
     if view.ndim not in (3, 4):
         raise ValueError(f"pixels have the shape {view.shape}; it must be (height, width, channels) or (..., channels, 4)")
     height, width, channels, components = (*view.shape, 1)[:4]
     return _abi.Image(
-        width=width, height=height, channels=channels, components=components, pixels=pixels, byte_size=view.nbytes
+        width=width, height=height, channels=channels, components=components, pixels=pixels, byte_size=4 * (view.nbytes // view.itemsize)
     )
 
 

@@ -310,6 +310,7 @@ class Camera(Struct):
     def look_at(self, origin, target, up):
         """A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view."""
         check(_camera_look_at(byref(self), array(origin, c_double, 3), array(target, c_double, 3), array(up, c_double, 3)))
+        return self
 
 
 class Instance(Struct):

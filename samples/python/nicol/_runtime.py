@@ -130,7 +130,8 @@ def decoded(value):
 
 
 class Buffer:
-    """Memory of C numbers in Python's hands: a numpy array, array.array, memoryview, or a sequence to copy."""
+    """Memory of C numbers in Python's hands: a numpy array, array.array, memoryview, or a sequence to copy. What the
+    library only reads is converted where it holds other numbers of the same kind, or none in one piece."""
 
     def __init__(self, value, type_, writable=False, rows=False):
         self.pointer, self.count, self.nbytes, self.stride = None, 0, 0, 0
@@ -142,6 +143,8 @@ class Buffer:
             if writable:
                 raise TypeError(f"results need a writable buffer of {type_.__name__}, not {value!r}") from None
             view = memoryview((type_ * len(value))(*value))
+        if not writable:
+            value, view = self._converted(value, view, type_)
         if view.format.lstrip("<=") != type_._type_:
             raise TypeError(f"a buffer of '{view.format}' where one of '{type_._type_}' ({type_.__name__}) is wanted")
         if writable and view.readonly:
@@ -155,6 +158,23 @@ class Buffer:
         if self.nbytes:
             self.owner = value if hasattr(value, "__array_interface__") else view
             self.pointer = ctypes.cast(self._address(), ctypes.POINTER(type_))
+
+    @staticmethod
+    def _converted(value, view, type_):
+        kind, wanted = view.format.lstrip("<="), type_._type_
+        whole = {kind, wanted} <= set("bBhHiIlLqQ")
+        if not (whole or {kind, wanted} <= set("efd")) or (kind == wanted and view.c_contiguous):
+            return value, view
+        if hasattr(value, "astype"):
+            copy = value.astype(type_, order="C")
+            lost = whole and not (copy == value).all()
+        else:
+            numbers = view.cast("B").cast(view.format) if view.c_contiguous else view.tolist()
+            copy = (type_ * len(numbers))(*numbers)
+            lost = whole and list(copy) != list(numbers)
+        if lost:
+            raise ValueError(f"a number that {type_.__name__} cannot hold")
+        return copy, memoryview(copy)
 
     def _address(self):
         if hasattr(self.owner, "__array_interface__"):
