@@ -19,10 +19,15 @@ namespace nicol::capi {
 /// Keeps the message for nicol_last_error() and returns the code. Allocates nothing.
 nicol_result fail(ErrorCode code, const char* message) noexcept;
 
+/// Throws Error(unsupported) in the child of a process that forked after its first call: threads and the
+/// graphics driver's state did not come along.
+void refuse_after_fork();
+
 /// Runs the body of a C function.
 template <class F>
 nicol_result guarded(F&& body) noexcept {
     try {
+        refuse_after_fork();
         body();
         return NICOL_OK;
     } catch (const Error& error) {

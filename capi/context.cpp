@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Version, results and contexts.
+#include <pthread.h>
+
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <thread>
@@ -97,6 +100,18 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     // The information lives as long as the context whose part it is.
     std::shared_ptr<const gl::ContextInfo> info(session->gl, &session->gl->info());
     return make_handle<nicol_context_impl>(session, info);
+}
+
+void refuse_after_fork() {
+    // Set by the child of a process that has been here.
+    static std::atomic<bool> forked = false;
+    static const int watched = pthread_atfork(nullptr, nullptr, [] { forked = true; });
+    static_cast<void>(watched);
+    if (forked)
+        throw Error(ErrorCode::unsupported,
+                    "the process was forked after it had used Nicol, whose threads are those of the parent "
+                    "alone; fork before the first call, or start a new process instead (in Python: "
+                    "multiprocessing with the method spawn)");
 }
 
 nicol_result fail(ErrorCode code, const char* message) noexcept {

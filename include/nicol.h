@@ -58,6 +58,9 @@ NICOL_API const char* nicol_build_info(uint32_t index);
 
 /* ---------------------------------------------------------------- results */
 
+/* Functions that return a nicol_result never let an exception out, and may be called on any thread. In a
+ * child made by fork() after the first of these calls they all fail with NICOL_ERROR_UNSUPPORTED; a child
+ * made before it, and every process that was started anew, may use the library. */
 typedef int32_t nicol_result;
 #define NICOL_OK 0
 #define NICOL_ERROR_INVALID_ARGUMENT 1 /* a value, size or pointer outside its documented range */
