@@ -17,6 +17,7 @@
 namespace {
 
 constexpr int kNotReadySeconds = 2;
+constexpr int kBrokenSceneSeconds = 60;
 
 [[noreturn]] void refuse(int status, const std::string& detail, int retry_after = 0) {
     throw Refusal({.status = status, .detail = detail, .retry_after = retry_after});
@@ -103,6 +104,8 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
     const std::vector<SceneInfo>& known = hello().scenes;
     const auto scene = std::ranges::find(known, id, &SceneInfo::id);
     if (scene == known.end()) refuse(404, "There is no scene of this name; /scenes lists them.");
+    if (scene->digest.empty())
+        refuse(503, "This scene cannot be loaded; the service's log says why.", kBrokenSceneSeconds);
     Render render{.request =
                       parse_image(target, resource->format, static_cast<std::uint32_t>(scene - known.begin()),
                                   *scene, options_.limits)};
@@ -181,12 +184,16 @@ Response Service::text(std::string type, std::string content) const {
 }
 
 Response Service::scenes() const {
-    std::string list;
-    for (const SceneInfo& scene : hello().scenes) list += (list.empty() ? "" : ",") + scene_json(scene);
-    return text("application/json",
-                "{\"scenes\":[" + list + "],\"signed\":" + (keys_.empty() ? "false" : "true") +
-                    ",\"max_side\":" + std::to_string(options_.limits.max_side) +
-                    ",\"max_pixels\":" + std::to_string(options_.limits.max_pixels) + "}\n");
+    std::string list, broken;
+    for (const SceneInfo& scene : hello().scenes) {
+        std::string& to = scene.digest.empty() ? broken : list;
+        to += (to.empty() ? "" : ",") + (scene.digest.empty() ? json_string(scene.id) : scene_json(scene));
+    }
+    return text("application/json", "{\"scenes\":[" + list + "],\"broken\":[" + broken +
+                                        "],\"signed\":" + (keys_.empty() ? "false" : "true") +
+                                        ",\"max_side\":" + std::to_string(options_.limits.max_side) +
+                                        ",\"max_pixels\":" + std::to_string(options_.limits.max_pixels) +
+                                        "}\n");
 }
 
 Response Service::state(bool must_be_ready) const {

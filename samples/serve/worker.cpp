@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <memory>
 #include <new>
+#include <optional>
 
 #include "common/failure.hpp"
 #include "common/handles.hpp"
@@ -119,13 +120,14 @@ Context make_context(const Options& options) {
     return Context(context);
 }
 
-void render(const Channel& channel, std::uint64_t id, const ImageRequest& request, std::vector<Stage>& stages,
-            const Options& options) {
+void render(const Channel& channel, std::uint64_t id, const ImageRequest& request,
+            std::vector<std::optional<Stage>>& stages, const Options& options) {
     Watch watch{.channel = channel, .job = id};
     ResultHead result;
     std::string content;
     try {
         content = stages.at(request.view.scene)
+                      .value()
                       .render(request, {.callback = Watch::poll, .user = &watch}, options.scratch, result);
         result.status = 200;
     } catch (const nicol::Error& error) {
@@ -155,15 +157,25 @@ void limit_memory(std::uint64_t bytes) {
 
 void serve(const Channel& channel, const Options& options) {
     const Context context = make_context(options);
-    std::vector<Stage> stages;
+    std::vector<std::optional<Stage>> stages;
     Hello hello;
+    std::vector<std::string> broken;
+    for (const std::filesystem::path& path : find_scenes(options.scenes)) {
+        std::optional<Stage>& stage = stages.emplace_back();
+        hello.scenes.emplace_back().id = path.stem();
+        try {
+            stage.emplace(context.get(), path);
+            hello.scenes.back() = stage->info();
+        } catch (const std::exception& error) {
+            broken.emplace_back(error.what());
+        }
+    }
+    if (broken.size() == stages.size()) throw Failure(broken.front());
+    for (const std::string& reason : broken)
+        log(nullptr, NICOL_LOG_WARNING, NICOL_OK, ("a scene is left out: " + reason).c_str());
     nicol_context_info info = NICOL_CONTEXT_INFO_INIT;
     check(nicol_context_get_info(context.get(), &info));
     hello.renderer = std::string(info.renderer) + ", " + info.version;
-    for (const std::filesystem::path& path : find_scenes(options.scenes)) {
-        stages.emplace_back(context.get(), path);
-        hello.scenes.push_back(stages.back().info());
-    }
     channel.send({.kind = MessageKind::hello, .length = 0, .job = 0}, pack(hello));
     for (;;) {
         const Head head = channel.receive<Head>();

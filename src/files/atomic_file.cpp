@@ -2,6 +2,8 @@
 // Temporary file and rename.
 #include "files/atomic_file.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <random>
 #include <string>
@@ -38,6 +40,10 @@ AtomicFile::~AtomicFile() {
         std::error_code ignored;
         std::filesystem::remove(temporary_, ignored);
     }
+}
+
+void AtomicFile::sync() noexcept {
+    if (std::fflush(file_) == 0) static_cast<void>(::fsync(::fileno(file_)));
 }
 
 void AtomicFile::commit() {

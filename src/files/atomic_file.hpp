@@ -17,6 +17,9 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     [[nodiscard]] std::FILE* handle() const noexcept { return file_; }
+    /// Has what was written reach the disk, so that after a power failure the file is whole or absent: for
+    /// files that live long. What fails here fails again in commit().
+    void sync() noexcept;
     /// Flushes, closes and renames. Throws Error(write_failed) if any byte could not be written.
     void commit();
 

@@ -84,6 +84,7 @@ std::string CacheFile::write(std::span<const std::span<const unsigned char>> par
         }
         const std::string stored = hash.text();
         static_cast<void>(std::fwrite(stored.data(), 1, stored.size(), out.handle()));
+        out.sync();
         out.commit();
         return {};
     } catch (const Error& error) {

@@ -32,7 +32,8 @@ CubeCross read_cube_cross(const path& given) {
     CubeCross cross;
     for (int p = 0; p < 4; ++p) {
         const path file = cube_cross_file(stem, p);
-        if (!std::filesystem::exists(file))
+        std::error_code ignored;
+        if (!std::filesystem::exists(file, ignored))
             throw Error(ErrorCode::file_not_found,
                         file.string() + ": is missing; a cube map has four files, _s0.exr to _s3.exr");
         const StokesImage part = read_exr(file);

@@ -20,8 +20,9 @@ const std::vector<double>& Environment::wavelengths() const noexcept {
 namespace {
 
 bool is_cube(const path& file) {
-    return cube_cross_stem(file) || (!file.empty() && !std::filesystem::exists(file) &&
-                                     std::filesystem::exists(cube_cross_file(file, 0)));
+    std::error_code ignored;  // of a name that is too long
+    return cube_cross_stem(file) || (!file.empty() && !std::filesystem::exists(file, ignored) &&
+                                     std::filesystem::exists(cube_cross_file(file, 0), ignored));
 }
 
 }  // namespace

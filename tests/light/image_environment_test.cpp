@@ -236,6 +236,8 @@ TEST_CASE("files: polarized by their channels, errors by their name") {
     check_error(ErrorCode::invalid_file, CALL(load_environment(folder / "negative.exr")), "negative.exr",
                 "channel 1", "pixel (3, 2)");
     check_error(ErrorCode::file_not_found, CALL(load_environment(folder / "none.exr")), "none.exr");
+    // Longer than the system allows.
+    check_error(ErrorCode::file_not_found, CALL(load_environment(folder / std::string(300, 'a'))), "aaaa");
     check_error(ErrorCode::invalid_argument, CALL(load_environment(folder / "plain.exr", -1)), "scale");
 }
 

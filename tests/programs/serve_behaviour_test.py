@@ -239,6 +239,27 @@ class Ends(ProgramTest):
             self.assertEqual(len(ended.stderr.splitlines()), 1, ended.stderr)
             self.assertIn(word, ended.stderr)
 
+    def test_a_broken_scene_is_its_own(self):
+        write_scenes(self.folder)
+        box = os.path.join(self.folder, "box.xml")
+        whole = read(box)
+        server = Server(PROGRAM, self.folder, "--workers", "1")
+        try:
+            for content, status in ((b"<scene>", 503), (whole, 200)):
+                with open(box, "wb") as file:
+                    file.write(content)
+                os.kill(server.workers()[0][0], signal.SIGKILL)
+                server.wait(lambda: server.get("/scenes/box/image.png").status == status)
+                self.assertEqual(server.get(IMAGE).status, 200)
+                listed = server.get("/scenes").json()
+                self.assertEqual(listed["broken"], [] if status == 200 else ["box"])
+        finally:
+            server.stop()
+        self.write("box.xml", "<scene>")
+        server = Server(PROGRAM, self.folder, "--workers", "1")
+        self.assertEqual([server.get(path).status for path in (IMAGE, "/scenes/box/image.png")], [200, 503])
+        self.assertEqual(server.stop(), 0)
+
     def test_taken_port(self):
         write_scenes(self.folder)
         with socket.create_server(("127.0.0.1", 0)) as taken:
