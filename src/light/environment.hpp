@@ -91,6 +91,13 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 [[nodiscard]] EnvironmentPtr load_environment(const std::filesystem::path& path, double scale = 1,
                                               std::span<const double> wavelengths = {});
 
+/// What is rendered is kept in single precision, which holds what materials and sums make of light up to
+/// here.
+inline constexpr double kBrightestLight = 1e30;
+/// Throws Error(invalid_argument) unless all coefficients times `scale` are finite and within
+/// kBrightestLight.
+void check_brightness(const PshVector& light, double scale);
+
 /// Writes image() as OpenEXR in the layout of EquirectImage, see write_exr(); unpolarized light without
 /// S1..S3. Throws as write_exr().
 void write_environment(const std::filesystem::path& path, const Environment& environment);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include <glm/geometric.hpp>
@@ -43,6 +44,17 @@ void check_wavelengths(const char* what, const std::vector<double>& wavelengths,
     if (!valid || (!wavelengths.empty() && wavelengths.size() != static_cast<std::size_t>(channels)))
         throw Error(ErrorCode::invalid_argument,
                     std::string(what) + ": wavelengths must be empty or one finite value > 0 a channel");
+}
+
+void check_brightness(const PshVector& light, double scale) {
+    for (const double coefficient : light.data())
+        if (!(std::abs(coefficient * scale) <= kBrightestLight)) {
+            char text[128];
+            (void)std::snprintf(text, sizeof text, "%g times its scale %g", coefficient, scale);
+            throw Error(ErrorCode::invalid_argument,
+                        "the environment is too bright to be rendered: it has the coefficient " +
+                            std::string(text) + "; at most 1e30 is possible");
+        }
 }
 
 void check_scale(const std::string& what, double scale) {

@@ -30,8 +30,11 @@ bool is_cube(const path& file) {
 std::vector<path> environment_files(const path& file) {
     if (!is_cube(file)) return {file};
     const path stem = cube_cross_stem(file).value_or(file);
+    constexpr int components = 4;
     std::vector<path> files;
-    for (int component = 0; component < 4; ++component) files.push_back(cube_cross_file(stem, component));
+    files.reserve(components);
+    for (int component = 0; component < components; ++component)
+        files.push_back(cube_cross_file(stem, component));
     return files;
 }
 

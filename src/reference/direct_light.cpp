@@ -22,6 +22,7 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
       strategy_(strategy),
       shadows_(shadows) {
     if (environment_ != nullptr) {
+        check_brightness(environment_->project(0), light_scale_);
         channels_ = environment_->channels();
         light_sampler_ = std::make_unique<LightSampler>(*environment_);
         table_ = environment_->tabulated();

@@ -71,6 +71,7 @@ void LightProjection::update(const Scene& scene, const RenderOptions& options, c
                     });
     const Stopwatch watch;
     bool changed = scaling_.run(light_.version(), scene.light_scale(), [&] {
+        check_brightness(*light_, scene.light_scale());
         PshVector& distant = distant_.change();
         distant = *light_;
         for (double& coefficient : distant.data()) coefficient *= scene.light_scale();

@@ -216,6 +216,28 @@ STAGE_TEST_CASE("scenes refuse transforms, instances and lights that do not fit,
     CHECK(stage.image() == before);
 }
 
+STAGE_TEST_CASE("light is refused where an image could not hold it, and the image stays finite") {
+    const std::vector<float> before = stage.image();
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.samples = 4;
+    for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {
+        CAPTURE(method);
+        options.method = method;
+        const auto render = [&](double scale) {
+            OK(nicol_scene_set_environment(stage.scene, stage.environment, nullptr, scale));
+            return nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer);
+        };
+        REFUSES(render(1e300), "too bright");
+        REFUSES(render(1e38), "too bright");
+        OK(render(1e25));
+        CHECK(std::isfinite(largest(stage.image())));
+    }
+    OK(nicol_scene_set_environment(stage.scene, stage.environment, nullptr, 1));
+    options = NICOL_RENDER_OPTIONS_INIT;
+    OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
+    CHECK(stage.image() == before);
+}
+
 STAGE_TEST_CASE("cameras and options out of range are refused, and the image stays") {
     const std::vector<float> before = stage.image();
     check_wrong(stage.camera,
