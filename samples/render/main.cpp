@@ -23,16 +23,12 @@ void log(void* user, std::uint32_t severity, nicol_result, const char* message) 
 }
 
 Context make_context(const Options& options, ProgressBar& progress) {
-    nicol_context_options wanted = NICOL_CONTEXT_OPTIONS_INIT;
+    nicol_context_options wanted = options.load_limits;
     wanted.backend = options.backend;
     wanted.device = options.device;
     wanted.log = log;
     wanted.log_user = &progress;
     wanted.cache_folder = options.cache.c_str();
-    wanted.load_bytes_limit = options.load_bytes_limit;
-    wanted.vertex_limit = options.vertex_limit;
-    wanted.triangle_limit = options.triangle_limit;
-    wanted.load_seconds_limit = options.load_seconds_limit;
     nicol_context context = nullptr;
     check(nicol_context_create(&wanted, &context));
     return Context(context);

@@ -239,13 +239,13 @@ Options parse_options(int argc, const char* const* argv) {
         else if (name == "--cache")
             options.cache = path();
         else if (name == "--load-bytes-limit")
-            options.load_bytes_limit = parse_number<std::uint64_t>(name, value());
+            options.load_limits.load_bytes_limit = parse_number<std::uint64_t>(name, value());
         else if (name == "--vertex-limit")
-            options.vertex_limit = parse_number<std::uint64_t>(name, value());
+            options.load_limits.vertex_limit = parse_number<std::uint64_t>(name, value());
         else if (name == "--triangle-limit")
-            options.triangle_limit = parse_number<std::uint64_t>(name, value());
+            options.load_limits.triangle_limit = parse_number<std::uint64_t>(name, value());
         else if (name == "--load-seconds-limit")
-            options.load_seconds_limit = parse_strength(name, value());
+            options.load_limits.load_seconds_limit = parse_strength(name, value());
         else if (name == "--size")
             parse_size(options, value());
         else if (name == "--stats")

@@ -32,13 +32,12 @@ struct Options {
     bool shadows = true;
     bool physical = false;
     double dering = 0;
-    std::uint32_t bake_directions = 0;                                         ///< 0: the library's default
-    std::optional<std::int32_t> samples;                                       ///< of the reference method
-    std::uint64_t seed = 0;                                                    ///< likewise
-    std::uint64_t load_bytes_limit = 0, vertex_limit = 0, triangle_limit = 0;  ///< 0: the library's default
-    double load_seconds_limit = 0;                                             ///< likewise
-    std::string cache;                           ///< folder, empty: what NICOL_CACHE says
-    std::optional<std::uint32_t> width, height;  ///< both or neither
+    std::uint32_t bake_directions = 0;                               ///< 0: the library's default
+    std::optional<std::int32_t> samples;                             ///< of the reference method
+    std::uint64_t seed = 0;                                          ///< likewise
+    nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< no more than its limits of a load
+    std::string cache;                                               ///< folder, empty: what NICOL_CACHE says
+    std::optional<std::uint32_t> width, height;                      ///< both or neither
 };
 
 /// The text of --help.

@@ -52,8 +52,8 @@ struct ImageRequest {
 /// A scene as its worker found it.
 struct SceneInfo {
     std::string id;  ///< of the URL: the file's name without .xml
-    std::string
-        digest;  ///< of its files, hexadecimal; empty: it cannot be loaded, and the rest is meaningless
+    /// Of its files, hexadecimal; empty where they cannot be loaded, and then the rest means nothing.
+    std::string digest;
     std::uint32_t channels = 1;
     std::uint32_t width = 1, height = 1;  ///< of its film
     std::uint32_t up = 1;                 ///< the vertical axis: 0 is x, 1 is y, 2 is z

@@ -105,13 +105,13 @@ bool parse_limit(Options& o, std::string_view name, std::string_view text) {
     else if (name == "--max-order")
         o.limits.max_order = static_cast<std::int32_t>(parse_count(name, text, 4, 64));
     else if (name == "--load-bytes-limit")
-        o.load_bytes_limit = parse_count<std::uint64_t>(name, text, 1, whole);
+        o.load_limits.load_bytes_limit = parse_count<std::uint64_t>(name, text, 1, whole);
     else if (name == "--vertex-limit")
-        o.vertex_limit = parse_count<std::uint64_t>(name, text, 1, whole);
+        o.load_limits.vertex_limit = parse_count<std::uint64_t>(name, text, 1, whole);
     else if (name == "--triangle-limit")
-        o.triangle_limit = parse_count<std::uint64_t>(name, text, 1, whole);
+        o.load_limits.triangle_limit = parse_count<std::uint64_t>(name, text, 1, whole);
     else if (name == "--load-seconds-limit")
-        o.load_seconds_limit = parse_seconds(name, text, shortest).count();
+        o.load_limits.load_seconds_limit = parse_seconds(name, text, shortest).count();
     else if (name == "--memory-limit")
         o.memory_bytes = std::uint64_t{parse_count(name, text, 0, 1u << 30u)} << 20u;
     else if (name == "--queue")

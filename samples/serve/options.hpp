@@ -29,10 +29,9 @@ struct Options {
     int socket = -1;     ///< of a worker
 
     Limits limits;
-    std::uint64_t load_bytes_limit = 0, vertex_limit = 0, triangle_limit = 0;  ///< 0: the library's default
-    double load_seconds_limit = 0;                                             ///< likewise
-    std::uint64_t memory_bytes = std::uint64_t{16} << 30;  ///< of a worker's address space; 0: any
-    std::uint32_t queue = 64;                              ///< requests that wait for a worker
+    nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< no more than its limits of a load
+    std::uint64_t memory_bytes = std::uint64_t{16} << 30;            ///< of a worker's address space; 0: any
+    std::uint32_t queue = 64;                                        ///< requests that wait for a worker
     std::uint32_t connections = 512;
     std::uint32_t header_bytes = 8192;
     std::uint32_t body_bytes = 1024;

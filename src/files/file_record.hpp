@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace nicol {
@@ -28,7 +29,7 @@ public:
 
     /// Calls read(), which reads `files`, and returns its result. If one of them changes meanwhile, so that
     /// its record would not be of what was read, this starts again; throws Error(invalid_file) if that is of
-    /// no use. A file that cannot be read is left to read() to report.
+    /// no use. A file that is not there is left to read() to report.
     template <class Read>
     auto read(std::span<const std::filesystem::path> files, Read read) {
         for (int attempt = 1;; ++attempt) {

@@ -138,6 +138,9 @@ class CallTest(unittest.TestCase):
         framebuffer = self.render()
         pixels = array.array("f", bytes(4 * 32 * 32))
         framebuffer.read(nicol.PLANE_S0, 0, pixels)
+        rows = ((ctypes.c_float * 32) * 32)()  # a memoryview of which says "<f"
+        framebuffer.plane(nicol.PLANE_S0, out=rows)
+        self.assertEqual(rows[16][16], pixels[16 * 32 + 16])
         self.assertAlmostEqual(pixels[16 * 32 + 16], 2 * GREY, places=4)
         for wrong in (memoryview(bytes(4 * 32 * 32)).cast("f"), array.array("d", bytes(8 * 32 * 32)), [0.0] * 1024):
             with self.assertRaises(TypeError):
@@ -196,6 +199,8 @@ class CallTest(unittest.TestCase):
         self.assertTrue((sheet == -1).all())
         with self.assertRaisesRegex(TypeError, "within its rows"):
             framebuffer.plane(nicol.PLANE_S0, out=sheet[:32, 0:64:2])
+        with self.assertRaisesRegex(TypeError, "within its rows"):
+            framebuffer.plane(nicol.PLANE_S0, out=sheet[31::-1, :32])
 
     def test_progress(self):
         seen = []

@@ -42,12 +42,13 @@ class Framebuffer(_abi.Framebuffer):
         view = memoryview(out)
         if view.shape != shape:
             raise ValueError(f"out has the shape {view.shape}; the plane has {shape}")
-        if view.format not in _FORMATS:
-            raise TypeError(f"out has numbers of kind '{view.format}'; a plane has those of {', '.join(_FORMATS)}")
+        kind = view.format.lstrip("<=")
+        if kind not in _FORMATS:
+            raise TypeError(f"out has numbers of kind '{kind}'; a plane has those of {', '.join(_FORMATS)}")
         row_stride = view.strides[0]
         self.read_plane(
             _abi.PlaneBuffer(
-                plane=plane, format=_FORMATS[view.format], channel=channel, pixels=out, row_stride=row_stride,
+                plane=plane, format=_FORMATS[kind], channel=channel, pixels=out, row_stride=row_stride,
                 byte_size=row_stride * (height - 1) + view[:1].nbytes,
             )
         )  # fmt: skip
@@ -82,8 +83,9 @@ def image(pixels):
         raise ValueError(f"pixels have the shape {view.shape}; it must be (height, width, channels) or (..., channels, 4)")
     height, width, channels, components = (*view.shape, 1)[:4]
     return _abi.Image(
-        width=width, height=height, channels=channels, components=components, pixels=pixels, byte_size=4 * (view.nbytes // view.itemsize)
-    )
+        width=width, height=height, channels=channels, components=components, pixels=pixels,
+        byte_size=4 * math.prod(view.shape),
+    )  # fmt: skip
 
 
 __all__ = [*_abi.__all__, "Error", "Handle", "Struct", "image", "mesh_data"]

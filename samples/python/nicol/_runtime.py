@@ -129,6 +129,14 @@ def decoded(value):
     return None if value is None else os.fsdecode(value)
 
 
+def flat(value):
+    """The numbers of a sequence, of nested rows, or of a numpy array as a list."""
+    numbers = list(value)
+    while numbers and hasattr(numbers[0], "__len__"):
+        numbers = list(itertools.chain.from_iterable(numbers))
+    return numbers
+
+
 class Buffer:
     """Memory of C numbers in Python's hands: a numpy array, array.array, memoryview, or a sequence to copy. What the
     library only reads is converted where it holds other numbers of the same kind, or none in one piece."""
@@ -169,9 +177,9 @@ class Buffer:
             copy = value.astype(type_, order="C")
             lost = whole and not (copy == value).all()
         else:
-            numbers = view.cast("B").cast(view.format) if view.c_contiguous else view.tolist()
+            numbers = flat(view.tolist())
             copy = (type_ * len(numbers))(*numbers)
-            lost = whole and list(copy) != list(numbers)
+            lost = whole and list(copy) != numbers
         if lost:
             raise ValueError(f"a number that {type_.__name__} cannot hold")
         return copy, memoryview(copy)
@@ -189,7 +197,7 @@ class Memory:
 
     def __init__(self, value):
         view = memoryview(value)
-        if view.readonly or not view[:1].c_contiguous:
+        if view.readonly or view.strides[0] < 0 or not view[:1].c_contiguous:
             raise TypeError("results need a writable buffer that is contiguous within its rows")
         if hasattr(value, "__array_interface__"):
             self.owner, self.address = value, value.__array_interface__["data"][0]
@@ -209,12 +217,10 @@ def array(value, type_, count):
     """A C array of this length from a sequence; nested rows and numpy arrays are flattened."""
     if value is None:
         return None
-    flat = list(value)
-    while flat and hasattr(flat[0], "__len__"):
-        flat = list(itertools.chain.from_iterable(flat))
-    if len(flat) != count:
-        raise ValueError(f"{len(flat)} numbers where {count} are wanted")
-    return (type_ * count)(*flat)
+    numbers = flat(value)
+    if len(numbers) != count:
+        raise ValueError(f"{len(numbers)} numbers where {count} are wanted")
+    return (type_ * count)(*numbers)
 
 
 class Struct(ctypes.Structure):
