@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs what only developers need: Clang and its tools.
+# Installs what only developers need: Clang with its tools, and abidiff.
 set -eu
 
-packages="clang clang-format clang-tidy"
+packages="clang clang-format clang-tidy abigail-tools"
 missing=""
 for package in $packages; do
     status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
