@@ -28,8 +28,15 @@ StokesImage read_pixels(const path& file, std::span<const double> wavelengths) {
     const ExrLayout layout = find_exr_layout(file, header, wavelengths);
     const Imath::Box2i window = header.dataWindow();
 
-    StokesImage image(window.max.x - window.min.x + 1, window.max.y - window.min.y + 1,
-                      static_cast<int>(layout.names.size()));
+    const int width = window.max.x - window.min.x + 1, height = window.max.y - window.min.y + 1;
+    const std::size_t channels = layout.names.size();
+    if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * channels > kMaxImageVectors)
+        throw Error(ErrorCode::unsupported, file.string() + ": " + std::to_string(width) + " x " +
+                                                std::to_string(height) + " pixels with " +
+                                                std::to_string(channels) +
+                                                " channels; pixels times channels may be at most " +
+                                                std::to_string(kMaxImageVectors));
+    StokesImage image(width, height, static_cast<int>(channels));
     image.wavelengths = layout.wavelengths;
     const std::size_t plane_floats =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
@@ -37,10 +44,10 @@ StokesImage read_pixels(const path& file, std::span<const double> wavelengths) {
     for (std::size_t c = 0; c < layout.names.size(); ++c) {
         for (std::size_t p = 0; p < 4; ++p) {
             if (layout.names[c][p].empty()) continue;
-            const auto width = static_cast<std::size_t>(image.width);
-            buffer.insert(layout.names[c][p],
-                          Imf::Slice::Make(Imf::FLOAT, image.data.data() + c * plane_floats + p, window,
-                                           4 * sizeof(float), 4 * sizeof(float) * width));
+            buffer.insert(
+                layout.names[c][p],
+                Imf::Slice::Make(Imf::FLOAT, image.data.data() + c * plane_floats + p, window,
+                                 4 * sizeof(float), 4 * sizeof(float) * static_cast<std::size_t>(width)));
         }
     }
     Imf::InputPart part(input, 0);
@@ -55,9 +62,9 @@ StokesImage read_pixels(const path& file, std::span<const double> wavelengths) {
             for (std::size_t i = first + p; i < first + plane_floats; i += 4) {
                 if (std::isfinite(image.data[i])) continue;
                 const std::size_t pixel = (i - first) / 4;
-                const auto width = static_cast<std::size_t>(image.width);
-                invalid_file(file, "channel " + name + ", pixel (" + std::to_string(pixel % width) + ", " +
-                                       std::to_string(pixel / width) + ") is " +
+                const auto columns = static_cast<std::size_t>(width);
+                invalid_file(file, "channel " + name + ", pixel (" + std::to_string(pixel % columns) + ", " +
+                                       std::to_string(pixel / columns) + ") is " +
                                        (std::isnan(image.data[i]) ? "not a number" : "infinite") +
                                        "; all values must be finite");
             }

@@ -16,13 +16,15 @@ std::string size_text(int width, int height, int channels) {
 
 void check_sizes(const char* what, int width, int height, int channels) {
     const bool sides = width >= 1 && height >= 1 && width <= kMaxImageSide && height <= kMaxImageSide;
-    if (sides && channels >= 1 && channels <= 4096 &&
-        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) <= kMaxImagePixels)
-        return;
-    throw Error(ErrorCode::invalid_argument, std::string(what) + ": " + size_text(width, height, channels) +
-                                                 "; sides must be 1 to " + std::to_string(kMaxImageSide) +
-                                                 ", pixels at most " + std::to_string(kMaxImagePixels) +
-                                                 ", channels 1 to 4096");
+    if (sides && channels >= 1 && channels <= 4096) {
+        const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        if (pixels <= kMaxImagePixels && pixels * static_cast<std::size_t>(channels) <= kMaxImageVectors)
+            return;
+    }
+    throw Error(ErrorCode::invalid_argument,
+                std::string(what) + ": " + size_text(width, height, channels) + "; sides must be 1 to " +
+                    std::to_string(kMaxImageSide) + ", pixels at most " + std::to_string(kMaxImagePixels) +
+                    ", times channels at most " + std::to_string(kMaxImageVectors) + ", channels 1 to 4096");
 }
 
 std::size_t element_count(int width, int height, int channels) {

@@ -13,10 +13,11 @@
 
 namespace nicol {
 
-/// Limits of an image's pixels (width times height) and of its sides. A file that claims more is refused
-/// before memory is allocated.
-inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 26;
+/// Limits of an image's pixels (width times height), of its sides, and of pixels times channels, which are 8
+/// GiB. A file that claims more is refused before memory is allocated.
+inline constexpr std::size_t kMaxImagePixels = std::size_t{3} << 26;  // 16384 x 8192, and half as much again
 inline constexpr int kMaxImageSide = 32768;
+inline constexpr std::size_t kMaxImageVectors = std::size_t{1} << 29;
 
 /// Limit of the colour channels of a file.
 inline constexpr int kMaxFileChannels = 16;
@@ -33,8 +34,8 @@ struct StokesImage {
     std::vector<double> wavelengths;
 
     StokesImage() = default;
-    /// All zero. Throws Error(invalid_argument) unless channels >= 1, 1 <= width, height <= kMaxImageSide and
-    /// width * height <= kMaxImagePixels.
+    /// All zero. Throws Error(invalid_argument) unless channels >= 1, 1 <= width, height <= kMaxImageSide,
+    /// width * height <= kMaxImagePixels and width * height * channels <= kMaxImageVectors.
     StokesImage(int width, int height, int channels);
 
     /// The four components of one pixel. Throws Error(invalid_argument) outside the image.

@@ -50,10 +50,11 @@ Framebuffer::Framebuffer(std::shared_ptr<gl::Context> context, int width, int he
                     "a framebuffer of " + std::to_string(width) + " x " + std::to_string(height) +
                         " pixels; each side must lie in 1 to " + std::to_string(most) + " with this driver");
     }
-    if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
+    constexpr std::size_t most_pixels = std::size_t{1} << 26;
+    if (static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > most_pixels) {
         throw Error(ErrorCode::invalid_argument, "a framebuffer of " + std::to_string(width) + " x " +
                                                      std::to_string(height) + " has more than " +
-                                                     std::to_string(kMaxImagePixels) + " pixels");
+                                                     std::to_string(most_pixels) + " pixels");
     }
     context_->run([this] {
         for (int first = 0; first < channels_; first += kGroup) {
