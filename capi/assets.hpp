@@ -8,6 +8,13 @@
 
 namespace nicol::capi {
 
+/// What a new asset has to tell its context's log: nothing, unless an overload knows better.
+inline void tell(const Session&, const void*, const char*) {}
+inline void tell(const Session& session, const Environment* light, const char* name) {
+    const std::string negative = notice_of_negative(*light, name);
+    if (!negative.empty()) session.notice(negative);
+}
+
 /// Makes an immutable asset on the caller's thread; the context is not locked, since nothing of it is used.
 template <class Impl, class Make>
 nicol_result create(nicol_context context, Impl** out, const char* name, Make&& make) {
@@ -26,7 +33,9 @@ nicol_result load(nicol_context context, const char* path, Impl** out, const cha
         const SessionPtr session = resolve(context).session;
         require(path, "path");
         LoadBudget budget(session->load_limits);
-        *out = make_handle<Impl>(session, make(budget));
+        const auto made = make(budget);
+        tell(*session, made.get(), path);
+        *out = make_handle<Impl>(session, made);
     });
 }
 
@@ -39,10 +48,6 @@ std::shared_ptr<void> owned_user(const T* given, void (*T::*release)(void*), voi
     if (given == nullptr || given->struct_size < end || given->struct_size > kMaxStructSize) return nullptr;
     if (given->*release == nullptr) return nullptr;
     return {given->*user, given->*release};
-}
-
-inline double or_default(float value, double fallback) {
-    return value == 0 ? fallback : static_cast<double>(value);
 }
 
 /// "name is 7; it must be one of NICOL_..." unless value <= last.

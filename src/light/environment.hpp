@@ -55,6 +55,10 @@ public:
     /// Of spectral light: nanometres, one per channel. Empty for colours.
     [[nodiscard]] virtual const std::vector<double>& wavelengths() const noexcept;
 
+    /// Of an image: negative radiance that was set to 0, over the positive, by solid angle, in the channel
+    /// that has most of it.
+    [[nodiscard]] virtual double negative_share() const noexcept { return 0; }
+
     /// Radiance from the unit direction `towards_light`, in the theta-phi frame (about the world's z) of the
     /// propagation direction -towards_light: theta_phi_frame(-towards_light).
     /// Throws Error(invalid_argument) for a channel out of range or a direction that is not of unit length.
@@ -90,6 +94,9 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 /// file.
 [[nodiscard]] EnvironmentPtr load_environment(const std::filesystem::path& path, double scale = 1,
                                               std::span<const double> wavelengths = {});
+
+/// What to tell of light whose radiance was negative somewhere, as in resampled images; "" where none was.
+[[nodiscard]] std::string notice_of_negative(const Environment& environment, const std::string& name);
 
 /// What is rendered is kept in single precision, which holds what materials and sums make of light up to
 /// here.

@@ -28,7 +28,7 @@ void check_wavelengths(const char* what, const std::vector<double>& wavelengths,
 struct ImageContents {
     bool linear = false;    ///< some s1 or s2 is not 0
     bool circular = false;  ///< some s3 is not 0
-    bool negative = false;  ///< some s0 < 0, to be replaced by 0
+    double negative = 0;    ///< sum of s0 < 0, to be replaced by 0, over that of s0 > 0, in the worst channel
 };
 
 /// Checks the pixels times `scale`. Throws Error(code), its message `name`, channel and pixel, where
@@ -47,8 +47,10 @@ void check_scale(const std::string& what, double scale);
 /// A view of all of an image.
 [[nodiscard]] EquirectView view_of(const StokesImage& image);
 
-/// image_environment() whose errors about the image have this code and begin with `name`.
+/// image_environment() whose errors about the image have this code and begin with `name`. negative: the share
+/// of what the image was made of.
 [[nodiscard]] EnvironmentPtr checked_environment(const EquirectView& view, std::vector<double> wavelengths,
-                                                 double scale, const std::string& name, ErrorCode code);
+                                                 double scale, const std::string& name, ErrorCode code,
+                                                 double negative = 0);
 
 }  // namespace nicol

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Light from and to files.
 #include <algorithm>
+#include <cstdio>
 #include <string>
 
 #include "error.hpp"
@@ -54,14 +55,25 @@ EnvironmentPtr load_environment(const path& file, double scale, std::span<const 
     if (cube) {
         CubeCross cross = read_cube_cross(file);
         const std::vector<double> weights(static_cast<std::size_t>(cross.height), 1.0);
-        if (examine_image(view_of(cross), 1, weights, name, ErrorCode::invalid_file).negative)
+        const double negative =
+            examine_image(view_of(cross), 1, weights, name, ErrorCode::invalid_file).negative;
+        if (negative > 0)
             for (std::size_t i = 0; i < cross.data.size(); i += 4)
                 cross.data[i] = std::max(cross.data[i], 0.0F);
         const EquirectImage image = equirect_from_cross(cross);
-        return checked_environment(view_of(image), image.wavelengths, scale, name, ErrorCode::invalid_file);
+        return checked_environment(view_of(image), image.wavelengths, scale, name, ErrorCode::invalid_file,
+                                   negative);
     }
     const StokesImage image = read_exr(file, wavelengths);
     return checked_environment(view_of(image), image.wavelengths, scale, name, ErrorCode::invalid_file);
+}
+
+std::string notice_of_negative(const Environment& environment, const std::string& name) {
+    if (environment.negative_share() == 0) return "";
+    char share[32];
+    (void)std::snprintf(share, sizeof share, "%.2g", 100 * environment.negative_share());
+    return name + ": has negative radiance, up to " + share +
+           " % of the positive in a channel, which was set to 0";
 }
 
 void write_environment(const path& file, const Environment& environment) {

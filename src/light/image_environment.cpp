@@ -24,6 +24,7 @@ public:
           channels_(from.channels),
           components_(contents.linear || contents.circular ? 4 : 1),
           circular_(contents.circular),
+          negative_(contents.negative),
           wavelengths_(std::move(wavelengths)),
           values_(std::make_unique_for_overwrite<float[]>(size())) {
         tbb::parallel_for(0, height_, [&](int y) {
@@ -35,6 +36,7 @@ public:
     bool polarized() const noexcept override { return components_ == 4; }
     bool circular() const noexcept override { return circular_; }
     const std::vector<double>& wavelengths() const noexcept override { return wavelengths_; }
+    double negative_share() const noexcept override { return negative_; }
 
     Stokes radiance(int channel, const glm::dvec3& towards_light) const override {
         check_look_up(*this, channel, towards_light);
@@ -91,6 +93,7 @@ private:
 
     int width_, height_, channels_, components_;
     bool circular_;
+    double negative_;
     std::vector<double> wavelengths_;
     std::unique_ptr<float[]> values_;
 };
@@ -127,9 +130,10 @@ EquirectView view_of(const StokesImage& image) {
 }
 
 EnvironmentPtr checked_environment(const EquirectView& view, std::vector<double> wavelengths, double scale,
-                                   const std::string& name, ErrorCode code) {
+                                   const std::string& name, ErrorCode code, double negative) {
     check_scale(name, scale);
-    const ImageContents contents = examine_equirect(view, scale, name, code);
+    ImageContents contents = examine_equirect(view, scale, name, code);
+    contents.negative = std::max(contents.negative, negative);
     return std::make_shared<ImageEnvironment>(view, scale, contents, std::move(wavelengths));
 }
 
@@ -148,7 +152,7 @@ PshVector project_image(const EquirectView& view, int order) {
     check_view(view);
     check_projection_order(order);
     const ImageContents contents = examine_equirect(view, 1, "project_image", ErrorCode::invalid_argument);
-    if (!contents.negative) return project_equirect(view, order);
+    if (contents.negative == 0) return project_equirect(view, order);
     return ImageEnvironment(view, 1, contents, {}).project(order);
 }
 

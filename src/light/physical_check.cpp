@@ -152,8 +152,8 @@ private:
                 if (polarized > 1.01 * std::max(s0, 0.0) + 1e-3 * largest)
                     refuse(at, "is polarized more than fully: sqrt(s1^2 + s2^2 + s3^2) exceeds s0");
             }
-        contents_.negative |= negative > 0;
         if (negative > kLargestNegative * positive) refuse_negative(darkest, negative, positive);
+        if (negative > 0) contents_.negative = std::max(contents_.negative, negative / positive);
     }
 
     [[noreturn]] void refuse_negative(const Pixel& darkest, double negative, double positive) const {

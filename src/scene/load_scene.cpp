@@ -194,8 +194,10 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     LoadedScene out;
     out.notices = description.notices;
     if (description.emitter) {
-        out.scene.set_environment(make(*description.emitter, files),
-                                  rotation_of(description.emitter->to_world, "emitter"),
+        const EnvironmentPtr light = make(*description.emitter, files);
+        const std::string negative = notice_of_negative(*light, description.emitter->filename.string());
+        if (!negative.empty()) out.notices.push_back(negative);
+        out.scene.set_environment(light, rotation_of(description.emitter->to_world, "emitter"),
                                   description.emitter->scale);
     }
     const SceneChannels channels = channels_under(out.scene.environment());

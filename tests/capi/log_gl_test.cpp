@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include "capi.hpp"
+#include "image/stokes_image.hpp"
 
 using namespace capi_test;
 
@@ -89,6 +90,37 @@ TEST_CASE("every notice of a scene file arrives, once, in one line") {
         }
         CHECK(messages.size() == entries.size());
     }
+}
+
+TEST_CASE("negative radiance that is set to 0 is one notice, however the light comes") {
+    Log log;
+    const Owned context(logging_context(NICOL_BACKEND_OSMESA, log, ""));
+    static_cast<void>(log.take());
+    const TemporaryFolder folder;
+    nicol::StokesImage image(4, 5, 1);
+    for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = 1;
+    image.at(0, 2, 1)[0] = -0.5F;
+    const std::string file = folder.file("ringing.exr");
+    nicol::write_exr(file, image);
+    const std::string scene_file = folder.write("scene.xml", R"(<scene version="3.0.0">
+        <sensor type="perspective"/><shape type="cube"/>
+        <emitter type="envmap"><string name="filename" value="ringing.exr"/></emitter></scene>)");
+    nicol_image pixels = NICOL_IMAGE_INIT;
+    pixels.width = 4, pixels.height = 5, pixels.channels = 1, pixels.components = 4;
+    pixels.pixels = image.data.data();
+    pixels.byte_size = 4 * image.data.size();
+
+    const auto only_notice = [&] {
+        const std::vector<Entry> entries = log.take();
+        CHECK(entries.size() == 1);
+        return entries.empty() ? "" : entries[0].message;
+    };
+    const Owned loaded(make(nicol_environment_load, context, file.c_str(), nullptr));
+    CHECK(only_notice().find("ringing.exr: has negative radiance, up to ") != std::string::npos);
+    const Owned scene(make(nicol_scene_load, context, scene_file.c_str(), nullptr, 0U));
+    CHECK(only_notice().find("ringing.exr: has negative radiance, up to ") != std::string::npos);
+    const Owned made(make(nicol_environment_create_image, context, &pixels));
+    CHECK(only_notice().find("image: has negative radiance, up to ") != std::string::npos);
 }
 
 TEST_CASE("caches that are damaged or cannot be kept are notices, from jobs too") {

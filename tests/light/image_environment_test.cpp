@@ -114,7 +114,12 @@ TEST_CASE("negative unpolarized pixels become 0 unless they are much of the ligh
         CHECK(light->image().at(0, 2, 1)[0] == 0);
         CHECK(light->image().at(0, 2, 2)[0] == 1);
         CHECK(light->radiance(0, towards(0.375, 0.5))[0] == 0);
+        CHECK(light->negative_share() == doctest::Approx(share).epsilon(1e-5));
+        CHECK(notice_of_negative(*light, "a.exr")
+                  .starts_with(share < 0.1 ? "a.exr: has negative radiance, up to 1 %"
+                                           : "a.exr: has negative radiance, up to 24 %"));
     }
+    CHECK(notice_of_negative(*image_environment(grey_image(4, 5)), "a.exr").empty());
     for (const float share : {0.26f, 1.0f, 100.0f}) {
         image.at(0, 2, 1)[0] = -share * positive;
         check_error(ErrorCode::invalid_argument, CALL(image_environment(image)), "channel 0", "pixel (1, 2)",
@@ -214,6 +219,22 @@ TEST_CASE("coefficients of a view with negative pixels are those of its light") 
     const PshVector have = project_image(view, 6);
     const PshVector want = image_environment(repaired)->project(6);
     CHECK(std::ranges::equal(have.data(), want.data()));
+}
+
+TEST_CASE("an image of the largest size that is sold has its mean") {
+    constexpr int width = 16384, height = 8192;
+    std::vector<float> values(std::size_t{width} * height, 1.0F);
+    for (std::size_t i = 0; i < values.size(); i += 2) values[i] = 3;
+    const EquirectView view{.width = width,
+                            .height = height,
+                            .channels = 1,
+                            .components = 1,
+                            .values = values.data(),
+                            .channel_stride = values.size(),
+                            .row_stride = width,
+                            .pixel_stride = 1};
+    CHECK(image_environment(view)->project(1).data()[0] ==
+          doctest::Approx(2 * 2 * std::sqrt(std::numbers::pi)));
 }
 
 TEST_CASE("files: polarized by their channels, errors by their name") {
