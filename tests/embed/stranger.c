@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT
  * What somebody writes who has the header alone: three instances, two lights swapped, frames with the light
  * rotating, planes read, errors provoked. Fails where a frame is wrong, an error is not what the header says,
- * or memory grows. usage: stranger FRAMES CONTEXTS */
+ * memory grows, or something of the process is not as it was. usage: stranger FRAMES CONTEXTS */
+#include <fenv.h>
+#include <locale.h>
 #include <malloc.h>
 #include <math.h>
 #include <nicol.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -166,14 +169,35 @@ static void grown(const char* what, size_t before, size_t after, double most) {
     exit(6);
 }
 
+/* What belongs to the whole process or to the calling thread, and not to a library. */
+typedef struct surroundings {
+    void (*handlers[32])(int);
+    int rounding;
+    char locale[256];
+} surroundings;
+
+static void look_around(surroundings* all) {
+    int i;
+    for (i = 1; i < 32; ++i) {
+        struct sigaction action;
+        REQUIRE(sigaction(i, NULL, &action) == 0);
+        all->handlers[i] = action.sa_handler;
+    }
+    all->rounding = fegetround();
+    snprintf(all->locale, sizeof all->locale, "%s", setlocale(LC_ALL, NULL));
+}
+
 int main(int argc, char** argv) {
     stage s;
+    surroundings before, after;
     size_t heap_before, resident_before;
     int frames, contexts, i;
     if (argc != 3) return 1;
     frames = atoi(argv[1]), contexts = atoi(argv[2]);
     mallopt(M_ARENA_MAX, 1); /* mallinfo2 counts one arena */
 
+    memset(&before, 0, sizeof before), memset(&after, 0, sizeof after);
+    look_around(&before);
     build(&s);
     for (i = 0; i < 60 && i < frames; ++i) frame(&s, i);
     provoke(&s);
@@ -185,6 +209,8 @@ int main(int argc, char** argv) {
     grown("heap by frames", heap_before, heap(), 16.0 * 1024);
     grown("resident memory by frames", resident_before, resident(), 16.0 * 1024 * 1024);
     take_down(&s);
+    look_around(&after);
+    REQUIRE(memcmp(&before, &after, sizeof before) == 0);
 
     for (i = 0; i < contexts; ++i) {
         if (i == contexts / 5) heap_before = heap(), resident_before = resident();
