@@ -51,10 +51,10 @@ void require(T* pointer, const char* name) {
 /// Larger descriptors are taken for uninitialised memory.
 inline constexpr std::uint32_t kMaxStructSize = 65536;
 
-/// A caller's descriptor in the layout of this version: fields that an older caller does not have are zero,
-/// fields that a newer caller has must be.
+/// A caller's descriptor in the layout of this version: fields that an older caller does not have are as in
+/// `defaults`, which is what NICOL_..._INIT makes; fields that a newer caller has must be zero.
 template <class T>
-T read_struct(const T* from, const char* name) {
+T read_struct(const T* from, T defaults, const char* name) {
     require(from, name);
     std::uint32_t size = 0;
     std::memcpy(&size, from, sizeof size);
@@ -68,9 +68,8 @@ T read_struct(const T* from, const char* name) {
         refuse(std::string(name) + " has fields set that version " + nicol_version_string() +
                " does not know");
     }
-    T out{};
-    std::memcpy(&out, from, std::min<std::size_t>(size, sizeof(T)));
-    return out;
+    std::memcpy(&defaults, from, std::min<std::size_t>(size, sizeof(T)));
+    return defaults;
 }
 
 /// Fills as much of a caller's struct as it has room for; struct_size stays.

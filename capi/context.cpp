@@ -11,6 +11,7 @@
 #include "gl/program_cache.hpp"
 #include "handles.hpp"
 #include "material/response_table.hpp"
+#include "render/workers.hpp"
 
 namespace nicol::capi {
 namespace {
@@ -66,24 +67,18 @@ const char* cache_folder(const char* chosen) {
 }  // namespace
 
 nicol_context_options context_options(const nicol_context_options* options) {
-    const nicol_context_options chosen = options != nullptr
-                                             ? read_struct(options, "options")
-                                             : nicol_context_options NICOL_CONTEXT_OPTIONS_INIT;
+    const nicol_context_options chosen =
+        options != nullptr ? read_struct(options, nicol_context_options NICOL_CONTEXT_OPTIONS_INIT, "options")
+                           : nicol_context_options NICOL_CONTEXT_OPTIONS_INIT;
     if (chosen.threads > 1024) {
         refuse("threads is " + std::to_string(chosen.threads) + "; it must lie in 0 (one a core) to 1024");
     }
-    if (!std::isfinite(chosen.load_seconds_limit) || chosen.load_seconds_limit < 0)
-        refuse("load_seconds_limit must be finite and not negative");
+    for (const auto& [limit, name] :
+         {std::pair(chosen.load_bytes_limit, "load_bytes_limit"),
+          std::pair(chosen.vertex_limit, "vertex_limit"), std::pair(chosen.triangle_limit, "triangle_limit")})
+        if (limit == 0) refuse(std::string(name) + " is 0; it must be 1 or more, or NICOL_NO_LIMIT");
+    if (!(chosen.load_seconds_limit > 0)) refuse("load_seconds_limit must be above 0");
     return chosen;
-}
-
-LoadLimits load_limits(const nicol_context_options& options) {
-    LoadLimits limits;
-    if (options.load_bytes_limit > 0) limits.bytes = options.load_bytes_limit;
-    if (options.vertex_limit > 0) limits.vertices = options.vertex_limit;
-    if (options.triangle_limit > 0) limits.triangles = options.triangle_limit;
-    if (options.load_seconds_limit > 0) limits.seconds = options.load_seconds_limit;
-    return limits;
 }
 
 nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_context_options& options) {
@@ -93,7 +88,10 @@ nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_con
     session->log = options.log;
     session->log_user = options.log_user;
     session->memory_limit = options.memory_limit;
-    session->load_limits = load_limits(options);
+    session->load_limits = {.bytes = options.load_bytes_limit,
+                            .vertices = options.vertex_limit,
+                            .triangles = options.triangle_limit,
+                            .seconds = options.load_seconds_limit};
     session->cache = cache_folder(options.cache_folder);
     session->gl->run([&] { gl::keep_programs(*session->gl, session->cache); });
     log_what_opened(*session);
@@ -222,11 +220,17 @@ nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* i
         nicol_context_info out = NICOL_CONTEXT_INFO_INIT;
         out.backend = backend_of(self.content->backend);
         out.software = self.content->software ? 1 : 0;
-        out.threads = self.session->threads > 0 ? static_cast<uint32_t>(self.session->threads)
-                                                : std::max(1U, std::thread::hardware_concurrency());
+        out.threads = static_cast<uint32_t>(worker_count(self.session->threads));
         out.renderer = self.content->renderer.c_str();
         out.vendor = self.content->vendor.c_str();
         out.version = self.content->version.c_str();
+        out.max_framebuffer_size =
+            static_cast<uint32_t>(std::min<int>(self.session->gl->limits().target_size, NICOL_MAX_SIZE));
+        out.memory_limit = self.session->memory_limit;
+        out.load_bytes_limit = self.session->load_limits.bytes;
+        out.vertex_limit = self.session->load_limits.vertices;
+        out.triangle_limit = self.session->load_limits.triangles;
+        out.load_seconds_limit = self.session->load_limits.seconds;
         write_struct(info, out, "info");
     });
 }

@@ -52,11 +52,12 @@ EquirectView view_of(const nicol_image& image) {
 
 EnvironmentPtr from_file(const char* path, const nicol_environment_load_options* options) {
     const nicol_environment_load_options given =
-        options != nullptr ? read_struct(options, "options")
-                           : nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT;
+        options != nullptr
+            ? read_struct(options, nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT,
+                          "options")
+            : nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT;
     if (given.reserved != 0) refuse("options->reserved must be 0");
-    const double scale = given.scale == 0 ? 1 : given.scale;
-    return load_environment(path, scale, spectrum(given.wavelengths, 0, 0, "options->wavelengths"));
+    return load_environment(path, given.scale, spectrum(given.wavelengths, 0, 0, "options->wavelengths"));
 }
 
 EnvironmentPtr from_coefficients(std::uint32_t order, std::uint32_t channels, const double* coefficients,
@@ -76,7 +77,7 @@ EnvironmentPtr from_coefficients(std::uint32_t order, std::uint32_t channels, co
 
 ImagePixels nicol::capi::read_image(const nicol_image* image) {
     std::shared_ptr<void> user = owned_pixels(image);
-    return {view_of(read_struct(image, "image")), std::move(user)};
+    return {view_of(read_struct(image, nicol_image NICOL_IMAGE_INIT, "image")), std::move(user)};
 }
 
 nicol_result nicol_environment_load(nicol_context context, const char* path,
@@ -92,10 +93,12 @@ nicol_result nicol_environment_create_image(nicol_context context, const nicol_i
                                             nicol_environment* environment) {
     return guarded([&] {
         const std::shared_ptr<void> user = owned_pixels(image);
-        const nicol_image description = read_struct(image, "image");
+        const nicol_image description = read_struct(image, nicol_image NICOL_IMAGE_INIT, "image");
         require(environment, "environment");
         const SessionPtr session = resolve(context).session;
-        *environment = make_handle<nicol_environment_impl>(session, image_environment(view_of(description)));
+        const EnvironmentPtr light = image_environment(view_of(description));
+        tell(*session, light.get(), "image");
+        *environment = make_handle<nicol_environment_impl>(session, light);
     });
 }
 
@@ -110,14 +113,14 @@ nicol_result nicol_environment_create_constant(nicol_context context, const nico
 nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky* sky,
                                           nicol_environment* environment) {
     return create(context, environment, "environment", [&] {
-        const nicol_sky given = read_struct(sky, "sky");
+        const nicol_sky given = read_struct(sky, nicol_sky NICOL_SKY_INIT, "sky");
         RayleighSky description;
         const glm::dvec3 sun(given.sun_direction[0], given.sun_direction[1], given.sun_direction[2]);
-        if (sun != glm::dvec3(0)) description.sun_direction = sun;
-        description.dop_max = given.dop_max < 0 ? 0 : or_default(given.dop_max, 0.8);
+        description.sun_direction = sun;
+        description.dop_max = static_cast<double>(given.dop_max);
         description.radiance = spectrum(given.radiance, 1, 3, "sky->radiance");
         description.turbidity = static_cast<double>(given.turbidity);
-        description.ground_albedo = {given.ground_albedo < 0 ? 0 : or_default(given.ground_albedo, 0.2)};
+        description.ground_albedo = {static_cast<double>(given.ground_albedo)};
         return rayleigh_sky(description);
     });
 }

@@ -31,7 +31,6 @@ std::filesystem::path read_path(const char* path, const char* name) {
 }
 
 std::optional<glm::dmat3> rotation_from(const double (&rows)[9]) {
-    if (std::ranges::all_of(rows, [](double v) { return v == 0; })) return std::nullopt;
     glm::dmat3 rotation;
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) {
@@ -39,6 +38,7 @@ std::optional<glm::dmat3> rotation_from(const double (&rows)[9]) {
             if (!std::isfinite(value)) refuse("options->rotation has a value that is not finite");
             rotation[column][row] = value;
         }
+    if (rotation == glm::dmat3(1)) return std::nullopt;
     (void)euler_zyz(rotation);  // refuses what is no rotation
     return rotation;
 }
@@ -46,27 +46,28 @@ std::optional<glm::dmat3> rotation_from(const double (&rows)[9]) {
 FileOptions options_from(const nicol_file_options* options) {
     FileOptions out;
     if (options == nullptr) return out;
-    const nicol_file_options given = read_struct(options, "options");
+    const nicol_file_options given =
+        read_struct(options, nicol_file_options NICOL_FILE_OPTIONS_INIT, "options");
     const auto limit = [](std::uint64_t value, const char* name, std::uint32_t low, std::uint32_t high) {
-        if (value == 0 || (value >= low && value <= high)) return static_cast<int>(value);
-        refuse("options->" + std::string(name) + " is " + std::to_string(value) + "; it must be 0 or " +
+        if (value >= low && value <= high) return static_cast<int>(value);
+        refuse("options->" + std::string(name) + " is " + std::to_string(value) + "; it must be " +
                std::to_string(low) + " to " + std::to_string(high));
     };
-    if (given.order < -1 || given.order > NICOL_PSH_MAX_ORDER)
-        refuse("options->order is " + std::to_string(given.order) + "; it must be -1 to " +
-               std::to_string(NICOL_PSH_MAX_ORDER));
-    if (given.order != 0) out.order = std::max(given.order, 0);
-    out.width = limit(given.width, "width", 2, NICOL_MAX_SIZE);
-    out.height = limit(given.height, "height", 2, NICOL_MAX_SIZE);
-    if ((out.width == 0) != (out.height == 0)) refuse("options has a width or a height; it needs both");
-    out.edge = limit(given.edge, "edge", 2, 4096);
+    if (given.order != NICOL_FILE_ORDER_AUTOMATIC)
+        out.order = limit(given.order, "order", 0, NICOL_PSH_MAX_ORDER);
+    if ((given.width == 0) != (given.height == 0)) refuse("options has a width or a height; it needs both");
+    if (given.width != 0) {
+        out.width = limit(given.width, "width", 2, NICOL_MAX_SIZE);
+        out.height = limit(given.height, "height", 2, NICOL_MAX_SIZE);
+    }
+    if (given.edge != 0) out.edge = limit(given.edge, "edge", 2, 4096);
     if ((given.flags & ~std::uint32_t{NICOL_FILE_BAND_LIMITED | NICOL_FILE_PHYSICAL}) != 0)
         refuse("options->flags has bits that are no NICOL_FILE_BAND_LIMITED and NICOL_FILE_PHYSICAL");
     out.band_limited = (given.flags & NICOL_FILE_BAND_LIMITED) != 0;
     out.physical = (given.flags & NICOL_FILE_PHYSICAL) != 0;
     if (!(given.scale >= 0 && given.scale <= 1e12))
-        refuse("options->scale is " + std::to_string(given.scale) + "; it must be 0 (for 1) to 1e12");
-    if (given.scale != 0) out.scale = given.scale;
+        refuse("options->scale is " + std::to_string(given.scale) + "; it must be 0 to 1e12");
+    out.scale = given.scale;
     out.rotation = rotation_from(given.rotation);
     if (given.reserved != 0) refuse("options->reserved must be 0");
     out.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths");

@@ -92,7 +92,8 @@ nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const ni
                                          const char* path) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        const nicol_observation given = read_struct(observation, "observation");
+        const nicol_observation given =
+            read_struct(observation, nicol_observation NICOL_OBSERVATION_INIT, "observation");
         require(path, "path");
         const SessionLock lock(self.session);
         const StokesImage& image = self.content->image();

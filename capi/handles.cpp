@@ -7,9 +7,15 @@ namespace nicol::capi {
 namespace registry {
 namespace {
 
+struct Entry {
+    HandleKind kind;
+    void* object;
+};
+
 struct Registry {
     std::mutex mutex;
-    std::unordered_map<const void*, HandleKind> alive;
+    std::unordered_map<std::uintptr_t, Entry> alive;
+    std::uintptr_t next = 1;
 };
 
 // Never destroyed: a host may release its handles after the library's static objects are gone.
@@ -41,9 +47,9 @@ const char* name(HandleKind kind) {
 }
 
 // With the mutex held.
-void check_alive(const void* handle, HandleKind kind) {
-    const auto found = all().alive.find(handle);
-    if (found != all().alive.end() && found->second == kind) return;
+const Entry& find(const void* handle, HandleKind kind) {
+    const auto found = all().alive.find(reinterpret_cast<std::uintptr_t>(handle));
+    if (found != all().alive.end() && found->second.kind == kind) return found->second;
     const std::string wanted = std::string("a ") + name(kind);
     if (handle == nullptr) throw Error(ErrorCode::invalid_handle, "NULL was passed for " + wanted);
     if (found == all().alive.end()) {
@@ -51,24 +57,26 @@ void check_alive(const void* handle, HandleKind kind) {
                     "a handle that was released or never created was passed for " + wanted);
     }
     throw Error(ErrorCode::invalid_handle,
-                std::string("a ") + name(found->second) + " was passed for " + wanted);
+                std::string("a ") + name(found->second.kind) + " was passed for " + wanted);
 }
 
 }  // namespace
 
-void add(const void* handle, HandleKind kind) {
+void* add(void* object, HandleKind kind) {
     const std::lock_guard lock(all().mutex);
-    all().alive.emplace(handle, kind);
+    const std::uintptr_t handle = all().next++;
+    all().alive.emplace(handle, Entry{kind, object});
+    return reinterpret_cast<void*>(handle);
 }
 
-std::unique_lock<std::mutex> hold(const void* handle, HandleKind kind) {
+Held hold(const void* handle, HandleKind kind) {
     std::unique_lock lock(all().mutex);
-    check_alive(handle, kind);
-    return lock;
+    void* object = find(handle, kind).object;
+    return {std::move(lock), object};
 }
 
 void forget(const void* handle) noexcept {
-    all().alive.erase(handle);
+    all().alive.erase(reinterpret_cast<std::uintptr_t>(handle));
 }
 
 }  // namespace registry
@@ -86,9 +94,7 @@ std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std:
     return {values.values, values.values + values.count};
 }
 
-glm::dmat4 matrix(const double (&rows)[16]) {
-    if (std::all_of(std::begin(rows), std::end(rows), [](double x) { return x == 0; }))
-        return glm::dmat4(1.0);
+glm::dmat4 matrix(const double* rows) {
     glm::dmat4 m;
     for (int row = 0; row < 4; ++row) {
         for (int column = 0; column < 4; ++column) m[column][row] = rows[4 * row + column];

@@ -32,8 +32,8 @@ struct Session {
     int threads = 0;
     nicol_log_callback log = nullptr;
     void* log_user = nullptr;
-    std::filesystem::path cache;     ///< folder of tables; empty: none
-    std::uint64_t memory_limit = 0;  ///< of a scene, bytes; 0: none
+    std::filesystem::path cache;                      ///< folder of tables; empty: none
+    std::uint64_t memory_limit = MemoryLimit::kNone;  ///< of a scene, bytes
     LoadLimits load_limits;
     std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws an image
     std::mutex mutex;
@@ -139,12 +139,18 @@ enum class HandleKind : std::uint8_t {
     psh_transform
 };
 
-/// All live handles of the process, so that a wrong or released one is an error and not a crash.
+/// All live handles of the process, so that a wrong or released one is an error and not a crash. A handle is
+/// a number that no other handle of the process ever has, not the address of its object: a later object never
+/// answers to a released handle.
 namespace registry {
-void add(const void* handle, HandleKind kind);
-/// Keeps every thread from adding and releasing handles as long as the lock lives. Throws
-/// Error(invalid_handle) unless the handle is alive and of this kind.
-[[nodiscard]] std::unique_lock<std::mutex> hold(const void* handle, HandleKind kind);
+/// An object, which stays until the lock goes: it keeps every thread from adding and releasing handles.
+struct Held {
+    std::unique_lock<std::mutex> lock;
+    void* object;
+};
+[[nodiscard]] void* add(void* object, HandleKind kind);
+/// Throws Error(invalid_handle) unless the handle is alive and of this kind.
+[[nodiscard]] Held hold(const void* handle, HandleKind kind);
 /// To be called with the lock of hold().
 void forget(const void* handle) noexcept;
 }  // namespace registry
@@ -204,8 +210,8 @@ private:
 /// handle. Throws Error(invalid_handle).
 template <class Impl>
 Impl resolve(Impl* handle) {
-    const auto lock = registry::hold(handle, Impl::kKind);
-    return *handle;
+    const auto held = registry::hold(handle, Impl::kKind);
+    return *static_cast<const Impl*>(held.object);
 }
 
 /// Throws Error(invalid_handle) where two objects are of different contexts.
@@ -222,15 +228,16 @@ Impl* make_handle(const SessionPtr& session, std::shared_ptr<Content> content) {
     auto handle = std::make_unique<Impl>();
     handle->session = session;
     handle->content = std::move(content);
-    registry::add(handle.get(), Impl::kKind);
-    return handle.release();
+    auto* const number = static_cast<Impl*>(registry::add(handle.get(), Impl::kKind));
+    static_cast<void>(handle.release());
+    return number;
 }
 
 template <class Impl>
 nicol_result retain(Impl* handle) noexcept {
     return guarded([&] {
-        const auto lock = registry::hold(handle, Impl::kKind);
-        ++handle->references;
+        const auto held = registry::hold(handle, Impl::kKind);
+        ++static_cast<Impl*>(held.object)->references;
     });
 }
 
@@ -239,10 +246,11 @@ nicol_result release(Impl* handle) noexcept {
     if (handle == nullptr) return NICOL_OK;
     return guarded([&] {
         std::unique_ptr<Impl> last;  // destroyed after the lock, since that may take a while
-        const auto lock = registry::hold(handle, Impl::kKind);
-        if (--handle->references > 0) return;
+        const auto held = registry::hold(handle, Impl::kKind);
+        auto* const object = static_cast<Impl*>(held.object);
+        if (--object->references > 0) return;
         registry::forget(handle);
-        last.reset(handle);
+        last.reset(object);
     });
 }
 
@@ -262,7 +270,7 @@ struct ImagePixels {
 };
 /// Throws Error(invalid_argument); the release callback is called in any case.
 ImagePixels read_image(const nicol_image* image);
-/// A row-major matrix; all zeros are the identity.
-glm::dmat4 matrix(const double (&rows)[16]);
+/// From 16 row-major numbers.
+glm::dmat4 matrix(const double* rows);
 
 }  // namespace nicol::capi

@@ -41,7 +41,7 @@ const Framebuffer& of_host(const nicol_framebuffer_impl& framebuffer) {
 nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options,
                                        nicol_context* context) {
     return guarded([&] {
-        const nicol_host access = read_struct(host, "host");
+        const nicol_host access = read_struct(host, nicol_host NICOL_HOST_INIT, "host");
         require(context, "context");
         if (access.reserved != 0) refuse("host->reserved must be 0");
         const nicol_context_options chosen = context_options(options);
@@ -74,7 +74,8 @@ nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         static_cast<void>(of_host(self));
-        const nicol_texture_target to = read_struct(target, "target");
+        const nicol_texture_target to =
+            read_struct(target, nicol_texture_target NICOL_TEXTURE_TARGET_INIT, "target");
         require_channel(*self.content, channel);
         const SessionLock lock(self.session);
         draw_stokes(*self.session, *self.content, static_cast<int>(channel), to);
@@ -87,8 +88,10 @@ nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         static_cast<void>(of_host(self));
-        const nicol_observation shown = read_struct(observation, "observation");
-        const nicol_texture_target to = read_struct(target, "target");
+        const nicol_observation shown =
+            read_struct(observation, nicol_observation NICOL_OBSERVATION_INIT, "observation");
+        const nicol_texture_target to =
+            read_struct(target, nicol_texture_target NICOL_TEXTURE_TARGET_INIT, "target");
         const SessionLock lock(self.session);
         draw_observation(*self.session, *self.content, shown, to);
     });

@@ -46,12 +46,13 @@ Observed observe(const nicol_observation& given, int channels) {
         case NICOL_OBSERVATION_S1:
         case NICOL_OBSERVATION_S2:
         case NICOL_OBSERVATION_S3:
-            if (!(given.scale >= 0) || !std::isfinite(given.scale)) {
-                refuse("observation->scale is " + std::to_string(given.scale) +
-                       "; it must be finite and not negative");
+            if (!(given.scale > 0) || !std::isfinite(given.scale)) {
+                refuse(
+                    "observation->scale is " + std::to_string(given.scale) +
+                    "; it must be finite and above 0, since nothing is read back to find the largest value");
             }
             o.observer = Observer::signed_component;
-            o.analyzer[static_cast<int>(given.kind)] = 1 / (given.scale == 0 ? 1.0F : given.scale);
+            o.analyzer[static_cast<int>(given.kind)] = 1 / given.scale;
             break;
         case NICOL_OBSERVATION_DOLP:
             o.observer = Observer::dolp;

@@ -62,8 +62,9 @@ MaterialPtr make(const nicol_conductor& given) {
 }
 
 MaterialPtr measured(const char* path, const nicol_measured* options) {
-    const nicol_measured given =
-        options != nullptr ? read_struct(options, "options") : nicol_measured NICOL_MEASURED_INIT;
+    const nicol_measured given = options != nullptr
+                                     ? read_struct(options, nicol_measured NICOL_MEASURED_INIT, "options")
+                                     : nicol_measured NICOL_MEASURED_INIT;
     require_constant(given.sampling, NICOL_WAVELENGTH_NEAREST, "options->sampling", "NICOL_WAVELENGTH_...");
     return load_measured(
         path, {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
@@ -99,14 +100,15 @@ private:
 nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
                                             nicol_material* material) {
     return create(context, material, "material", [&] {
-        const nicol_pplastic given = read_struct(parameters, "parameters");
+        const nicol_pplastic given =
+            read_struct(parameters, nicol_pplastic NICOL_PPLASTIC_INIT, "parameters");
         PplasticParameters p;
         p.distribution = distribution_of(given.distribution);
         p.diffuse_reflectance = spectrum(given.diffuse_reflectance, 0.5, 1, "diffuse_reflectance");
         p.specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance");
-        p.int_ior = or_default(given.int_ior, p.int_ior);
-        p.ext_ior = or_default(given.ext_ior, p.ext_ior);
-        p.alpha = or_default(given.alpha, p.alpha);
+        p.int_ior = static_cast<double>(given.int_ior);
+        p.ext_ior = static_cast<double>(given.ext_ior);
+        p.alpha = static_cast<double>(given.alpha);
         return pplastic(p);
     });
 }
@@ -119,7 +121,9 @@ nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_sp
 
 nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters,
                                              nicol_material* material) {
-    return create(context, material, "material", [&] { return make(read_struct(parameters, "parameters")); });
+    return create(context, material, "material", [&] {
+        return make(read_struct(parameters, nicol_conductor NICOL_CONDUCTOR_INIT, "parameters"));
+    });
 }
 
 nicol_result nicol_material_load_measured(nicol_context context, const char* path,
@@ -156,20 +160,20 @@ nicol_result nicol_material_create_callback(nicol_context context, const nicol_c
         std::shared_ptr<void> user =
             owned_user(parameters, &nicol_callback_material::release, &nicol_callback_material::user,
                        offsetof(nicol_callback_material, release) + sizeof parameters->release);
-        const nicol_callback_material given = read_struct(parameters, "parameters");
+        const nicol_callback_material given =
+            read_struct(parameters, nicol_callback_material NICOL_CALLBACK_MATERIAL_INIT, "parameters");
         require(material, "material");
         require(given.mueller, "parameters->mueller");
         if (given.reserved != 0) refuse("parameters->reserved must be 0");
-        if (given.channels > NICOL_MAX_CHANNELS) {
-            refuse("channels is " + std::to_string(given.channels) + "; it must lie in 0 (1) to " +
+        if (given.channels < 1 || given.channels > NICOL_MAX_CHANNELS) {
+            refuse("channels is " + std::to_string(given.channels) + "; it must lie in 1 to " +
                    std::to_string(NICOL_MAX_CHANNELS));
         }
         const SessionPtr session = resolve(context).session;
         *material = make_handle<nicol_material_impl>(
-            session,
-            callback_material({.reflect = MuellerFunction(given, std::move(user), session.get()),
-                               .channels = given.channels == 0 ? 1 : static_cast<int>(given.channels),
-                               .lobe_width = or_default(given.lobe_width, 1)}));
+            session, callback_material({.reflect = MuellerFunction(given, std::move(user), session.get()),
+                                        .channels = static_cast<int>(given.channels),
+                                        .lobe_width = static_cast<double>(given.lobe_width)}));
     });
 }
 

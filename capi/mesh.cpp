@@ -16,7 +16,7 @@ nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh
 
 nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data, nicol_mesh* mesh) {
     return create(context, mesh, "mesh", [&] {
-        const nicol_mesh_data given = read_struct(data, "data");
+        const nicol_mesh_data given = read_struct(data, nicol_mesh_data NICOL_MESH_DATA_INIT, "data");
         require(given.positions, "data->positions");
         require(given.indices, "data->indices");
         if (given.reserved != 0) refuse("data->reserved must be 0");

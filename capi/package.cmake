@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# `cpack` in the build folder makes libnicol0, libnicol-dev and nicol-tools for Debian.
+# `cpack` in the build folder makes libnicol0.1, libnicol-dev and nicol-tools for Debian.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The Nicol authors <maintainers@nicol.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -13,9 +13,9 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 
-set(same "libnicol0 (= ${PROJECT_VERSION})")
+set(same "libnicol0.1 (= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Real-time rendering of polarized light: library")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libnicol0)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libnicol0.1)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
 # Opened at run time, so no linker names them.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libegl1 | libosmesa6")

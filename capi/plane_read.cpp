@@ -194,7 +194,7 @@ void read(Framebuffer& from, const nicol_plane_buffer& to) {
 nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const nicol_plane_buffer* to) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
-        const nicol_plane_buffer buffer = read_struct(to, "to");
+        const nicol_plane_buffer buffer = read_struct(to, nicol_plane_buffer NICOL_PLANE_BUFFER_INIT, "to");
         const SessionLock lock(self.session);
         read(*self.content, buffer);
     });

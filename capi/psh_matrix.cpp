@@ -110,7 +110,8 @@ nicol_result nicol_psh_shadow_matrix(uint32_t scalar_order, const double* scalar
 nicol_result nicol_psh_project_matrix(const nicol_psh_mueller_field* field, double* matrix,
                                       uint64_t matrix_count) {
     return guarded([&] {
-        const nicol_psh_mueller_field given = read_struct(field, "field");
+        const nicol_psh_mueller_field given =
+            read_struct(field, nicol_psh_mueller_field NICOL_PSH_MUELLER_FIELD_INIT, "field");
         if (given.isotropic > 1)
             refuse("field->isotropic is " + std::to_string(given.isotropic) + "; it must be 0 or 1");
         if (given.callback == nullptr) refuse("field->callback is NULL");

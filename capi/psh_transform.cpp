@@ -78,7 +78,8 @@ int columns_of(const nicol_psh_sampling& sampling) {
 nicol_result nicol_psh_transform_create(const nicol_psh_sampling* sampling, nicol_psh_transform* transform) {
     return guarded([&] {
         require(transform, "transform");
-        const nicol_psh_sampling given = read_struct(sampling, "sampling");
+        const nicol_psh_sampling given =
+            read_struct(sampling, nicol_psh_sampling NICOL_PSH_SAMPLING_INIT, "sampling");
         if (given.grid > NICOL_PSH_GRID_GAUSS_LEGENDRE) {
             refuse("sampling->grid is " + std::to_string(given.grid) +
                    "; it must be one of NICOL_PSH_GRID_...");

@@ -12,10 +12,6 @@ using namespace nicol::capi;
 
 namespace {
 
-double or_default(double value, double fallback) {
-    return value == 0 ? fallback : value;
-}
-
 Camera camera_from(const nicol_camera& given) {
     if (given.projection > NICOL_PROJECTION_ORTHOGRAPHIC) {
         refuse("camera->projection is " + std::to_string(given.projection) +
@@ -24,16 +20,15 @@ Camera camera_from(const nicol_camera& given) {
     Camera camera;
     camera.orthographic = given.projection == NICOL_PROJECTION_ORTHOGRAPHIC;
     camera.to_world = matrix(given.to_world);
-    camera.fov = or_default(given.fov, camera.fov);
-    camera.near_clip = or_default(given.near_clip, camera.near_clip);
-    camera.far_clip = or_default(given.far_clip, camera.far_clip);
+    camera.fov = given.fov;
+    camera.near_clip = given.near_clip;
+    camera.far_clip = given.far_clip;
     return camera;
 }
 
-int order_from(std::int32_t given, int fallback, const char* name) {
-    if (given < -1) refuse(std::string(name) + " is " + std::to_string(given) + "; it must be -1 or more");
-    if (given == -1) return 0;
-    return given == 0 ? fallback : given;
+int int_from(std::uint32_t given, const char* name) {
+    if (given > INT32_MAX) refuse(std::string(name) + " is " + std::to_string(given) + "; that is too many");
+    return static_cast<int>(given);
 }
 
 std::function<bool(const char*, double)> progress_from(const nicol_render_options& given) {
@@ -110,17 +105,9 @@ nicol_high_orders_at high_orders_at_of(HighOrdersAt where) {
     }
 }
 
-bool switch_from(std::int32_t given, const char* name) {
-    if (given < -1 || given > 1) {
-        refuse(std::string(name) + " is " + std::to_string(given) +
-               "; it must be 0 (the default, on), 1 (on) or -1 (off)");
-    }
-    return given != -1;
-}
-
-int bake_directions_from(std::uint32_t given, int fallback) {
-    if (given > INT32_MAX) refuse("bake_directions is " + std::to_string(given) + "; that is too many");
-    return given == 0 ? fallback : static_cast<int>(given);
+bool switch_from(std::uint32_t given, const char* name) {
+    if (given > 1) refuse(std::string(name) + " is " + std::to_string(given) + "; it must be 0 or 1");
+    return given == 1;
 }
 
 int components_from(nicol_components given) {
@@ -135,8 +122,8 @@ int components_from(nicol_components given) {
     }
 }
 
-static_assert(NICOL_AOV_DEPTH == aov_depth && NICOL_AOV_NORMALS == aov_normals &&
-              NICOL_AOV_POSITIONS == aov_positions && NICOL_AOV_INSTANCES == aov_instances);
+static_assert(NICOL_AOV_DEPTH == aov_depth && NICOL_AOV_NORMAL == aov_normals &&
+              NICOL_AOV_POSITION == aov_positions && NICOL_AOV_INSTANCE == aov_instances);
 
 std::uint32_t aovs_from(std::uint32_t given) {
     if ((given & ~NICOL_AOV_ALL) != 0) {
@@ -150,23 +137,19 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.method = method_from(given.method);
     options.executor = executor_from(given.executor);
     options.shadows = switch_from(given.shadows, "shadows");
-    options.bake_directions = bake_directions_from(given.bake_directions, options.bake_directions);
-    options.order_low = order_from(given.order_low, options.order_low, "order_low");
-    options.order_high =
-        order_from(given.order_high, std::max(options.order_high, options.order_low), "order_high");
+    options.bake_directions = int_from(given.bake_directions, "bake_directions");
+    options.order_low = int_from(given.order_low, "order_low");
+    options.order_high = std::max(int_from(given.order_high, "order_high"), options.order_low);
     options.high_orders = high_orders_from(given.high_orders);
     options.high_order_shadows = switch_from(given.high_order_shadows, "high_order_shadows");
     options.high_orders_at = high_orders_at_from(given.high_orders_at);
     options.dering = given.dering;
-    if (given.physical > 1) {
-        refuse("physical is " + std::to_string(given.physical) + "; it must be 0 or 1");
-    }
-    options.physical = given.physical == 1;
+    options.physical = switch_from(given.physical, "physical");
     options.tolerance = given.tolerance;
     options.components = components_from(given.components);
     options.aovs = aovs_from(given.aovs);
     options.disabled_optimisations = given.disabled_optimisations;
-    options.samples = given.samples == 0 ? options.samples : given.samples;
+    options.samples = int_from(given.samples, "samples");
     options.seed = given.seed;
     options.progress = progress_from(given);
     return options;
@@ -180,9 +163,10 @@ struct RenderCall {
 
 RenderCall read_render_call(const nicol_camera* camera, const nicol_render_options* options) {
     const nicol_render_options given =
-        options != nullptr ? read_struct(options, "options") : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
+        options != nullptr ? read_struct(options, nicol_render_options NICOL_RENDER_OPTIONS_INIT, "options")
+                           : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
     if (given.reserved != 0) refuse("options->reserved must be 0");
-    return {camera_from(read_struct(camera, "camera")), options_from(given)};
+    return {camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera")), options_from(given)};
 }
 
 // The caller's progress callback behind the job's own.

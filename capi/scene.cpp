@@ -41,9 +41,7 @@ const Film& film_of(const SceneState& scene) {
 
 glm::dmat4 matrix_or_identity(const double* rows) {
     if (rows == nullptr) return glm::dmat4(1.0);
-    double copy[16];
-    std::copy_n(rows, 16, copy);
-    return matrix(copy);
+    return matrix(rows);
 }
 
 }  // namespace
@@ -51,7 +49,7 @@ glm::dmat4 matrix_or_identity(const double* rows) {
 nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3], const double target[3],
                                   const double up[3]) {
     return guarded([&] {
-        nicol_camera out = read_struct(camera, "camera");
+        nicol_camera out = read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera");
         require(origin, "origin");
         require(target, "target");
         require(up, "up");
@@ -93,7 +91,7 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
 nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance, uint32_t* id) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        const nicol_instance given = read_struct(instance, "instance");
+        const nicol_instance given = read_struct(instance, nicol_instance NICOL_INSTANCE_INIT, "instance");
         if (given.reserved != 0) refuse("instance->reserved must be 0");
         const nicol_mesh_impl& mesh = resolve(given.mesh);
         const nicol_material_impl& material = resolve(given.material);
@@ -111,7 +109,7 @@ nicol_result nicol_scene_set_transform(nicol_scene scene, uint32_t id, const dou
         const nicol_scene_impl& self = resolve(scene);
         require(to_world, "to_world");
         const Edit edit(self);
-        self.content->scene.set_transform(id, matrix_or_identity(to_world));
+        self.content->scene.set_transform(id, matrix(to_world));
     });
 }
 
@@ -188,7 +186,7 @@ nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment en
         }
         const glm::dmat3 rotation = rotation_of(matrix_or_identity(to_world), "environment");
         const Edit edit(self);
-        self.content->scene.set_environment(light, rotation, scale == 0 ? 1 : scale);
+        self.content->scene.set_environment(light, rotation, scale);
     });
 }
 

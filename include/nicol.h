@@ -9,13 +9,14 @@
  *              releasing NULL does nothing. Objects keep what they need alive: any release order is legal.
  *   Results    Every function that can fail returns a nicol_result and, on failure, leaves its outputs untouched.
  *              nicol_last_error() then has the message, per thread.
- *   Structs    begin with struct_size = sizeof(the struct). Zero in a field means its default; where zero is a valid
- *              value itself, the field's comment names its substitute. NICOL_<TYPE>_INIT makes one.
+ *   Structs    begin with struct_size = sizeof(the struct). NICOL_<TYPE>_INIT makes one with the defaults that the
+ *              comments name; every number means itself, and 0 stands for "automatic" or "none" only where a comment
+ *              says so. Fields that a caller built with an older header does not have get their defaults.
  *   Threads    Any function may be called from any thread (but see "inside a host's OpenGL"). Calls on objects of one
  *              context lock it; calls on different contexts run in parallel. Callbacks run on the calling thread unless
  *              stated otherwise.
  *   Strings    are UTF-8 and copied. Strings returned are owned by the library; each says for how long.
- *   Matrices   are row-major: a point's image is M * (x, y, z, 1)^T. All zeros means identity.
+ *   Matrices   are row-major: a point's image is M * (x, y, z, 1)^T. The default is the identity.
  *   World      right-handed, y up, units are the scene's own. Angles of the interface are degrees.
  *   Light      is radiance, linear, per colour channel. A Stokes vector (s0, s1, s2, s3) is defined for a receiver that
  *              faces the source: s1 > 0 along the frame's x, s2 > 0 at +45 degrees from x to y, s3 > 0 right circular.
@@ -88,8 +89,8 @@ NICOL_API const char* nicol_result_name(nicol_result result);
 #define NICOL_LOG_INFO 0    /* what a new context opened */
 #define NICOL_LOG_NOTICE 1  /* a request without effect, or a cache that was rebuilt */
 #define NICOL_LOG_WARNING 2 /* a fallback, such as the CPU after a device failed */
-/* message is one line that lives as long as the call; code is NICOL_OK. It must not call Nicol with objects
- * of the context. */
+/* message is one line that lives as long as the call; code is NICOL_OK, or the error that a call would have
+ * returned for what was worked round. It must not call Nicol with objects of the context. */
 typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result code, const char* message);
 
 /* Called about ten times a second on the thread that called; fraction runs from 0 to 1. Return 1 to continue,
@@ -110,15 +111,18 @@ typedef struct nicol_framebuffer_impl* nicol_framebuffer; /* the Stokes image of
 #define NICOL_MAX_ORDER 32
 #define NICOL_MAX_SIZE 16384
 
-/* One value a colour channel. count 0: the default; 1: the same in every channel; else the scene's channel
- * count. */
+/* One value a colour channel. count 0: not given, the default of where it is used; 1: the same in every
+ * channel; else the scene's channel count. */
 typedef struct nicol_spectrum {
     uint32_t count;
     float values[NICOL_MAX_CHANNELS];
 } nicol_spectrum;
 /* clang-format off */
 #define NICOL_SPECTRUM_INIT { 0, {0} }
+#define NICOL_IDENTITY_4X4 { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }
 /* clang-format on */
+
+#define NICOL_NO_LIMIT ((uint64_t)-1)
 
 /* ---------------------------------------------------------------- context */
 
@@ -152,8 +156,8 @@ NICOL_API nicol_result nicol_device_get_info(uint32_t device, nicol_device_info*
 typedef struct nicol_context_options {
     uint32_t struct_size;
     nicol_backend backend;  /* an explicit choice never falls back to another */
-    uint32_t device;        /* 0: choose; n: that of nicol_device_get_info, EGL's n - 1; at most 1024 */
-    uint32_t threads;       /* 0: one per core, which is also the maximum; at most 1024 */
+    uint32_t device;        /* 0: automatic; n: that of nicol_device_get_info, EGL's n - 1; at most 1024 */
+    uint32_t threads;       /* 0: automatic, one per core, which is also the maximum; at most 1024 */
     nicol_log_callback log; /* NULL: silent. May be called on any thread. */
     void* log_user;
     /* The folder in which material tables and baked visibility are kept between runs; created if missing.
@@ -165,17 +169,20 @@ typedef struct nicol_context_options {
      * visibility_bytes and transfer_bytes, and the OpenGL buffers of its vertices without compute shaders'
      * work space; by the reference method, its triangles. An upper bound is computed before a render bakes or
      * allocates; if it exceeds the limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY, and the message
-     * has both numbers. With a tolerance, the bound is for the orders in the options. 0: no limit */
+     * has both numbers. With a tolerance, the bound is for the orders in the options. Default NICOL_NO_LIMIT
+     */
     uint64_t memory_limit;
-    /* Limits of each call that loads from files; beyond them it fails with NICOL_ERROR_UNSUPPORTED, and the
-     * message names the option. */
-    uint64_t load_bytes_limit; /* of all files together; 0: 8 GiB */
-    uint64_t vertex_limit;     /* of a mesh, or of all instances of a scene together; 0: 2^26 */
-    uint64_t triangle_limit;   /* likewise; 0: 2^27 */
-    double load_seconds_limit; /* checked between files and between instances; 0: 600 */
+    /* Limits of each call that loads from files, 1 or more, or NICOL_NO_LIMIT; beyond them it fails with
+     * NICOL_ERROR_UNSUPPORTED, and the message names the option. */
+    uint64_t load_bytes_limit; /* of all files together; default 8 GiB */
+    uint64_t vertex_limit;     /* of a mesh, or of all instances of a scene together; default 2^26 */
+    uint64_t triangle_limit;   /* likewise; default 2^27 */
+    double load_seconds_limit; /* checked between files and between instances; above 0, default 600 */
 } nicol_context_options;
+/* clang-format off */
 #define NICOL_CONTEXT_OPTIONS_INIT \
-    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, (uint64_t)1 << 33, 1 << 26, 1 << 27, 600 }
+/* clang-format on */
 
 typedef struct nicol_context_info {
     uint32_t struct_size;
@@ -185,15 +192,23 @@ typedef struct nicol_context_info {
     const char* renderer; /* OpenGL's names; they live as long as the context */
     const char* vendor;
     const char* version;
+    uint32_t max_framebuffer_size; /* the longest side: NICOL_MAX_SIZE, or less where the driver has less */
+    uint32_t reserved;             /* 0 */
+    /* The limits that hold, as in the options. */
+    uint64_t memory_limit;
+    uint64_t load_bytes_limit;
+    uint64_t vertex_limit;
+    uint64_t triangle_limit;
+    double load_seconds_limit;
 } nicol_context_info;
 #define NICOL_CONTEXT_INFO_INIT \
-    { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_context_info), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /* options may be NULL: all defaults. NICOL_ERROR_NO_BACKEND if no such OpenGL context can be made. */
 NICOL_API nicol_result nicol_context_create(const nicol_context_options* options, nicol_context* context);
 NICOL_API nicol_result nicol_context_retain(nicol_context context);
 NICOL_API nicol_result nicol_context_release(nicol_context context);
-/* What was opened. */
+/* What was opened, and the limits that hold in it. */
 NICOL_API nicol_result nicol_context_get_info(nicol_context context, nicol_context_info* info);
 
 /* ---------------------------------------------------------------- environment */
@@ -229,24 +244,26 @@ typedef struct nicol_image {
  * ground that reflects ground_albedo of each channel's irradiance. The sun must not be below the horizon. */
 typedef struct nicol_sky {
     uint32_t struct_size;
-    float dop_max;           /* 0: 0.8; negative: an unpolarized sky; at most 1 */
-    float sun_direction[3];  /* towards the sun, of any length; zeros: straight up */
+    float dop_max;           /* 0 to 1, default 0.8; 0: an unpolarized sky */
+    float sun_direction[3];  /* towards the sun, of any length but 0; default straight up, (0, 1, 0) */
     nicol_spectrum radiance; /* default 1 in three channels; finite, not negative */
-    float turbidity;         /* 0, or 1.7 to 10 */
-    float ground_albedo;     /* 0: 0.2; negative: black; at most 1; without effect where turbidity is 0 */
+    float turbidity;         /* 1.7 to 10, or, which is the default, 0: light is scattered once */
+    float ground_albedo;     /* 0 to 1, default 0.2; without effect where turbidity is 0 */
 } nicol_sky;
+/* clang-format off */
 #define NICOL_SKY_INIT \
-    { sizeof(nicol_sky), 0, {0}, NICOL_SPECTRUM_INIT, 0, 0 }
+    { sizeof(nicol_sky), 0.8f, {0, 1, 0}, NICOL_SPECTRUM_INIT, 0, 0.2f }
+/* clang-format on */
 
 typedef struct nicol_environment_load_options {
     uint32_t struct_size;
     uint32_t reserved;          /* 0 */
-    double scale;               /* multiplies the radiance, 0: 1; finite and not negative */
+    double scale;               /* multiplies the radiance, default 1; finite and not negative */
     nicol_spectrum wavelengths; /* for spectral OpenEXR files: the channels nearest to these, nm, in this
                                    order; within the file's range. count 0: all channels of the file */
 } nicol_environment_load_options;
 #define NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT \
-    { sizeof(nicol_environment_load_options), 0, 0, NICOL_SPECTRUM_INIT }
+    { sizeof(nicol_environment_load_options), 0, 1, NICOL_SPECTRUM_INIT }
 
 /* clang-format off */
 /* By the path:
@@ -264,7 +281,7 @@ NICOL_API nicol_result nicol_environment_load(nicol_context context, const char*
 /* From memory. */
 NICOL_API nicol_result nicol_environment_create_image(nicol_context context, const nicol_image* image,
                                                       nicol_environment* environment);
-/* Unpolarized and the same from all directions; radiance NULL or of count 0: 1 in one channel; finite, not
+/* Unpolarized and the same from all directions; radiance NULL or not given: 1 in one channel; finite, not
  * negative. */
 NICOL_API nicol_result nicol_environment_create_constant(nicol_context context,
                                                          const nicol_spectrum* radiance,
@@ -312,17 +329,17 @@ typedef struct nicol_pplastic {
     nicol_distribution distribution;
     nicol_spectrum diffuse_reflectance;  /* default 0.5; 0 to 1 */
     nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
-    float int_ior;                       /* 0: 1.49 */
-    float ext_ior;                       /* 0: 1.000277 */
-    float alpha;                         /* 0: 0.1; 0.001 to 1 */
+    float int_ior;                       /* default 1.49 */
+    float ext_ior;                       /* default 1.000277 */
+    float alpha;                         /* 0.001 to 1, default 0.1 */
 } nicol_pplastic;
 #define NICOL_PPLASTIC_INIT \
-    { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0 }
+    { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 1.49f, 1.000277f, 0.1f }
 
 /* NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
 NICOL_API nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
                                                       nicol_material* material);
-/* Lambertian and depolarizing; reflectance NULL or of count 0: 0.5. Front side only. */
+/* Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only. */
 NICOL_API nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance,
                                                      nicol_material* material);
 
@@ -374,7 +391,7 @@ typedef struct nicol_measured {
 NICOL_API nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                                     const nicol_measured* options, nicol_material* material);
 /* A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
- * package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light
+ * package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or not given: 1; not negative. Light
  * of orders above the matrix's is not reflected. Front side only. */
 NICOL_API nicol_result nicol_material_load_psh(nicol_context context, const char* path,
                                                const nicol_spectrum* scale, nicol_material* material);
@@ -394,19 +411,19 @@ typedef int32_t (*nicol_mueller_callback)(void* user, uint32_t channel, const do
 
 typedef struct nicol_callback_material {
     uint32_t struct_size;
-    uint32_t channels; /* 0: 1; at most NICOL_MAX_CHANNELS */
+    uint32_t channels; /* 1, the default, to NICOL_MAX_CHANNELS */
     nicol_mueller_callback mueller;
     void* user;
     /* NULL, or called once, when `user` is no longer needed: on failure before the call returns, else when
      * the material and all its users are released, on the thread of the last release. */
     void (*release)(void* user);
-    /* Angular radius in radians of the narrowest feature about the mirror direction, 0.001 to 1; 0: 1. A
-     * value that is too large loses highlights, one that is too small costs time. */
+    /* Angular radius in radians of the narrowest feature about the mirror direction, 0.001 to 1, the default.
+     * A value that is too large loses highlights, one that is too small costs time. */
     float lobe_width;
     uint32_t reserved; /* 0 */
 } nicol_callback_material;
 #define NICOL_CALLBACK_MATERIAL_INIT \
-    { sizeof(nicol_callback_material), 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_callback_material), 1, 0, 0, 0, 1, 0 }
 
 /* The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
  * tested at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT otherwise. Front side only. */
@@ -460,12 +477,14 @@ typedef struct nicol_camera {
     double to_world[16]; /* camera space, as Mitsuba's: +z forward, +y up, +x to the image's LEFT; axes at
                             right angles, right-handed. A scale in x, y is the half extent of an orthographic
                             image. */
-    double fov;          /* perspective: the horizontal field of view in degrees, 0: 45; below 180 */
-    double near_clip;    /* distance along +z, in the scene's units; 0: 0.01 */
-    double far_clip;     /* 0: 10000; above near_clip */
+    double fov; /* perspective: the horizontal field of view in degrees; above 0, default 45, below 180 */
+    double near_clip; /* distance along +z, in the scene's units; above 0, default 0.01 */
+    double far_clip;  /* above near_clip, default 10000 */
 } nicol_camera;
+/* clang-format off */
 #define NICOL_CAMERA_INIT \
-    { sizeof(nicol_camera), 0, {0}, 0, 0, 0 }
+    { sizeof(nicol_camera), 0, NICOL_IDENTITY_4X4, 45, 0.01, 10000 }
+/* clang-format on */
 
 /* A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view. */
 NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3],
@@ -482,7 +501,7 @@ typedef struct nicol_instance {
 } nicol_instance;
 /* clang-format off */
 #define NICOL_INSTANCE_INIT \
-    { sizeof(nicol_instance), 0, 0, 0, {0} }
+    { sizeof(nicol_instance), 0, 0, 0, NICOL_IDENTITY_4X4 }
 /* clang-format on */
 
 /* Empty and dark. */
@@ -510,8 +529,8 @@ NICOL_API nicol_result nicol_scene_get_instance(nicol_scene scene, uint32_t id, 
 NICOL_API nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instances);
 /* The ids of all instances, ascending; count: of the instances. */
 NICOL_API nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
-/* environment NULL: darkness. to_world rotates it (NULL or all zeros: identity; must be a proper rotation),
- * scale multiplies (0: 1; finite, not negative). */
+/* environment NULL: darkness. to_world rotates it (NULL: identity; must be a proper rotation), scale
+ * multiplies (1 leaves it; 0: darkness; finite, not negative). */
 NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment,
                                                    const double to_world[16], double scale);
 /* The arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation and
@@ -522,6 +541,7 @@ NICOL_API nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_envi
 /* The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+
 typedef struct nicol_scene_file {
     uint32_t struct_size;
     uint32_t reserved;
@@ -588,9 +608,9 @@ typedef uint32_t nicol_executor;
 /* AOVs that a render makes beside the image, by any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION and
  * _INSTANCE. They are of the first surface on the ray through a pixel's centre. */
 #define NICOL_AOV_DEPTH 1u
-#define NICOL_AOV_NORMALS 2u
-#define NICOL_AOV_POSITIONS 4u
-#define NICOL_AOV_INSTANCES 8u
+#define NICOL_AOV_NORMAL 2u
+#define NICOL_AOV_POSITION 4u
+#define NICOL_AOV_INSTANCE 8u
 #define NICOL_AOV_ALL 15u
 
 /* Stokes components that an image has; the others are 0. */
@@ -604,15 +624,14 @@ typedef struct nicol_render_options {
     nicol_method method;
     /* Options of the factored and the dense method; the reference method uses samples, seed, `shadows` and
      * NICOL_OPTIMISATION_UNCHANGED only. */
-    int32_t order_low;  /* light up to this order is shaded with the material's full response; 0: 4;
-                           -1: order 0; at most NICOL_MAX_ORDER */
-    int32_t order_high; /* light up to this order is rendered, above order_low by high_orders; 0: 9, or
-                           order_low where that is larger; -1: order 0; order_low to 64 */
-    nicol_high_orders high_orders; /* 0: split */
-    int32_t shadows;               /* whether surfaces shadow each other and themselves. 0: the
-                                      default, which is on; 1: on; -1: off */
-    uint32_t bake_directions; /* directions of rays at each vertex; 0: 2048; 256 to 65536. More take more time
-                                 and memory to bake and leave less noise in the shadows */
+    uint32_t order_low;  /* light up to this order is shaded with the material's full response; default 4, at
+                            most NICOL_MAX_ORDER */
+    uint32_t order_high; /* light of the orders above order_low, up to this one, is rendered by high_orders;
+                            default 9, at most 64. At order_low or below there are none */
+    nicol_high_orders high_orders; /* default split */
+    uint32_t shadows;         /* whether surfaces shadow each other and themselves: 1, the default, or 0 */
+    uint32_t bake_directions; /* directions of rays at each vertex; 256 to 65536, default 2048. More take more
+                                 time and memory to bake and leave less noise in the shadows */
     uint32_t physical;        /* 1: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0 and no
                                  more polarized than s0, which truncated light may violate: at vertices, or at pixels
                                  if high orders are looked up there; 0: no */
@@ -621,28 +640,32 @@ typedef struct nicol_render_options {
     nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
                                          reference method trace */
     void* progress_user;
-    int32_t samples;   /* reference: camera rays a pixel, 0: 256; up to 2^20. Powers of two are spread best */
-    uint32_t reserved; /* 0 */
-    uint64_t seed;     /* reference: equal seeds give equal images, whatever the threads */
-    nicol_executor executor;             /* 0: automatic */
-    nicol_high_orders_at high_orders_at; /* 0: automatic */
+    uint32_t
+        samples; /* reference: camera rays a pixel, 1 to 2^20, default 256. Powers of two are spread best */
+    uint32_t reserved;                   /* 0 */
+    uint64_t seed;                       /* reference: equal seeds give equal images, whatever the threads */
+    nicol_executor executor;             /* default automatic */
+    nicol_high_orders_at high_orders_at; /* default automatic */
     double tolerance; /* above 0: the largest predicted error of omitted orders, as RMSE of s0, s1 and s2
                          relative to the RMS of s0; it chooses order_low and order_high, whose fields are
-                         ignored. Only for the factored method with high orders split or none. 0: orders as
-                         given; finite, not negative */
-    nicol_components components; /* 0: all */
+                         ignored. Only for the factored method with high orders split or none. 0, the default:
+                         orders as given; finite, not negative */
+    nicol_components components; /* default all */
     uint32_t
-        disabled_optimisations; /* sum of NICOL_OPTIMISATION_... to disable, in order to measure what they
-                                   save. Compute shaders shade all vertices and rows in any case. 0: none */
-    int32_t high_order_shadows; /* whether high orders are multiplied by the visible fraction of their lobe;
-                                   0: the default, which is on; 1: on; -1: off: unshadowed highlights */
-    uint32_t aovs;              /* sum of NICOL_AOV_... to make. 0: none */
+        disabled_optimisations;  /* sum of NICOL_OPTIMISATION_... to disable, in order to measure what they
+                                    save. Compute shaders shade all vertices and rows in any case. 0: none */
+    uint32_t high_order_shadows; /* whether high orders are multiplied by the visible fraction of their lobe:
+                                    1, the default, or 0: unshadowed highlights */
+    uint32_t aovs;               /* sum of NICOL_AOV_... to make. 0: none */
 } nicol_render_options;
+/* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
-    { sizeof(nicol_render_options), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_render_options), 0, 4, 9, 0, 1, 2048, 0, 0, 0, 0, 256, 0, 0, 0, 0, 0, 0, 0, 1, 0 }
+/* clang-format on */
 
-/* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
- * luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component. */
+/* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
+ * scene's, or 1 for the luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes
+ * component. */
 NICOL_API nicol_result nicol_framebuffer_create(nicol_context context, uint32_t width, uint32_t height,
                                                 uint32_t channels, nicol_framebuffer* framebuffer);
 /* As it was created. */
@@ -841,8 +864,8 @@ typedef struct nicol_observation {
     uint32_t struct_size;
     nicol_observation_kind kind;
     float exposure; /* stops; s0 and polarizer */
-    float scale;    /* s1..s3: the value shown at full colour; 0: the largest in the image. Written into the
-                       file. */
+    float scale;    /* s1..s3: the value shown at full colour; 0: automatic, the largest in the image. Written
+                       into the file. */
     float polarizer_angle; /* degrees counter-clockwise from image right */
 } nicol_observation;
 #define NICOL_OBSERVATION_INIT \
@@ -936,8 +959,8 @@ typedef struct nicol_texture_target {
 /* Copies the Stokes vectors of a channel. Nothing is read back. */
 NICOL_API nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel,
                                                      const nicol_texture_target* target);
-/* The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
- * 1 here, since nothing is read back. */
+/* The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. s1 to s3 need a
+ * scale above 0 here, since nothing is read back. */
 NICOL_API nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer,
                                                           const nicol_observation* observation,
                                                           const nicol_texture_target* target);

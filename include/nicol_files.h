@@ -42,29 +42,34 @@ typedef uint32_t nicol_file_kind;
  * Truncated light needs it for other programs to accept it as a light. */
 #define NICOL_FILE_PHYSICAL 2
 
+#define NICOL_FILE_ORDER_AUTOMATIC 0xffffffffu
+
 typedef struct nicol_file_options {
     uint32_t struct_size;
-    int32_t order; /* highest order of coefficients and tables, also of an image where it is given. 0: the
-                      file's own where it has one, else 32 for light and 16 for materials; -1: order 0. At
-                      most 4096 for light and 64 for materials (NICOL_PSH_MAX_ORDER,
-                      NICOL_PSH_MAX_MATRIX_ORDER) */
+    uint32_t order; /* highest order of coefficients and tables, also of an image where it is given. Default
+                       NICOL_FILE_ORDER_AUTOMATIC: the file's own where it has one, else 32 for light and 16
+                       for materials. At most 4096 for light and 64 for materials (NICOL_PSH_MAX_ORDER,
+                       NICOL_PSH_MAX_MATRIX_ORDER) */
     uint32_t width,
-        height;         /* of an image to write, both or none; height at least 2. 0: an image keeps its
-                           size, a cross of edge e gets 8 e columns (4 e above 256); coefficients 512 x
-                           257, doubled until there are 4 (order + 1) columns, at most 4096 x 2049.
-                           Coefficients lose the orders that fewer than 2 order + 1 columns or rows cannot hold */
-    uint32_t edge;      /* of a face of a cross to write, 2 to 4096; 0: 256 */
-    uint32_t flags;     /* NICOL_FILE_BAND_LIMITED, NICOL_FILE_PHYSICAL */
-    double scale;       /* multiplies radiance or reflectance; 0: 1 */
-    double rotation[9]; /* of light, row-major; all zeros: identity. Coefficients
-                           exactly, images by bilinear interpolation. Of materials: must be zeros */
+        height;     /* of an image to write, both or none; height at least 2. 0: automatic, an image keeps its
+                       size, a cross of edge e gets 8 e columns (4 e above 256); coefficients 512 x
+                       257, doubled until there are 4 (order + 1) columns, at most 4096 x 2049.
+                       Coefficients lose the orders that fewer than 2 order + 1 columns or rows cannot hold */
+    uint32_t edge;  /* of a face of a cross to write, 2 to 4096. 0: automatic, 256 */
+    uint32_t flags; /* NICOL_FILE_BAND_LIMITED, NICOL_FILE_PHYSICAL */
+    double scale;   /* multiplies radiance or reflectance; 0 to 1e12, default 1 */
+    double rotation[9];         /* of light, row-major, default the identity. Coefficients
+                                   exactly, images by bilinear interpolation. Of materials: must be the identity */
     nicol_spectrum wavelengths; /* nm, of spectral files: each channel is that of an image which is nearest,
                                    or linear between those of a material. count 0: every wavelength of a
                                    image; red, green and blue of a measured material */
     uint32_t reserved;          /* 0 */
 } nicol_file_options;
-#define NICOL_FILE_OPTIONS_INIT \
-    { sizeof(nicol_file_options), 0, 0, 0, 0, 0, 0, {0}, NICOL_SPECTRUM_INIT, 0 }
+/* clang-format off */
+#define NICOL_FILE_OPTIONS_INIT                                                             \
+    { sizeof(nicol_file_options), NICOL_FILE_ORDER_AUTOMATIC, 0, 0, 0, 0, 1,                \
+      {1, 0, 0, 0, 1, 0, 0, 0, 1}, NICOL_SPECTRUM_INIT, 0 }
+/* clang-format on */
 
 /* What a light is, by channel; means and parts are over the sphere by solid angle, of the image that would
  * be written. */

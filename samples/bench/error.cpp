@@ -31,7 +31,7 @@ Report bench_error(const Options& options) {
     const int first = options.first_order < 0 ? 4 : options.first_order;
     const int last = options.last_order < 0 ? 12 : options.last_order;
     const std::uint32_t size = options.size == 0 ? 256 : options.size;
-    const std::int32_t samples = options.samples == 0 ? 256 : options.samples;
+    const std::uint32_t samples = options.samples == 0 ? 256 : options.samples;
     const SceneSource source(options);
     const DenseMemory memory(source);
     Report report(columns(options));

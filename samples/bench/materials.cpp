@@ -85,7 +85,7 @@ std::string ratios(const char* material, const StokesErrors& split, int split_to
 
 Report bench_materials(const Options& given) {
     const std::uint32_t size = given.size == 0 ? 64 : given.size;
-    const std::int32_t samples = given.samples == 0 ? 2048 : given.samples;
+    const std::uint32_t samples = given.samples == 0 ? 2048 : given.samples;
     const int low = given.first_order < 0 ? 4 : given.first_order;
     const int last = given.last_order < 0 ? 64 : given.last_order;
     const int middle = std::clamp(9, low, last);  // the paper's
@@ -100,7 +100,7 @@ Report bench_materials(const Options& given) {
         const auto& name = material;  // which a lambda can capture
         write_scene(options.scene, bsdf);
         const SceneSource source(options);
-        const Comparison comparison(source, size, std::max(samples / share, 1), false);
+        const Comparison comparison(source, size, std::max(static_cast<int>(samples) / share, 1), false);
         const auto add = [&](const std::string& what, const StokesErrors& e) {
             report.add(std::string(name) + ": " + what, {e[0], e[1], e[2]});
             return e;

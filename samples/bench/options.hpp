@@ -16,7 +16,7 @@ struct Options {
     std::string light;  ///< empty: the scene's own
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     std::uint32_t size = 0;
-    std::int32_t samples = 0;
+    std::uint32_t samples = 0;
     int first_order = -1;
     int last_order = -1;
     int converged = 0;

@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "recipe.hpp"
 
-namespace {
-
-// In the interface 0 stands for the default.
-std::int32_t order(int given) {
-    return given == 0 ? -1 : given;
-}
-
-}  // namespace
-
 std::string Recipe::name() const {
     std::string text = method == NICOL_METHOD_DENSE ? "dense " : "factored ";
     text += std::to_string(low);
@@ -24,23 +15,23 @@ std::string Recipe::name() const {
 nicol_render_options Recipe::options() const {
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
     wanted.method = method;
-    wanted.order_low = order(low);
-    wanted.order_high = order(high == High::none ? low : top);
+    wanted.order_low = static_cast<std::uint32_t>(low);
+    wanted.order_high = static_cast<std::uint32_t>(high == High::none ? low : top);
     wanted.high_orders = high == High::none          ? NICOL_HIGH_ORDERS_NONE
                          : high == High::convolution ? NICOL_HIGH_ORDERS_CONVOLUTION
                                                      : NICOL_HIGH_ORDERS_SPLIT;
     wanted.tolerance = tolerance;
     wanted.high_orders_at = at;
-    wanted.shadows = shadows ? 0 : -1;
+    wanted.shadows = shadows ? 1 : 0;
     wanted.bake_directions = directions;
     return wanted;
 }
 
-nicol_render_options reference_options(std::int32_t samples, std::uint64_t seed, bool shadows) {
+nicol_render_options reference_options(std::uint32_t samples, std::uint64_t seed, bool shadows) {
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
     wanted.method = NICOL_METHOD_REFERENCE;
     wanted.samples = samples;
     wanted.seed = seed;
-    wanted.shadows = shadows ? 0 : -1;
+    wanted.shadows = shadows ? 1 : 0;
     return wanted;
 }

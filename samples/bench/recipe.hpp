@@ -15,8 +15,8 @@ struct Recipe {
     High high = High::none;
     int top = 9;  ///< highest order; without effect where high is none
     bool shadows = true;
-    std::uint32_t directions = 0;  ///< of the bake; 0: default
-    double tolerance = 0;          ///< above 0: chooses the orders
+    std::uint32_t directions = 2048;  ///< of the bake
+    double tolerance = 0;             ///< above 0: chooses the orders
     nicol_high_orders_at at = NICOL_HIGH_ORDERS_AT_VERTICES;
 
     /// As in "dense 4 + convolution to 9, at pixels, no shadows".
@@ -25,4 +25,4 @@ struct Recipe {
 };
 
 /// Of the reference method.
-nicol_render_options reference_options(std::int32_t samples, std::uint64_t seed, bool shadows);
+nicol_render_options reference_options(std::uint32_t samples, std::uint64_t seed, bool shadows);

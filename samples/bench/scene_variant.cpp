@@ -13,7 +13,7 @@ nicol_spectrum colours(std::uint32_t channels, float first, float step) {
 
 Environment sky(nicol_context context, std::uint32_t channels, bool polarized) {
     nicol_sky wanted = NICOL_SKY_INIT;
-    wanted.dop_max = polarized ? 0 : -1;
+    if (!polarized) wanted.dop_max = 0;
     wanted.sun_direction[0] = 0.7F;
     wanted.sun_direction[1] = 0.35F;
     wanted.sun_direction[2] = -0.6F;

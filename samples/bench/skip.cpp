@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 
 #include "common/handles.hpp"
@@ -31,7 +32,7 @@ struct Case {
     bool polarized = false;
     bool convex = false;
     std::uint32_t light_order = 16;
-    std::int32_t order_low = 0;  // 0: default
+    std::optional<std::uint32_t> order_low = std::nullopt;
 };
 
 const Case kCases[] = {
@@ -118,8 +119,10 @@ public:
         nicol_framebuffer framebuffer = nullptr;
         check(nicol_framebuffer_create(context, size, size, kChannels, &framebuffer));
         framebuffer_.reset(framebuffer);
-        options_.order_low = use.order_low;
-        if (use.order_low > 0) options_.high_orders = NICOL_HIGH_ORDERS_NONE;
+        if (use.order_low) {
+            options_.order_low = *use.order_low;
+            options_.high_orders = NICOL_HIGH_ORDERS_NONE;
+        }
         options_.disabled_optimisations = enabled ? 0 : use.optimisation;
     }
 

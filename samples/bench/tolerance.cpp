@@ -20,7 +20,7 @@ double largest(const StokesErrors& errors) {
 
 Report bench_tolerance(const Options& options) {
     const std::uint32_t size = options.size == 0 ? 256 : options.size;
-    const std::int32_t samples = options.samples == 0 ? 256 : options.samples;
+    const std::uint32_t samples = options.samples == 0 ? 256 : options.samples;
     const SceneSource source(options);
     Report report({"tolerance", "order low", "to order", "predicted", "truncation", "truncation / tolerance",
                    "against reference"});

@@ -35,7 +35,7 @@ Mask wholly_covered(const SceneSource& source, std::uint32_t size) {
 
 }  // namespace
 
-Truth make_truth(const SceneSource& source, std::uint32_t size, std::int32_t samples, bool shadows) {
+Truth make_truth(const SceneSource& source, std::uint32_t size, std::uint32_t samples, bool shadows) {
     const Stage stage(source);
     const Framebuffer framebuffer = stage.framebuffer(size, size);
     Truth truth;

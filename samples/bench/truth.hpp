@@ -7,7 +7,7 @@
 
 /// By the reference method with two seeds, `samples` per pixel each. The mask has the pixels that objects
 /// cover completely, without those next to other pixels.
-Truth make_truth(const SceneSource& source, std::uint32_t size, std::int32_t samples, bool shadows);
+Truth make_truth(const SceneSource& source, std::uint32_t size, std::uint32_t samples, bool shadows);
 
 /// A compared pixel is the mean of a square of this side, since the reference averages over pixels too;
 /// otherwise silhouettes would dominate the errors.

@@ -42,6 +42,7 @@ class Struct:
     name: str
     fields: list
     doc: str = ""
+    defaults: dict = field(default_factory=dict)  # name of a field that is not zero: number or list of numbers
 
 
 @dataclass
@@ -52,6 +53,7 @@ class Header:
     callbacks: dict = field(default_factory=dict)  # name: Function
     structs: dict = field(default_factory=dict)  # name: Struct
     functions: dict = field(default_factory=dict)  # name: Function
+    initializers: dict = field(default_factory=dict)  # of macros like NICOL_<TYPE>_INIT: text in braces
     order: list = field(default_factory=list)  # names of all types, as declared
 
     def scalar(self, type_):

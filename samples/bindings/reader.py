@@ -75,7 +75,10 @@ class Parser:
     def define(self, text, line):
         text = re.sub(r"/\*.*", "", text).strip()
         name, _, value = text.partition(" ")
-        if name == "NICOL_API" or name.endswith(("_H", "_INIT")):
+        if name == "NICOL_API" or name.endswith("_H"):
+            return
+        if value.startswith("{"):
+            self.header.initializers[name] = value
             return
         if not re.fullmatch(r"NICOL_[A-Z0-9_]+", name):
             self.fail(f"the macro {name} does not start with NICOL_", line)
@@ -83,13 +86,44 @@ class Parser:
 
     def value(self, text, line):
         """Of an expression of numbers and constants."""
-        if not re.fullmatch(r"[\w\s+*|<()]+", text):
+        if not re.fullmatch(r"[\w\s+*|<().-]+", text):
             self.fail(f"cannot evaluate {text!r}", line)
         text = re.sub(r"\b(0x[0-9a-fA-F]+|\d+)[uU]\b", r"\1", text)
+        text = re.sub(r"(\d\.\d+)f\b", r"\1", text)
+        text = re.sub(r"\(uint64_t\)-1\b", str(2**64 - 1), text).replace("(uint64_t)", "")
         try:
-            return int(eval(text, {"__builtins__": {}}, dict(self.header.constants)))
+            return eval(text, {"__builtins__": {}}, dict(self.header.constants))
         except (NameError, SyntaxError, TypeError):
             self.fail(f"cannot evaluate {text!r}", line)
+
+    def initializer(self, name):
+        """The values between braces, lists for nested ones; 0 for struct_size."""
+        text = self.header.initializers[name]
+        while macro := re.search(r"\bNICOL_[A-Z0-9_]+\b", text):
+            word = macro.group()
+            text = text.replace(word, self.header.initializers.get(word) or f"({self.header.constants.get(word)})")
+        text = re.sub(r"sizeof\(\w+\)", "0", text)
+        parts = re.findall(r"[{}]|[^{},]+", text)
+        lists = [[]]
+        for part in parts:
+            if part == "{":
+                lists.append([])
+            elif part == "}":
+                last = lists.pop()
+                lists[-1].append(last)
+            elif part.strip():
+                lists[-1].append(self.value(part.strip(), None))
+        return lists[0][0]
+
+    def set_defaults(self, struct):
+        values = self.initializer(struct.name.upper() + "_INIT")
+        if len(values) != len(struct.fields):
+            self.fail(f"{struct.name.upper()}_INIT has {len(values)} values for {len(struct.fields)} fields", "the end")
+
+        def zero(value):
+            return all(map(zero, value)) if isinstance(value, list) else value == 0
+
+        struct.defaults = {f.name: value for f, value in zip(struct.fields, values) if not zero(value)}
 
     # ---- tokens
 
@@ -161,7 +195,10 @@ class Parser:
         self.take("}")
         self.take(tag)
         self.take(";")
-        self.declare(self.header.structs, tag, Struct(tag, fields, doc))
+        struct = Struct(tag, fields, doc)
+        self.declare(self.header.structs, tag, struct)
+        if self.header.initializers.get(tag.upper() + "_INIT"):
+            self.set_defaults(struct)
 
     def field(self):
         base = self.type()

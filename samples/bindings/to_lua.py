@@ -29,12 +29,19 @@ def declarations(header):
         yield f"{function.result.c('').rstrip()} {function.name}({parameters(function)});"
 
 
+def literal(value):
+    """Numbers that doubles cannot hold as 64-bit ones."""
+    if isinstance(value, list):
+        return "{ " + ", ".join(map(literal, value)) + " }"
+    return f"{value}ULL" if isinstance(value, int) and value >= 2**53 else str(value)
+
+
 def generate(header):
     version = ".".join(str(header.constants[f"NICOL_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
     text = HEAD.format(version=version) + "\n".join(declarations(header)) + "\n]]\n\nreturn {\n"
     text += "    constants = {\n"
     for name, value in header.constants.items():
-        text += f"        {name.removeprefix('NICOL_')} = {value},\n"
+        text += f"        {name.removeprefix('NICOL_')} = {literal(value)},\n"
     text += "    },\n    -- Functions that answer with a result code, and the handle that comes back through the last pointer.\n"
     text += "    results = {\n"
     for function in header.functions.values():
@@ -42,8 +49,9 @@ def generate(header):
             last = function.parameters[-1].type
             made = f'"{last.base}"' if last.pointers and last.base in header.handles else "true"
             text += f"        {function.name.removeprefix('nicol_')} = {made},\n"
-    text += "    },\n    -- Descriptors, and whether they begin with struct_size.\n    structs = {\n"
+    text += "    },\n    -- Descriptors, whether they begin with struct_size, and the defaults that are not zero.\n    structs = {\n"
     for struct in header.structs.values():
         sized = str(struct.fields[0].name == "struct_size").lower()
-        text += f"        {struct.name.removeprefix('nicol_')} = {sized},\n"
+        defaults = ", ".join(f"{name} = {literal(value)}" for name, value in struct.defaults.items())
+        text += f"        {struct.name.removeprefix('nicol_')} = {{ {sized}, {{ {defaults} }} }},\n".replace("{  }", "{}")
     return text + "    },\n}\n"

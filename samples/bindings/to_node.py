@@ -35,7 +35,12 @@ def prototype(header, function):
     return f"{function.result.c('').rstrip()} {function.name}({', '.join(texts) or 'void'})"
 
 
-def field(header, variable):
+def literal(value):
+    """Numbers that JavaScript's doubles cannot hold as BigInt."""
+    return f"{value}n" if isinstance(value, int) and abs(value) >= 2**53 else str(value)
+
+
+def field(header, variable, defaults):
     type_ = variable.type
     if type_.base in header.callbacks:
         text = f"{type_.base} *"
@@ -43,14 +48,15 @@ def field(header, variable):
         text = "const char *"
     else:
         text = f"{type_.base} {'*' * type_.pointers}".rstrip()
-    return f'["{variable.name}", "{text}", {type_.count}]'
+    value = defaults.get(variable.name)
+    return f'["{variable.name}", "{text}", {type_.count}{"" if value is None else f", {literal(value)}"}]'
 
 
 def generate(header):
     version = ".".join(str(header.constants[f"NICOL_VERSION_{part}"]) for part in ("MAJOR", "MINOR", "PATCH"))
     text = HEAD.format(version=version)
     for name, value in header.constants.items():
-        text += f"  {name.removeprefix('NICOL_')}: {value},\n"
+        text += f"  {name.removeprefix('NICOL_')}: {literal(value)},\n"
     text += "};\n\n// In the order of their declaration, as Koffi needs them.\nexport const types = [\n"
     for name in header.order:
         if name in header.aliases:
@@ -63,8 +69,8 @@ def generate(header):
                                    for p in callback.parameters)  # fmt: skip
             text += f'  {{ kind: "callback", name: "{name}", of: "{callback.result.c("").rstrip()} {name}({parameters})" }},\n'
         else:
-            fields = "".join(f"      {field(header, f)},\n" for f in header.structs[name].fields)
-            text += f'  {{\n    kind: "struct",\n    name: "{name}",\n    // name, type, length of a fixed array\n    fields: [\n'
+            fields = "".join(f"      {field(header, f, header.structs[name].defaults)},\n" for f in header.structs[name].fields)
+            text += f'  {{\n    kind: "struct",\n    name: "{name}",\n    // name, type, length of a fixed array, default where it is not zero\n    fields: [\n'
             text += fields + "    ],\n  },\n"
     text += "];\n\n// Prototype, whether it answers with a result code, and the handle that comes back through the last pointer.\n"
     text += "export const functions = {\n"

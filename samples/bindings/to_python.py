@@ -71,7 +71,11 @@ class Python:
         text += "    _fields_ = [\n"
         for field in struct.fields:
             text += f'        ("{field.name}", {self.ctype(field.type, argument=False)}),\n'
-        return text + "    ]\n"
+        text += "    ]\n"
+        if struct.defaults:
+            text += "    _defaults_ = {\n"
+            text += "".join(f'        "{name}": {value},\n' for name, value in struct.defaults.items()) + "    }\n"
+        return text
 
     # ---- functions
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """samples/rust/src/abi.rs: the C headers as Rust's extern block, with what its structs must look like checked at compile time."""
 
+from header import Type
+
 SCALARS = {"char": "c_char", "int32_t": "i32", "uint32_t": "u32", "float": "f32", "uint64_t": "u64", "double": "f64",
            "void": "c_void"}  # fmt: skip
 KEYWORDS = {"in", "type", "ref", "match", "move", "use"}
@@ -41,6 +43,13 @@ def result(function):
     return "" if function.result.base == "void" and not function.result.pointers else f" -> {rust(function.result)}"
 
 
+def literal(header, field, value):
+    real = header.scalar(Type(field.type.base)) in ("float", "double")
+    if isinstance(value, list):
+        return "[" + ", ".join(literal(header, field, v) for v in value) + "]"
+    return str(float(value) if real else int(value))
+
+
 def struct(header, name):
     found = header.structs[name]
     text = "\n" + comment(found.doc) + f"#[repr(C)]\n#[derive(Clone, Copy)]\npub struct {name} {{\n"
@@ -50,7 +59,11 @@ def struct(header, name):
     text += "        // Zeros and null pointers are values of every field.\n"
     if found.fields[0].name == "struct_size":
         text += "        let mut made: Self = unsafe { std::mem::zeroed() };\n"
-        text += "        made.struct_size = size_of::<Self>() as u32;\n        made\n"
+        text += "        made.struct_size = size_of::<Self>() as u32;\n"
+        for field in found.fields:
+            if field.name in found.defaults:
+                text += f"        made.{word(field.name)} = {literal(header, field, found.defaults[field.name])};\n"
+        text += "        made\n"
     else:
         text += "        unsafe { std::mem::zeroed() }\n"
     text += "    }\n}\nconst _: () = {\n"
@@ -66,6 +79,7 @@ def generate(header):
     text = HEAD.format(version=version)
     for name, value in header.constants.items():
         type_ = "nicol_result" if name == "NICOL_OK" or name.startswith("NICOL_ERROR_") else "u32"
+        type_ = "u64" if value >= 2**32 else type_
         text += f"pub const {name}: {type_} = {value};\n"
     text += "\n"
     for name in header.order:

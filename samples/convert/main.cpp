@@ -25,7 +25,7 @@ void require_replaceable(const std::string& path) {
 // Truncated light rings, and images of it may be refused later, by Nicol as by others.
 void notice_unphysical(const std::string& path) {
     nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
-    options.order = -1;
+    options.order = 0;
     nicol_light_report report = NICOL_LIGHT_REPORT_INIT;
     check(nicol_file_describe_light(path.c_str(), &options, &report, nullptr, 0));
     const double excess = *std::max_element(report.largest_excess, report.largest_excess + report.channels);

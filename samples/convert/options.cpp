@@ -62,12 +62,11 @@ std::vector<double> parse_list(std::string_view option, std::string_view text) {
     }
 }
 
-// Zero stands for the default in the ABI, and -1 for order zero.
-std::int32_t parse_order(std::string_view text) {
+std::uint32_t parse_order(std::string_view text) {
     const std::uint32_t order = parse_number("--order", text);
     if (order > NICOL_PSH_MAX_ORDER)
         throw Failure("--order: " + std::string(text) + " is above " + std::to_string(NICOL_PSH_MAX_ORDER));
-    return order == 0 ? -1 : static_cast<std::int32_t>(order);
+    return order;
 }
 
 void parse_size(nicol_file_options& file, std::string_view text) {
@@ -117,9 +116,8 @@ void add_rotation(nicol_file_options& file, std::string_view text) {
         rotation[3 * row + next] -= std::sin(angle) * axis[last];
         rotation[3 * row + last] += std::sin(angle) * axis[next];
     }
-    std::array<double, 9> before{1, 0, 0, 0, 1, 0, 0, 0, 1};
-    if (std::any_of(std::begin(file.rotation), std::end(file.rotation), [](double v) { return v != 0; }))
-        std::copy(std::begin(file.rotation), std::end(file.rotation), before.begin());
+    std::array<double, 9> before{};
+    std::copy(std::begin(file.rotation), std::end(file.rotation), before.begin());
     for (std::size_t row = 0; row < 3; ++row)
         for (std::size_t column = 0; column < 3; ++column) {
             file.rotation[3 * row + column] = 0;

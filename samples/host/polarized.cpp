@@ -47,7 +47,7 @@ Polarized::Polarized() {
 void Polarized::draw(double sun, double polarizer, unsigned texture) {
     const double c = std::cos(sun * std::numbers::pi / 180), s = std::sin(sun * std::numbers::pi / 180);
     const double to_world[] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
-    check(nicol_scene_set_environment(scene_.get(), sky_.get(), to_world, 0));
+    check(nicol_scene_set_environment(scene_.get(), sky_.get(), to_world, 1));
     check(nicol_render(scene_.get(), &camera_, nullptr, framebuffer_.get()));
 
     nicol_observation seen = NICOL_OBSERVATION_INIT;

@@ -29,12 +29,13 @@ local function creator(f, handle)
     end
 end
 
--- nicol.render_options{order_low = 4}; with struct_size, and a number or a list for a spectrum.
-local function maker(name, sized)
+-- nicol.render_options{order_low = 4}; with struct_size and defaults, and a number or a list for a spectrum.
+local function maker(name, sized, defaults)
     local type = ffi.typeof("nicol_" .. name)
     return function(fields)
         local struct = type()
         if sized then struct.struct_size = ffi.sizeof(type) end
+        for field, value in pairs(defaults) do struct[field] = value end
         for field, value in pairs(fields or {}) do
             if ffi.istype("nicol_spectrum", struct[field]) and not ffi.istype("nicol_spectrum", value) then
                 value = nicol.spectrum_of(value)
@@ -83,7 +84,7 @@ end
 return setmetatable(nicol, {
     __index = function(_, name)
         local found = abi.constants[name]
-        if found == nil and abi.structs[name] ~= nil then found = maker(name, abi.structs[name]) end
+        if found == nil and abi.structs[name] ~= nil then found = maker(name, unpack(abi.structs[name])) end
         if found == nil then
             local result = abi.results[name]
             local f = C["nicol_" .. name]

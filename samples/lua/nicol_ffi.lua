@@ -46,6 +46,13 @@ typedef struct nicol_context_info {
     const char* renderer;
     const char* vendor;
     const char* version;
+    uint32_t max_framebuffer_size;
+    uint32_t reserved;
+    uint64_t memory_limit;
+    uint64_t load_bytes_limit;
+    uint64_t vertex_limit;
+    uint64_t triangle_limit;
+    double load_seconds_limit;
 } nicol_context_info;
 typedef void (*nicol_release_callback)(void* user);
 typedef struct nicol_image {
@@ -160,16 +167,16 @@ typedef uint32_t nicol_components;
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
-    int32_t order_low;
-    int32_t order_high;
+    uint32_t order_low;
+    uint32_t order_high;
     nicol_high_orders high_orders;
-    int32_t shadows;
+    uint32_t shadows;
     uint32_t bake_directions;
     uint32_t physical;
     double dering;
     nicol_progress_callback progress;
     void* progress_user;
-    int32_t samples;
+    uint32_t samples;
     uint32_t reserved;
     uint64_t seed;
     nicol_executor executor;
@@ -177,7 +184,7 @@ typedef struct nicol_render_options {
     double tolerance;
     nicol_components components;
     uint32_t disabled_optimisations;
-    int32_t high_order_shadows;
+    uint32_t high_order_shadows;
     uint32_t aovs;
 } nicol_render_options;
 typedef struct nicol_job_impl* nicol_job;
@@ -300,7 +307,7 @@ typedef int32_t (*nicol_psh_kernel_callback)(void* user, double theta, double mu
 typedef uint32_t nicol_file_kind;
 typedef struct nicol_file_options {
     uint32_t struct_size;
-    int32_t order;
+    uint32_t order;
     uint32_t width;
     uint32_t height;
     uint32_t edge;
@@ -482,6 +489,7 @@ return {
         MAX_CHANNELS = 16,
         MAX_ORDER = 32,
         MAX_SIZE = 16384,
+        NO_LIMIT = 18446744073709551615ULL,
         BACKEND_AUTOMATIC = 0,
         BACKEND_EGL = 1,
         BACKEND_OSMESA = 2,
@@ -513,9 +521,9 @@ return {
         OPTIMISATION_UNOCCLUDED = 64,
         OPTIMISATION_ALL = 127,
         AOV_DEPTH = 1,
-        AOV_NORMALS = 2,
-        AOV_POSITIONS = 4,
-        AOV_INSTANCES = 8,
+        AOV_NORMAL = 2,
+        AOV_POSITION = 4,
+        AOV_INSTANCE = 8,
         AOV_ALL = 15,
         COMPONENTS_ALL = 0,
         COMPONENTS_S0 = 1,
@@ -565,6 +573,7 @@ return {
         FILE_MATERIAL_TABLE = 6,
         FILE_BAND_LIMITED = 1,
         FILE_PHYSICAL = 2,
+        FILE_ORDER_AUTOMATIC = 4294967295,
     },
     -- Functions that answer with a result code, and the handle that comes back through the last pointer.
     results = {
@@ -653,36 +662,36 @@ return {
         material_write = true,
         psh_write_file = true,
     },
-    -- Descriptors, and whether they begin with struct_size.
+    -- Descriptors, whether they begin with struct_size, and the defaults that are not zero.
     structs = {
-        spectrum = false,
-        device_info = true,
-        context_options = true,
-        context_info = true,
-        image = true,
-        sky = true,
-        environment_load_options = true,
-        environment_info = true,
-        pplastic = true,
-        conductor = true,
-        measured = true,
-        callback_material = true,
-        mesh_data = true,
-        camera = true,
-        instance = true,
-        scene_file = true,
-        render_options = true,
-        job_status = true,
-        statistics = true,
-        plane_buffer = true,
-        observation = true,
-        host = true,
-        texture = true,
-        texture_target = true,
-        psh_sampling = true,
-        psh_mueller_field = true,
-        file_options = true,
-        light_report = true,
-        material_report = true,
+        spectrum = { false, {} },
+        device_info = { true, {} },
+        context_options = { true, { memory_limit = 18446744073709551615ULL, load_bytes_limit = 8589934592, vertex_limit = 67108864, triangle_limit = 134217728, load_seconds_limit = 600 } },
+        context_info = { true, {} },
+        image = { true, {} },
+        sky = { true, { dop_max = 0.8, sun_direction = { 0, 1, 0 }, ground_albedo = 0.2 } },
+        environment_load_options = { true, { scale = 1 } },
+        environment_info = { true, {} },
+        pplastic = { true, { int_ior = 1.49, ext_ior = 1.000277, alpha = 0.1 } },
+        conductor = { true, {} },
+        measured = { true, {} },
+        callback_material = { true, { channels = 1, lobe_width = 1 } },
+        mesh_data = { true, {} },
+        camera = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, fov = 45, near_clip = 0.01, far_clip = 10000 } },
+        instance = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } } },
+        scene_file = { true, {} },
+        render_options = { true, { order_low = 4, order_high = 9, shadows = 1, bake_directions = 2048, samples = 256, high_order_shadows = 1 } },
+        job_status = { true, {} },
+        statistics = { true, {} },
+        plane_buffer = { true, {} },
+        observation = { true, {} },
+        host = { true, {} },
+        texture = { true, {} },
+        texture_target = { true, {} },
+        psh_sampling = { true, {} },
+        psh_mueller_field = { true, {} },
+        file_options = { true, { order = 4294967295, edge = 256, scale = 1, rotation = { 1, 0, 0, 0, 1, 0, 0, 0, 1 } } },
+        light_report = { true, {} },
+        material_report = { true, {} },
     },
 }

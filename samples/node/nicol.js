@@ -4,7 +4,7 @@
 import koffi from "koffi";
 import { constants, functions, types } from "./nicol_abi.js";
 
-const library = koffi.load(process.env.NICOL_LIBRARY ?? "libnicol.so.0");
+const library = koffi.load(process.env.NICOL_LIBRARY ?? "libnicol.so.0.1");
 const structs = {};
 for (const type of types) {
   if (type.kind === "alias") koffi.alias(type.name, type.of);
@@ -70,12 +70,12 @@ function nothing(of, count) {
   return of.endsWith("*") || of in releases ? null : 0;
 }
 
-/** A descriptor: all fields, zero where not given, with its struct_size. */
+/** A descriptor: all fields, with their defaults where not given, and its struct_size. */
 function make(name, given) {
   const made = {};
   const fields = structs[name].fields;
   const kinds = Object.fromEntries(fields);
-  for (const [field, of, count] of fields) made[field] = nothing(of, count);
+  for (const [field, of, count, value] of fields) made[field] = plain(value ?? nothing(of, count));
   if ("struct_size" in made) made.struct_size = koffi.sizeof(name);
   for (const [field, value] of Object.entries(given)) {
     if (!(field in made)) throw new TypeError(`${name} has no field ${field}; it has ${Object.keys(made).join(", ")}`);

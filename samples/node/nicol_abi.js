@@ -27,6 +27,7 @@ export const constants = {
   MAX_CHANNELS: 16,
   MAX_ORDER: 32,
   MAX_SIZE: 16384,
+  NO_LIMIT: 18446744073709551615n,
   BACKEND_AUTOMATIC: 0,
   BACKEND_EGL: 1,
   BACKEND_OSMESA: 2,
@@ -58,9 +59,9 @@ export const constants = {
   OPTIMISATION_UNOCCLUDED: 64,
   OPTIMISATION_ALL: 127,
   AOV_DEPTH: 1,
-  AOV_NORMALS: 2,
-  AOV_POSITIONS: 4,
-  AOV_INSTANCES: 8,
+  AOV_NORMAL: 2,
+  AOV_POSITION: 4,
+  AOV_INSTANCE: 8,
   AOV_ALL: 15,
   COMPONENTS_ALL: 0,
   COMPONENTS_S0: 1,
@@ -110,6 +111,7 @@ export const constants = {
   FILE_MATERIAL_TABLE: 6,
   FILE_BAND_LIMITED: 1,
   FILE_PHYSICAL: 2,
+  FILE_ORDER_AUTOMATIC: 4294967295,
 };
 
 // In the order of their declaration, as Koffi needs them.
@@ -126,7 +128,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_spectrum",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["count", "uint32_t", 0],
       ["values", "float", 16],
@@ -136,7 +138,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_device_info",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["software", "uint32_t", 0],
@@ -148,7 +150,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_context_options",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["backend", "nicol_backend", 0],
@@ -157,17 +159,17 @@ export const types = [
       ["log", "nicol_log_callback *", 0],
       ["log_user", "void *", 0],
       ["cache_folder", "const char *", 0],
-      ["memory_limit", "uint64_t", 0],
-      ["load_bytes_limit", "uint64_t", 0],
-      ["vertex_limit", "uint64_t", 0],
-      ["triangle_limit", "uint64_t", 0],
-      ["load_seconds_limit", "double", 0],
+      ["memory_limit", "uint64_t", 0, 18446744073709551615n],
+      ["load_bytes_limit", "uint64_t", 0, 8589934592],
+      ["vertex_limit", "uint64_t", 0, 67108864],
+      ["triangle_limit", "uint64_t", 0, 134217728],
+      ["load_seconds_limit", "double", 0, 600],
     ],
   },
   {
     kind: "struct",
     name: "nicol_context_info",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["backend", "nicol_backend", 0],
@@ -176,13 +178,20 @@ export const types = [
       ["renderer", "const char *", 0],
       ["vendor", "const char *", 0],
       ["version", "const char *", 0],
+      ["max_framebuffer_size", "uint32_t", 0],
+      ["reserved", "uint32_t", 0],
+      ["memory_limit", "uint64_t", 0],
+      ["load_bytes_limit", "uint64_t", 0],
+      ["vertex_limit", "uint64_t", 0],
+      ["triangle_limit", "uint64_t", 0],
+      ["load_seconds_limit", "double", 0],
     ],
   },
   { kind: "callback", name: "nicol_release_callback", of: "void nicol_release_callback(void *user)" },
   {
     kind: "struct",
     name: "nicol_image",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["width", "uint32_t", 0],
@@ -199,31 +208,31 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_sky",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["dop_max", "float", 0],
-      ["sun_direction", "float", 3],
+      ["dop_max", "float", 0, 0.8],
+      ["sun_direction", "float", 3, [0, 1, 0]],
       ["radiance", "nicol_spectrum", 0],
       ["turbidity", "float", 0],
-      ["ground_albedo", "float", 0],
+      ["ground_albedo", "float", 0, 0.2],
     ],
   },
   {
     kind: "struct",
     name: "nicol_environment_load_options",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["reserved", "uint32_t", 0],
-      ["scale", "double", 0],
+      ["scale", "double", 0, 1],
       ["wavelengths", "nicol_spectrum", 0],
     ],
   },
   {
     kind: "struct",
     name: "nicol_environment_info",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["channels", "uint32_t", 0],
@@ -238,21 +247,21 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_pplastic",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["distribution", "nicol_distribution", 0],
       ["diffuse_reflectance", "nicol_spectrum", 0],
       ["specular_reflectance", "nicol_spectrum", 0],
-      ["int_ior", "float", 0],
-      ["ext_ior", "float", 0],
-      ["alpha", "float", 0],
+      ["int_ior", "float", 0, 1.49],
+      ["ext_ior", "float", 0, 1.000277],
+      ["alpha", "float", 0, 0.1],
     ],
   },
   {
     kind: "struct",
     name: "nicol_conductor",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["distribution", "nicol_distribution", 0],
@@ -269,7 +278,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_measured",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["sampling", "nicol_wavelength_sampling", 0],
@@ -280,21 +289,21 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_callback_material",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["channels", "uint32_t", 0],
+      ["channels", "uint32_t", 0, 1],
       ["mueller", "nicol_mueller_callback *", 0],
       ["user", "void *", 0],
       ["release", "nicol_release_callback *", 0],
-      ["lobe_width", "float", 0],
+      ["lobe_width", "float", 0, 1],
       ["reserved", "uint32_t", 0],
     ],
   },
   {
     kind: "struct",
     name: "nicol_mesh_data",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["vertex_count", "uint32_t", 0],
@@ -309,32 +318,32 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_camera",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["projection", "nicol_projection", 0],
-      ["to_world", "double", 16],
-      ["fov", "double", 0],
-      ["near_clip", "double", 0],
-      ["far_clip", "double", 0],
+      ["to_world", "double", 16, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]],
+      ["fov", "double", 0, 45],
+      ["near_clip", "double", 0, 0.01],
+      ["far_clip", "double", 0, 10000],
     ],
   },
   {
     kind: "struct",
     name: "nicol_instance",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["reserved", "uint32_t", 0],
       ["mesh", "nicol_mesh", 0],
       ["material", "nicol_material", 0],
-      ["to_world", "double", 16],
+      ["to_world", "double", 16, [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]],
     ],
   },
   {
     kind: "struct",
     name: "nicol_scene_file",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["reserved", "uint32_t", 0],
@@ -351,20 +360,20 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_render_options",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["method", "nicol_method", 0],
-      ["order_low", "int32_t", 0],
-      ["order_high", "int32_t", 0],
+      ["order_low", "uint32_t", 0, 4],
+      ["order_high", "uint32_t", 0, 9],
       ["high_orders", "nicol_high_orders", 0],
-      ["shadows", "int32_t", 0],
-      ["bake_directions", "uint32_t", 0],
+      ["shadows", "uint32_t", 0, 1],
+      ["bake_directions", "uint32_t", 0, 2048],
       ["physical", "uint32_t", 0],
       ["dering", "double", 0],
       ["progress", "nicol_progress_callback *", 0],
       ["progress_user", "void *", 0],
-      ["samples", "int32_t", 0],
+      ["samples", "uint32_t", 0, 256],
       ["reserved", "uint32_t", 0],
       ["seed", "uint64_t", 0],
       ["executor", "nicol_executor", 0],
@@ -372,7 +381,7 @@ export const types = [
       ["tolerance", "double", 0],
       ["components", "nicol_components", 0],
       ["disabled_optimisations", "uint32_t", 0],
-      ["high_order_shadows", "int32_t", 0],
+      ["high_order_shadows", "uint32_t", 0, 1],
       ["aovs", "uint32_t", 0],
     ],
   },
@@ -381,7 +390,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_job_status",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["state", "nicol_job_state", 0],
@@ -394,7 +403,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_statistics",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["order", "uint32_t", 0],
@@ -440,7 +449,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_plane_buffer",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["plane", "nicol_plane", 0],
@@ -455,7 +464,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_observation",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["kind", "nicol_observation_kind", 0],
@@ -469,7 +478,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_host",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["reserved", "uint32_t", 0],
@@ -481,7 +490,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_texture",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["name", "uint32_t", 0],
@@ -495,7 +504,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_texture_target",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["texture", "uint32_t", 0],
@@ -507,7 +516,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_psh_sampling",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["grid", "nicol_psh_grid", 0],
@@ -523,7 +532,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_psh_mueller_field",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["isotropic", "uint32_t", 0],
@@ -542,16 +551,16 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_file_options",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
-      ["order", "int32_t", 0],
+      ["order", "uint32_t", 0, 4294967295],
       ["width", "uint32_t", 0],
       ["height", "uint32_t", 0],
-      ["edge", "uint32_t", 0],
+      ["edge", "uint32_t", 0, 256],
       ["flags", "uint32_t", 0],
-      ["scale", "double", 0],
-      ["rotation", "double", 9],
+      ["scale", "double", 0, 1],
+      ["rotation", "double", 9, [1, 0, 0, 0, 1, 0, 0, 0, 1]],
       ["wavelengths", "nicol_spectrum", 0],
       ["reserved", "uint32_t", 0],
     ],
@@ -559,7 +568,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_light_report",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["kind", "nicol_file_kind", 0],
@@ -584,7 +593,7 @@ export const types = [
   {
     kind: "struct",
     name: "nicol_material_report",
-    // name, type, length of a fixed array
+    // name, type, length of a fixed array, default where it is not zero
     fields: [
       ["struct_size", "uint32_t", 0],
       ["kind", "nicol_file_kind", 0],

@@ -59,7 +59,7 @@ private:
 
     void find_objects() {
         const Scene scene = stage_.make_mask_scene();
-        const Recipe recipe{.order_low = -1, .order_high = -1, .shadows = false};
+        const Recipe recipe{.order_low = 0, .order_high = 0, .shadows = false};
         for (const View view : {View::front, View::side}) {
             stage_.render(scene.get(), view, recipe, target_.get());
             const Image shown = read_image(target_.get());

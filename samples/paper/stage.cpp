@@ -148,7 +148,7 @@ void Stage::render(nicol_scene scene, View view, double degrees_beside, const Re
     options.order_low = recipe.order_low;
     options.order_high = recipe.order_high;
     options.bake_directions = bake_directions_;
-    options.shadows = recipe.shadows ? 1 : -1;
+    options.shadows = recipe.shadows ? 1 : 0;
     options.high_orders = recipe.high_orders;
     options.physical = recipe.physical ? 1 : 0;
     options.samples = recipe.samples;

@@ -16,12 +16,12 @@ enum class View { front, side };
 /// What a render takes over from the library's defaults, and what not.
 struct Recipe {
     nicol_method method = NICOL_METHOD_FACTORED;
-    std::int32_t order_low = 4;
-    std::int32_t order_high = 9;
+    std::uint32_t order_low = 4;
+    std::uint32_t order_high = 9;
     bool shadows = true;
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
     bool physical = false;
-    std::int32_t samples = 0;
+    std::uint32_t samples = 256;
     std::uint64_t seed = 0;
 };
 

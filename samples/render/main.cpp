@@ -54,27 +54,23 @@ Framebuffer make_framebuffer(nicol_context context, nicol_scene scene, const Opt
 }
 
 void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& options, ProgressBar& progress) {
-    // In the ABI zero stands for the default order, and -1 for order zero.
-    const auto order = [](const std::optional<std::int32_t>& given) {
-        return given ? (*given == 0 ? -1 : *given) : 0;
-    };
     nicol_camera camera = NICOL_CAMERA_INIT;
     check(nicol_scene_get_camera(scene, &camera));
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
     wanted.method = options.method;
     wanted.executor = options.executor;
-    wanted.order_low = order(options.order_low);
-    wanted.order_high = order(options.order_high);
+    wanted.order_low = options.order_low.value_or(wanted.order_low);
+    wanted.order_high = options.order_high.value_or(wanted.order_high);
     wanted.high_orders = options.high_orders;
     wanted.high_orders_at = options.high_orders_at;
     wanted.tolerance = options.tolerance;
     wanted.components = options.components;
     wanted.aovs = options.aovs;
-    wanted.shadows = options.shadows ? 1 : -1;
-    wanted.bake_directions = options.bake_directions;
+    wanted.shadows = options.shadows ? 1 : 0;
+    wanted.bake_directions = options.bake_directions.value_or(wanted.bake_directions);
     wanted.dering = options.dering;
     wanted.physical = options.physical ? 1 : 0;
-    wanted.samples = options.samples.value_or(0);
+    wanted.samples = options.samples.value_or(wanted.samples);
     wanted.seed = options.seed;
     wanted.progress = ProgressBar::update;
     wanted.progress_user = &progress;

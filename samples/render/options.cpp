@@ -62,15 +62,6 @@ Number parse_number(std::string_view option, std::string_view text) {
     return value;
 }
 
-// The library knows which orders it has; here they need only fit its type.
-std::int32_t parse_order(std::string_view option, std::string_view text) {
-    const std::uint32_t order = parse_number(option, text);
-    if (order > INT32_MAX)
-        throw Failure(std::string(option) + ": " + std::string(text) + " is no order of light");
-    return static_cast<std::int32_t>(order);
-}
-
-// Zero asks the library for its default, which is no number of samples or directions.
 std::uint32_t parse_count(std::string_view option, std::string_view text, std::uint32_t least,
                           std::uint32_t most) {
     const std::uint32_t count = parse_number(option, text);
@@ -110,11 +101,11 @@ std::uint32_t parse_aovs(std::string_view text) {
         if (name == "depth")
             aovs |= NICOL_AOV_DEPTH;
         else if (name == "normals")
-            aovs |= NICOL_AOV_NORMALS;
+            aovs |= NICOL_AOV_NORMAL;
         else if (name == "positions")
-            aovs |= NICOL_AOV_POSITIONS;
+            aovs |= NICOL_AOV_POSITION;
         else if (name == "ids")
-            aovs |= NICOL_AOV_INSTANCES;
+            aovs |= NICOL_AOV_INSTANCE;
         else
             throw Failure("--aovs: '" + std::string(name) + "' is none of: depth, normals, positions, ids");
         more = comma != std::string_view::npos;
@@ -213,9 +204,9 @@ Options parse_options(int argc, const char* const* argv) {
         else if (name == "--executor")
             options.executor = parse_executor(value());
         else if (name == "--order-low")
-            options.order_low = parse_order(name, value());
+            options.order_low = parse_number(name, value());
         else if (name == "--order-high")
-            options.order_high = parse_order(name, value());
+            options.order_high = parse_number(name, value());
         else if (name == "--high-orders")
             options.high_orders = parse_high_orders(value());
         else if (name == "--high-orders-at")
@@ -233,7 +224,7 @@ Options parse_options(int argc, const char* const* argv) {
         else if (name == "--physical" && !attached)
             options.physical = true;
         else if (name == "--samples")
-            options.samples = static_cast<std::int32_t>(parse_count(name, value(), 1, 1048576));
+            options.samples = parse_count(name, value(), 1, 1048576);
         else if (name == "--seed")
             options.seed = parse_number<std::uint64_t>(name, value());
         else if (name == "--cache")
@@ -261,5 +252,10 @@ Options parse_options(int argc, const char* const* argv) {
     }
     if (options.scene.empty()) throw Failure("no scene given; usage: nicol-render SCENE.xml -o OUT.exr");
     if (options.output.empty()) throw Failure("no output given; add -o OUT.exr");
+    const nicol_render_options defaults = NICOL_RENDER_OPTIONS_INIT;
+    const std::uint32_t low = options.order_low.value_or(defaults.order_low);
+    if (options.order_high && *options.order_high < low)
+        throw Failure("--order-high: " + std::to_string(*options.order_high) +
+                      " is below --order-low, which is " + std::to_string(low));
     return options;
 }

@@ -24,7 +24,7 @@ struct Options {
     std::uint32_t aovs = 0;    ///< NICOL_AOV_...
     nicol_method method = NICOL_METHOD_FACTORED;
     nicol_executor executor = NICOL_EXECUTOR_AUTOMATIC;
-    std::optional<std::int32_t> order_low, order_high;
+    std::optional<std::uint32_t> order_low, order_high;
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
     nicol_high_orders_at high_orders_at = NICOL_HIGH_ORDERS_AT_AUTOMATIC;
     double tolerance = 0;
@@ -32,8 +32,8 @@ struct Options {
     bool shadows = true;
     bool physical = false;
     double dering = 0;
-    std::uint32_t bake_directions = 0;                               ///< 0: the library's default
-    std::optional<std::int32_t> samples;                             ///< of the reference method
+    std::optional<std::uint32_t> bake_directions;
+    std::optional<std::uint32_t> samples;                            ///< of the reference method
     std::uint64_t seed = 0;                                          ///< likewise
     nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< no more than its limits of a load
     std::string cache;                                               ///< folder, empty: what NICOL_CACHE says

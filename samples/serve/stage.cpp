@@ -24,11 +24,6 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// In the ABI zero stands for the default order, and -1 for order zero; in a request -1 for the default.
-std::int32_t abi_order(std::int32_t order) {
-    return order < 0 ? 0 : (order == 0 ? -1 : order);
-}
-
 std::vector<std::string> exr_names(std::uint32_t channels) {
     if (channels == 1) return {"Y"};
     if (channels == 3) return {"B", "G", "R"};
@@ -126,8 +121,8 @@ void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
         light_tilt_ = view.light_tilt;
     }
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-    options.order_low = abi_order(view.order_low);
-    options.order_high = abi_order(view.order_high);
+    if (view.order_low >= 0) options.order_low = static_cast<std::uint32_t>(view.order_low);
+    if (view.order_high >= 0) options.order_high = static_cast<std::uint32_t>(view.order_high);
     options.tolerance = view.tolerance;
     options.progress = progress.callback;
     options.progress_user = progress.user;

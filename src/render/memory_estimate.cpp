@@ -120,7 +120,7 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
 }
 
 void MemoryLimit::check(const Scene& scene, const RenderOptions& options) {
-    if (bytes_ == 0) return;
+    if (bytes_ == kNone) return;
     checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), options.method,
                   options.order_low, options.order_high, options.high_orders, options.shadows,
                   options.high_order_shadows, options.bake_directions, [&] {

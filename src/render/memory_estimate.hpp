@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "harmonics/light_layout.hpp"
 #include "render/render.hpp"
@@ -28,8 +29,9 @@ struct MemoryEstimate {
 /// What a scene may take at most.
 class MemoryLimit {
 public:
-    /// 0: no limit.
-    explicit MemoryLimit(std::uint64_t bytes = 0) : bytes_(bytes) {}
+    static constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
+
+    explicit MemoryLimit(std::uint64_t bytes = kNone) : bytes_(bytes) {}
 
     /// Throws Error(out_of_memory) with both numbers where the estimate exceeds the limit. Estimates again
     /// only where something that the estimate depends on has changed since the last call.

@@ -16,12 +16,15 @@
 
 namespace nicol {
 
+/// How many work where this many are asked for: never more than one a core, and that for 0.
+inline int worker_count(int threads) {
+    const int cores = tbb::info::default_concurrency();
+    return threads > 0 ? std::min(threads, cores) : cores;
+}
+
 class Workers {
 public:
-    /// 0: one a core. Never more than one a core.
-    explicit Workers(int threads)
-        : arena_(threads > 0 ? std::min(threads, tbb::info::default_concurrency())
-                             : tbb::task_arena::automatic) {}
+    explicit Workers(int threads) : arena_(worker_count(threads)) {}
 
     template <class Function>
     void run(Function&& function) {

@@ -182,7 +182,7 @@ inline nicol_camera front_camera(double distance = 3) {
 }
 
 struct Matrix {
-    double rows[16];
+    double rows[16] = NICOL_IDENTITY_4X4;
 };
 
 inline Matrix placed(double x, double y, double z, double scale = 1) {
@@ -205,7 +205,7 @@ inline std::uint32_t add(nicol_scene scene, nicol_mesh mesh, nicol_material mate
 inline nicol_scene simple_scene(nicol_context context, nicol_environment environment, nicol_mesh mesh,
                                 nicol_material material) {
     const nicol_scene scene = empty_scene(context);
-    OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
+    OK(nicol_scene_set_environment(scene, environment, nullptr, 1));
     add(scene, mesh, material);
     return scene;
 }
@@ -302,7 +302,7 @@ struct Stage {
           mesh(cube(context)),
           scene(empty_scene(context)),
           framebuffer(framebuffer_of(context, 24, 16, 3)) {
-        OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
+        OK(nicol_scene_set_environment(scene, environment, nullptr, 1));
         add(scene, mesh, material, {{0.4, 0, 0.3, 0, 0.1, 0.5, 0, 0, -0.3, 0, 0.4, 0, 0, 0, 0, 1}});
     }
 

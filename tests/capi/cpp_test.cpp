@@ -13,7 +13,7 @@ TEST_CASE("an image by handles that release themselves") {
     const auto light =
         nicol::create<nicol::Environment>(nicol_environment_create_constant, context.get(), nullptr);
     const auto scene = nicol::create<nicol::Scene>(nicol_scene_create, context.get());
-    nicol::check(nicol_scene_set_environment(scene.get(), light.get(), nullptr, 0));
+    nicol::check(nicol_scene_set_environment(scene.get(), light.get(), nullptr, 1));
     const auto framebuffer =
         nicol::create<nicol::Framebuffer>(nicol_framebuffer_create, context.get(), 4u, 3u, 1u);
     const nicol::Context kept = std::move(context);

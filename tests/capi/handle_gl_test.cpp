@@ -19,7 +19,7 @@ struct Connected {
     nicol_framebuffer framebuffer = framebuffer_of(context, 4, 4, 1);
 
     void connect() const {
-        OK(nicol_scene_set_environment(scene, environment, nullptr, 0));
+        OK(nicol_scene_set_environment(scene, environment, nullptr, 1));
         add(scene, mesh, material);
     }
 };
@@ -62,6 +62,17 @@ TEST_CASE("handles may be released in any order") {
     }
 }
 
+TEST_CASE("a later object does not answer to a released handle") {
+    const Owned context(make_context(NICOL_BACKEND_OSMESA));
+    const nicol_mesh gone = rectangle(context);
+    OK(nicol_mesh_release(gone));
+    std::uint32_t vertices = 0, triangles = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Owned later(rectangle(context));
+        CHECK(nicol_mesh_get_size(gone, &vertices, &triangles) == NICOL_ERROR_INVALID_HANDLE);
+    }
+}
+
 TEST_CASE("objects work on after their context and their parts were released") {
     for (const nicol_backend backend : every_backend) {
         CAPTURE(backend);
@@ -97,7 +108,7 @@ TEST_CASE("objects of different contexts do not mix") {
         {"different", [&] { return nicol_material_create_twosided(a.context, b.material, &both); }, foreign},
         {"contexts", [&] { return add_to_a(b.mesh, a.material); }, foreign},
         {"contexts", [&] { return add_to_a(a.mesh, b.material); }, foreign},
-        {"contexts", [&] { return nicol_scene_set_environment(a.scene, b.environment, nullptr, 0); },
+        {"contexts", [&] { return nicol_scene_set_environment(a.scene, b.environment, nullptr, 1); },
          foreign},
         {"contexts", [&] { return nicol_render(a.scene, &camera, nullptr, b.framebuffer); }, foreign},
         {"contexts", [&] { return nicol_render(b.scene, &camera, nullptr, a.framebuffer); }, foreign},

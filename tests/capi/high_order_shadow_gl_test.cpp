@@ -58,8 +58,8 @@ Values image(nicol_context context, nicol_scene scene, const nicol_render_option
     return mean;
 }
 
-Values real_time(nicol_context context, nicol_scene scene, std::int32_t high, std::int32_t shadows,
-                 std::int32_t high_order_shadows = 0) {
+Values real_time(nicol_context context, nicol_scene scene, std::uint32_t high, std::uint32_t shadows,
+                 std::uint32_t high_order_shadows = 1) {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.high_order_shadows = high_order_shadows;
     options.order_low = 4;
@@ -83,13 +83,13 @@ TEST_CASE("a highlight half behind a wall is dimmed as the reference has it") {
         const Values dimmed = real_time(context, scene, 32, 1);
         // Light adds: low orders in shadow, with high orders that nothing hides.
         Values undimmed = real_time(context, scene, 4, 1);
-        const Values low = real_time(context, scene, 4, -1), all = real_time(context, scene, 32, -1);
+        const Values low = real_time(context, scene, 4, 0), all = real_time(context, scene, 32, 0);
         double brightest = 0;
         for (std::size_t i = 0; i < all.size(); ++i) {
             undimmed[i] += all[i] - low[i];
             brightest = std::max(brightest, all[i]);
         }
-        const Values asked = real_time(context, scene, 32, 1, -1);
+        const Values asked = real_time(context, scene, 32, 1, 0);
         for (std::size_t i = 0; i < all.size(); ++i)
             REQUIRE(std::abs(asked[i] - undimmed[i]) < 1e-5 * brightest);
         std::vector<bool> highlight(all.size() / 4);

@@ -28,7 +28,7 @@ inline void convert(const std::string& in, const std::string& out,
     OK(nicol_file_convert(in.c_str(), &options, out.c_str()));
 }
 
-inline nicol_file_options of_order(std::int32_t order, std::uint32_t flags = 0) {
+inline nicol_file_options of_order(std::uint32_t order, std::uint32_t flags = 0) {
     nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
     options.order = order;
     options.flags = flags;

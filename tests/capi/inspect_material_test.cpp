@@ -174,7 +174,10 @@ TEST_CASE("inspect: options that materials do not take") {
                  {"edge", [](O& o) { o.edge = 8; }},
                  {"PHYSICAL", [](O& o) { o.flags = NICOL_FILE_PHYSICAL; }},
                  {"BAND_LIMITED", [](O& o) { o.flags = NICOL_FILE_BAND_LIMITED; }},
-                 {"rotation", [](O& o) { o.rotation[0] = o.rotation[4] = o.rotation[8] = 1; }},
+                 {"rotation",
+                  [](O& o) {
+                      std::ranges::copy(std::array<double, 9>{0, 1, 0, 0, 0, 1, 1, 0, 0}, o.rotation);
+                  }},
                  {"wavelengths", [](O& o) { o.wavelengths = spectrum({550}); }}});
     REFUSES(to("o.exr")(good), "o.exr");
     REFUSES(to("o.response")(good), "folder");

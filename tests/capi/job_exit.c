@@ -20,7 +20,7 @@ int main(void) {
 
     if (nicol_context_create(NULL, &context) || nicol_environment_create_constant(context, &grey, &light) ||
         nicol_mesh_create_sphere(context, &mesh) || nicol_material_create_diffuse(context, NULL, &material) ||
-        nicol_scene_create(context, &scene) || nicol_scene_set_environment(scene, light, NULL, 0) ||
+        nicol_scene_create(context, &scene) || nicol_scene_set_environment(scene, light, NULL, 1) ||
         nicol_framebuffer_create(context, 512, 512, 1, &framebuffer) ||
         nicol_camera_look_at(&camera, origin, target, up)) {
         printf("%s\n", nicol_last_error());

@@ -199,6 +199,8 @@ CONTEXT_TEST_CASE("functions that are no material are refused and given back") {
     check_wrong(described(function), create,
                 {{"mueller", [](P& p) { p.mueller = nullptr; }},
                  {"channels", [](P& p) { p.channels = 17; }},
+                 {"channels", [](P& p) { p.channels = 0; }},
+                 {"lobe_width", [](P& p) { p.lobe_width = 0; }},
                  {"reserved", [](P& p) { p.reserved = 1; }},
                  {"lobe_width", [](P& p) { p.lobe_width = NAN; }},
                  {"lobe_width", [](P& p) { p.lobe_width = -1; }},

@@ -14,11 +14,11 @@ nicol_context limited_context(nicol_backend backend, std::uint64_t limit) {
 
 std::vector<nicol_render_options> many_options() {
     std::vector<nicol_render_options> all;
-    for_all({NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE}, {-1, 1, 4, 7, 10},
-            [&](nicol_method method, int order) {
+    for_all({NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE}, {0U, 1U, 4U, 7U, 10U},
+            [&](nicol_method method, std::uint32_t order) {
                 if (method == NICOL_METHOD_DENSE && order > 4) return;
-                for_all({NICOL_HIGH_ORDERS_SPLIT, NICOL_HIGH_ORDERS_NONE}, {1, -1},
-                        [&](nicol_high_orders high, std::int32_t shadows) {
+                for_all({NICOL_HIGH_ORDERS_SPLIT, NICOL_HIGH_ORDERS_NONE}, {1U, 0U},
+                        [&](nicol_high_orders high, std::uint32_t shadows) {
                             nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
                             options.method = method;
                             options.executor = NICOL_EXECUTOR_CPU;
@@ -78,7 +78,7 @@ std::uint64_t bytes_needed(const Stage& stage, const nicol_render_options& optio
 
 TEST_CASE("predictions are never too low, and not far too high") {
     for (const nicol_backend backend : every_backend) {
-        const Owned small(limited_context(backend, 1000)), free(limited_context(backend, 0));
+        const Owned small(limited_context(backend, 1000)), free(limited_context(backend, NICOL_NO_LIMIT));
         {
             const Cleft refused(small), rendered(free);
             for (const nicol_render_options& options : many_options()) {

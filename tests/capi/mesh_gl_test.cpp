@@ -167,8 +167,9 @@ TEST_CASE("a matrix of fewer orders than the light's reflects none of the others
 
     Studio studio;
     OK(nicol_material_load_psh(studio.context, folder.file("small.npz").c_str(), nullptr, &studio.material));
-    studio.options.shadows = -1;  // which would mix orders
-    const auto image = [&](nicol_method method, std::int32_t low, std::int32_t high, nicol_high_orders form) {
+    studio.options.shadows = 0;  // which would mix orders
+    const auto image = [&](nicol_method method, std::uint32_t low, std::uint32_t high,
+                           nicol_high_orders form) {
         studio.options.method = method;
         studio.options.order_low = low;
         studio.options.order_high = high;

@@ -55,7 +55,7 @@ nicol_framebuffer image_of_magnitudes(nicol_context context) {
     const nicol_image image = image_of(pixels, 64, 33, 3, 1);
     const Owned light(make(nicol_environment_create_image, context, &image));
     const Owned scene(empty_scene(context));
-    OK(nicol_scene_set_environment(scene, light, nullptr, 0));
+    OK(nicol_scene_set_environment(scene, light, nullptr, 1));
     const nicol_framebuffer framebuffer = framebuffer_of(context, 40, 30, 3);
     const nicol_camera camera = front_camera();
     OK(nicol_render(scene, &camera, nullptr, framebuffer));

@@ -39,7 +39,7 @@ inline std::vector<nicol_render_options> every_method() {
         options.method = method;
         options.order_low = 1;
         options.order_high = 1;
-        options.shadows = -1;
+        options.shadows = 0;
         options.samples = 1;
         options.aovs = NICOL_AOV_ALL;
         all.push_back(options);

@@ -157,9 +157,9 @@ STAGE_TEST_CASE("planes follow the mask of the last render, and nothing else is 
         std::uint32_t bit;
         nicol_plane plane;
     } planes[] = {{NICOL_AOV_DEPTH, NICOL_PLANE_DEPTH},
-                  {NICOL_AOV_NORMALS, NICOL_PLANE_NORMAL},
-                  {NICOL_AOV_POSITIONS, NICOL_PLANE_POSITION},
-                  {NICOL_AOV_INSTANCES, NICOL_PLANE_INSTANCE}};
+                  {NICOL_AOV_NORMAL, NICOL_PLANE_NORMAL},
+                  {NICOL_AOV_POSITION, NICOL_PLANE_POSITION},
+                  {NICOL_AOV_INSTANCE, NICOL_PLANE_INSTANCE}};
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     const std::vector<float> image = stage.image();
     const nicol_statistics bare = statistics_of(stage.framebuffer);
@@ -196,7 +196,7 @@ STAGE_TEST_CASE("a render that is stopped leaves the planes of the one before") 
     options.aovs = NICOL_AOV_DEPTH;
     OK(stage.try_render(options));
     const std::vector<float> depth = read_surface<float>(stage.framebuffer, NICOL_PLANE_DEPTH, 1);
-    options.aovs = NICOL_AOV_NORMALS;
+    options.aovs = NICOL_AOV_NORMAL;
     options.progress = [](void*, const char*, double) -> std::int32_t { return 0; };
     const nicol_camera other = front_camera(6);
     FAILS(nicol_render(stage.scene, &other, &options, stage.framebuffer), NICOL_ERROR_CANCELLED, "stop");

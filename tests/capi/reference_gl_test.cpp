@@ -6,7 +6,7 @@ using namespace capi_test;
 
 namespace {
 
-nicol_render_options reference(std::int32_t samples) {
+nicol_render_options reference(std::uint32_t samples) {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.method = NICOL_METHOD_REFERENCE;
     options.samples = samples;

@@ -40,7 +40,7 @@ CONTEXT_TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
         // A diffuse square of half the image's width in front of constant light.
         const Owned scene(empty_scene(context));
         const Owned framebuffer(framebuffer_of(context, 20, 20, channels));
-        OK(nicol_scene_set_environment(scene, Owned(constant_light(context, light)), nullptr, 0));
+        OK(nicol_scene_set_environment(scene, Owned(constant_light(context, light)), nullptr, 1));
         add(scene, Owned(rectangle(context)), Owned(diffuse(context, reflectance)), placed(0, 0, 0, 0.5));
         const nicol_camera camera = front_camera();
         OK(nicol_render(scene, &camera, nullptr, framebuffer));
@@ -72,18 +72,22 @@ CONTEXT_TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
     }
 }
 
-STAGE_TEST_CASE("0 asks for the default orders, and -1 for order 0") {
+STAGE_TEST_CASE("options mean what they say, and those that an older program does not have their defaults") {
     const std::vector<float> before = stage.image();
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     // The sky of this scene has no order above 2.
-    for (const auto& [low, high, order] : std::vector<std::array<std::int32_t, 3>>{
-             {-1, 0, 2}, {-1, -1, 0}, {1, 1, 1}, {1, 0, 2}, {12, 0, 12}, {2, 9, 2}, {0, 0, 4}}) {
+    for (const auto& [low, high, order] : std::vector<std::array<std::uint32_t, 3>>{
+             {0, 0, 0}, {0, 9, 2}, {1, 0, 1}, {1, 1, 1}, {12, 9, 12}, {2, 9, 2}, {4, 9, 4}}) {
         options.order_low = low;
         options.order_high = high;
         OK(stage.try_render(options));
-        CHECK(statistics_of(stage.framebuffer).order == static_cast<std::uint32_t>(order));
+        CHECK(statistics_of(stage.framebuffer).order == order);
     }
     CHECK(read_all(stage.framebuffer) == before);
+    nicol_render_options older;  // ends after method
+    std::memset(&older, 0, sizeof older);
+    older.struct_size = offsetof(nicol_render_options, order_low);
+    CHECK(stage.image(older) == before);
     // Every default by name.
     options.order_low = 4;
     options.order_high = 9;
@@ -102,7 +106,7 @@ STAGE_TEST_CASE("a framebuffer must have the scene's channels, or one of three")
 
 STAGE_TEST_CASE("a cancelled render leaves the image, whichever verb was at work") {
     const auto stop_at = [&](const char* verb, nicol_scene scene, const nicol_camera& camera,
-                             std::int32_t shadows = 1) {
+                             std::uint32_t shadows = 1) {
         INFO(std::string(verb));
         const std::vector<float> image = read_all(stage.framebuffer);
         const nicol_statistics before = statistics_of(stage.framebuffer);
@@ -119,18 +123,18 @@ STAGE_TEST_CASE("a cancelled render leaves the image, whichever verb was at work
     // The first render of all: the framebuffer is still fresh.
     stop_at("bake", stage.scene, stage.camera);
     stop_at("bake", stage.scene, stage.camera);
-    stop_at("project", stage.scene, stage.camera, -1);
+    stop_at("project", stage.scene, stage.camera, 0);
     const std::vector<float> still = stage.image();
     OK(nicol_scene_set_transform(stage.scene, 0, placed(0.3, 0, 0, 0.4).rows));
     stop_at("bake", stage.scene, stage.camera);
-    stop_at("relight", stage.scene, stage.camera, -1);
-    stop_at("relight", stage.scene, stage.camera, -1);
+    stop_at("relight", stage.scene, stage.camera, 0);
+    stop_at("relight", stage.scene, stage.camera, 0);
     const std::vector<float> moved = stage.image();
     CHECK(moved != still);
     stop_at("shade", stage.scene, front_camera(5));
     const Owned empty(empty_scene(stage.context));
-    OK(nicol_scene_set_environment(empty, stage.environment, nullptr, 0));
-    stop_at("draw", empty, stage.camera, -1);
+    OK(nicol_scene_set_environment(empty, stage.environment, nullptr, 1));
+    stop_at("draw", empty, stage.camera, 0);
 }
 
 CONTEXT_TEST_CASE("a callback that calls back gets an error and no deadlock") {
@@ -162,7 +166,7 @@ CONTEXT_TEST_CASE("a callback that calls back gets an error and no deadlock") {
                 nicol_render(own.scene, &own.camera, nullptr, own.framebuffer),
                 nicol_scene_add_instance(own.scene, &instance, nullptr),
                 nicol_scene_set_transform(own.scene, 0, placed(0, 0, 0).rows),
-                nicol_scene_set_environment(own.scene, nullptr, nullptr, 0),
+                nicol_scene_set_environment(own.scene, nullptr, nullptr, 1),
                 nicol_scene_get_channels(own.scene, &channels),
                 nicol_framebuffer_get_statistics(own.framebuffer, &statistics),
                 nicol_framebuffer_read(own.framebuffer, NICOL_PLANE_S0, 0, pixels, 0, sizeof pixels),

@@ -29,7 +29,7 @@ TEST_CASE("de-ringing removes the negative light of the demonstration") {
         return static_cast<double>(least_s0) / (sum / static_cast<double>(image.size() / 4));
     };
 
-    options.shadows = -1;
+    options.shadows = 0;
     CHECK(least() < -0.02);
     options.dering = 0.003;
     CHECK(least() > 0);

@@ -19,7 +19,7 @@ std::vector<std::uint32_t> ids_of(nicol_scene scene) {
 // What a scene made of the same instances from the start looks like.
 std::vector<float> fresh(const Stage& stage) {
     const Owned scene(empty_scene(stage.context));
-    OK(nicol_scene_set_environment(scene, stage.environment, nullptr, 0));
+    OK(nicol_scene_set_environment(scene, stage.environment, nullptr, 1));
     for (const std::uint32_t id : ids_of(stage.scene)) {
         Owned<nicol_mesh> mesh;
         Owned<nicol_material> material;

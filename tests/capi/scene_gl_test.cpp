@@ -56,7 +56,7 @@ STAGE_TEST_CASE("a scene's environment comes back as it was set") {
     CHECK(info.polarized == 1);
 
     // The handle outlives the scene's own use of the light.
-    OK(nicol_scene_set_environment(stage.scene, nullptr, nullptr, 0));
+    OK(nicol_scene_set_environment(stage.scene, nullptr, nullptr, 1));
     nicol_environment none = marker<nicol_environment>();
     double identity[16] = {};
     OK(nicol_scene_get_environment(stage.scene, &none, identity, &scale));
@@ -114,17 +114,17 @@ CONTEXT_TEST_CASE("a scene has the channels of its parts, which must fit, and no
     FAILS(nicol_scene_get_film_size(scene, &width, &height), NICOL_ERROR_UNSUPPORTED, "film");
     CHECK((camera.fov == 12 && width == 5 && height == 6));
 
-    OK(nicol_scene_set_environment(scene, two, nullptr, 0));
+    OK(nicol_scene_set_environment(scene, two, nullptr, 1));
     OK(nicol_scene_get_channels(scene, &channels));
     CHECK(channels == 2);
     nicol_instance instance = NICOL_INSTANCE_INIT;
     instance.mesh = mesh;
     instance.material = material;
     REFUSES(nicol_scene_add_instance(scene, &instance, nullptr), "channels");
-    OK(nicol_scene_set_environment(scene, three, nullptr, 0));
+    OK(nicol_scene_set_environment(scene, three, nullptr, 1));
     OK(nicol_scene_add_instance(scene, &instance, nullptr));
-    REFUSES(nicol_scene_set_environment(scene, two, nullptr, 0), "channels");
-    OK(nicol_scene_set_environment(scene, nullptr, nullptr, 0));
+    REFUSES(nicol_scene_set_environment(scene, two, nullptr, 1), "channels");
+    OK(nicol_scene_set_environment(scene, nullptr, nullptr, 1));
     OK(nicol_scene_get_channels(scene, &channels));
     CHECK(channels == 3);
 }

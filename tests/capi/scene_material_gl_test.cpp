@@ -25,7 +25,7 @@ std::string scene_text(const std::string& bsdf, const std::string& emitter = sky
            rotation + "<scale value='3'/></transform>" + bsdf + "</shape></scene>";
 }
 
-nicol_render_options options_of(nicol_method method, std::int32_t order, std::int32_t samples = 0) {
+nicol_render_options options_of(nicol_method method, std::uint32_t order, std::uint32_t samples = 1) {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.method = method;
     options.order_low = options.order_high = order;

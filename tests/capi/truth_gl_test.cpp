@@ -7,12 +7,12 @@ using namespace capi_test;
 
 namespace {
 
-nicol_render_options low_orders(std::int32_t order, std::int32_t shadows = 0) {
+nicol_render_options low_orders(std::uint32_t order, std::uint32_t shadows = 1) {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.order_low = order;
     options.high_orders = NICOL_HIGH_ORDERS_NONE;
     options.shadows = shadows;
-    options.aovs = NICOL_AOV_INSTANCES;
+    options.aovs = NICOL_AOV_INSTANCE;
     return options;
 }
 
@@ -144,7 +144,7 @@ TEST_CASE("a statue on a plane, with shadows, is Mitsuba 3's, but for truncation
     const Owned context(make_context(NICOL_BACKEND_OSMESA));
     const LoadedScene file(context, folder.file("buddha.xml"));
     const std::vector<float> truth = nicol::read_exr(test_data("mitsuba/buddha_plane_venice.exr")).data;
-    const std::vector<float> shadowed = file.image(low_orders(9, 1)), plain = file.image(low_orders(9, -1));
+    const std::vector<float> shadowed = file.image(low_orders(9, 1)), plain = file.image(low_orders(9, 0));
     const std::vector<bool> inner = inner_pixels(file);
     const auto covered = std::count(inner.begin(), inner.end(), true);
     CHECK(covered > 10000);

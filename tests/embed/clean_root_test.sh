@@ -45,5 +45,5 @@ inside 'cd /try && gcc -std=c99 -Wall -Werror embed_c/hello_stokes.c $(pkg-confi
 inside 'cd /try && cmake -S embed_cmake -B viewer >/dev/null && cmake --build viewer' >"$folder/log" 2>&1 ||
     { tail -20 "$folder/log"; fail "the CMake package"; }
 inside 'nicol-render /try/assets/snail_sky.xml -o /try/a.exr && test -s /try/a.exr && nicol-convert --info /try/assets/forest.exr'
-inside 'apt-get remove -y libnicol0 && ! command -v nicol-render && ! ls /usr/include/nicol.h' >"$folder/log" 2>&1 ||
+inside 'apt-get remove -y libnicol0.1 && ! command -v nicol-render && ! ls /usr/include/nicol.h' >"$folder/log" 2>&1 ||
     { tail "$folder/log"; fail "removing"; }

@@ -18,7 +18,7 @@ def brightness(_=None):
         scene = nicol.Scene.create(context)
         material = nicol.Material.create_diffuse(context, 0.5)
         scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=material))
-        scene.set_environment(nicol.Environment.create_constant(context, 1.0), None, 0)
+        scene.set_environment(nicol.Environment.create_constant(context, 1.0), None, 1)
         framebuffer = nicol.Framebuffer.create(context, 9, 9, 1)
         camera = nicol.Camera(fov=20).look_at((0, 0, 4), (0, 0, 0), (0, 1, 0))
         nicol.render(scene, camera, None, framebuffer)

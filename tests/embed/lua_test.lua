@@ -19,7 +19,7 @@ fails("nowhere", function() return nicol.nowhere end)
 
 -- Descriptors.
 local options = nicol.render_options{ order_low = 4 }
-assert(options.struct_size == ffi.sizeof("nicol_render_options") and options.order_low == 4 and options.order_high == 0)
+assert(options.struct_size == ffi.sizeof("nicol_render_options") and options.order_low == 4 and options.order_high == 9)
 fails("order_lwo", nicol.render_options, { order_lwo = 4 })
 local sky = nicol.sky{ radiance = { 0.5, 0.25, 1 }, sun_direction = { 1, 2, 3 } }
 assert(sky.radiance.count == 3 and sky.radiance.values[1] == 0.25 and sky.sun_direction[2] == 3)
@@ -34,7 +34,7 @@ do
     local material = nicol.material_create_diffuse(context, nicol.spectrum_of(0.25))
     nicol.scene_add_instance(scene, nicol.instance{ mesh = mesh, material = material }, nil)
     local light = nicol.environment_create_constant(context, nicol.spectrum_of(2))
-    nicol.scene_set_environment(scene, light, nil, 0)
+    nicol.scene_set_environment(scene, light, nil, 1)
     assert(nicol.release(light) == nicol.OK)
     assert(nicol.C.nicol_environment_release(light) == nicol.ERROR_INVALID_HANDLE)
 end
@@ -59,7 +59,7 @@ progress:free()
 assert(verbs == 1)
 
 -- In darkness no environment comes back.
-nicol.scene_set_environment(scene, nil, nil, 0)
+nicol.scene_set_environment(scene, nil, nil, 1)
 local environment = ffi.new("nicol_environment[1]")
 nicol.scene_get_environment(scene, environment, nil, nil)
 assert(environment[0] == nil)

@@ -27,7 +27,7 @@ def scene_of_sphere(context, material=None):
     scene = nicol.Scene.create(context)
     material = material or nicol.Material.create_diffuse(context, GREY)
     scene.add_instance(nicol.Instance(mesh=nicol.Mesh.create_sphere(context), material=material))
-    scene.set_environment(nicol.Environment.create_constant(context, 2.0), None, 0)
+    scene.set_environment(nicol.Environment.create_constant(context, 2.0), None, 1)
     return scene
 
 
@@ -66,7 +66,7 @@ class StructTest(unittest.TestCase):
     def test_fields(self):
         options = nicol.RenderOptions(order_low=4)
         self.assertEqual(options.struct_size, ctypes.sizeof(nicol.RenderOptions))
-        self.assertEqual((options.order_low, options.order_high), (4, 0))
+        self.assertEqual((options.order_low, options.order_high), (4, 9))
         self.assertIn("order_low=4", repr(options))
         with self.assertRaisesRegex(AttributeError, "no field order_lwo; it has .*order_low"):
             nicol.RenderOptions(order_lwo=4)
@@ -118,7 +118,7 @@ class CallTest(unittest.TestCase):
         scene = scene_of_sphere(self.context)
         environment, to_world, scale = scene.get_environment()
         self.assertEqual((environment.get_info().channels, to_world[0::5], scale), (1, (1, 1, 1, 1), 1))
-        scene.set_environment(None, None, 0)
+        scene.set_environment(None, None, 1)
         self.assertIsNone(scene.get_environment()[0])
         self.assertIsInstance(self.context.get_info().renderer, str)
 

@@ -38,7 +38,7 @@ public:
                 nicol_mesh_create_cube(context, &mesh_) == NICOL_OK &&
                 nicol_scene_create(context, &scene_) == NICOL_OK &&
                 nicol_framebuffer_create(context, size, size, 3, &framebuffer_) == NICOL_OK &&
-                nicol_scene_set_environment(scene_, environment_, nullptr, 0) == NICOL_OK;
+                nicol_scene_set_environment(scene_, environment_, nullptr, 1) == NICOL_OK;
         nicol_instance instance = NICOL_INSTANCE_INIT;
         instance.mesh = mesh_;
         instance.material = material_;
@@ -66,7 +66,7 @@ public:
         std::vector<float> pixels(std::size_t{size} * size * 4);
         nicol_statistics statistics = NICOL_STATISTICS_INIT;
         const bool done = good_ &&
-                          nicol_scene_set_environment(scene_, environment_, to_world, 0) == NICOL_OK &&
+                          nicol_scene_set_environment(scene_, environment_, to_world, 1) == NICOL_OK &&
                           nicol_render(scene_, &camera_, &options, framebuffer_) == NICOL_OK &&
                           nicol_framebuffer_read(framebuffer_, NICOL_PLANE_STOKES, 1, pixels.data(), 0,
                                                  pixels.size() * sizeof(float)) == NICOL_OK &&

@@ -32,6 +32,7 @@ LOG_WARNING = 2
 MAX_CHANNELS = 16
 MAX_ORDER = 32
 MAX_SIZE = 16384
+NO_LIMIT = 18446744073709551615
 BACKEND_AUTOMATIC = 0
 BACKEND_EGL = 1
 BACKEND_OSMESA = 2
@@ -63,9 +64,9 @@ OPTIMISATION_HIDDEN = 32
 OPTIMISATION_UNOCCLUDED = 64
 OPTIMISATION_ALL = 127
 AOV_DEPTH = 1
-AOV_NORMALS = 2
-AOV_POSITIONS = 4
-AOV_INSTANCES = 8
+AOV_NORMAL = 2
+AOV_POSITION = 4
+AOV_INSTANCE = 8
 AOV_ALL = 15
 COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
@@ -115,6 +116,7 @@ FILE_MATERIAL_MEASURED = 5
 FILE_MATERIAL_TABLE = 6
 FILE_BAND_LIMITED = 1
 FILE_PHYSICAL = 2
+FILE_ORDER_AUTOMATIC = 4294967295
 
 LogCallback = Callback(None, (c_void_p, None), (c_uint32, as_is), (c_int32, as_is), (c_char_p, decoded))
 ProgressCallback = Callback(c_int32, (c_void_p, None), (c_char_p, decoded), (c_double, as_is))
@@ -127,8 +129,8 @@ PshKernelCallback = Callback(c_int32, (c_void_p, None), (c_double, as_is), (POIN
 
 
 class Spectrum(Struct):
-    """One value a colour channel. count 0: the default; 1: the same in every channel; else the scene's channel
-    count."""
+    """One value a colour channel. count 0: not given, the default of where it is used; 1: the same in every
+    channel; else the scene's channel count."""
     _fields_ = [
         ("count", c_uint32),
         ("values", c_float * 16),
@@ -161,6 +163,13 @@ class ContextOptions(Struct):
         ("triangle_limit", c_uint64),
         ("load_seconds_limit", c_double),
     ]
+    _defaults_ = {
+        "memory_limit": 18446744073709551615,
+        "load_bytes_limit": 8589934592,
+        "vertex_limit": 67108864,
+        "triangle_limit": 134217728,
+        "load_seconds_limit": 600,
+    }
 
 
 class ContextInfo(Struct):
@@ -172,6 +181,13 @@ class ContextInfo(Struct):
         ("renderer", c_char_p),
         ("vendor", c_char_p),
         ("version", c_char_p),
+        ("max_framebuffer_size", c_uint32),
+        ("reserved", c_uint32),
+        ("memory_limit", c_uint64),
+        ("load_bytes_limit", c_uint64),
+        ("vertex_limit", c_uint64),
+        ("triangle_limit", c_uint64),
+        ("load_seconds_limit", c_double),
     ]
 
 
@@ -211,6 +227,11 @@ class Sky(Struct):
         ("turbidity", c_float),
         ("ground_albedo", c_float),
     ]
+    _defaults_ = {
+        "dop_max": 0.8,
+        "sun_direction": [0, 1, 0],
+        "ground_albedo": 0.2,
+    }
 
 
 class EnvironmentLoadOptions(Struct):
@@ -220,6 +241,9 @@ class EnvironmentLoadOptions(Struct):
         ("scale", c_double),
         ("wavelengths", Spectrum),
     ]
+    _defaults_ = {
+        "scale": 1,
+    }
 
 
 class EnvironmentInfo(Struct):
@@ -245,6 +269,11 @@ class Pplastic(Struct):
         ("ext_ior", c_float),
         ("alpha", c_float),
     ]
+    _defaults_ = {
+        "int_ior": 1.49,
+        "ext_ior": 1.000277,
+        "alpha": 0.1,
+    }
 
 
 class Conductor(Struct):
@@ -282,6 +311,10 @@ class CallbackMaterial(Struct):
         ("lobe_width", c_float),
         ("reserved", c_uint32),
     ]
+    _defaults_ = {
+        "channels": 1,
+        "lobe_width": 1,
+    }
 
 
 class MeshData(Struct):
@@ -306,6 +339,12 @@ class Camera(Struct):
         ("near_clip", c_double),
         ("far_clip", c_double),
     ]
+    _defaults_ = {
+        "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+        "fov": 45,
+        "near_clip": 0.01,
+        "far_clip": 10000,
+    }
 
     def look_at(self, origin, target, up):
         """A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view."""
@@ -321,6 +360,9 @@ class Instance(Struct):
         ("material", c_void_p),
         ("to_world", c_double * 16),
     ]
+    _defaults_ = {
+        "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+    }
 
 
 class SceneFile(Struct):
@@ -338,16 +380,16 @@ class RenderOptions(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
         ("method", c_uint32),
-        ("order_low", c_int32),
-        ("order_high", c_int32),
+        ("order_low", c_uint32),
+        ("order_high", c_uint32),
         ("high_orders", c_uint32),
-        ("shadows", c_int32),
+        ("shadows", c_uint32),
         ("bake_directions", c_uint32),
         ("physical", c_uint32),
         ("dering", c_double),
         ("progress", ProgressCallback.type),
         ("progress_user", c_void_p),
-        ("samples", c_int32),
+        ("samples", c_uint32),
         ("reserved", c_uint32),
         ("seed", c_uint64),
         ("executor", c_uint32),
@@ -355,9 +397,17 @@ class RenderOptions(Struct):
         ("tolerance", c_double),
         ("components", c_uint32),
         ("disabled_optimisations", c_uint32),
-        ("high_order_shadows", c_int32),
+        ("high_order_shadows", c_uint32),
         ("aovs", c_uint32),
     ]
+    _defaults_ = {
+        "order_low": 4,
+        "order_high": 9,
+        "shadows": 1,
+        "bake_directions": 2048,
+        "samples": 256,
+        "high_order_shadows": 1,
+    }
 
 
 class JobStatus(Struct):
@@ -500,7 +550,7 @@ class PshMuellerField(Struct):
 class FileOptions(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
-        ("order", c_int32),
+        ("order", c_uint32),
         ("width", c_uint32),
         ("height", c_uint32),
         ("edge", c_uint32),
@@ -510,6 +560,12 @@ class FileOptions(Struct):
         ("wavelengths", Spectrum),
         ("reserved", c_uint32),
     ]
+    _defaults_ = {
+        "order": 4294967295,
+        "edge": 256,
+        "scale": 1,
+        "rotation": [1, 0, 0, 0, 1, 0, 0, 0, 1],
+    }
 
 
 class LightReport(Struct):
@@ -571,7 +627,7 @@ class Context(Handle):
         return context
 
     def get_info(self):
-        """What was opened."""
+        """What was opened, and the limits that hold in it."""
         info = ContextInfo()
         check(_context_get_info(self, byref(info)))
         return info
@@ -615,7 +671,7 @@ class Environment(Handle):
 
     @classmethod
     def create_constant(cls, context, radiance):
-        """Unpolarized and the same from all directions; radiance NULL or of count 0: 1 in one channel; finite, not
+        """Unpolarized and the same from all directions; radiance NULL or not given: 1 in one channel; finite, not
         negative."""
         radiance = radiance if radiance is None or isinstance(radiance, Spectrum) else Spectrum.of(radiance)
         environment = cls()
@@ -663,7 +719,7 @@ class Material(Handle):
 
     @classmethod
     def create_diffuse(cls, context, reflectance):
-        """Lambertian and depolarizing; reflectance NULL or of count 0: 0.5. Front side only."""
+        """Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only."""
         reflectance = reflectance if reflectance is None or isinstance(reflectance, Spectrum) else Spectrum.of(reflectance)
         material = cls()
         check(_material_create_diffuse(context, byref(reflectance) if reflectance is not None else None, byref(material)))
@@ -688,7 +744,7 @@ class Material(Handle):
     @classmethod
     def load_psh(cls, context, path, scale):
         """A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-        package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light
+        package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or not given: 1; not negative. Light
         of orders above the matrix's is not reflected. Front side only."""
         scale = scale if scale is None or isinstance(scale, Spectrum) else Spectrum.of(scale)
         material = cls()
@@ -820,8 +876,8 @@ class Scene(Handle):
         check(_scene_get_instance_ids(self, ids.pointer, ids.count))
 
     def set_environment(self, environment, to_world, scale):
-        """environment NULL: darkness. to_world rotates it (NULL or all zeros: identity; must be a proper rotation),
-        scale multiplies (0: 1; finite, not negative)."""
+        """environment NULL: darkness. to_world rotates it (NULL: identity; must be a proper rotation), scale
+        multiplies (1 leaves it; 0: darkness; finite, not negative)."""
         check(_scene_set_environment(self, environment, array(to_world, c_double, 16), scale))
 
     def get_environment(self):
@@ -931,8 +987,8 @@ class Framebuffer(Handle):
         check(_framebuffer_draw_stokes(self, channel, byref(target) if target is not None else None))
 
     def draw_observation(self, observation, target):
-        """The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
-        1 here, since nothing is read back."""
+        """The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. s1 to s3 need a
+        scale above 0 here, since nothing is read back."""
         check(_framebuffer_draw_observation(self, byref(observation) if observation is not None else None, byref(target) if target is not None else None))
 
 
@@ -1327,9 +1383,9 @@ __all__ = [
     "ALL_CHANNELS",
     "AOV_ALL",
     "AOV_DEPTH",
-    "AOV_INSTANCES",
-    "AOV_NORMALS",
-    "AOV_POSITIONS",
+    "AOV_INSTANCE",
+    "AOV_NORMAL",
+    "AOV_POSITION",
     "BACKEND_AUTOMATIC",
     "BACKEND_EGL",
     "BACKEND_HOST",
@@ -1375,6 +1431,7 @@ __all__ = [
     "FILE_MATERIAL_MEASURED",
     "FILE_MATERIAL_PSH",
     "FILE_MATERIAL_TABLE",
+    "FILE_ORDER_AUTOMATIC",
     "FILE_PHYSICAL",
     "FORMAT_AUTOMATIC",
     "FORMAT_FLOAT16",
@@ -1413,6 +1470,7 @@ __all__ = [
     "Mesh",
     "MeshData",
     "NO_INSTANCE",
+    "NO_LIMIT",
     "OBSERVATION_AOLP",
     "OBSERVATION_DOLP",
     "OBSERVATION_POLARIZER",

@@ -9,14 +9,14 @@ import os
 
 def _load():
     named = os.environ.get("NICOL_LIBRARY")
-    for path in [named] if named else [ctypes.util.find_library("nicol"), "libnicol.so.0"]:
+    for path in [named] if named else [ctypes.util.find_library("nicol"), "libnicol.so.0.1"]:
         try:
             if path:
                 return ctypes.CDLL(path)
         except OSError as error:
             reason = error
     raise ImportError(
-        f"libnicol was not found ({reason}); set NICOL_LIBRARY to the path of libnicol.so.0, or install it where "
+        f"libnicol was not found ({reason}); set NICOL_LIBRARY to the path of libnicol.so.0.1, or install it where "
         "the dynamic linker looks"
     )
 
@@ -224,17 +224,18 @@ def array(value, type_, count):
 
 
 class Struct(ctypes.Structure):
-    """A descriptor. Keywords set its fields, all others ask for their defaults; a spectrum takes a number or one
+    """A descriptor. Keywords set its fields, all others have their defaults; a spectrum takes a number or one
     a channel; pointers take buffers, callbacks take functions, both kept alive as long as they are in use."""
 
     _callbacks_ = {}
+    _defaults_ = {}
 
     def __init__(self, **fields):
         super().__init__()
         object.__setattr__(self, "_kept", {})
         if self._fields_[0][0] == "struct_size":
             self.struct_size = ctypes.sizeof(self)
-        for name, value in fields.items():
+        for name, value in (self._defaults_ | fields).items():
             setattr(self, name, value)
 
     def __setattr__(self, name, value):

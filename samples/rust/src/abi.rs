@@ -29,6 +29,7 @@ pub const NICOL_LOG_WARNING: u32 = 2;
 pub const NICOL_MAX_CHANNELS: u32 = 16;
 pub const NICOL_MAX_ORDER: u32 = 32;
 pub const NICOL_MAX_SIZE: u32 = 16384;
+pub const NICOL_NO_LIMIT: u64 = 18446744073709551615;
 pub const NICOL_BACKEND_AUTOMATIC: u32 = 0;
 pub const NICOL_BACKEND_EGL: u32 = 1;
 pub const NICOL_BACKEND_OSMESA: u32 = 2;
@@ -60,9 +61,9 @@ pub const NICOL_OPTIMISATION_HIDDEN: u32 = 32;
 pub const NICOL_OPTIMISATION_UNOCCLUDED: u32 = 64;
 pub const NICOL_OPTIMISATION_ALL: u32 = 127;
 pub const NICOL_AOV_DEPTH: u32 = 1;
-pub const NICOL_AOV_NORMALS: u32 = 2;
-pub const NICOL_AOV_POSITIONS: u32 = 4;
-pub const NICOL_AOV_INSTANCES: u32 = 8;
+pub const NICOL_AOV_NORMAL: u32 = 2;
+pub const NICOL_AOV_POSITION: u32 = 4;
+pub const NICOL_AOV_INSTANCE: u32 = 8;
 pub const NICOL_AOV_ALL: u32 = 15;
 pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
@@ -112,11 +113,12 @@ pub const NICOL_FILE_MATERIAL_MEASURED: u32 = 5;
 pub const NICOL_FILE_MATERIAL_TABLE: u32 = 6;
 pub const NICOL_FILE_BAND_LIMITED: u32 = 1;
 pub const NICOL_FILE_PHYSICAL: u32 = 2;
+pub const NICOL_FILE_ORDER_AUTOMATIC: u32 = 4294967295;
 
 pub type nicol_result = i32;
 
-/// message is one line that lives as long as the call; code is NICOL_OK. It must not call Nicol with objects
-/// of the context.
+/// message is one line that lives as long as the call; code is NICOL_OK, or the error that a call would have
+/// returned for what was worked round. It must not call Nicol with objects of the context.
 pub type nicol_log_callback = Option<unsafe extern "C" fn(user: *mut c_void, severity: u32, code: nicol_result, message: *const c_char)>;
 
 /// Called about ten times a second on the thread that called; fraction runs from 0 to 1. Return 1 to continue,
@@ -166,8 +168,8 @@ pub struct nicol_framebuffer_impl {
 /// the Stokes image of the last render into it
 pub type nicol_framebuffer = *mut nicol_framebuffer_impl;
 
-/// One value a colour channel. count 0: the default; 1: the same in every channel; else the scene's channel
-/// count.
+/// One value a colour channel. count 0: not given, the default of where it is used; 1: the same in every
+/// channel; else the scene's channel count.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_spectrum {
@@ -234,6 +236,11 @@ impl Default for nicol_context_options {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
+        made.memory_limit = 18446744073709551615;
+        made.load_bytes_limit = 8589934592;
+        made.vertex_limit = 67108864;
+        made.triangle_limit = 134217728;
+        made.load_seconds_limit = 600.0;
         made
     }
 }
@@ -263,6 +270,13 @@ pub struct nicol_context_info {
     pub renderer: *const c_char,
     pub vendor: *const c_char,
     pub version: *const c_char,
+    pub max_framebuffer_size: u32,
+    pub reserved: u32,
+    pub memory_limit: u64,
+    pub load_bytes_limit: u64,
+    pub vertex_limit: u64,
+    pub triangle_limit: u64,
+    pub load_seconds_limit: f64,
 }
 impl Default for nicol_context_info {
     fn default() -> Self {
@@ -273,7 +287,7 @@ impl Default for nicol_context_info {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_context_info>() == 40);
+    assert!(size_of::<nicol_context_info>() == 88);
     assert!(offset_of!(nicol_context_info, struct_size) == 0);
     assert!(offset_of!(nicol_context_info, backend) == 4);
     assert!(offset_of!(nicol_context_info, software) == 8);
@@ -281,6 +295,13 @@ const _: () = {
     assert!(offset_of!(nicol_context_info, renderer) == 16);
     assert!(offset_of!(nicol_context_info, vendor) == 24);
     assert!(offset_of!(nicol_context_info, version) == 32);
+    assert!(offset_of!(nicol_context_info, max_framebuffer_size) == 40);
+    assert!(offset_of!(nicol_context_info, reserved) == 44);
+    assert!(offset_of!(nicol_context_info, memory_limit) == 48);
+    assert!(offset_of!(nicol_context_info, load_bytes_limit) == 56);
+    assert!(offset_of!(nicol_context_info, vertex_limit) == 64);
+    assert!(offset_of!(nicol_context_info, triangle_limit) == 72);
+    assert!(offset_of!(nicol_context_info, load_seconds_limit) == 80);
 };
 
 pub type nicol_release_callback = Option<unsafe extern "C" fn(user: *mut c_void)>;
@@ -347,6 +368,9 @@ impl Default for nicol_sky {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
+        made.dop_max = 0.8;
+        made.sun_direction = [0.0, 1.0, 0.0];
+        made.ground_albedo = 0.2;
         made
     }
 }
@@ -373,6 +397,7 @@ impl Default for nicol_environment_load_options {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
+        made.scale = 1.0;
         made
     }
 }
@@ -432,6 +457,9 @@ impl Default for nicol_pplastic {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
+        made.int_ior = 1.49;
+        made.ext_ior = 1.000277;
+        made.alpha = 0.1;
         made
     }
 }
@@ -530,6 +558,8 @@ impl Default for nicol_callback_material {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
+        made.channels = 1;
+        made.lobe_width = 1.0;
         made
     }
 }
@@ -591,6 +621,10 @@ impl Default for nicol_camera {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
+        made.to_world = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+        made.fov = 45.0;
+        made.near_clip = 0.01;
+        made.far_clip = 10000.0;
         made
     }
 }
@@ -618,6 +652,7 @@ impl Default for nicol_instance {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
+        made.to_world = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
         made
     }
 }
@@ -666,16 +701,16 @@ pub type nicol_components = u32;
 pub struct nicol_render_options {
     pub struct_size: u32,
     pub method: nicol_method,
-    pub order_low: i32,
-    pub order_high: i32,
+    pub order_low: u32,
+    pub order_high: u32,
     pub high_orders: nicol_high_orders,
-    pub shadows: i32,
+    pub shadows: u32,
     pub bake_directions: u32,
     pub physical: u32,
     pub dering: f64,
     pub progress: nicol_progress_callback,
     pub progress_user: *mut c_void,
-    pub samples: i32,
+    pub samples: u32,
     pub reserved: u32,
     pub seed: u64,
     pub executor: nicol_executor,
@@ -683,7 +718,7 @@ pub struct nicol_render_options {
     pub tolerance: f64,
     pub components: nicol_components,
     pub disabled_optimisations: u32,
-    pub high_order_shadows: i32,
+    pub high_order_shadows: u32,
     pub aovs: u32,
 }
 impl Default for nicol_render_options {
@@ -691,6 +726,12 @@ impl Default for nicol_render_options {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
+        made.order_low = 4;
+        made.order_high = 9;
+        made.shadows = 1;
+        made.bake_directions = 2048;
+        made.samples = 256;
+        made.high_order_shadows = 1;
         made
     }
 }
@@ -1084,7 +1125,7 @@ pub type nicol_file_kind = u32;
 #[derive(Clone, Copy)]
 pub struct nicol_file_options {
     pub struct_size: u32,
-    pub order: i32,
+    pub order: u32,
     pub width: u32,
     pub height: u32,
     pub edge: u32,
@@ -1099,6 +1140,10 @@ impl Default for nicol_file_options {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
+        made.order = 4294967295;
+        made.edge = 256;
+        made.scale = 1.0;
+        made.rotation = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
         made
     }
 }
@@ -1242,7 +1287,7 @@ extern "C" {
     pub fn nicol_context_create(options: *const nicol_context_options, context: *mut nicol_context) -> nicol_result;
     pub fn nicol_context_retain(context: nicol_context) -> nicol_result;
     pub fn nicol_context_release(context: nicol_context) -> nicol_result;
-    /// What was opened.
+    /// What was opened, and the limits that hold in it.
     pub fn nicol_context_get_info(context: nicol_context, info: *mut nicol_context_info) -> nicol_result;
     /// By the path:
     ///   NAME.exr      OpenEXR, equirectangular as nicol_image: R, G, B or Y are unpolarized light; S0.<colour> to
@@ -1255,7 +1300,7 @@ extern "C" {
     pub fn nicol_environment_load(context: nicol_context, path: *const c_char, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;
     /// From memory.
     pub fn nicol_environment_create_image(context: nicol_context, image: *const nicol_image, environment: *mut nicol_environment) -> nicol_result;
-    /// Unpolarized and the same from all directions; radiance NULL or of count 0: 1 in one channel; finite, not
+    /// Unpolarized and the same from all directions; radiance NULL or not given: 1 in one channel; finite, not
     /// negative.
     pub fn nicol_environment_create_constant(context: nicol_context, radiance: *const nicol_spectrum, environment: *mut nicol_environment) -> nicol_result;
     /// A clear sky, without its sun.
@@ -1271,7 +1316,7 @@ extern "C" {
     pub fn nicol_environment_release(environment: nicol_environment) -> nicol_result;
     /// NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
     pub fn nicol_material_create_pplastic(context: nicol_context, parameters: *const nicol_pplastic, material: *mut nicol_material) -> nicol_result;
-    /// Lambertian and depolarizing; reflectance NULL or of count 0: 0.5. Front side only.
+    /// Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only.
     pub fn nicol_material_create_diffuse(context: nicol_context, reflectance: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
     /// Likewise; a metal that is not known is refused with the names of those that are.
     pub fn nicol_material_create_conductor(context: nicol_context, parameters: *const nicol_conductor, material: *mut nicol_material) -> nicol_result;
@@ -1280,7 +1325,7 @@ extern "C" {
     /// only.
     pub fn nicol_material_load_measured(context: nicol_context, path: *const c_char, options: *const nicol_measured, material: *mut nicol_material) -> nicol_result;
     /// A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-    /// package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or of count 0: 1; not negative. Light
+    /// package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or not given: 1; not negative. Light
     /// of orders above the matrix's is not reflected. Front side only.
     pub fn nicol_material_load_psh(context: nicol_context, path: *const c_char, scale: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
     /// The back of a surface reflects as its front. `front` may be released afterwards.
@@ -1327,8 +1372,8 @@ extern "C" {
     pub fn nicol_scene_get_instance_count(scene: nicol_scene, instances: *mut u32) -> nicol_result;
     /// The ids of all instances, ascending; count: of the instances.
     pub fn nicol_scene_get_instance_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
-    /// environment NULL: darkness. to_world rotates it (NULL or all zeros: identity; must be a proper rotation),
-    /// scale multiplies (0: 1; finite, not negative).
+    /// environment NULL: darkness. to_world rotates it (NULL: identity; must be a proper rotation), scale
+    /// multiplies (1 leaves it; 0: darkness; finite, not negative).
     pub fn nicol_scene_set_environment(scene: nicol_scene, environment: nicol_environment, to_world: *const [f64; 16], scale: f64) -> nicol_result;
     /// The arguments of nicol_scene_set_environment: the environment, as a handle to release, its rotation and
     /// scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment is NULL,
@@ -1407,8 +1452,8 @@ extern "C" {
     pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_texture) -> nicol_result;
     /// Copies the Stokes vectors of a channel. Nothing is read back.
     pub fn nicol_framebuffer_draw_stokes(framebuffer: nicol_framebuffer, channel: u32, target: *const nicol_texture_target) -> nicol_result;
-    /// The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. A scale of 0 is
-    /// 1 here, since nothing is read back.
+    /// The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. s1 to s3 need a
+    /// scale above 0 here, since nothing is read back.
     pub fn nicol_framebuffer_draw_observation(framebuffer: nicol_framebuffer, observation: *const nicol_observation, target: *const nicol_texture_target) -> nicol_result;
     /// Coefficients of light, one vector a channel, in the world's axes; NICOL_ERROR_INVALID_ARGUMENT unless count
     /// is channels * 4 (order+1)^2. An image counts as the bilinear function between its pixels. As an

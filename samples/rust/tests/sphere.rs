@@ -17,7 +17,7 @@ fn sphere(context: &Context) -> nicol::Result<Scene> {
     let scene = Scene::made(|out| unsafe { nicol_scene_create(context.raw(), out) })?;
     let instance = nicol_instance { mesh: mesh.raw(), material: material.raw(), ..Default::default() };
     check(unsafe { nicol_scene_add_instance(scene.raw(), &instance, null_mut()) })?;
-    check(unsafe { nicol_scene_set_environment(scene.raw(), light.raw(), null(), 0.0) })?;
+    check(unsafe { nicol_scene_set_environment(scene.raw(), light.raw(), null(), 1.0) })?;
     Ok(scene)
 }
 
