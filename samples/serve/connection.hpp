@@ -42,7 +42,11 @@ private:
 
     void wait_for_request();
     void read();
-    void finish_read(const boost::system::error_code& error);
+    void read_header(std::size_t searched);
+    void finish_header(std::size_t length);
+    void go_on();
+    void read_body();
+    bool failed(const boost::system::error_code& error);
     void handle();
     void render(const Render& render);
     void watch();

@@ -77,12 +77,14 @@ std::variant<Response, Render> Service::handle(const Request& request) {
 }
 
 std::variant<Response, Render> Service::route(const Request& request) {
-    const Target target = parse_target(request.target);
     if (request.method != "GET" && request.method != "HEAD") {
-        Response response = respond(Problem{.status = 405, .detail = "There is GET and HEAD alone."});
-        response.headers.emplace_back("Allow", "GET, HEAD");
+        const bool asks = request.method == "OPTIONS";
+        Response response = asks ? Response{.status = 204, .type = ""}
+                                 : respond(Problem{.status = 405, .detail = "There is GET and HEAD alone."});
+        response.headers.emplace_back("Allow", "GET, HEAD, OPTIONS");
         return response;
     }
+    const Target target = parse_target(request.target);
     if (target.path.starts_with("/scenes/")) return image(request, target);
     if (target.path == "/scenes") return scenes();
     if (target.path == "/health") return state(false);
