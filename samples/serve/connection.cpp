@@ -46,18 +46,24 @@ std::string_view content_of(const beast::flat_buffer& buffer) {
 
 }  // namespace
 
-Connection::Connection(asio::ip::tcp::socket socket, const Surroundings& surroundings)
+Connection::Connection(asio::ip::tcp::socket socket, std::string network, const Surroundings& surroundings,
+                       std::shared_ptr<Crowd> crowd)
     : stream_(std::move(socket)),
+      network_(std::move(network)),
       around_(surroundings),
+      crowd_(std::move(crowd)),
       buffer_(surroundings.options.header_bytes),
       deadline_(stream_.get_executor()) {
+    crowd_->members.insert(this);
     // Answers are sent in one piece; Nagle's algorithm would only delay their end.
     error_code ignored;
     stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
 }
 
 Connection::~Connection() {
-    around_.ended(this);
+    // What is around it may be gone, where the service ends before its answer.
+    crowd_->members.erase(this);
+    if (crowd_->members.empty() && crowd_->emptied) crowd_->emptied();
 }
 
 void Connection::start() {
@@ -73,11 +79,18 @@ void Connection::drain() {
     if (!in_request_) close();
 }
 
+void Connection::displace() {
+    // It makes room at once, and not when its last handler was called.
+    crowd_->members.erase(this);
+    close();
+}
+
 void Connection::wait_for_request() {
     parser_.emplace();
     parser_->header_limit(around_.options.header_bytes);
     parser_->body_limit(around_.options.body_bytes);
     in_request_ = false;
+    waiting_since_ = std::chrono::steady_clock::now();
     if (buffer_.size() > 0) return read();
     stream_.expires_never();
     limit(around_.options.idle_limit, [this] { close(); });
@@ -179,11 +192,13 @@ void Connection::unlimit() {
 
 void Connection::handle() {
     unlimit();
+    waiting_since_.reset();
     const auto& message = parser_->get();
     std::variant<Response, Render> outcome =
         around_.service.handle({.method = text_of(message.method_string()),
                                 .target = origin_form(text_of(message.target())),
-                                .if_none_match = text_of(message[http::field::if_none_match])});
+                                .if_none_match = text_of(message[http::field::if_none_match]),
+                                .status_alone = around_.status_alone});
     if (const auto* wanted = std::get_if<Render>(&outcome)) return render(*wanted);
     // A body that was not read is no request.
     answer(std::get<Response>(outcome), message.keep_alive() && parser_->is_done());
@@ -245,6 +260,7 @@ void Connection::leave() {
 
 void Connection::answer(const Response& response, bool keep_alive) {
     in_request_ = true;
+    waiting_since_.reset();
     unlimit();
     keep_alive = keep_alive && !draining_;
     ++around_.metrics.requests[response.status];

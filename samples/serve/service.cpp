@@ -85,11 +85,12 @@ std::variant<Response, Render> Service::route(const Request& request) {
         return response;
     }
     const Target target = parse_target(request.target);
-    if (target.path.starts_with("/scenes/")) return image(request, target);
-    if (target.path == "/scenes") return scenes();
     if (target.path == "/health") return state(false);
     if (target.path == "/ready") return state(true);
     if (target.path == "/metrics") return text("text/plain; version=0.0.4", metrics_text());
+    if (request.status_alone) refuse(404, "Here are /health, /ready and /metrics alone.");
+    if (target.path.starts_with("/scenes/")) return image(request, target);
+    if (target.path == "/scenes") return scenes();
     if (target.path == "/openapi.json") return text("application/json", openapi_);
     return page(request, target);
 }

@@ -17,6 +17,7 @@
 /// The parts of a request that the service uses.
 struct Request {
     std::string method, target, if_none_match;
+    bool status_alone = false;  ///< of a listener that has nothing else
 };
 
 struct Response {
