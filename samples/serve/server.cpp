@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "server.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 
 #include "common/failure.hpp"
 
@@ -13,6 +17,12 @@ namespace {
 /// Of --status-listen: monitors, and operators with a browser.
 constexpr Listener::Places kStatusPlaces{.all = 32, .per_address = 0};
 
+/// What does not keep the service from working, but will be missed.
+void say_what_is_missing(const Options& options) {
+    if (::access((options.scratch + "/.").c_str(), W_OK | X_OK) != 0)
+        std::fprintf(stderr, "nicol-serve: --scratch: %s: %s; stokes.exr is answered 503\n",
+                     one_line(options.scratch.c_str()).c_str(), std::strerror(errno));
+}
 
 }  // namespace
 
@@ -40,6 +50,7 @@ void Server::run() {
     std::printf("nicol-serve: listening on %s\n", listener_.url().c_str());
     if (status_listener_) std::printf("nicol-serve: status on %s\n", status_listener_->url().c_str());
     std::fflush(stdout);
+    say_what_is_missing(options_);
     pool_.start([this](const std::string& reason) {
         failure_ = reason;
         io_.stop();

@@ -158,13 +158,15 @@ std::string Stage::encode(const ImageRequest& request, const std::string& scratc
         case Format::stokes_exr: {
             // The library writes files alone.
             const std::string path = scratch + "/nicol-serve-" + std::to_string(getpid()) + ".exr";
-            check(nicol_framebuffer_write_exr(framebuffer_.get(), path.c_str()));
+            const nicol_result written = nicol_framebuffer_write_exr(framebuffer_.get(), path.c_str());
+            if (written == NICOL_ERROR_WRITE_FAILED) throw ScratchFailure(nicol_last_error());
+            check(written);
             std::ifstream file(path, std::ios::binary | std::ios::ate);
             std::string content(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
             file.seekg(0);
             file.read(content.data(), static_cast<std::streamsize>(content.size()));
             unlink(path.c_str());
-            if (!file) throw Failure(path + ": cannot be read back");
+            if (!file) throw ScratchFailure(path + ": cannot be read back");
             return content;
         }
         case Format::exr:

@@ -129,6 +129,10 @@ void render(const Channel& channel, std::uint64_t id, const ImageRequest& reques
     } catch (const nicol::Error& error) {
         result.status = status_of(error.result());
         content = error.what();
+    } catch (const ScratchFailure& failure) {
+        log(nullptr, NICOL_LOG_WARNING, NICOL_OK, failure.what());
+        result.status = 503;
+        content = "The service has no place for the file to be made.";
     } catch (const std::bad_alloc&) {
         result.status = 503;
         content = "out of memory";

@@ -320,6 +320,21 @@ class Ends(ProgramTest):
         self.assertEqual([server.get(path).status for path in (IMAGE, "/scenes/box/image.png")], [200, 503])
         self.assertEqual(server.stop(), 0)
 
+    def test_without_scratch(self):
+        write_scenes(self.folder)
+        for scratch in ("/none", self.write("file", "")):
+            with self.subTest(scratch=scratch):
+                server = Server(PROGRAM, self.folder, "--workers", "1", "--scratch", scratch)
+                try:
+                    self.assertIn(f"nicol-serve: --scratch: {scratch}: ", server.errors())
+                    answer = server.get(SQUARE + "stokes.exr")
+                    self.assertEqual((answer.status, answer.json()["status"]), (503, 503))
+                    self.assertNotIn(scratch, answer.json()["detail"])
+                    self.assertIn("retry-after", answer.headers)
+                    self.assertEqual(server.get(IMAGE).status, 200)
+                finally:
+                    server.stop()
+
     def test_a_drain_that_takes_too_long(self):
         write_scenes(self.folder)
         server = Server(PROGRAM, self.folder, "--workers", "1", "--drain-limit", "0.1")
