@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string_view>
 #include <type_traits>
@@ -20,6 +21,8 @@ const char* const usage =
     "  --backend NAME          egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "  --cache DIR             keeps bakes of shadows and tables of materials there; default NICOL_CACHE\n"
     "  --scratch DIR           for files that live a moment, default /dev/shm\n"
+    "  --read DIR              that workers may read beside that of the scenes; may come several times\n"
+    "  --no-sandbox            does not confine workers to these folders and OpenGL's (Landlock)\n"
     "  --keys FILE             keys in hexadecimal, one a line: images then need a signature in their URL\n"
     "  --sign TARGET           prints TARGET (/scenes/...) signed with the first key of --keys, and ends\n"
     "\n"
@@ -87,6 +90,13 @@ Endpoint parse_endpoint(std::string_view option, std::string_view text) {
     if (address.starts_with('[') && address.ends_with(']')) address = address.substr(1, address.size() - 2);
     return {.address = std::string(address),
             .port = static_cast<std::uint16_t>(parse_count(option, text.substr(colon + 1), 0, 65535))};
+}
+
+std::string parse_folder(std::string_view option, std::string_view text) {
+    std::error_code unreadable;
+    if (!std::filesystem::is_directory(text, unreadable))
+        throw Failure(std::string(option) + ": '" + std::string(text) + "' is no folder");
+    return std::string(text);
 }
 
 nicol_backend parse_backend(std::string_view text) {
@@ -163,6 +173,8 @@ void parse_option(Options& o, std::string_view name, std::string_view text) {
         o.listen = parse_endpoint(name, text);
     else if (name == "--status-listen")
         o.status_listen = parse_endpoint(name, text);
+    else if (name == "--read")
+        o.readable.push_back(parse_folder(name, text));
     else if (name == "--workers")
         o.workers = parse_count(name, text, 1, most_processes);
     else if (name == "--threads")
@@ -192,6 +204,10 @@ Options parse_options(int argc, const char* const* argv) {
         if (argument == "--help" || argument == "--version") {
             options.action = argument == "--help" ? Options::Action::help : Options::Action::version;
             return options;
+        }
+        if (argument == "--no-sandbox") {
+            options.sandbox = false;
+            continue;
         }
         if (!argument.starts_with("--"))
             throw Failure("unknown argument '" + std::string(argument) + "'; --help lists the options");

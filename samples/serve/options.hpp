@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/failure.hpp"
 #include "image_request.hpp"
@@ -30,6 +31,8 @@ struct Options {
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     std::string cache;  ///< folder, empty: what NICOL_CACHE says
     std::string scratch = "/dev/shm";
+    std::vector<std::string> readable;  ///< folders beside that of the scenes
+    bool sandbox = true;
     std::string keys;    ///< file, empty: requests need no signature
     std::string target;  ///< to sign
     int socket = -1;     ///< of a worker

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "common/failure.hpp"
+#include "sandbox.hpp"
 
 using boost::system::error_code;
 
@@ -22,6 +23,9 @@ void say_what_is_missing(const Options& options) {
     if (::access((options.scratch + "/.").c_str(), W_OK | X_OK) != 0)
         std::fprintf(stderr, "nicol-serve: --scratch: %s: %s; stokes.exr is answered 503\n",
                      one_line(options.scratch.c_str()).c_str(), std::strerror(errno));
+    if (options.sandbox && !can_confine())
+        std::fputs("nicol-serve: the kernel has no Landlock; workers may open every file of their user\n",
+                   stderr);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "common/failure.hpp"
 #include "common/handles.hpp"
 #include "message.hpp"
+#include "sandbox.hpp"
 #include "scene_files.hpp"
 #include "stage.hpp"
 
@@ -198,6 +199,7 @@ int run_worker(int socket, const Options& options) {
     const Channel channel(socket);
     try {
         try {
+            if (options.sandbox) confine(options);
             serve(channel, options);
         } catch (const std::exception& error) {
             channel.send({.kind = MessageKind::failed, .length = 0, .job = 0}, one_line(error.what()));

@@ -1,14 +1,22 @@
 # SPDX-License-Identifier: MIT
 # How nicol-serve behaves: what it keeps, under load, at its limits, when workers fail, at its start and end.
+import ctypes
 import os
+import re
 import signal
 import socket
+import tempfile
 import time
 import unittest
 
 from program_test import ProgramTest
 from serve_case import IMAGE, PROGRAM, SQUARE, ServeTest, alive, read
 from serve_client import PATIENCE, Server, write_scenes
+
+
+def has_landlock():
+    create_ruleset, ask_version = 444, 1
+    return ctypes.CDLL(None).syscall(create_ruleset, None, 0, ask_version) > 0
 
 
 class Caching(ServeTest):
@@ -284,6 +292,7 @@ class Ends(ProgramTest):
             (["--status-listen", "127.0.0.1:8080"], "--status-listen 8080"),
             (["--status-listen", "numeric"], "--listen 127.0.0.1:0 --status-listen nowhere.invalid:0"),
             (["--connections-per-address"], "--connections-per-address -1"),
+            (["--read", "/none"], "--read /none"),
             (["--workers", "1 to 1024"], "--workers 0"),
             (["--deadline"], "--deadline nan"),
             (["--keys", "/none"], "--keys /none"),
@@ -319,6 +328,29 @@ class Ends(ProgramTest):
         server = Server(PROGRAM, self.folder, "--workers", "1")
         self.assertEqual([server.get(path).status for path in (IMAGE, "/scenes/box/image.png")], [200, 503])
         self.assertEqual(server.stop(), 0)
+
+    def test_a_worker_reads_no_other_files(self):
+        if not has_landlock():
+            self.skipTest("the kernel has no Landlock")
+        write_scenes(self.folder)
+        outside = tempfile.TemporaryDirectory()
+        self.addCleanup(outside.cleanup)
+        mesh = os.path.join(outside.name, "triangle.obj")
+        with open(mesh, "w", encoding="utf-8") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        shape = f'<shape type="obj"><string name="filename" value="{mesh}"/><bsdf type="pplastic"/></shape>'
+        self.write("box.xml", re.sub("<shape.*</shape>", shape, read(os.path.join(self.folder, "box.xml")).decode()))
+        for options, status in (((), 503), (("--read", outside.name), 200), (("--no-sandbox",), 200)):
+            with self.subTest(options=options):
+                server = Server(PROGRAM, self.folder, "--workers", "1", *options)
+                try:
+                    self.assertEqual(server.get("/scenes/box/image.png").status, status)
+                    self.assertEqual(server.get(IMAGE).status, 200)
+                    self.assertEqual(server.get(SQUARE + "stokes.exr").status, 200)
+                    self.assertEqual("a scene is left out: " + mesh in server.errors(), status == 503, server.errors())
+                finally:
+                    server.stop()
+                os.remove(os.path.join(self.folder, "log"))
 
     def test_without_scratch(self):
         write_scenes(self.folder)
