@@ -198,6 +198,7 @@ void Connection::handle() {
         around_.service.handle({.method = text_of(message.method_string()),
                                 .target = origin_form(text_of(message.target())),
                                 .if_none_match = text_of(message[http::field::if_none_match]),
+                                .accept_encoding = text_of(message[http::field::accept_encoding]),
                                 .status_alone = around_.status_alone});
     if (const auto* wanted = std::get_if<Render>(&outcome)) return render(*wanted);
     // A body that was not read is no request.

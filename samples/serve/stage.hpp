@@ -38,7 +38,7 @@ private:
     void make_framebuffer(std::uint32_t width, std::uint32_t height);
     [[nodiscard]] double centre_depth() const;
     [[nodiscard]] std::string encode(const ImageRequest& request, const std::string& scratch,
-                                     float& scale) const;
+                                     ResultHead& head) const;
     [[nodiscard]] std::string stokes(bool half) const;
 
     nicol_context context_;

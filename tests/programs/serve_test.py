@@ -4,12 +4,14 @@ import hashlib
 import hmac
 import os
 import re
+import shutil
 import socket
 import struct
 import subprocess
 import tempfile
 import time
 import unittest
+import zlib
 
 from serve_case import IMAGE, PROGRAM, RENDER, SQUARE, ServeTest, read
 from serve_client import PATIENCE
@@ -191,6 +193,42 @@ class Images(ServeTest):
         self.assertNotEqual(first, second)
         bright = read_exr(self.server.get(f"{SQUARE}image.exr{query}&exposure=2").body)["G"]
         self.assertEqual([4 * v for v in s0], bright)
+
+    def test_planes(self):
+        """The same numbers as those of stokes.f16, whatever coding they come in."""
+        query, pixels = "?size=20x10&azimuth=20", 200
+        halves = struct.unpack(f"<{pixels * 12}H", self.server.get(f"{SQUARE}stokes.f16{query}").body)
+        tags = set()
+        for accepted, coding in (("deflate", "deflate"), ("identity", None), ("gzip, deflate;q=0", None), ("*", "deflate")):
+            with self.subTest(accepted=accepted):
+                answer = self.server.get(f"{SQUARE}stokes.planes{query}", Accept_Encoding=accepted)
+                self.assertEqual((answer.headers.get("content-encoding"), answer.headers["vary"]), (coding, "Accept-Encoding"))
+                tags.add((answer.headers["etag"], coding))
+                bytes_ = zlib.decompress(answer.body) if coding else answer.body
+                self.assertEqual((answer.headers["nicol-components"], len(bytes_)), ("3", pixels * 3 * 3 * 2))
+                for plane in range(9):
+                    component, channel = divmod(plane, 3)
+                    low, high = (bytes_[(2 * plane + byte) * pixels :][:pixels] for byte in range(2))
+                    value = 0
+                    for i in range(pixels):
+                        value = ((value if i % 20 else 0) + low[i] + 256 * high[i]) % 65536
+                        self.assertEqual(value, halves[(channel * pixels + i) * 4 + component])
+        self.assertEqual(len(tags), 2)
+
+    @unittest.skipUnless(shutil.which("node"), "no Node.js here")
+    def test_the_page_reads_planes(self):
+        """As a browser does, which may be absent: its Stokes vectors are those of stokes.f16."""
+        query = "?size=20x10&azimuth=20"
+        for name, target in (("stokes.mjs", "/stokes.js"), ("planes", f"{SQUARE}stokes.planes{query}")):
+            with open(os.path.join(self.folder, name), "wb") as file:
+                file.write(self.server.get(target).body)
+        script = """import { readFileSync } from "node:fs";
+            import { Stokes } from "./stokes.mjs";
+            const bytes = readFileSync("planes");
+            const planes = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
+            process.stdout.write(Buffer.from(new Stokes(20, 10, 3, planes).halves.buffer));"""
+        run = subprocess.run(["node", "--input-type=module", "-e", script], cwd=self.folder, capture_output=True, check=True)
+        self.assertEqual(run.stdout, self.server.get(f"{SQUARE}stokes.f16{query}").body)
 
     def test_cameras(self):
         def image(query):
