@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "common/failure.hpp"
+#include "notify.hpp"
 #include "sandbox.hpp"
 
 using boost::system::error_code;
@@ -48,6 +49,7 @@ Server::Server(const Options& options, std::vector<std::string> arguments)
                                                           .metrics = metrics_,
                                                           .status_alone = true});
     service_.connections = [this] { return listener_.connections(); };
+    pool_.warm = [] { notify("READY=1"); };
 }
 
 void Server::run() {
@@ -77,6 +79,7 @@ void Server::wait_for_signal() {
 }
 
 void Server::drain() {
+    notify("STOPPING=1");
     service_.draining = true;
     drain_limit_.expires_after(
         std::chrono::duration_cast<std::chrono::steady_clock::duration>(options_.drain_limit));

@@ -8,6 +8,7 @@ import socket
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 from program_test import ProgramTest
 from serve_case import IMAGE, PROGRAM, SQUARE, ServeTest, alive, read
@@ -366,6 +367,19 @@ class Ends(ProgramTest):
                     self.assertEqual(server.get(IMAGE).status, 200)
                 finally:
                     server.stop()
+
+    def test_systemd_is_told(self):
+        write_scenes(self.folder)
+        for name in (self.path("notify"), f"\0nicol-serve-{os.getpid()}"):
+            with self.subTest(name=name), socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as told:
+                told.bind(name)
+                told.settimeout(PATIENCE)
+                with unittest.mock.patch.dict(os.environ, NOTIFY_SOCKET=name.replace("\0", "@")):
+                    server = Server(PROGRAM, self.folder, "--workers", "1", ready=False)
+                self.assertEqual(told.recv(100), b"READY=1")
+                self.assertEqual(server.get("/ready").status, 200)
+                self.assertEqual(server.stop(), 0)
+                self.assertEqual(told.recv(100), b"STOPPING=1")
 
     def test_a_drain_that_takes_too_long(self):
         write_scenes(self.folder)
