@@ -3,12 +3,17 @@
 
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <boost/asio/write.hpp>
+#include <boost/beast/core/read_size.hpp>
 #include <boost/beast/core/stream_traits.hpp>
 #include <boost/beast/http/error.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/span_body.hpp>
 #include <boost/beast/http/write.hpp>
+#include <string_view>
+
+#include "framing.hpp"
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
@@ -16,6 +21,8 @@ namespace http = boost::beast::http;
 using boost::system::error_code;
 
 namespace {
+
+constexpr std::size_t kReadBytes = 65536;  // at once, at most
 
 std::chrono::steady_clock::duration duration(Seconds seconds) {
     return std::chrono::duration_cast<std::chrono::steady_clock::duration>(seconds);
@@ -33,17 +40,30 @@ std::string text_of(beast::string_view text) {
     return {text.data(), text.size()};
 }
 
+std::string_view content_of(const beast::flat_buffer& buffer) {
+    return {static_cast<const char*>(buffer.data().data()), buffer.size()};
+}
+
 }  // namespace
 
-Connection::Connection(asio::ip::tcp::socket socket, const Surroundings& surroundings)
-    : stream_(std::move(socket)), around_(surroundings), deadline_(stream_.get_executor()) {
+Connection::Connection(asio::ip::tcp::socket socket, std::string network, const Surroundings& surroundings,
+                       std::shared_ptr<Crowd> crowd)
+    : stream_(std::move(socket)),
+      network_(std::move(network)),
+      around_(surroundings),
+      crowd_(std::move(crowd)),
+      buffer_(surroundings.options.header_bytes),
+      deadline_(stream_.get_executor()) {
+    crowd_->members.insert(this);
     // Answers are sent in one piece; Nagle's algorithm would only delay their end.
     error_code ignored;
     stream_.socket().set_option(asio::ip::tcp::no_delay(true), ignored);
 }
 
 Connection::~Connection() {
-    around_.ended(this);
+    // What is around it may be gone, where the service ends before its answer.
+    crowd_->members.erase(this);
+    if (crowd_->members.empty() && crowd_->emptied) crowd_->emptied();
 }
 
 void Connection::start() {
@@ -59,11 +79,18 @@ void Connection::drain() {
     if (!in_request_) close();
 }
 
+void Connection::displace() {
+    // It makes room at once, and not when its last handler was called.
+    crowd_->members.erase(this);
+    close();
+}
+
 void Connection::wait_for_request() {
     parser_.emplace();
     parser_->header_limit(around_.options.header_bytes);
     parser_->body_limit(around_.options.body_bytes);
     in_request_ = false;
+    waiting_since_ = std::chrono::steady_clock::now();
     if (buffer_.size() > 0) return read();
     stream_.expires_never();
     limit(around_.options.idle_limit, [this] { close(); });
@@ -83,23 +110,69 @@ void Connection::read() {
         error_code ignored;
         stream_.socket().cancel(ignored);
     });
-    http::async_read(
-        stream_, buffer_, *parser_,
-        [self = shared_from_this()](const error_code& error, std::size_t) { self->finish_read(error); });
+    read_header(0);
 }
 
-void Connection::finish_read(const error_code& error) {
-    in_request_ = true;
-    unlimit();
-    if (error && late_)
-        return answer(
+/// Until the whole header is there; its bytes up to `searched` do not end it.
+void Connection::read_header(std::size_t searched) {
+    constexpr std::string_view end = "\r\n\r\n";
+    const std::string_view bytes = content_of(buffer_);
+    const std::size_t at = bytes.find(end, searched - std::min(searched, end.size() - 1));
+    if (at != std::string_view::npos) return finish_header(at + end.size());
+    if (bytes.size() == buffer_.max_size()) return void(failed(http::error::header_limit));
+    stream_.async_read_some(
+        buffer_.prepare(beast::read_size(buffer_, kReadBytes)),
+        [self = shared_from_this(), searched = bytes.size()](const error_code& error, std::size_t got) {
+            self->buffer_.commit(got);
+            if (!self->failed(error)) self->read_header(searched);
+        });
+}
+
+void Connection::finish_header(std::size_t length) {
+    error_code error;
+    parser_->put(asio::buffer(buffer_.data(), length), error);
+    if (failed(error)) return;
+    const std::optional<Problem> refused =
+        refused_header(content_of(buffer_).substr(0, length), parser_->get().base());
+    buffer_.consume(length);
+    if (refused) return answer(around_.service.respond(*refused), false);
+    if (parser_->is_done()) return handle();
+    if (expects_continue(parser_->get().base()) && buffer_.size() == 0) return go_on();
+    read_body();
+}
+
+/// The client waits with its body for this, or for what it may spare itself the body for.
+void Connection::go_on() {
+    const http::verb method = parser_->get().method();
+    if (method != http::verb::get && method != http::verb::head) return handle();
+    static constexpr std::string_view text = "HTTP/1.1 100 Continue\r\n\r\n";
+    asio::async_write(stream_, asio::buffer(text),
+                      [self = shared_from_this()](const error_code& error, std::size_t) {
+                          if (!self->failed(error)) self->read_body();
+                      });
+}
+
+void Connection::read_body() {
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = shared_from_this()](const error_code& error, std::size_t) {
+                         if (!self->failed(error)) self->handle();
+                     });
+}
+
+/// Whether reading came to nothing; the client is then told why, where it can be, and the connection ends.
+bool Connection::failed(const error_code& error) {
+    if (!error) return false;
+    if (late_)
+        answer(
             around_.service.respond(Problem{.status = 408, .detail = "The request took too long to arrive."}),
             false);
-    if (error == http::error::end_of_stream || error == http::error::partial_message ||
-        error == asio::error::connection_reset || error == asio::error::operation_aborted)
-        return close();
-    if (error) return answer(around_.service.respond(problem_of(error)), false);
-    handle();
+    else if (error == asio::error::eof || error == http::error::end_of_stream ||
+             error == http::error::partial_message || error == asio::error::connection_reset ||
+             error == asio::error::operation_aborted)
+        close();
+    else
+        answer(around_.service.respond(problem_of(error)), false);
+    return true;
 }
 
 /// One limit holds at a time: setting another, or unlimit(), ends it.
@@ -118,13 +191,18 @@ void Connection::unlimit() {
 }
 
 void Connection::handle() {
+    unlimit();
+    waiting_since_.reset();
     const auto& message = parser_->get();
     std::variant<Response, Render> outcome =
         around_.service.handle({.method = text_of(message.method_string()),
-                                .target = text_of(message.target()),
-                                .if_none_match = text_of(message[http::field::if_none_match])});
+                                .target = origin_form(text_of(message.target())),
+                                .if_none_match = text_of(message[http::field::if_none_match]),
+                                .accept_encoding = text_of(message[http::field::accept_encoding]),
+                                .status_alone = around_.status_alone});
     if (const auto* wanted = std::get_if<Render>(&outcome)) return render(*wanted);
-    answer(std::get<Response>(outcome), message.keep_alive());
+    // A body that was not read is no request.
+    answer(std::get<Response>(outcome), message.keep_alive() && parser_->is_done());
 }
 
 void Connection::render(const Render& render) {
@@ -183,6 +261,7 @@ void Connection::leave() {
 
 void Connection::answer(const Response& response, bool keep_alive) {
     in_request_ = true;
+    waiting_since_.reset();
     unlimit();
     keep_alive = keep_alive && !draining_;
     ++around_.metrics.requests[response.status];
@@ -204,8 +283,9 @@ void Connection::answer(const Response& response, bool keep_alive) {
         out->message.set("X-Content-Type-Options", "nosniff");
     }
     for (const auto& [name, value] : response.headers) out->message.set(name, value);
-    // The length of an image that was not made is not known, and a 304 has no content at all.
-    const bool unknown = response.status == 304 || (head && response.content.empty());
+    // The length of an image that was not made is not known, and 204 and 304 have no content at all.
+    const bool unknown =
+        response.status == 204 || response.status == 304 || (head && response.content.empty());
     if (!unknown) out->message.content_length(response.content.size());
     if (!head) out->message.body() = {response.content.data(), response.content.size()};
 

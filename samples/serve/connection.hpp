@@ -11,6 +11,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "options.hpp"
 #include "service.hpp"
@@ -22,10 +24,17 @@ public:
         Service& service;
         Dispatcher& dispatcher;
         Metrics& metrics;
-        std::function<void(Connection*)> ended;  ///< once, from the destructor
+        bool status_alone = false;  ///< answers nothing but whether the service is well
+    };
+    /// The open connections of one listener, which each enters and leaves by itself.
+    struct Crowd {
+        std::set<Connection*> members;
+        std::function<void()> emptied;
     };
 
-    Connection(boost::asio::ip::tcp::socket socket, const Surroundings& surroundings);
+    /// network: the same for all connections of one client.
+    Connection(boost::asio::ip::tcp::socket socket, std::string network, const Surroundings& surroundings,
+               std::shared_ptr<Crowd> crowd);
     ~Connection();
     Connection(const Connection&) = delete;
     Connection& operator=(const Connection&) = delete;
@@ -36,13 +45,25 @@ public:
     void refuse(const Problem& problem);
     /// Closes now where no request is under way, else after its answer.
     void drain();
+    /// Closes now, for another one.
+    void displace();
+
+    [[nodiscard]] const std::string& network() const { return network_; }
+    /// Since when there has been no whole request to answer; none where there is one.
+    [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> waiting_since() const {
+        return waiting_since_;
+    }
 
 private:
     using Parser = boost::beast::http::request_parser<boost::beast::http::string_body>;
 
     void wait_for_request();
     void read();
-    void finish_read(const boost::system::error_code& error);
+    void read_header(std::size_t searched);
+    void finish_header(std::size_t length);
+    void go_on();
+    void read_body();
+    bool failed(const boost::system::error_code& error);
     void handle();
     void render(const Render& render);
     void watch();
@@ -53,13 +74,16 @@ private:
     void close();
 
     boost::beast::tcp_stream stream_;
+    const std::string network_;
     const Surroundings& around_;
+    const std::shared_ptr<Crowd> crowd_;
     boost::beast::flat_buffer buffer_;
     std::optional<Parser> parser_;
     boost::asio::steady_timer deadline_;        ///< of limit()
     std::uint64_t limits_ = 0;                  ///< how many there were
     std::optional<Dispatcher::Ticket> ticket_;  ///< where an image is under way
     std::chrono::steady_clock::time_point asked_;
+    std::optional<std::chrono::steady_clock::time_point> waiting_since_;
     bool late_ = false;  ///< the request took too long to arrive
     bool in_request_ = false, draining_ = false;
 };

@@ -10,10 +10,11 @@
 #include "parameters.hpp"
 #include "problem.hpp"
 
-const std::array<Resource, 5> resources = {{
+const std::array<Resource, 6> resources = {{
     {.format = Format::png, .name = "image.png", .type = "image/png"},
     {.format = Format::exr, .name = "image.exr", .type = "image/x-exr"},
     {.format = Format::stokes_exr, .name = "stokes.exr", .type = "image/x-exr"},
+    {.format = Format::stokes_planes, .name = "stokes.planes", .type = "application/octet-stream"},
     {.format = Format::stokes_f16, .name = "stokes.f16", .type = "application/octet-stream"},
     {.format = Format::stokes_f32, .name = "stokes.f32", .type = "application/octet-stream"},
 }};
@@ -193,5 +194,6 @@ std::string canonical(const ImageRequest& request, const SceneInfo& info) {
         text += "&polarizer=" + json_number(request.polarizer) +
                 "&exposure=" + json_number(request.exposure) + "&scale=" + json_number(request.scale);
     }
+    if (request.deflate) text += "&deflate";
     return text;
 }

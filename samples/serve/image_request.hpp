@@ -10,7 +10,7 @@
 
 #include "query.hpp"
 
-enum class Format : std::uint32_t { png, exr, stokes_exr, stokes_f16, stokes_f32 };
+enum class Format : std::uint32_t { png, exr, stokes_exr, stokes_planes, stokes_f16, stokes_f32 };
 enum class Observer : std::uint32_t { s0, s1, s2, s3, dolp, aolp, polarizer };
 enum class CameraKind : std::uint32_t { scene, orbit, matrix };
 
@@ -47,6 +47,7 @@ struct ImageRequest {
     double polarizer = 0;              ///< degrees in [0, 180)
     double exposure = 0;               ///< stops; of s0 and polarizer
     double scale = 0;                  ///< of s1, s2, s3; 0: the largest of the image
+    bool deflate = false;              ///< of stokes_planes: compressed
 };
 
 /// A scene as its worker found it.
@@ -76,7 +77,7 @@ struct Resource {
     std::string_view name;  ///< "image.png"
     std::string_view type;  ///< of its content
 };
-extern const std::array<Resource, 5> resources;
+extern const std::array<Resource, 6> resources;
 const Resource& resource_of(Format format);
 
 /// Throws Refusal (400) naming the parameter and its range; a parameter that is not known is refused too.

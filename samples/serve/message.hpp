@@ -33,11 +33,11 @@ constexpr std::uint32_t kMaxMessageBytes = 0x7fffffff;
 constexpr std::array<const char*, 6> kVerbs = {"project", "bake", "relight", "shade", "draw", "encode"};
 
 struct ResultHead {
-    std::int32_t status = 500;    ///< 200, or of the problem; 499: cancelled
-    std::uint32_t unchanged = 0;  ///< 1: the worker had rendered this very view before
-    std::array<double, 6> ms{};   ///< by verb; 0: it did not run
-    float scale = 0;              ///< of s1, s2, s3 as PNG: the value at full colour
-    std::uint32_t reserved = 0;
+    std::int32_t status = 500;     ///< 200, or of the problem; 499: cancelled
+    std::uint32_t unchanged = 0;   ///< 1: the worker had rendered this very view before
+    std::array<double, 6> ms{};    ///< by verb; 0: it did not run
+    float scale = 0;               ///< of s1, s2, s3 as PNG: the value at full colour
+    std::uint32_t components = 0;  ///< of stokes.planes
 };
 
 static_assert(std::is_trivially_copyable_v<ImageRequest> && std::is_trivially_copyable_v<ResultHead>);

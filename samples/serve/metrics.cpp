@@ -81,6 +81,8 @@ std::string Metrics::text(const Gauges& now) const {
     text += line("cache_hits_total", label("kind", "flight"), std::to_string(hits_flight));
     text += line("cache_hits_total", label("kind", "view"), std::to_string(hits_view));
     text += single("queue_refused_total", "counter", "Requests that found the queue full.", refused_queue);
+    text += single("connections_displaced_total", "counter", "Idle connections that made room for others.",
+                   displaced);
     text += single("clients_gone_total", "counter", "Clients that left before their answer.", clients_gone);
     text += single("renders_cancelled_total", "counter",
                    "Renders that were cancelled because all clients left.", cancelled);

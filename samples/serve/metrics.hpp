@@ -47,6 +47,7 @@ struct Metrics {
     std::uint64_t hits_flight = 0;          ///< joined an equal request under way
     std::uint64_t hits_view = 0;            ///< the worker had rendered this view
     std::uint64_t refused_queue = 0;
+    std::uint64_t displaced = 0;          ///< idle connections that made room
     std::uint64_t clients_gone = 0;       ///< left before their answer
     std::uint64_t cancelled = 0;          ///< renders that were stopped for it
     std::uint64_t crashed = 0, hung = 0;  ///< workers

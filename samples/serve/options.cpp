@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string_view>
 #include <type_traits>
@@ -13,11 +14,15 @@ const char* const usage =
     "\n"
     "  --scenes DIR            every *.xml in it is a scene\n"
     "  --listen ADDRESS:PORT   default 127.0.0.1:8080; port 0 takes one that is free and prints it\n"
+    "  --status-listen ADDRESS:PORT\n"
+    "                          answers /health, /ready and /metrics there too, with places of its own\n"
     "  --workers N             processes that render, default one a core\n"
     "  --threads N             of each of them, default 1\n"
     "  --backend NAME          egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "  --cache DIR             keeps bakes of shadows and tables of materials there; default NICOL_CACHE\n"
     "  --scratch DIR           for files that live a moment, default /dev/shm\n"
+    "  --read DIR              that workers may read beside that of the scenes; may come several times\n"
+    "  --no-sandbox            does not confine workers to these folders and OpenGL's (Landlock)\n"
     "  --keys FILE             keys in hexadecimal, one a line: images then need a signature in their URL\n"
     "  --sign TARGET           prints TARGET (/scenes/...) signed with the first key of --keys, and ends\n"
     "\n"
@@ -30,7 +35,11 @@ const char* const usage =
     "                          2^26, 2^27 and 600\n"
     "  --memory-limit MIB      of each worker's address space, default 16384, 0 for none\n"
     "  --queue N               length of the queue, default 64; further requests are answered 503\n"
-    "  --connections N         open at once, default 512; more are answered 503\n"
+    "  --connections N         open at once, default 512; a further one takes the place of that which waits\n"
+    "                          longest for its request, and is answered 503 where none waits\n"
+    "  --connections-per-address N\n"
+    "                          likewise of one client (of IPv6 a /64), default 64, then 429; 0, as behind a\n"
+    "                          proxy, for any number\n"
     "  --max-header BYTES      of a request, 256 to 1048576, default 8192\n"
     "  --max-body BYTES        of a request, default 1024; bodies are ignored\n"
     "  --results MIB           of answers kept for equal requests, default 64\n"
@@ -72,15 +81,22 @@ Seconds parse_seconds(std::string_view option, std::string_view text, double lea
     return Seconds(value);
 }
 
-void parse_listen(Options& options, std::string_view text) {
+Endpoint parse_endpoint(std::string_view option, std::string_view text) {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string_view::npos || colon == 0)
-        throw Failure("--listen: '" + std::string(text) +
+        throw Failure(std::string(option) + ": '" + std::string(text) +
                       "' is not ADDRESS:PORT, like 127.0.0.1:8080 or [::1]:8080");
     std::string_view address = text.substr(0, colon);
     if (address.starts_with('[') && address.ends_with(']')) address = address.substr(1, address.size() - 2);
-    options.address = address;
-    options.port = static_cast<std::uint16_t>(parse_count("--listen", text.substr(colon + 1), 0, 65535));
+    return {.address = std::string(address),
+            .port = static_cast<std::uint16_t>(parse_count(option, text.substr(colon + 1), 0, 65535))};
+}
+
+std::string parse_folder(std::string_view option, std::string_view text) {
+    std::error_code unreadable;
+    if (!std::filesystem::is_directory(text, unreadable))
+        throw Failure(std::string(option) + ": '" + std::string(text) + "' is no folder");
+    return std::string(text);
 }
 
 nicol_backend parse_backend(std::string_view text) {
@@ -118,6 +134,8 @@ bool parse_limit(Options& o, std::string_view name, std::string_view text) {
         o.queue = parse_count(name, text, 0, million);
     else if (name == "--connections")
         o.connections = parse_count(name, text, 1, million);
+    else if (name == "--connections-per-address")
+        o.connections_per_address = parse_count(name, text, 0, million);
     else if (name == "--max-header")
         o.header_bytes = parse_count(name, text, 256, 1u << 20u);
     else if (name == "--max-body")
@@ -152,7 +170,11 @@ void parse_option(Options& o, std::string_view name, std::string_view text) {
     if (name == "--scenes")
         o.scenes = text;
     else if (name == "--listen")
-        parse_listen(o, text);
+        o.listen = parse_endpoint(name, text);
+    else if (name == "--status-listen")
+        o.status_listen = parse_endpoint(name, text);
+    else if (name == "--read")
+        o.readable.push_back(parse_folder(name, text));
     else if (name == "--workers")
         o.workers = parse_count(name, text, 1, most_processes);
     else if (name == "--threads")
@@ -182,6 +204,10 @@ Options parse_options(int argc, const char* const* argv) {
         if (argument == "--help" || argument == "--version") {
             options.action = argument == "--help" ? Options::Action::help : Options::Action::version;
             return options;
+        }
+        if (argument == "--no-sandbox") {
+            options.sandbox = false;
+            continue;
         }
         if (!argument.starts_with("--"))
             throw Failure("unknown argument '" + std::string(argument) + "'; --help lists the options");

@@ -6,24 +6,33 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "common/failure.hpp"
 #include "image_request.hpp"
 
 using Seconds = std::chrono::duration<double>;
 
+struct Endpoint {
+    std::string address;
+    std::uint16_t port = 0;  ///< 0: any that is free
+};
+
 struct Options {
     enum class Action { serve, help, version, sign, worker };
     Action action = Action::serve;
     std::string scenes;  ///< folder
-    std::string address = "127.0.0.1";
-    std::uint16_t port = 8080;  ///< 0: any that is free
-    std::uint32_t workers = 0;  ///< 0: one a core
-    std::uint32_t threads = 1;  ///< of each worker
+    Endpoint listen{.address = "127.0.0.1", .port = 8080};
+    std::optional<Endpoint> status_listen;  ///< of /health, /ready and /metrics alone
+    std::uint32_t workers = 0;              ///< 0: one a core
+    std::uint32_t threads = 1;              ///< of each worker
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     std::string cache;  ///< folder, empty: what NICOL_CACHE says
     std::string scratch = "/dev/shm";
+    std::vector<std::string> readable;  ///< folders beside that of the scenes
+    bool sandbox = true;
     std::string keys;    ///< file, empty: requests need no signature
     std::string target;  ///< to sign
     int socket = -1;     ///< of a worker
@@ -33,6 +42,7 @@ struct Options {
     std::uint64_t memory_bytes = std::uint64_t{16} << 30;            ///< of a worker's address space; 0: any
     std::uint32_t queue = 64;                                        ///< requests that wait for a worker
     std::uint32_t connections = 512;
+    std::uint32_t connections_per_address = 64;  ///< 0: any
     std::uint32_t header_bytes = 8192;
     std::uint32_t body_bytes = 1024;
     std::uint32_t result_bytes = 64u << 20u;  ///< of answers kept

@@ -134,6 +134,7 @@ void Pool::receive_hello(std::size_t index, const std::string& content) {
     }
     dispatcher_.worker_idle(static_cast<int>(index));
     if (!first) return;
+    if (warm) warm();
     for (std::size_t i = 1; i < slots_.size(); ++i) launch(i);
 }
 

@@ -39,6 +39,8 @@ public:
     [[nodiscard]] const Hello* hello() const { return hello_ ? &*hello_ : nullptr; }
     [[nodiscard]] std::vector<WorkerState> states() const;
 
+    /// Called when the first worker takes requests.
+    std::function<void()> warm;
     /// Called when scenes have changed on disk: earlier answers are outdated.
     std::function<void()> scenes_changed;
 

@@ -17,8 +17,14 @@ const char* status_title(int status) {
             return "Request Timeout";
         case 413:
             return "Content Too Large";
+        case 417:
+            return "Expectation Failed";
+        case 429:
+            return "Too Many Requests";
         case 431:
             return "Request Header Fields Too Large";
+        case 501:
+            return "Not Implemented";
         case 503:
             return "Service Unavailable";
         case 504:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "query.hpp"
 
+#include <algorithm>
+
 #include "problem.hpp"
 
 namespace {
@@ -42,6 +44,20 @@ const std::string* Target::find(std::string_view name) const {
     for (const auto& [key, value] : query)
         if (key == name) return &value;
     return nullptr;
+}
+
+std::string origin_form(std::string_view target) {
+    const std::size_t scheme = target.find("://");
+    if (scheme == std::string_view::npos) return std::string(target);
+    std::string name(target.substr(0, scheme));
+    std::ranges::transform(name, name.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    if (name != "http" && name != "https") return std::string(target);
+    const std::string_view rest = target.substr(scheme + 3);
+    const std::size_t path = rest.find_first_of("/?");
+    if (rest.empty() || path == 0) return std::string(target);  // no host
+    if (path == std::string_view::npos) return "/";
+    return (rest[path] == '?' ? "/" : "") + std::string(rest.substr(path));
 }
 
 Target parse_target(std::string_view target) {

@@ -14,6 +14,10 @@ struct Target {
     [[nodiscard]] const std::string* find(std::string_view name) const;
 };
 
+/// "/path?query" also of "http://host/path?query", in which form a proxy may be asked (RFC 9112, 3.2.2); any
+/// other target as it is.
+std::string origin_form(std::string_view target);
+
 /// Throws Refusal (400) where the target does not begin with '/', an escape is broken or stands for a control
 /// character, a parameter comes twice, has no '=' or there are more than 32.
 Target parse_target(std::string_view target);

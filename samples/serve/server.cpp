@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "server.hpp"
 
-#include <boost/asio/ip/address.hpp>
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 
 #include "common/failure.hpp"
+#include "notify.hpp"
+#include "sandbox.hpp"
 
-namespace asio = boost::asio;
-using asio::ip::tcp;
 using boost::system::error_code;
 
 namespace {
 
-tcp::acceptor listen(asio::io_context& io, const Options& options) {
-    const std::string where = "--listen: " + options.address + ":" + std::to_string(options.port) + ": ";
-    error_code error;
-    const asio::ip::address address = asio::ip::make_address(options.address, error);
-    if (error) throw Failure(where + "the address must be numeric, like 127.0.0.1 or ::1");
-    tcp::acceptor acceptor(io);
-    acceptor.open(address.is_v6() ? tcp::v6() : tcp::v4(), error);
-    if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
-    if (!error) acceptor.bind({address, options.port}, error);
-    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
-    if (error) throw Failure(where + error.message());
-    return acceptor;
+/// Of --status-listen: monitors, and operators with a browser.
+constexpr Listener::Places kStatusPlaces{.all = 32, .per_address = 0};
+
+/// What does not keep the service from working, but will be missed.
+void say_what_is_missing(const Options& options) {
+    if (::access((options.scratch + "/.").c_str(), W_OK | X_OK) != 0)
+        std::fprintf(stderr, "nicol-serve: --scratch: %s: %s; stokes.exr is answered 503\n",
+                     one_line(options.scratch.c_str()).c_str(), std::strerror(errno));
+    if (options.sandbox && !can_confine())
+        std::fputs("nicol-serve: the kernel has no Landlock; workers may open every file of their user\n",
+                   stderr);
 }
 
 }  // namespace
@@ -33,61 +35,38 @@ Server::Server(const Options& options, std::vector<std::string> arguments)
     : options_(options),
       pool_(io_, options, std::move(arguments), metrics_),
       service_(options, pool_, metrics_),
-      surroundings_{.options = options,
-                    .service = service_,
-                    .dispatcher = pool_.dispatcher(),
-                    .metrics = metrics_,
-                    .ended =
-                        [this](Connection* connection) {
-                            connections_.erase(connection);
-                            end_when_empty();
-                        }},
-      acceptor_(listen(io_, options)),
-      pause_(io_),
+      listener_(
+          io_, options.listen, "--listen",
+          {.all = options.connections, .per_address = options.connections_per_address},
+          {.options = options, .service = service_, .dispatcher = pool_.dispatcher(), .metrics = metrics_}),
+      drain_limit_(io_),
       signals_(io_, SIGTERM, SIGINT) {
-    service_.connections = [this] { return connections_.size(); };
+    if (options.status_listen)
+        status_listener_.emplace(io_, *options.status_listen, "--status-listen", kStatusPlaces,
+                                 Connection::Surroundings{.options = options,
+                                                          .service = service_,
+                                                          .dispatcher = pool_.dispatcher(),
+                                                          .metrics = metrics_,
+                                                          .status_alone = true});
+    service_.connections = [this] { return listener_.connections(); };
+    pool_.warm = [] { notify("READY=1"); };
 }
 
 void Server::run() {
-    const tcp::endpoint place = acceptor_.local_endpoint();
-    const std::string host =
-        place.address().is_v6() ? "[" + place.address().to_string() + "]" : place.address().to_string();
-    std::printf("nicol-serve: listening on http://%s:%u\n", host.c_str(),
-                static_cast<unsigned>(place.port()));
+    std::printf("nicol-serve: listening on %s\n", listener_.url().c_str());
+    if (status_listener_) std::printf("nicol-serve: status on %s\n", status_listener_->url().c_str());
     std::fflush(stdout);
+    say_what_is_missing(options_);
     pool_.start([this](const std::string& reason) {
         failure_ = reason;
         io_.stop();
     });
-    accept();
+    listener_.start();
+    if (status_listener_) status_listener_->start();
     wait_for_signal();
     io_.run();
     pool_.stop();
     if (!failure_.empty()) throw Failure(failure_);
-}
-
-void Server::accept() {
-    acceptor_.async_accept([this](const error_code& error, tcp::socket socket) {
-        if (!acceptor_.is_open()) return;
-        if (error) {
-            // Out of file descriptors, most likely: some connection must end first.
-            constexpr auto retry_delay = std::chrono::milliseconds(100);
-            pause_.expires_after(retry_delay);
-            pause_.async_wait([this](const error_code& cancelled) {
-                if (!cancelled) accept();
-            });
-            return;
-        }
-        const auto connection = std::make_shared<Connection>(std::move(socket), surroundings_);
-        connections_.insert(connection.get());
-        if (connections_.size() > options_.connections)
-            connection->refuse({.status = 503,
-                                .detail = "Too many connections are open.",
-                                .retry_after = service_.retry_after()});
-        else
-            connection->start();
-        accept();
-    });
 }
 
 void Server::wait_for_signal() {
@@ -100,19 +79,12 @@ void Server::wait_for_signal() {
 }
 
 void Server::drain() {
+    notify("STOPPING=1");
     service_.draining = true;
-    acceptor_.close();
-    pause_.expires_after(
+    drain_limit_.expires_after(
         std::chrono::duration_cast<std::chrono::steady_clock::duration>(options_.drain_limit));
-    pause_.async_wait([this](const error_code& error) {
+    drain_limit_.async_wait([this](const error_code& error) {
         if (!error) io_.stop();
     });
-    // Draining may end a connection and take it out of the set.
-    const std::set<Connection*> now = connections_;
-    for (Connection* connection : now) connection->drain();
-    end_when_empty();
-}
-
-void Server::end_when_empty() {
-    if (service_.draining && connections_.empty()) io_.stop();
+    listener_.drain([this] { io_.stop(); });
 }

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The front process: listens, holds the connections, ends in order.
+// The front process: its listeners, its workers, and an end in order.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <set>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "connection.hpp"
+#include "listener.hpp"
 #include "options.hpp"
 #include "pool.hpp"
 #include "service.hpp"
 
 class Server {
 public:
-    /// Binds the address. Throws Failure where that cannot be had. arguments: those of this process.
+    /// Binds the addresses. Throws Failure where that cannot be had. arguments: those of this process.
     Server(const Options& options, std::vector<std::string> arguments);
 
     /// Serves until SIGTERM or SIGINT, and then until open requests are answered or the drain limit is over;
@@ -25,20 +24,17 @@ public:
     void run();
 
 private:
-    void accept();
     void wait_for_signal();
     void drain();
-    void end_when_empty();
 
     const Options& options_;
     boost::asio::io_context io_;
     Metrics metrics_;
     Pool pool_;
     Service service_;
-    std::set<Connection*> connections_;
-    Connection::Surroundings surroundings_;
-    boost::asio::ip::tcp::acceptor acceptor_;
-    boost::asio::steady_timer pause_;  ///< of accepting, and of draining
+    Listener listener_;
+    std::optional<Listener> status_listener_;
+    boost::asio::steady_timer drain_limit_;
     boost::asio::signal_set signals_;
     std::string failure_;
 };

@@ -7,6 +7,7 @@
 #include <ctime>
 
 #include "assets.hpp"
+#include "coding.hpp"
 #include "common/failure.hpp"
 #include "digest.hpp"
 #include "json.hpp"
@@ -77,17 +78,20 @@ std::variant<Response, Render> Service::handle(const Request& request) {
 }
 
 std::variant<Response, Render> Service::route(const Request& request) {
-    const Target target = parse_target(request.target);
     if (request.method != "GET" && request.method != "HEAD") {
-        Response response = respond(Problem{.status = 405, .detail = "There is GET and HEAD alone."});
-        response.headers.emplace_back("Allow", "GET, HEAD");
+        const bool asks = request.method == "OPTIONS";
+        Response response = asks ? Response{.status = 204, .type = ""}
+                                 : respond(Problem{.status = 405, .detail = "There is GET and HEAD alone."});
+        response.headers.emplace_back("Allow", "GET, HEAD, OPTIONS");
         return response;
     }
-    if (target.path.starts_with("/scenes/")) return image(request, target);
-    if (target.path == "/scenes") return scenes();
+    const Target target = parse_target(request.target);
     if (target.path == "/health") return state(false);
     if (target.path == "/ready") return state(true);
     if (target.path == "/metrics") return text("text/plain; version=0.0.4", metrics_text());
+    if (request.status_alone) refuse(404, "Here are /health, /ready and /metrics alone.");
+    if (target.path.starts_with("/scenes/")) return image(request, target);
+    if (target.path == "/scenes") return scenes();
     if (target.path == "/openapi.json") return text("application/json", openapi_);
     return page(request, target);
 }
@@ -99,7 +103,8 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
     const std::string name = slash == std::string::npos ? "" : target.path.substr(slash + 1);
     const auto* const resource = std::ranges::find(resources, name, &Resource::name);
     if (resource == resources.end())
-        refuse(404, "A scene has image.png, image.exr, stokes.exr, stokes.f16 and stokes.f32.");
+        refuse(404,
+               "A scene has image.png, image.exr, stokes.exr, stokes.planes, stokes.f16 and stokes.f32.");
     if (!keys_.empty()) check_signature(request.target, keys_, std::time(nullptr));
     const std::vector<SceneInfo>& known = hello().scenes;
     const auto scene = std::ranges::find(known, id, &SceneInfo::id);
@@ -109,19 +114,15 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
     Render render{.request =
                       parse_image(target, resource->format, static_cast<std::uint32_t>(scene - known.begin()),
                                   *scene, options_.limits)};
+    render.request.deflate =
+        resource->format == Format::stokes_planes && accepts_coding(request.accept_encoding, "deflate");
     render.tag = entity_tag(build_ + '\n' + hello().renderer + '\n' + scene->digest + '\n' +
                             canonical(render.request, *scene));
     if (matches(request.if_none_match, render.tag)) {
         ++metrics_.hits_tag;
-        Response response{.status = 304, .type = ""};
-        response.headers.emplace_back("ETag", render.tag);
-        return response;
+        return tagged(304, render);
     }
-    if (request.method == "HEAD") {
-        Response response{.status = 200, .type = std::string(resource->type)};
-        response.headers.emplace_back("ETag", render.tag);
-        return response;
-    }
+    if (request.method == "HEAD") return tagged(200, render);
     if (const AnswerPtr kept = cache_.find(render.tag)) {
         ++metrics_.hits_result;
         return respond(render, kept);
@@ -129,6 +130,16 @@ std::variant<Response, Render> Service::image(const Request& request, const Targ
     if (draining) refuse(503, "The service is about to end.", kNotReadySeconds);
     if (*answer_bytes_ > options_.answer_bytes) refuse(503, "Too many answers are unread.", retry_after());
     return render;
+}
+
+/// Without content: what is known before there is an image.
+Response Service::tagged(int status, const Render& render) {
+    const Resource& resource = resource_of(render.request.format);
+    Response response{.status = status, .type = status == 304 ? "" : std::string(resource.type)};
+    response.headers.emplace_back("ETag", render.tag);
+    if (resource.format == Format::stokes_planes) response.headers.emplace_back("Vary", "Accept-Encoding");
+    if (render.request.deflate && status != 304) response.headers.emplace_back("Content-Encoding", "deflate");
+    return response;
 }
 
 Response Service::respond(const Render& render, const AnswerPtr& answer) {
@@ -145,10 +156,9 @@ Response Service::respond(const Render& render, const AnswerPtr& answer) {
     // Counted until the last byte is sent.
     const std::shared_ptr<const void> owner(
         answer.get(), [answer, bytes = answer_bytes_](const void*) { *bytes -= answer->content.size(); });
-    const Resource& resource = resource_of(render.request.format);
-    Response response{
-        .status = 200, .type = std::string(resource.type), .owner = owner, .content = answer->content};
-    response.headers.emplace_back("ETag", render.tag);
+    Response response = tagged(200, render);
+    response.owner = owner;
+    response.content = answer->content;
     const std::string age = std::to_string(static_cast<long>(options_.max_age.count()));
     response.headers.emplace_back("Cache-Control",
                                   options_.max_age.count() >= 1 ? "max-age=" + age : "no-cache");
@@ -156,6 +166,8 @@ Response Service::respond(const Render& render, const AnswerPtr& answer) {
                                                     std::to_string(render.request.view.height));
     if (head.scale > 0)
         response.headers.emplace_back("Nicol-Scale", json_number(static_cast<double>(head.scale)));
+    if (head.components > 0)
+        response.headers.emplace_back("Nicol-Components", std::to_string(head.components));
     return response;
 }
 

@@ -16,7 +16,8 @@
 
 /// The parts of a request that the service uses.
 struct Request {
-    std::string method, target, if_none_match;
+    std::string method, target, if_none_match, accept_encoding;
+    bool status_alone = false;  ///< of a listener that has nothing else
 };
 
 struct Response {
@@ -51,6 +52,7 @@ public:
 private:
     std::variant<Response, Render> route(const Request& request);
     std::variant<Response, Render> image(const Request& request, const Target& target);
+    [[nodiscard]] static Response tagged(int status, const Render& render);
     [[nodiscard]] Response text(std::string type, std::string content) const;
     [[nodiscard]] Response scenes() const;
     [[nodiscard]] Response state(bool must_be_ready) const;

@@ -11,9 +11,11 @@
 #include "camera.hpp"
 #include "common/failure.hpp"
 #include "common/handles.hpp"
+#include "deflate.hpp"
 #include "digest.hpp"
 #include "exr.hpp"
 #include "observe.hpp"
+#include "planes.hpp"
 #include "png.hpp"
 
 namespace {
@@ -140,26 +142,33 @@ std::string Stage::render(const ImageRequest& request, const Progress& progress,
     draw(request.view, progress, head);
     const auto start = std::chrono::steady_clock::now();
     head.scale = static_cast<float>(request.scale);
-    std::string content = encode(request, scratch, head.scale);
+    std::string content = encode(request, scratch, head);
     head.ms.back() = milliseconds_since(start);
     return content;
 }
 
-std::string Stage::encode(const ImageRequest& request, const std::string& scratch, float& scale) const {
+std::string Stage::encode(const ImageRequest& request, const std::string& scratch, ResultHead& head) const {
     switch (request.format) {
         case Format::stokes_f16:
         case Format::stokes_f32:
             return stokes(request.format == Format::stokes_f16);
+        case Format::stokes_planes: {
+            const Planes planes = planes_of(stokes(true), width_, height_);
+            head.components = planes.components;
+            return request.deflate ? deflated(planes.bytes) : planes.bytes;
+        }
         case Format::stokes_exr: {
             // The library writes files alone.
             const std::string path = scratch + "/nicol-serve-" + std::to_string(getpid()) + ".exr";
-            check(nicol_framebuffer_write_exr(framebuffer_.get(), path.c_str()));
+            const nicol_result written = nicol_framebuffer_write_exr(framebuffer_.get(), path.c_str());
+            if (written == NICOL_ERROR_WRITE_FAILED) throw ScratchFailure(nicol_last_error());
+            check(written);
             std::ifstream file(path, std::ios::binary | std::ios::ate);
             std::string content(static_cast<std::size_t>(std::max<std::streamoff>(file.tellg(), 0)), '\0');
             file.seekg(0);
             file.read(content.data(), static_cast<std::streamsize>(content.size()));
             unlink(path.c_str());
-            if (!file) throw Failure(path + ": cannot be read back");
+            if (!file) throw ScratchFailure(path + ": cannot be read back");
             return content;
         }
         case Format::exr:
@@ -167,7 +176,7 @@ std::string Stage::encode(const ImageRequest& request, const std::string& scratc
         default: {
             const FloatImage seen = observe(framebuffer_.get(), request);
             const bool curve = request.observer == Observer::s0 || request.observer == Observer::polarizer;
-            return encode_png(seen.width, seen.height, colours(seen, request.observer, scale), curve);
+            return encode_png(seen.width, seen.height, colours(seen, request.observer, head.scale), curve);
         }
     }
 }

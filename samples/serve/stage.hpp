@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "common/failure.hpp"
 #include "common/handles.hpp"
 #include "image_request.hpp"
 #include "message.hpp"
@@ -15,6 +16,11 @@ struct Progress {
     void* user = nullptr;
 };
 
+/// The scratch folder could not be used.
+struct ScratchFailure : Failure {
+    using Failure::Failure;
+};
+
 class Stage {
 public:
     /// Loads the scene and renders it, which bakes it or takes the bake from the cache. Throws Failure.
@@ -23,7 +29,7 @@ public:
     [[nodiscard]] const SceneInfo& info() const { return info_; }
 
     /// The answer's content; fills in the head but for its status. `scratch` is a folder for files that live
-    /// for this call. Throws nicol::Error.
+    /// for this call. Throws nicol::Error, or ScratchFailure.
     std::string render(const ImageRequest& request, const Progress& progress, const std::string& scratch,
                        ResultHead& head);
 
@@ -32,7 +38,7 @@ private:
     void make_framebuffer(std::uint32_t width, std::uint32_t height);
     [[nodiscard]] double centre_depth() const;
     [[nodiscard]] std::string encode(const ImageRequest& request, const std::string& scratch,
-                                     float& scale) const;
+                                     ResultHead& head) const;
     [[nodiscard]] std::string stokes(bool half) const;
 
     nicol_context context_;

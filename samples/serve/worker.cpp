@@ -19,6 +19,7 @@
 #include "common/failure.hpp"
 #include "common/handles.hpp"
 #include "message.hpp"
+#include "sandbox.hpp"
 #include "scene_files.hpp"
 #include "stage.hpp"
 
@@ -129,6 +130,10 @@ void render(const Channel& channel, std::uint64_t id, const ImageRequest& reques
     } catch (const nicol::Error& error) {
         result.status = status_of(error.result());
         content = error.what();
+    } catch (const ScratchFailure& failure) {
+        log(nullptr, NICOL_LOG_WARNING, NICOL_OK, failure.what());
+        result.status = 503;
+        content = "The service has no place for the file to be made.";
     } catch (const std::bad_alloc&) {
         result.status = 503;
         content = "out of memory";
@@ -194,6 +199,7 @@ int run_worker(int socket, const Options& options) {
     const Channel channel(socket);
     try {
         try {
+            if (options.sandbox) confine(options);
             serve(channel, options);
         } catch (const std::exception& error) {
             channel.send({.kind = MessageKind::failed, .length = 0, .job = 0}, one_line(error.what()));

@@ -1,14 +1,23 @@
 # SPDX-License-Identifier: MIT
 # How nicol-serve behaves: what it keeps, under load, at its limits, when workers fail, at its start and end.
+import ctypes
 import os
+import re
 import signal
 import socket
+import tempfile
 import time
 import unittest
+import unittest.mock
 
 from program_test import ProgramTest
 from serve_case import IMAGE, PROGRAM, SQUARE, ServeTest, alive, read
 from serve_client import PATIENCE, Server, write_scenes
+
+
+def has_landlock():
+    create_ruleset, ask_version = 444, 1
+    return ctypes.CDLL(None).syscall(create_ruleset, None, 0, ask_version) > 0
 
 
 class Caching(ServeTest):
@@ -111,11 +120,7 @@ class Load(ServeTest):
 
 
 class Limits(ServeTest):
-    options = ("--workers", "1", "--deadline", "0.5", "--read-limit", "0.3", "--idle-limit", "0.3", "--connections", "3", "--max-order", "6")
-
-    def setUp(self):
-        # What the test before closed may still count.
-        self.server.wait(lambda: b"nicol_serve_connections 1\n" in self.server.get("/metrics").body)
+    options = ("--workers", "1", "--deadline", "0.5", "--read-limit", "0.3", "--idle-limit", "0.3", "--max-order", "6")
 
     def test_deadline(self):
         self.server.signal_workers(signal.SIGSTOP)
@@ -130,22 +135,83 @@ class Limits(ServeTest):
         with socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as silent:
             self.assertEqual(silent.recv(1), b"")
 
-    def test_connections(self):
-        held = [socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) for _ in range(3)]
-        try:
-            with socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as extra:
-                self.assertIn(b"503", extra.makefile("rb").readline())
-        finally:
-            for connection in held:
-                connection.close()
-
     def test_order(self):
-        self.assertEqual(self.server.get(IMAGE + "&order_low=2&order_high=3").status, 200)
+        # The first image of these orders may take longer than the deadline here.
+        self.server.wait(lambda: self.server.get(IMAGE + "&order_low=2&order_high=3").status == 200)
         self.assert_problem(self.server.get(IMAGE + "&order_low=7"), 400, "order_low", "0 to 6")
 
 
+class Places(ServeTest):
+    """Connections beyond those that there are places for."""
+
+    options = ("--workers", "1", "--connections", "4", "--connections-per-address", "2", "--status-listen", "127.0.0.1:0")
+    ONE, OTHER, THIRD = "127.0.0.2", "127.0.0.3", "127.0.0.4"
+
+    def setUp(self):
+        self.held = []
+        self.server.wait(lambda: self.server.metric("connections") == 0)
+
+    def tearDown(self):
+        for connection in self.held:
+            connection.close()
+        self.server.signal_workers(signal.SIGCONT)
+        self.server.wait(lambda: self.server.metric("renders_running") == 0)
+
+    def hold(self, source, data=b""):
+        """A connection that asks nothing, or not yet all."""
+        connection = socket.create_connection(("127.0.0.1", self.server.port), PATIENCE, source_address=(source, 0))
+        self.held.append(connection)
+        connection.sendall(data)
+        self.server.wait(lambda: self.server.metric("connections") == len(self.held))
+        return connection
+
+    def hold_busy(self, source, azimuth):
+        """One whose image a stopped worker does not make."""
+        self.held.append(self.server.ask(f"{IMAGE}&azimuth={azimuth}", source=source))
+        self.server.wait(lambda: self.server.metric("renders_running") + self.server.metric("queue_length") == len(self.held))
+
+    def assert_open(self, connections):
+        for connection in connections:
+            connection.sendall(b"GET /health HTTP/1.1\r\nHost: a\r\n\r\n")
+            self.assertIn(b" 200 ", connection.recv(1000))
+
+    def test_who_waits_longest_makes_room(self):
+        for data in (b"", b"GET /health HT"):
+            with self.subTest(data=data):
+                self.held = [self.hold(source, data) for source in (self.ONE, self.ONE, self.OTHER, self.OTHER)]
+                self.assertEqual(self.server.get("/health", source=self.THIRD).status, 200)
+                self.assertEqual(self.held[0].recv(1), b"")
+                if not data:
+                    self.assert_open(self.held[1:])
+                for connection in self.held:
+                    connection.close()
+                self.held = []
+                self.server.wait(lambda: self.server.metric("connections") == 0)
+
+    def test_an_address_makes_room_for_itself(self):
+        first = self.hold(self.OTHER)
+        own = [self.hold(self.ONE), self.hold(self.ONE)]
+        self.assertEqual(self.server.get("/health", source=self.ONE).status, 200)
+        self.assertEqual(own[0].recv(1), b"")
+        self.assert_open([first, own[1]])
+
+    def test_who_works_stays(self):
+        self.server.signal_workers(signal.SIGSTOP)
+        for azimuth, source in enumerate((self.ONE, self.ONE, self.OTHER, self.OTHER)):
+            self.hold_busy(source, 40 + azimuth)
+        self.assert_problem(self.server.get("/health", source=self.ONE), 429)
+        refused = self.server.get("/health", source=self.THIRD)
+        self.assert_problem(refused, 503)
+        self.assertGreaterEqual(int(refused.headers["retry-after"]), 1)
+        # Whoever watches the service has places of his own.
+        for target, status in (("/health", 200), ("/ready", 200), ("/metrics", 200), ("/scenes", 404), (IMAGE, 404)):
+            self.assertEqual(self.server.get(target, port=self.server.status_port).status, status, target)
+        self.server.signal_workers(signal.SIGCONT)
+        self.assertEqual([self.server.answer(asked).status for asked in self.held], [200] * 4)
+
+
 class Failures(ServeTest):
-    options = ("--workers", "2", "--render-limit", "1", "--deadline", "60")
+    options = ("--workers", "2", "--render-limit", "3", "--deadline", "60")
 
     def lose(self, reason, azimuth):
         """One request whose worker is stopped, and killed where the reason is a crash; the other one answers it."""
@@ -224,6 +290,10 @@ class Ends(ProgramTest):
             (["--port"], "--port"),
             (["--listen", "127.0.0.1:8080"], "--listen 8080"),
             (["--listen", "numeric"], "--listen nowhere.invalid:0"),
+            (["--status-listen", "127.0.0.1:8080"], "--status-listen 8080"),
+            (["--status-listen", "numeric"], "--listen 127.0.0.1:0 --status-listen nowhere.invalid:0"),
+            (["--connections-per-address"], "--connections-per-address -1"),
+            (["--read", "/none"], "--read /none"),
             (["--workers", "1 to 1024"], "--workers 0"),
             (["--deadline"], "--deadline nan"),
             (["--keys", "/none"], "--keys /none"),
@@ -259,6 +329,68 @@ class Ends(ProgramTest):
         server = Server(PROGRAM, self.folder, "--workers", "1")
         self.assertEqual([server.get(path).status for path in (IMAGE, "/scenes/box/image.png")], [200, 503])
         self.assertEqual(server.stop(), 0)
+
+    def test_a_worker_reads_no_other_files(self):
+        if not has_landlock():
+            self.skipTest("the kernel has no Landlock")
+        write_scenes(self.folder)
+        outside = tempfile.TemporaryDirectory()
+        self.addCleanup(outside.cleanup)
+        mesh = os.path.join(outside.name, "triangle.obj")
+        with open(mesh, "w", encoding="utf-8") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        shape = f'<shape type="obj"><string name="filename" value="{mesh}"/><bsdf type="pplastic"/></shape>'
+        self.write("box.xml", re.sub("<shape.*</shape>", shape, read(os.path.join(self.folder, "box.xml")).decode()))
+        for options, status in (((), 503), (("--read", outside.name), 200), (("--no-sandbox",), 200)):
+            with self.subTest(options=options):
+                server = Server(PROGRAM, self.folder, "--workers", "1", *options)
+                try:
+                    self.assertEqual(server.get("/scenes/box/image.png").status, status)
+                    self.assertEqual(server.get(IMAGE).status, 200)
+                    self.assertEqual(server.get(SQUARE + "stokes.exr").status, 200)
+                    self.assertEqual("a scene is left out: " + mesh in server.errors(), status == 503, server.errors())
+                finally:
+                    server.stop()
+                os.remove(os.path.join(self.folder, "log"))
+
+    def test_without_scratch(self):
+        write_scenes(self.folder)
+        for scratch in ("/none", self.write("file", "")):
+            with self.subTest(scratch=scratch):
+                server = Server(PROGRAM, self.folder, "--workers", "1", "--scratch", scratch)
+                try:
+                    self.assertIn(f"nicol-serve: --scratch: {scratch}: ", server.errors())
+                    answer = server.get(SQUARE + "stokes.exr")
+                    self.assertEqual((answer.status, answer.json()["status"]), (503, 503))
+                    self.assertNotIn(scratch, answer.json()["detail"])
+                    self.assertIn("retry-after", answer.headers)
+                    self.assertEqual(server.get(IMAGE).status, 200)
+                finally:
+                    server.stop()
+
+    def test_systemd_is_told(self):
+        write_scenes(self.folder)
+        for name in (self.path("notify"), f"\0nicol-serve-{os.getpid()}"):
+            with self.subTest(name=name), socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as told:
+                told.bind(name)
+                told.settimeout(PATIENCE)
+                with unittest.mock.patch.dict(os.environ, NOTIFY_SOCKET=name.replace("\0", "@")):
+                    server = Server(PROGRAM, self.folder, "--workers", "1", ready=False)
+                self.assertEqual(told.recv(100), b"READY=1")
+                self.assertEqual(server.get("/ready").status, 200)
+                self.assertEqual(server.stop(), 0)
+                self.assertEqual(told.recv(100), b"STOPPING=1")
+
+    def test_a_drain_that_takes_too_long(self):
+        write_scenes(self.folder)
+        server = Server(PROGRAM, self.folder, "--workers", "1", "--drain-limit", "0.1")
+        server.signal_workers(signal.SIGSTOP)
+        asked = server.ask(IMAGE)
+        server.wait(lambda: server.metric("renders_running") == 1)
+        server.process.terminate()
+        self.assertEqual(server.process.wait(PATIENCE), 0)
+        self.assertEqual(server.stop(), 0)
+        asked.close()
 
     def test_taken_port(self):
         write_scenes(self.folder)

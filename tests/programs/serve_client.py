@@ -45,6 +45,8 @@ class Answer:
 class Server:
     """Runs until stop(). Where `ready` is not asked for it may still be warming up."""
 
+    status_port = None  # of --status-listen
+
     def __init__(self, program, folder, *options, ready=True):
         self.log = open(os.path.join(folder, "log"), "a+", encoding="utf-8")
         cache = os.path.join(folder, "cache")
@@ -55,6 +57,8 @@ class Server:
         if "http://" not in line:
             raise AssertionError(f"{line!r}: {self.errors()}")
         self.port = int(line.rsplit(":", 1)[1])
+        if "--status-listen" in options:
+            self.status_port = int(self.process.stdout.readline().rsplit(":", 1)[1])
         if ready:
             self.wait(lambda: self.get("/ready").status == 200)
             workers = self.workers()
@@ -71,12 +75,13 @@ class Server:
             if time.monotonic() > end or self.process.poll() is not None:
                 raise AssertionError(f"never came: {self.errors()}")
 
-    def connect(self):
-        return http.client.HTTPConnection("127.0.0.1", self.port, timeout=PATIENCE)
+    def connect(self, port=None, source=None):
+        """source: this machine's address that the connection comes from, any of 127.0.0.0/8, where it matters."""
+        return http.client.HTTPConnection("127.0.0.1", port or self.port, timeout=PATIENCE, source_address=source and (source, 0))
 
-    def ask(self, target, method="GET", **headers):
+    def ask(self, target, method="GET", port=None, source=None, **headers):
         """A request whose answer is fetched by answer()."""
-        connection = self.connect()
+        connection = self.connect(port, source)
         connection.request(method, target, headers={name.replace("_", "-"): value for name, value in headers.items()})
         return connection
 
@@ -86,12 +91,12 @@ class Server:
         connection.close()
         return answer
 
-    def get(self, target, method="GET", **headers):
-        return self.answer(self.ask(target, method, **headers))
+    def get(self, target, method="GET", port=None, source=None, **headers):
+        return self.answer(self.ask(target, method, port, source, **headers))
 
     def metrics(self):
         """Name with labels -> value."""
-        lines = self.get("/metrics").body.decode().splitlines()
+        lines = self.get("/metrics", port=self.status_port).body.decode().splitlines()
         return {line.rsplit(" ", 1)[0][len("nicol_serve_") :]: float(line.rsplit(" ", 1)[1]) for line in lines if line[0] != "#"}
 
     def metric(self, name):

@@ -13,7 +13,8 @@ import tempfile
 from serve_client import PATIENCE, Server, write_scenes
 
 PATHS = ["/", "/scenes", "/health", "/ready", "/metrics", "/openapi.json", "/page.js", "/scenes/box/image.png",
-         "/scenes/box/image.exr", "/scenes/square/stokes.exr", "/scenes/square/stokes.f16", "/scenes/square/stokes.f32"]  # fmt: skip
+         "/scenes/box/image.exr", "/scenes/square/stokes.exr", "/scenes/square/stokes.f16", "/scenes/square/stokes.f32",
+         "/scenes/box/stokes.planes"]  # fmt: skip
 NAMES = ["size", "azimuth", "elevation", "distance", "target", "matrix", "fov", "light", "light_tilt", "order_low", "order_high",
          "tolerance", "observer", "polarizer", "exposure", "scale", "sig", "expires", "x"]  # fmt: skip
 VALUES = ["0", "1", "-1", "45", "89", "90", "1e308", "-1e308", "1e-308", "nan", "inf", "-0", "0x10", "1,2,3", "0,0,0", "16x16", "1x1",
@@ -27,7 +28,7 @@ GOOD = {"size": ["8x8", "1x1", "64x3"], "azimuth": ["30", "-360"], "elevation": 
         "matrix": [",".join(["0"] * 16), "-0.7,0,0.7,3,0,1,0,0,-0.7,0,-0.7,3,0,0,0,1", "-1,0,0,0,0,1,0,0,0,0,-1,3,0,0,0,1"]}  # fmt: skip
 METHODS = ["GET"] * 20 + ["HEAD", "POST", "PUT", "OPTIONS", "TRACE", "CONNECT", "get", "G\x00T", ""]
 HEADERS = ["Host: x", "If-None-Match: *", 'If-None-Match: "', "Connection: close", "Connection: upgrade", "Content-Length: 3",
-           "Content-Length: -1", "Content-Length: 99999999999999999999", "Transfer-Encoding: chunked", "Expect: 100-continue",
+           "Content-Length: -1", "Content-Length: 99999999999999999999", "Transfer-Encoding: chunked", "Expect: 100-continue", "Accept-Encoding: deflate",
            "Range: bytes=0-1", "A" * 300 + ": b", ": empty", "no colon", "X: \x01\x02", " folded"]  # fmt: skip
 
 
@@ -39,7 +40,7 @@ def request(random):
     if "size=" not in query:
         query += "&size=8x8" if query else "size=8x8"
     target = random.choice(PATHS) + "?" + query
-    headers = [random.choice(HEADERS) for _ in range(random.choice([0, 0, 1, 2, 5]))]
+    headers = ["Host: a"] * (random.random() < 0.9) + [random.choice(HEADERS) for _ in range(random.choice([0, 0, 1, 2, 5]))]
     text = f"{random.choice(METHODS)} {target} {random.choice(['HTTP/1.1'] * 9 + ['HTTP/1.0', 'HTTP/3', ''])}\r\n"
     data = bytearray((text + "".join(h + "\r\n" for h in headers) + "\r\n").encode("utf-8", "surrogateescape"))
     if random.random() < 0.2:

@@ -3,12 +3,15 @@
 import hashlib
 import hmac
 import os
+import re
+import shutil
 import socket
 import struct
 import subprocess
 import tempfile
 import time
 import unittest
+import zlib
 
 from serve_case import IMAGE, PROGRAM, RENDER, SQUARE, ServeTest, read
 from serve_client import PATIENCE
@@ -50,12 +53,19 @@ class Resources(ServeTest):
             self.assert_problem(self.server.get(target), 404)
         answer = self.server.get(IMAGE, method="POST")
         self.assert_problem(answer, 405)
-        self.assertEqual(answer.headers["allow"], "GET, HEAD")
+        self.assertEqual(answer.headers["allow"], "GET, HEAD, OPTIONS")
 
     def test_parameters_are_named_with_their_range(self):
         self.assert_problem(self.server.get(f"{SQUARE}image.png?elevation=95"), 400, "elevation", "-89 to 89")
         # What only the library knows to be wrong is no failure of the service either.
         self.assert_problem(self.server.get(f"{SQUARE}image.png?matrix={','.join(['0'] * 16)}"[:-1] + "1"), 400)
+
+    def talk(self, data):
+        """The statuses of all answers to this."""
+        with socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as connection:
+            connection.sendall(data)
+            connection.shutdown(socket.SHUT_WR)
+            return [int(status) for status in re.findall(rb"HTTP/1.1 (\d+)", connection.makefile("rb").read())]
 
     def test_bytes_that_are_no_request(self):
         for data, status in ((b"\r\n\r\nnonsense\r\n\r\n", 400), (b"GET / HTTP/9.9\r\n\r\n", 400), (b"GET \x00 HTTP/1.1\r\n\r\n", 400),
@@ -66,6 +76,54 @@ class Resources(ServeTest):
                 connection.sendall(data)
                 head = connection.makefile("rb").readline()
             self.assertIn(str(status).encode(), head, data[:40])
+
+    def test_framing(self):
+        """A second request follows each: it is answered where the first one's end is beyond doubt, and only there."""
+        host, more = "Host: a\r\n", "GET /health HTTP/1.1\r\nHost: a\r\n\r\n"
+        chunks = "Transfer-Encoding: chunked\r\n"
+        for first, statuses in (
+            ("GET /health HTTP/1.1\r\n" + host, [200, 200]),
+            ("GET /health HTTP/1.0\r\n", [200]),
+            ("GET /health HTTP/1.1\r\nHost:\r\n", [200, 200]),
+            ("GET /health HTTP/1.1\r\nHost: [::1]:80\r\n", [200, 200]),
+            ("GET /health HTTP/1.1\r\n", [400]),
+            ("GET /health HTTP/1.1\r\n" + host + host, [400]),
+            ("GET /health HTTP/1.0\r\n" + host + host, [400]),
+            ("GET /health HTTP/1.1\r\nHost: a b\r\n", [400]),
+            ("GET /health HTTP/1.1\r\nHost: a/b\r\n", [400]),
+            ("GET http://other:80/health HTTP/1.1\r\n" + host, [200, 200]),
+            ("GET HTTP://other?x=1 HTTP/1.1\r\n" + host, [200, 200]),
+            ("GET http:///health HTTP/1.1\r\n" + host, [400, 200]),
+            ("OPTIONS * HTTP/1.1\r\n" + host, [204, 200]),
+            ("CONNECT a:80 HTTP/1.1\r\n" + host, [405, 200]),
+            ("GET /health HTTP/1.1\r\n" + host + "X: a\r\n b\r\n", [400]),
+            ("GET /health HTTP/1.1\r\n" + host + "X: a\r\n\tb\r\n", [400]),
+            ("GET /health HTTP/1.1\r\n" + host + chunks + "\r\n3\r\nabc\r\n0\r\n", [200, 200]),
+            ("GET /health HTTP/1.1\r\n" + host + chunks + "Content-Length: 3\r\n", [400]),
+            ("GET /health HTTP/1.1\r\n" + host + "Content-Length: 3\r\n" + chunks, [400]),
+            ("GET /health HTTP/1.1\r\n" + host + chunks + chunks, [400]),
+            ("GET /health HTTP/1.1\r\n" + host + "Transfer-Encoding: chunked, chunked\r\n", [400]),
+            ("GET /health HTTP/1.1\r\n" + host + "Transfer-Encoding: chunked, gzip\r\n", [400]),
+            ("GET /health HTTP/1.1\r\n" + host + "Transfer-Encoding: gzip\r\n", [400]),
+            ("GET /health HTTP/1.1\r\n" + host + "Transfer-Encoding: gzip, chunked\r\n", [501]),
+            ("GET /health HTTP/1.0\r\n" + chunks, [400]),
+            ("GET /health HTTP/1.1\r\n" + host + "Expect: tea\r\n", [417]),
+            ("GET /health HTTP/1.0\r\nExpect: tea\r\n", [200]),
+        ):  # fmt: skip
+            with self.subTest(first=first):
+                self.assertEqual(self.talk((first + "\r\n" + more).encode()), statuses)
+
+    def test_a_body_is_waited_for_when_the_client_is_told_to_send_it(self):
+        for method, length, answers in (("GET", 3, (100, 200)), ("POST", 3, (405,)), ("GET", 9999, (413,))):
+            with self.subTest(method=method, length=length), socket.create_connection(("127.0.0.1", self.server.port), PATIENCE) as connection:
+                connection.sendall(f"{method} /health HTTP/1.1\r\nHost: a\r\nContent-Length: {length}\r\nExpect: 100-continue\r\n\r\n".encode())
+                replies = connection.makefile("rb")
+                self.assertIn(str(answers[0]).encode(), replies.readline())
+                if answers[0] == 100:
+                    connection.sendall(b"abcGET /health HTTP/1.1\r\nHost: a\r\nConnection: close\r\n\r\n")
+                    self.assertEqual(replies.read().count(b"HTTP/1.1 200"), 2)
+                else:
+                    self.assertIn(b"Connection: close", replies.read())
 
     def test_connections_are_kept(self):
         connection = self.server.connect()
@@ -135,6 +193,42 @@ class Images(ServeTest):
         self.assertNotEqual(first, second)
         bright = read_exr(self.server.get(f"{SQUARE}image.exr{query}&exposure=2").body)["G"]
         self.assertEqual([4 * v for v in s0], bright)
+
+    def test_planes(self):
+        """The same numbers as those of stokes.f16, whatever coding they come in."""
+        query, pixels = "?size=20x10&azimuth=20", 200
+        halves = struct.unpack(f"<{pixels * 12}H", self.server.get(f"{SQUARE}stokes.f16{query}").body)
+        tags = set()
+        for accepted, coding in (("deflate", "deflate"), ("identity", None), ("gzip, deflate;q=0", None), ("*", "deflate")):
+            with self.subTest(accepted=accepted):
+                answer = self.server.get(f"{SQUARE}stokes.planes{query}", Accept_Encoding=accepted)
+                self.assertEqual((answer.headers.get("content-encoding"), answer.headers["vary"]), (coding, "Accept-Encoding"))
+                tags.add((answer.headers["etag"], coding))
+                bytes_ = zlib.decompress(answer.body) if coding else answer.body
+                self.assertEqual((answer.headers["nicol-components"], len(bytes_)), ("3", pixels * 3 * 3 * 2))
+                for plane in range(9):
+                    component, channel = divmod(plane, 3)
+                    low, high = (bytes_[(2 * plane + byte) * pixels :][:pixels] for byte in range(2))
+                    value = 0
+                    for i in range(pixels):
+                        value = ((value if i % 20 else 0) + low[i] + 256 * high[i]) % 65536
+                        self.assertEqual(value, halves[(channel * pixels + i) * 4 + component])
+        self.assertEqual(len(tags), 2)
+
+    @unittest.skipUnless(shutil.which("node"), "no Node.js here")
+    def test_the_page_reads_planes(self):
+        """As a browser does, which may be absent: its Stokes vectors are those of stokes.f16."""
+        query = "?size=20x10&azimuth=20"
+        for name, target in (("stokes.mjs", "/stokes.js"), ("planes", f"{SQUARE}stokes.planes{query}")):
+            with open(os.path.join(self.folder, name), "wb") as file:
+                file.write(self.server.get(target).body)
+        script = """import { readFileSync } from "node:fs";
+            import { Stokes } from "./stokes.mjs";
+            const bytes = readFileSync("planes");
+            const planes = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
+            process.stdout.write(Buffer.from(new Stokes(20, 10, 3, planes).halves.buffer));"""
+        run = subprocess.run(["node", "--input-type=module", "-e", script], cwd=self.folder, capture_output=True, check=True)
+        self.assertEqual(run.stdout, self.server.get(f"{SQUARE}stokes.f16{query}").body)
 
     def test_cameras(self):
         def image(query):

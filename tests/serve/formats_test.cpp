@@ -2,8 +2,10 @@
 #include <doctest/doctest.h>
 #include <png.h>
 
+#include "coding.hpp"
 #include "message.hpp"
 #include "metrics.hpp"
+#include "planes.hpp"
 #include "png.hpp"
 
 TEST_CASE("PNG reads back as it was") {
@@ -23,6 +25,38 @@ TEST_CASE("PNG reads back as it was") {
         CHECK(read == rgb);
         CHECK((file.find("sRGB") != std::string::npos) == srgb);
     }
+}
+
+TEST_CASE("planes hold every half, and s3 where there is one") {
+    const std::uint32_t width = 5, height = 3, pixels = width * height;
+    for (const std::size_t channels : {1u, 3u})
+        for (const std::uint32_t components : {3u, 4u}) {
+            std::vector<std::uint16_t> halves(channels * pixels * 4);
+            for (std::size_t i = 0; i < halves.size(); ++i) {
+                const std::uint16_t zero = i % 8 == 3 ? 0x8000 : 0;  // also with a sign
+                halves[i] = i % 4 < components ? static_cast<std::uint16_t>(i * i * 7919) : zero;
+            }
+            const Planes planes =
+                planes_of({reinterpret_cast<const char*>(halves.data()), halves.size() * 2}, width, height);
+            REQUIRE(planes.components == components);
+            REQUIRE(planes.bytes.size() == components * channels * pixels * 2);
+            const auto* byte = reinterpret_cast<const unsigned char*>(planes.bytes.data());
+            for (std::size_t s = 0; s < components; ++s)
+                for (std::size_t c = 0; c < channels; ++c, byte += 2 * pixels)
+                    for (std::size_t i = 0, value = 0; i < pixels; ++i) {
+                        value = (i % width == 0 ? 0 : value) + byte[i] + 256u * byte[pixels + i];
+                        CHECK(value % 65536 == halves[(c * pixels + i) * 4 + s]);
+                    }
+        }
+}
+
+TEST_CASE("a coding is taken where the client says so") {
+    for (const char* header : {"deflate", "DEFLATE", "gzip, deflate, br", "gzip;q=1.0,deflate ; q=0.5", "*",
+                               "gzip;q=0, *;q=0.1", "*;q=0, deflate"})
+        CHECK_MESSAGE(accepts_coding(header, "deflate"), header);
+    for (const char* header : {"", "gzip", "identity", "deflate;q=0", "deflate; q=0.000", "*;q=0",
+                               "x-deflate", "deflate;q=0, *", ",,", ";"})
+        CHECK_MESSAGE(!accepts_coding(header, "deflate"), header);
 }
 
 TEST_CASE("a hello arrives as it was said, or not at all") {

@@ -85,8 +85,12 @@ TEST_CASE("other requests have another text") {
     std::set<std::string> texts = {text("")};
     for (std::string query; all >> query;) CHECK_MESSAGE(texts.insert(text(query)).second, query);
     CHECK(texts.size() == 29);
-    for (const Format format : {Format::exr, Format::stokes_exr, Format::stokes_f16, Format::stokes_f32})
+    for (const Format format :
+         {Format::exr, Format::stokes_exr, Format::stokes_planes, Format::stokes_f16, Format::stokes_f32})
         CHECK(texts.insert(text("", format)).second);
+    ImageRequest compressed = parse("", Format::stokes_planes);
+    compressed.deflate = true;
+    CHECK(texts.insert(canonical(compressed, scene())).second);
     SceneInfo other = scene();
     other.id = "other";
     CHECK(texts.insert(canonical(parse(""), other)).second);

@@ -18,6 +18,15 @@ TEST_CASE("a target is a path and named values") {
     CHECK(parse_target("/?a=1&").query.size() == 1);
 }
 
+TEST_CASE("an absolute target is what stands behind its host") {
+    const std::pair<const char*, const char*> cases[] = {
+        {"/a?b=1", "/a?b=1"},       {"http://h/a?b=1", "/a?b=1"}, {"HTTPS://h:1/a", "/a"},
+        {"http://h", "/"},          {"http://h?b=1", "/?b=1"},    {"/a?b=http://h/c", "/a?b=http://h/c"},
+        {"http:///a", "http:///a"}, {"ftp://h/a", "ftp://h/a"},   {"*", "*"},
+    };
+    for (const auto& [target, origin] : cases) CHECK(origin_form(target) == origin);
+}
+
 TEST_CASE("a target that means nothing is refused") {
     for (const char* bad : {"", "x", "http://a/", "*", "/%", "/%4", "/%zz", "/a%00", "/a\n", "/%7f", "/?a",
                             "/?=1", "/?a=%1", "/?&a=1"})

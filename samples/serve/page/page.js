@@ -33,7 +33,7 @@ function target([width, height]) {
   const query = new URLSearchParams({ size: `${width}x${height}` });
   if (state.moved) for (const name of ["azimuth", "elevation", "distance"]) query.set(name, round(state[name]));
   for (const name of ["light", "light_tilt"]) if (state[name] !== 0) query.set(name, round(state[name]));
-  return `${state.scene["stokes.f16"]}?${query}`;
+  return `${state.scene["stokes.planes"]}?${query}`;
 }
 
 const pause = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
@@ -52,7 +52,7 @@ async function refresh() {
         continue;
       }
       if (!response.ok) throw new Error((await response.json()).detail);
-      stokes = new Stokes(...pixels, await response.arrayBuffer());
+      stokes = new Stokes(...pixels, Number(response.headers.get("Nicol-Components")), await response.arrayBuffer());
       const fetched = performance.now();
       view.show(stokes);
       draw();
@@ -117,7 +117,9 @@ function choose(scene) {
   const { azimuth, elevation, distance } = scene;
   // Its own camera may do what an orbit cannot, such as roll: it holds until something moves.
   Object.assign(state, { scene, azimuth, elevation, distance, moved: false });
-  move({ nearest: distance / 10, farthest: distance * 10, light: 0, light_tilt: 0 }, false);
+  // Half the resolution comes first, as if something moved.
+  move({ nearest: distance / 10, farthest: distance * 10, light: 0, light_tilt: 0 }, true);
+  move({}, false);
 }
 
 // ---------------------------------------------------------------- start

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An image of Stokes vectors as the service sends it: half precision, [channel][row][column][4].
+// An image of Stokes vectors, from what the service sends as stokes.planes: [component][channel][byte][row][column], each
+// 16-bit number as its difference to the one to its left.
 
 const numbers = new Float32Array(65536);
 for (let bits = 0; bits < 65536; ++bits) {
@@ -11,11 +12,23 @@ for (let bits = 0; bits < 65536; ++bits) {
 }
 
 export class Stokes {
-  constructor(width, height, buffer) {
+  constructor(width, height, components, buffer) {
+    const bytes = new Uint8Array(buffer), pixels = width * height;
     this.width = width;
     this.height = height;
-    this.halves = new Uint16Array(buffer);
-    this.channels = this.halves.length / (4 * width * height);
+    this.channels = bytes.length / (2 * components * pixels);
+    // Half precision, [channel][row][column][4].
+    this.halves = new Uint16Array(4 * this.channels * pixels);
+    let from = 0;
+    for (let component = 0; component < components; ++component)
+      for (let channel = 0; channel < this.channels; ++channel, from += pixels) {
+        let to = 4 * channel * pixels + component;
+        for (let y = 0; y < height; ++y)
+          for (let x = 0, value = 0; x < width; ++x, ++from, to += 4) {
+            value += bytes[from] | (bytes[from + pixels] << 8);
+            this.halves[to] = value;
+          }
+      }
   }
 
   // The three planes that are shown as red, green and blue, as halves.
