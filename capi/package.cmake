@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-# `cpack` in the build folder makes libnicol0.1, libnicol-dev and nicol-tools for Debian.
+# `cpack` in the build folder makes libnicol0.1, libnicol-dev, nicol-tools and nicol-serve for Debian.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The Nicol authors <maintainers@nicol.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL runtime development tools)
+set(CPACK_COMPONENTS_ALL runtime development tools serve)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -27,4 +27,8 @@ set(CPACK_COMPONENT_TOOLS_DESCRIPTION "Real-time rendering of polarized light: n
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME nicol-tools)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS ${same})
+set(CPACK_COMPONENT_SERVE_DESCRIPTION "Real-time rendering of polarized light: images over HTTP, with a unit for systemd")
+set(CPACK_DEBIAN_SERVE_PACKAGE_NAME nicol-serve)
+set(CPACK_DEBIAN_SERVE_PACKAGE_SECTION httpd)
+set(CPACK_DEBIAN_SERVE_PACKAGE_DEPENDS ${same})
 include(CPack)

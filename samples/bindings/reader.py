@@ -82,7 +82,10 @@ class Parser:
             return
         if not re.fullmatch(r"NICOL_[A-Z0-9_]+", name):
             self.fail(f"the macro {name} does not start with NICOL_", line)
-        self.header.constants[name] = self.value(value, line)
+        number = self.value(value, line)
+        if not isinstance(number, int):
+            self.fail(f"cannot evaluate {value!r}", line)
+        self.header.constants[name] = number
 
     def value(self, text, line):
         """Of an expression of numbers and constants."""

@@ -17,7 +17,6 @@
 int main(void) {
     static float stokes[SIZE * SIZE * 4];
     static const double origin[3] = {0.0, 1.0, 4.0}, target[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 1.0, 0.0};
-    static const double unturned[16] = {0.0};
     const float* pixel = stokes + 4 * (SIZE / 2 * SIZE + SIZE * 5 / 16); /* left of the sphere's middle */
     nicol_context context = NULL;
     nicol_environment environment = NULL;
@@ -44,7 +43,7 @@ int main(void) {
 
     CHECK(nicol_scene_create(context, &scene));
     CHECK(nicol_scene_add_instance(scene, &instance, NULL));
-    CHECK(nicol_scene_set_environment(scene, environment, unturned, 1.0));
+    CHECK(nicol_scene_set_environment(scene, environment, NULL, 1.0));
 
     CHECK(nicol_camera_look_at(&camera, origin, target, up));
     CHECK(nicol_framebuffer_create(context, SIZE, SIZE, 3, &framebuffer));

@@ -690,7 +690,7 @@ return {
         texture_target = { true, {} },
         psh_sampling = { true, {} },
         psh_mueller_field = { true, {} },
-        file_options = { true, { order = 4294967295, edge = 256, scale = 1, rotation = { 1, 0, 0, 0, 1, 0, 0, 0, 1 } } },
+        file_options = { true, { order = 4294967295, scale = 1, rotation = { 1, 0, 0, 0, 1, 0, 0, 0, 1 } } },
         light_report = { true, {} },
         material_report = { true, {} },
     },

@@ -557,7 +557,7 @@ export const types = [
       ["order", "uint32_t", 0, 4294967295],
       ["width", "uint32_t", 0],
       ["height", "uint32_t", 0],
-      ["edge", "uint32_t", 0, 256],
+      ["edge", "uint32_t", 0],
       ["flags", "uint32_t", 0],
       ["scale", "double", 0, 1],
       ["rotation", "double", 9, [1, 0, 0, 0, 1, 0, 0, 0, 1]],

@@ -16,7 +16,7 @@ sys.path.insert(0, BINDINGS)
 sys.dont_write_bytecode = True
 
 import reader  # noqa: E402
-from header import HeaderError  # noqa: E402
+from header import HeaderError, Type  # noqa: E402
 
 MODEL = reader.read(INCLUDE)
 
@@ -51,7 +51,7 @@ class LayoutTest(unittest.TestCase):
             for field, offset in zip(struct.fields, offsets):
                 yield f'_Static_assert(offsetof({name}, {field.name}) == {offset}, "{name}.{field.name}");'
         for name, value in MODEL.constants.items():
-            yield f'_Static_assert({name} == {value}, "{name}");'
+            yield f'_Static_assert({name} == {value}{"u" * (value >= 2**63)}, "{name}");'
         for name, scalar in MODEL.aliases.items():
             yield f'_Static_assert(_Generic(({name})0, {scalar}: 1, default: 0), "{name}");'
         for function in MODEL.functions.values():
@@ -63,6 +63,31 @@ class LayoutTest(unittest.TestCase):
         self.assertGreater(len(lines), 300)
         agrees, message = self.compiles(lines)
         self.assertTrue(agrees, message)
+
+    def test_defaults_are_those_of_the_initializers(self):
+        checks = 0
+        lines = ["#include <nicol.h>", "#include <nicol_files.h>", "#include <nicol_psh.h>", "#include <stdio.h>", "int main(void) {"]
+        for name, struct in MODEL.structs.items():
+            lines.append(f"    const {name} {name}_made = {name.upper()}_INIT;")
+            for field in struct.fields[1:]:
+                if MODEL.scalar(Type(field.type.base)) is None or field.type.pointers:
+                    continue
+                default = struct.defaults.get(field.name, 0)
+                values = default if isinstance(default, list) else [default] * max(field.type.count, 1)
+                for index, value in enumerate(values):
+                    place = f"{name}_made.{field.name}" + (f"[{index}]" if field.type.count else "")
+                    cast = MODEL.scalar(Type(field.type.base))
+                    text = f"{value}u" if isinstance(value, int) and value >= 2**63 else value
+                    lines.append(f'    if ({place} != ({cast}){text}) {{ puts("{place}"); return 1; }}')
+                    checks += value != 0
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "defaults")
+            with open(program + ".c", "w") as file:
+                file.write("\n".join([*lines, "    return 0;", "}", ""]))
+            subprocess.run([COMPILER, "-std=c11", "-I", INCLUDE, program + ".c", "-o", program], check=True)
+            ended = subprocess.run([program], capture_output=True, text=True)
+        self.assertEqual((ended.returncode, ended.stdout), (0, ""))
+        self.assertGreater(checks, 40)
 
     def test_compiler_would_disagree(self):
         self.assertFalse(self.compiles(['_Static_assert(sizeof(nicol_spectrum) == 64, "");'])[0])

@@ -11,6 +11,7 @@ import sys
 import tempfile
 
 import reader
+import to_lua
 
 
 def assertions(model):
@@ -20,7 +21,7 @@ def assertions(model):
         for field, offset in zip(struct.fields, offsets):
             yield f'assert(ffi.offsetof("{name}", "{field.name}") == {offset}, "{name}.{field.name}")'
     for name, value in model.constants.items():
-        yield f'assert(nicol.{name.removeprefix("NICOL_")} == {value}, "{name}")'
+        yield f'assert(nicol.{name.removeprefix("NICOL_")} == {to_lua.literal(value)}, "{name}")'
     for name in model.functions:
         yield f"assert(nicol.C.{name})"
 

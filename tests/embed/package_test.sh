@@ -36,13 +36,15 @@ has() {
 depends() { dpkg-deb -f "$folder/$1"_*.deb Depends; }
 
 has libnicol0.1 '/usr/lib.*/libnicol\.so\.0\.1' '/usr/lib.*/libnicol\.so\.0\.1\.[0-9]*' /usr/share/doc/nicol/LICENSE
-has libnicol-dev /usr/include/nicol.h '/usr/lib.*/libnicol\.so' '/usr/lib.*/pkgconfig/nicol\.pc' \
+has libnicol-dev /usr/include/nicol.h /usr/include/nicol.hpp /usr/include/nicol_files.h /usr/include/nicol_psh.h \
+    '/usr/lib.*/libnicol\.so' '/usr/lib.*/pkgconfig/nicol\.pc' \
     '/usr/lib.*/cmake/nicol/nicolConfig\.cmake' '/usr/lib.*/cmake/nicol/nicolConfig-.*\.cmake' \
     '/usr/lib.*/cmake/nicol/nicolConfigVersion\.cmake'
 has nicol-tools /usr/bin/nicol-render /usr/bin/nicol-convert
+has nicol-serve /usr/bin/nicol-serve /usr/lib/systemd/system/nicol-serve.service
 
 depends libnicol0.1 | grep -q 'libc6' || fail "libnicol0.1 depends on: $(depends libnicol0.1)"
-for package in libnicol-dev nicol-tools; do
+for package in libnicol-dev nicol-tools nicol-serve; do
     depends $package | grep -q "libnicol0.1 (= $version)" || fail "$package depends on: $(depends $package)"
 done
 ls "$folder"/*.deb

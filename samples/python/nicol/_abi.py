@@ -562,7 +562,6 @@ class FileOptions(Struct):
     ]
     _defaults_ = {
         "order": 4294967295,
-        "edge": 256,
         "scale": 1,
         "rotation": [1, 0, 0, 0, 1, 0, 0, 0, 1],
     }
@@ -928,8 +927,9 @@ class Framebuffer(Handle):
 
     @classmethod
     def create(cls, context, width, height, channels):
-        """width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
-        luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component."""
+        """width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
+        scene's, or 1 for the luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes
+        component."""
         framebuffer = cls()
         check(_framebuffer_create(context, width, height, channels, byref(framebuffer)))
         return framebuffer

@@ -1141,7 +1141,6 @@ impl Default for nicol_file_options {
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
         made.order = 4294967295;
-        made.edge = 256;
         made.scale = 1.0;
         made.rotation = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
         made
@@ -1392,8 +1391,9 @@ extern "C" {
     pub fn nicol_scene_get_channels(scene: nicol_scene, channels: *mut u32) -> nicol_result;
     pub fn nicol_scene_retain(scene: nicol_scene) -> nicol_result;
     pub fn nicol_scene_release(scene: nicol_scene) -> nicol_result;
-    /// width, height: 1 to NICOL_MAX_SIZE (the driver may allow less). channels: as the scene's, or 1 for the
-    /// luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes component.
+    /// width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
+    /// scene's, or 1 for the luminance of a scene of three: 0.2126 R + 0.7152 G + 0.0722 B of each Stokes
+    /// component.
     pub fn nicol_framebuffer_create(context: nicol_context, width: u32, height: u32, channels: u32, framebuffer: *mut nicol_framebuffer) -> nicol_result;
     /// As it was created.
     pub fn nicol_framebuffer_get_size(framebuffer: nicol_framebuffer, width: *mut u32, height: *mut u32, channels: *mut u32) -> nicol_result;
