@@ -6,6 +6,7 @@
 #include <complex>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -35,12 +36,19 @@ public:
         return recorder_.read(files, read);
     }
 
+    /// Keeps a sentence, once.
+    void notice(const std::string& sentence) {
+        if (std::ranges::find(notices_, sentence) == notices_.end()) notices_.push_back(sentence);
+    }
+
     [[nodiscard]] LoadBudget& budget() { return budget_; }
+    [[nodiscard]] const std::vector<std::string>& notices() const { return notices_; }
     [[nodiscard]] std::vector<FileRecord> records() { return recorder_.take(); }
 
 private:
     FileRecorder recorder_;
     LoadBudget budget_;
+    std::vector<std::string> notices_;
 };
 
 EnvironmentPtr make(const EmitterDescription& d, Files& files) {
@@ -92,9 +100,10 @@ MaterialPtr matrix_material(const MaterialDescription& d, const SceneChannels& c
     return psh_matrix_material(std::move(matrices), scale);
 }
 
-MaterialPtr measured_material(const MaterialDescription& d, const SceneChannels& channels) {
-    if (d.wavelength) return load_measured(d.filename, {.wavelengths = {*d.wavelength}});
-    return load_measured(d.filename, {.wavelengths = channels.wavelengths});
+MaterialPtr measured_material(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
+    MeasuredParameters parameters{.wavelengths = channels.wavelengths};
+    if (d.wavelength) parameters.wavelengths = {*d.wavelength};
+    return load_measured(d.filename, parameters, [&](const std::string& text) { files.notice(text); });
 }
 
 MaterialPtr make_front(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
@@ -122,7 +131,7 @@ MaterialPtr make_front(const MaterialDescription& d, const SceneChannels& channe
         case MaterialDescription::Kind::measured_polarized:
             break;
     }
-    return files.read(d.filename, [&] { return measured_material(d, channels); });
+    return files.read(d.filename, [&] { return measured_material(d, channels, files); });
 }
 
 MaterialPtr make(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
@@ -208,6 +217,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
         files.budget().take_instance(file, mesh->positions.size(), mesh->triangles.size());
         out.scene.add({.mesh = mesh, .material = materials.at(shape.material), .to_world = shape.to_world});
     }
+    std::ranges::copy(files.notices(), std::back_inserter(out.notices));
     out.files = files.records();
     out.camera = make(description.sensor);
     out.width = description.sensor.width;

@@ -2,6 +2,7 @@
 // Which files a scene is made of.
 #include "scene/load_scene.hpp"
 #include "light/cube_cross.hpp"
+#include "material/pbsdf_file.hpp"
 #include "scene/scene_file.hpp"
 
 using namespace nicol;
@@ -61,6 +62,23 @@ TEST_CASE("a loaded scene knows every file it was made of, and what it held") {
         changes(name, [&] { file.write(name, a_triangle + "\n"); });
     changes("part/b.xml", [&] { file.write("part/b.xml", scene(" " + obj("c.obj"))); });
     changes("light_s0.exr", [&] { write_cube_cross(file / "light", *constant_environment({2, 1, 1}), 2); });
+}
+
+TEST_CASE("a measured material that lacks its angles is one notice, however many shapes it has") {
+    const TemporaryFolder folder;
+    test::PbsdfFile file = test::make_pbsdf(
+        test::even_angles(3, 0, 2 * pi), test::even_angles(2, 0, pi / 2), test::even_angles(2, 0, pi / 2),
+        {550}, [](std::size_t, const glm::dvec3&, const glm::dvec3&) { return Mueller(); });
+    file.field("phi_d").shape[0] = 0;
+    file.field("phi_d").bytes.clear();
+    folder.write("m.pbsdf", file.bytes());
+    const std::string bsdf =
+        "<bsdf type='measured_polarized'><string name='filename' value='m.pbsdf'/></bsdf>";
+    const std::string shape = "<shape type='rectangle'>" + bsdf + "</shape>";
+    const LoadedScene loaded =
+        load_scene(folder.write("a.xml", scene(a_sensor + an_emitter + shape + shape)), {});
+    REQUIRE(loaded.notices.size() == 1);
+    CHECK(loaded.notices[0].find("m.pbsdf: ") != std::string::npos);
 }
 
 TEST_CASE("a record is of the bytes that were read, also if the file changes meanwhile") {
