@@ -20,6 +20,20 @@
 namespace nicol {
 namespace {
 
+/// Calls make(). Its errors begin with the scene's file and the object that is made.
+template <class Make>
+auto made(const std::filesystem::path& file, const std::string& object, Make make) {
+    try {
+        return make();
+    } catch (const Error& error) {
+        throw Error(error.code(), file.string() + ": " + object + ": " + error.what());
+    }
+}
+
+std::string named(const std::string& kind, const std::string& id) {
+    return id.empty() ? kind : kind + " \"" + id + "\"";
+}
+
 /// Reads what a scene names, within a budget, and keeps a record of each file.
 class Files {
 public:
@@ -135,12 +149,8 @@ MaterialPtr make_front(const MaterialDescription& d, const SceneChannels& channe
 }
 
 MaterialPtr make(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
-    try {
-        MaterialPtr front = make_front(d, channels, files);
-        return d.twosided ? twosided(std::move(front)) : front;
-    } catch (const Error& error) {
-        throw Error(error.code(), "bsdf" + (d.id.empty() ? "" : " \"" + d.id + "\"") + ": " + error.what());
-    }
+    MaterialPtr front = make_front(d, channels, files);
+    return d.twosided ? twosided(std::move(front)) : front;
 }
 
 Mesh make(const ShapeDescription& d, Files& files) {
@@ -203,19 +213,25 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     LoadedScene out;
     out.notices = description.notices;
     if (description.emitter) {
-        out.scene.set_environment(make(*description.emitter, files),
-                                  rotation_of(description.emitter->to_world, "emitter"),
-                                  description.emitter->scale);
+        made(file, "emitter", [&] {
+            out.scene.set_environment(make(*description.emitter, files),
+                                      rotation_of(description.emitter->to_world, "the emitter"),
+                                      description.emitter->scale);
+        });
     }
     const SceneChannels channels = channels_under(out.scene.environment());
     std::vector<MaterialPtr> materials;
     for (const MaterialDescription& material : description.materials)
-        materials.push_back(make(material, channels, files));
+        materials.push_back(
+            made(file, named("bsdf", material.id), [&] { return make(material, channels, files); }));
     Meshes meshes(files);
     for (const ShapeDescription& shape : description.shapes) {
-        const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
-        files.budget().take_instance(file, mesh->positions.size(), mesh->triangles.size());
-        out.scene.add({.mesh = mesh, .material = materials.at(shape.material), .to_world = shape.to_world});
+        made(file, named("shape", shape.id), [&] {
+            const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
+            files.budget().take_instance(file, mesh->positions.size(), mesh->triangles.size());
+            out.scene.add(
+                {.mesh = mesh, .material = materials.at(shape.material), .to_world = shape.to_world});
+        });
     }
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));
     out.files = files.records();
