@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs what only developers need: Clang and its tools.
+# Installs what only developers need: Clang, its tools, and its sanitizers and libFuzzer.
 set -eu
 
-packages="clang clang-format clang-tidy"
+packages="clang clang-format clang-tidy libclang-rt-14-dev"
 missing=""
 for package in $packages; do
     status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
