@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Installs what only developers need: Clang with its tools, and abidiff.
+# Installs what only developers need: Clang with its tools, sanitizers and libFuzzer, and abidiff.
 set -eu
 
-packages="clang clang-format clang-tidy abigail-tools"
+packages="clang clang-format clang-tidy libclang-rt-14-dev abigail-tools"
 missing=""
 for package in $packages; do
     status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)

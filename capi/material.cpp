@@ -61,15 +61,17 @@ MaterialPtr make(const nicol_conductor& given) {
                             .distribution = distribution});
 }
 
-MaterialPtr measured(const char* path, const nicol_measured* options) {
+MaterialPtr measured(const char* path, const nicol_measured* options, const Session& session) {
     const nicol_measured given = options != nullptr
                                      ? read_struct(options, nicol_measured NICOL_MEASURED_INIT, "options")
                                      : nicol_measured NICOL_MEASURED_INIT;
     require_constant(given.sampling, NICOL_WAVELENGTH_NEAREST, "options->sampling", "NICOL_WAVELENGTH_...");
     return load_measured(
-        path, {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
-               .sampling = given.sampling == NICOL_WAVELENGTH_NEAREST ? WavelengthSampling::nearest
-                                                                      : WavelengthSampling::linear});
+        path,
+        {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
+         .sampling = given.sampling == NICOL_WAVELENGTH_NEAREST ? WavelengthSampling::nearest
+                                                                : WavelengthSampling::linear},
+        [&](const std::string& text) { session.notice(text); });
 }
 
 // A caller's function as a material's.
@@ -130,7 +132,7 @@ nicol_result nicol_material_load_measured(nicol_context context, const char* pat
                                           const nicol_measured* options, nicol_material* material) {
     return load(context, path, material, "material", [&](LoadBudget& budget) {
         budget.take_file(path);
-        return measured(path, options);
+        return measured(path, options, *resolve(context).session);
     });
 }
 

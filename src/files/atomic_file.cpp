@@ -42,6 +42,13 @@ AtomicFile::~AtomicFile() {
     }
 }
 
+std::filesystem::file_time_type AtomicFile::time() const {
+    std::error_code error;
+    const auto found = std::filesystem::last_write_time(temporary_, error);
+    if (error) fail(error.value());
+    return found;
+}
+
 void AtomicFile::sync() noexcept {
     if (std::fflush(file_) == 0) static_cast<void>(::fsync(::fileno(file_)));
 }

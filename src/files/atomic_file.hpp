@@ -17,6 +17,8 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     [[nodiscard]] std::FILE* handle() const noexcept { return file_; }
+    /// When it was last written to, by the clock of its file system.
+    [[nodiscard]] std::filesystem::file_time_type time() const;
     /// Has what was written reach the disk, so that after a power failure the file is whole or absent: for
     /// files that live long. What fails here fails again in commit().
     void sync() noexcept;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "files/cache_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <fstream>
 #include <system_error>
 
 #include "error.hpp"
 #include "files/atomic_file.hpp"
+#include "files/cache_folder.hpp"
 #include "files/content_hash.hpp"
 
 namespace nicol {
@@ -27,11 +31,14 @@ CacheFile::CacheFile(const std::filesystem::path& folder, std::string_view magic
 }
 
 CacheFile::Outcome CacheFile::find(std::uint64_t& length) const {
+    // Another process may remove it at any time.
     std::error_code error;
-    if (!std::filesystem::exists(path_, error)) return {State::missing, {}};
-    if (!std::filesystem::is_regular_file(path_, error)) return {State::unfit, "cannot be read"};
+    const std::filesystem::file_status status = std::filesystem::status(path_, error);
+    if (!std::filesystem::exists(status)) return {State::missing, {}};
+    if (!std::filesystem::is_regular_file(status)) return {State::unfit, "cannot be read"};
     const std::uintmax_t all = std::filesystem::file_size(path_, error);
-    if (error || all < header_.size() + kHashSize) return {State::unfit, "has the wrong length"};
+    if (error) return {State::missing, {}};
+    if (all < header_.size() + kHashSize) return {State::unfit, "has the wrong length"};
     length = all - header_.size() - kHashSize;
     return {State::complete, {}};
 }
@@ -53,7 +60,9 @@ CacheFile::Outcome CacheFile::read(std::span<const std::span<unsigned char>> par
     for (const auto& part : parts) expected += part.size();
     if (length != expected) return {State::unfit, "has the wrong length"};
     std::ifstream in(path_, std::ios::binary);
-    if (!in) return {State::unfit, "cannot be read"};
+    std::error_code error;
+    if (!in)
+        return std::filesystem::exists(path_, error) ? Outcome{State::unfit, "cannot be read"} : Outcome{};
     std::string found(header_.size(), '\0');
     in.read(found.data(), static_cast<std::streamsize>(found.size()));
     if (!in || found != header_) return {State::unfit, "is of another version or made from something else"};
@@ -66,11 +75,19 @@ CacheFile::Outcome CacheFile::read(std::span<const std::span<unsigned char>> par
     std::string stored(kHashSize, '\0');
     in.read(stored.data(), kHashSize);
     if (!in || stored != hash.text()) return {State::unfit, "is damaged"};
+    // It was used now; where the folder may not be written, others decide what it keeps.
+    static_cast<void>(::utimensat(AT_FDCWD, path_.c_str(), nullptr, 0));
     return {State::complete, {}};
 }
 
 std::string CacheFile::write(std::span<const std::span<const unsigned char>> parts) const {
     try {
+        std::uint64_t size = header_.size() + kHashSize;
+        for (const auto& part : parts) size += part.size();
+        const std::uint64_t limit = cache_limit();
+        if (size > limit)
+            return path_.string() + ": " + std::to_string(size) + " bytes, more than the limit of " +
+                   std::to_string(limit) + " that NICOL_CACHE_LIMIT sets for the whole cache";
         std::filesystem::create_directories(path_.parent_path());
         AtomicFile out(path_);
         ContentHash hash;
@@ -85,6 +102,7 @@ std::string CacheFile::write(std::span<const std::span<const unsigned char>> par
         const std::string stored = hash.text();
         static_cast<void>(std::fwrite(stored.data(), 1, stored.size(), out.handle()));
         out.sync();
+        make_room(path_, size, limit, out.time());
         out.commit();
         return {};
     } catch (const Error& error) {

@@ -31,12 +31,13 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
-    /// Fills the parts one after the other. Their content is valid only if the result is `complete`.
+    /// Fills the parts one after the other. A file that was read is the last that make_room() removes. Their
+    /// content is valid only if the result is `complete`.
     [[nodiscard]] Outcome read(std::span<const std::span<unsigned char>> parts) const;
     /// The same for one part of unknown length, at most `most` bytes.
     [[nodiscard]] Outcome read(std::vector<unsigned char>& part, std::uint64_t most) const;
-    /// Creates the folder if it is missing and writes the file atomically. Returns the reason of a failure,
-    /// or an empty string.
+    /// Creates the folder if it is missing, makes room in it (make_room()) and writes the file atomically.
+    /// Returns the reason of a failure, or an empty string.
     [[nodiscard]] std::string write(std::span<const std::span<const unsigned char>> parts) const;
 
 private:

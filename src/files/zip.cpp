@@ -103,7 +103,9 @@ std::vector<ZipEntry> read_zip_directory(const path& file) {
         const std::size_t entry_size = kDirectorySize + name_size + u16(p + 30) + u16(p + 32);
         if (directory.size() - at < entry_size)
             invalid_file(file, "has a damaged directory at entry " + std::to_string(i));
-        const std::string name(p + kDirectorySize, p + kDirectorySize + name_size);
+        std::string name(p + kDirectorySize, p + kDirectorySize + name_size);
+        // As Python reads it; a message would end there too.
+        name.resize(std::min(name.find('\0'), name.size()));
         entries.push_back(parse_entry(file, p, name, offset));
         if (!names.insert(name).second) invalid_file(file, "has member " + name + " twice");
         at += entry_size;
@@ -117,7 +119,7 @@ ZipStream::ZipStream(const path& file, const ZipEntry& entry)
       entry_(entry),
       left_(entry.size),
       stored_left_(entry.stored_size),
-      buffer_(kBufferBytes) {
+      buffer_(entry.deflated ? std::min<std::uint64_t>(entry.stored_size, kBufferBytes) : 0) {
     std::array<unsigned char, kLocalSize> head{};
     file_.seekg(static_cast<std::streamoff>(entry.offset));
     file_.read(reinterpret_cast<char*>(head.data()), kLocalSize);

@@ -38,4 +38,7 @@ void smooth_within_crease(PolygonMesh& polygons, double degrees);
 /// As nicol::validate(). Messages name faces[t] in place of triangle t; empty `faces`: the triangle itself.
 void validate(Mesh& mesh, std::string_view name, std::span<const std::uint32_t> faces);
 
+/// As nicol::load_mesh() of a file that has this name and holds these bytes.
+[[nodiscard]] Mesh mesh_of(const std::filesystem::path& file, std::string_view bytes);
+
 }  // namespace nicol::geometry

@@ -9,12 +9,11 @@
 #include <string>
 
 #include "error.hpp"
+#include "geometry/largest_coordinate.hpp"
 
 namespace nicol {
 namespace {
 
-// Embree multiplies coordinates in single precision.
-constexpr float kLargestCoordinate = 1e15F;
 constexpr float kSmallestScene = 1e-6F;
 
 [[noreturn]] void refuse(std::size_t surface, const std::string& message) {

@@ -5,10 +5,14 @@
 
 #include <openexr.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "error.hpp"
 #include "files/file_error.hpp"
@@ -38,8 +42,81 @@ std::uint32_t header_number(std::istream& in) {
     return in ? number : 0;
 }
 
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        number |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+    return number;
+}
+
+/// The C++ library reads values of these types without regard to the size that stands before them.
+constexpr std::array<std::pair<std::string_view, std::uint32_t>, 24> kSizes = {{{"box2f", 16},
+                                                                                {"box2i", 16},
+                                                                                {"chromaticities", 32},
+                                                                                {"compression", 1},
+                                                                                {"deepImageState", 1},
+                                                                                {"double", 8},
+                                                                                {"envmap", 1},
+                                                                                {"float", 4},
+                                                                                {"int", 4},
+                                                                                {"keycode", 28},
+                                                                                {"lineOrder", 1},
+                                                                                {"m33d", 72},
+                                                                                {"m33f", 36},
+                                                                                {"m44d", 128},
+                                                                                {"m44f", 64},
+                                                                                {"rational", 8},
+                                                                                {"tiledesc", 9},
+                                                                                {"timecode", 8},
+                                                                                {"v2d", 16},
+                                                                                {"v2f", 8},
+                                                                                {"v2i", 8},
+                                                                                {"v3d", 24},
+                                                                                {"v3f", 12},
+                                                                                {"v3i", 12}}};
+
+/// Whether a list of channels ends where its size says: each is a name, a zero and 16 bytes, and a zero is
+/// the end.
+bool is_whole_list(std::string_view bytes) {
+    constexpr std::size_t of_channel = 17;
+    for (;;) {
+        const std::size_t name = bytes.find('\0');
+        if (name == 0 || name == std::string_view::npos) return name == 0 && bytes.size() == 1;
+        if (bytes.size() - name < of_channel) return false;
+        bytes.remove_prefix(name + of_channel);
+    }
+}
+
+/// Each text follows its length.
+bool are_whole_texts(std::string_view bytes) {
+    while (!bytes.empty()) {
+        if (bytes.size() < 4 || number_at(bytes, 0) > bytes.size() - 4) return false;
+        bytes.remove_prefix(4 + number_at(bytes, 0));
+    }
+    return true;
+}
+
+/// Width and height, then four bytes a pixel.
+bool is_whole_preview(std::string_view bytes) {
+    return bytes.size() >= 8 && (bytes.size() - 8) % 4 == 0 &&
+           std::uint64_t{number_at(bytes, 0)} * number_at(bytes, 4) == (bytes.size() - 8) / 4;
+}
+
+/// Whether a value of this type ends where its size says, so that what follows is the next attribute. Of
+/// types that the library does not know, it does.
+bool is_whole(std::string_view type, std::string_view bytes) {
+    const auto* const fixed =
+        std::ranges::find(kSizes, type, &std::pair<std::string_view, std::uint32_t>::first);
+    if (fixed != kSizes.end()) return bytes.size() == fixed->second;
+    if (type == "chlist") return is_whole_list(bytes);
+    if (type == "stringvector") return are_whole_texts(bytes);
+    return type != "preview" || is_whole_preview(bytes);
+}
+
 /// No attribute may be larger than the rest of the file: the C library leaves out those that are, and the C++
-/// library allocates what they claim. What else is wrong with the header is left to the libraries.
+/// library allocates what they claim. No value may end elsewhere than its size says, or the C++ library takes
+/// other bytes for the next attribute and its size. What else is wrong with the header is left to the
+/// libraries.
 void check_attributes(const path& file, std::uintmax_t file_size) {
     constexpr std::uint32_t magic = 20000630, several_parts_flag = 0x1000;
     std::ifstream in(file, std::ios::binary);
@@ -51,13 +128,17 @@ void check_attributes(const path& file, std::uintmax_t file_size) {
         if (!in || (name.empty() && !(inside && several_parts))) return;
         inside = !name.empty();
         if (!inside) continue;
-        header_text(in);  // the type
+        const std::string type = header_text(in);
         const std::uint32_t size = header_number(in);
         if (!in) return;
         if (size > file_size - static_cast<std::uintmax_t>(in.tellg()))
             invalid_file(file, "the attribute \"" + name + "\" claims " + std::to_string(size) +
                                    " bytes, more than the rest of the file has");
-        in.ignore(size);
+        std::string value(size, '\0');
+        in.read(value.data(), size);
+        if (!is_whole(type, value))
+            invalid_file(file, "the attribute \"" + name + "\" claims " + std::to_string(size) +
+                                   " bytes, which its value, a " + type + ", does not have");
     }
 }
 

@@ -68,7 +68,8 @@ private:
 
 }  // namespace
 
-MaterialPtr load_measured(const std::filesystem::path& path, const MeasuredParameters& parameters) {
+MaterialPtr load_measured(const std::filesystem::path& path, const MeasuredParameters& parameters,
+                          const std::function<void(const std::string&)>& notice) {
     if (parameters.wavelengths.size() > 16)
         throw Error(ErrorCode::invalid_argument, "wavelengths: there must be at most 16");
     for (const double wanted : parameters.wavelengths) check_range(wanted, 100, 5000, "a wavelength");
@@ -82,6 +83,8 @@ MaterialPtr load_measured(const std::filesystem::path& path, const MeasuredParam
                                    : measured.size() == 1 ? ChannelWeights{{1.0}}
                                                           : rgb_weights(measured);
     MeasuredTable table(file, weights);
+    if (notice && !table.implied().empty())
+        notice(path.string() + ": angles without values are taken as evenly spaced: " + table.implied());
     const std::string key = Key("measured_polarized")
                                 .add("content", std::string_view(table.content()))
                                 .add("wavelengths", parameters.wavelengths)

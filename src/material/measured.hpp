@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "material/material.hpp"
@@ -21,7 +23,9 @@ struct MeasuredParameters {
 
 /// Reads a .pbsdf file: fields theta_h, theta_d, phi_d (f32, [1][N] or [N], radians, increasing), wvls (u16
 /// or f32, nm, increasing) and M (f32, [phi_d][theta_d][theta_h][wvls][4][4], s-frames, without the cosine).
-/// Linear between the angles, constant beyond them; phi_d runs over -pi..pi or 0..2 pi.
+/// Linear between the angles, constant beyond them; phi_d runs over -pi..pi or 0..2 pi. Angle fields of shape
+/// [0][N], which hold no values, stand for N evenly spaced angles, both ends included: theta_h and theta_d
+/// over 0..pi/2, phi_d over 0..2 pi. One call of `notice` then names them.
 ///
 /// The file is streamed. Memory: 34 bytes per channel and pair of mirrored directions, 52 MB per channel at
 /// the resolution of the KAIST data set (361 x 91 x 91).
@@ -34,6 +38,7 @@ struct MeasuredParameters {
 /// Throws Error(file_not_found); Error(invalid_file) naming file and field if malformed, truncated or empty;
 /// Error(unsupported) for tables above 1 GiB; Error(invalid_argument) for the parameters.
 [[nodiscard]] MaterialPtr load_measured(const std::filesystem::path& path,
-                                        const MeasuredParameters& parameters = {});
+                                        const MeasuredParameters& parameters = {},
+                                        const std::function<void(const std::string&)>& notice = {});
 
 }  // namespace nicol

@@ -25,22 +25,6 @@ bool is_odd(std::size_t element) {
     return (element / 4 < 2) != (element % 4 < 2);
 }
 
-std::vector<double> increasing(TensorFile& file, const char* name, double low, double high) {
-    const TensorFile::Field& field = file.field(name, {1, 2}, {Type::f32});
-    std::vector<double> values = file.values(field, kMaxAngles);
-    if (values.empty() || field.shape.back() != field.count)
-        file.invalid("field " + std::string(name) + " is empty or not a single row of angles");
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!(values[i] >= low - 1e-3 && values[i] <= high + 1e-3))
-            file.invalid("field " + std::string(name) + " has the angle " + std::to_string(values[i]) +
-                         "; it must lie in " + std::to_string(low) + " to " + std::to_string(high));
-        if (i > 0 && !(values[i] > values[i - 1]))
-            file.invalid("field " + std::string(name) + " does not increase at position " +
-                         std::to_string(i));
-    }
-    return values;
-}
-
 // Matrices of one record, by wavelength; false for those that are missing.
 struct Record {
     std::vector<std::array<double, 16>> matrix;
@@ -82,10 +66,10 @@ std::vector<double> MeasuredTable::wavelengths(TensorFile& file) {
 }
 
 MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
-    : theta_d_(increasing(file, "theta_d", 0, pi / 2)),
-      theta_h_(increasing(file, "theta_h", 0, pi / 2)),
+    : theta_d_(angles(file, "theta_d", 0, pi / 2)),
+      theta_h_(angles(file, "theta_h", 0, pi / 2)),
       channels_(weights.size()) {
-    const std::vector<double> phi = increasing(file, "phi_d", -pi, 2 * pi);
+    const std::vector<double> phi = angles(file, "phi_d", -pi, 2 * pi);
     const std::size_t spectrum = weights.front().size();
     const TensorFile::Field& m = file.field("M", {6}, {Type::f32});
     const std::array<std::uint64_t, 6> shape{phi.size(), theta_d_.size(), theta_h_.size(), spectrum, 4, 4};
@@ -108,7 +92,9 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
     for (const auto& grid : {phi, theta_d_, theta_h_, wavelengths(file)})
         hash.add({reinterpret_cast<const unsigned char*>(grid.data()), grid.size() * sizeof(double)});
     const std::size_t record_bytes = spectrum * 16 * sizeof(float);
-    std::vector<unsigned char> chunk(std::max<std::size_t>(kChunkBytes / record_bytes, 1) * record_bytes);
+    const auto chunk_bytes =
+        static_cast<std::size_t>(std::min<std::uint64_t>(kChunkBytes, m.count * sizeof(float)));
+    std::vector<unsigned char> chunk(std::max<std::size_t>(chunk_bytes / record_bytes, 1) * record_bytes);
     Record record{std::vector<std::array<double, 16>>(spectrum), std::vector<bool>(spectrum)};
     std::uint64_t index = 0;
     for (std::uint64_t done = 0; done < m.count * sizeof(float);) {
@@ -135,6 +121,34 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
     }
     for (float& value : m00_) value = std::max(value, 0.0F);
     content_ = hash.text();
+}
+
+// Increasing, in `low` to `high`; where the field has none, evenly from 0 to `high`.
+std::vector<double> MeasuredTable::angles(TensorFile& file, const std::string& name, double low,
+                                          double high) {
+    const TensorFile::Field& field = file.field(name, {1, 2}, {Type::f32});
+    if (field.shape.size() == 2 && field.shape[0] == 0 && field.shape[1] > 0) {
+        const std::uint64_t count = field.shape[1];
+        if (count > kMaxAngles)
+            file.invalid("field " + name + " claims " + std::to_string(count) +
+                         " angles; it must have at most " + std::to_string(kMaxAngles));
+        implied_ += (implied_.empty() ? "" : ", ") + name + (high > pi ? " (0 to 2 pi)" : " (0 to pi/2)");
+        const double step = high / static_cast<double>(std::max<std::uint64_t>(count - 1, 1));
+        std::vector<double> even(count);
+        for (std::size_t i = 0; i < count; ++i) even[i] = step * static_cast<double>(i);
+        return even;
+    }
+    std::vector<double> values = file.values(field, kMaxAngles);
+    if (values.empty() || field.shape.back() != field.count)
+        file.invalid("field " + name + " is empty or not a single row of angles");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!(values[i] >= low - 1e-3 && values[i] <= high + 1e-3))
+            file.invalid("field " + name + " has the angle " + std::to_string(values[i]) +
+                         "; it must lie in " + std::to_string(low) + " to " + std::to_string(high));
+        if (i > 0 && !(values[i] > values[i - 1]))
+            file.invalid("field " + name + " does not increase at position " + std::to_string(i));
+    }
+    return values;
 }
 
 // The grid of |phi_d|, and where each azimuth of the file stands in it.

@@ -35,6 +35,9 @@ public:
     /// Hash of everything that was read.
     [[nodiscard]] const std::string& content() const noexcept { return content_; }
 
+    /// Names of the angle fields that hold no values, separated by commas: their angles are evenly spaced.
+    [[nodiscard]] const std::string& implied() const noexcept { return implied_; }
+
     /// The wavelengths of a file. Throws Error(invalid_file) unless there are 1 to 1000, increasing.
     [[nodiscard]] static std::vector<double> wavelengths(TensorFile& file);
 
@@ -43,10 +46,12 @@ private:
         std::size_t index;
         double fraction;
     };
+    std::vector<double> angles(TensorFile& file, const std::string& name, double low, double high);
     static Cell find(const std::vector<double>& grid, double value);
     void fold_azimuths(const std::vector<double>& phi);
     void take(std::size_t entry, double phi, std::array<double, 16>& matrix);
 
+    std::string implied_;  // filled while the angles are read
     std::vector<double> phi_d_, theta_d_, theta_h_;
     std::vector<std::size_t> folded_;  // by index in the file
     std::size_t channels_;

@@ -31,11 +31,12 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     std::vector<RaySurface> triangles;
     surfaces_.reserve(scene.instances().size());
     ids_ = scene.ids();
-    for (const Instance& instance : scene.instances()) {
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+        const Instance& instance = scene.instances()[i];
         const Material& material = *instance.material;
         channels_ = std::max(channels_, material.channels());
         const SurfaceSampler& sampler = samplers_.try_emplace(&material, material).first->second;
-        surfaces_.push_back({transformed(*instance.mesh, instance.to_world), &material, &sampler});
+        surfaces_.push_back({placed(*instance.mesh, instance.to_world, ids_[i]), &material, &sampler});
         triangles.push_back({surfaces_.back().mesh.positions, surfaces_.back().mesh.triangles});
         triangles_ += surfaces_.back().mesh.triangles.size();
     }

@@ -159,12 +159,13 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
             copy(geometry_.normals, next.normals);
             change.kept.push_back({.first = piece.first, .last = piece.last, .before = former.first});
         } else {
-            const Mesh placed = transformed(mesh, piece.placement);
-            piece.ball = ball_around(placed.positions);
+            const Mesh in_place = placed(mesh, piece.placement, piece.id);
+            piece.ball = ball_around(in_place.positions);
             change.disturbances.push_back(piece.ball);
             for (std::size_t side = 0; side < sides; ++side) {
-                next.positions.insert(next.positions.end(), placed.positions.begin(), placed.positions.end());
-                for (const glm::vec3& n : placed.normals) next.normals.push_back(side == 0 ? n : -n);
+                next.positions.insert(next.positions.end(), in_place.positions.begin(),
+                                      in_place.positions.end());
+                for (const glm::vec3& n : in_place.normals) next.normals.push_back(side == 0 ? n : -n);
             }
         }
         const bool mirrored = glm::determinant(glm::dmat3(piece.placement)) < 0;

@@ -6,6 +6,7 @@
 #include <complex>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -18,6 +19,20 @@
 
 namespace nicol {
 namespace {
+
+/// Calls make(). Its errors begin with the scene's file and the object that is made.
+template <class Make>
+auto made(const std::filesystem::path& file, const std::string& object, Make make) {
+    try {
+        return make();
+    } catch (const Error& error) {
+        throw Error(error.code(), file.string() + ": " + object + ": " + error.what());
+    }
+}
+
+std::string named(const std::string& kind, const std::string& id) {
+    return id.empty() ? kind : kind + " \"" + id + "\"";
+}
 
 /// Reads what a scene names, within a budget, and keeps a record of each file.
 class Files {
@@ -35,12 +50,19 @@ public:
         return recorder_.read(files, read);
     }
 
+    /// Keeps a sentence, once.
+    void notice(const std::string& sentence) {
+        if (std::ranges::find(notices_, sentence) == notices_.end()) notices_.push_back(sentence);
+    }
+
     [[nodiscard]] LoadBudget& budget() { return budget_; }
+    [[nodiscard]] const std::vector<std::string>& notices() const { return notices_; }
     [[nodiscard]] std::vector<FileRecord> records() { return recorder_.take(); }
 
 private:
     FileRecorder recorder_;
     LoadBudget budget_;
+    std::vector<std::string> notices_;
 };
 
 EnvironmentPtr make(const EmitterDescription& d, Files& files) {
@@ -92,9 +114,10 @@ MaterialPtr matrix_material(const MaterialDescription& d, const SceneChannels& c
     return psh_matrix_material(std::move(matrices), scale);
 }
 
-MaterialPtr measured_material(const MaterialDescription& d, const SceneChannels& channels) {
-    if (d.wavelength) return load_measured(d.filename, {.wavelengths = {*d.wavelength}});
-    return load_measured(d.filename, {.wavelengths = channels.wavelengths});
+MaterialPtr measured_material(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
+    MeasuredParameters parameters{.wavelengths = channels.wavelengths};
+    if (d.wavelength) parameters.wavelengths = {*d.wavelength};
+    return load_measured(d.filename, parameters, [&](const std::string& text) { files.notice(text); });
 }
 
 MaterialPtr make_front(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
@@ -122,16 +145,12 @@ MaterialPtr make_front(const MaterialDescription& d, const SceneChannels& channe
         case MaterialDescription::Kind::measured_polarized:
             break;
     }
-    return files.read(d.filename, [&] { return measured_material(d, channels); });
+    return files.read(d.filename, [&] { return measured_material(d, channels, files); });
 }
 
 MaterialPtr make(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
-    try {
-        MaterialPtr front = make_front(d, channels, files);
-        return d.twosided ? twosided(std::move(front)) : front;
-    } catch (const Error& error) {
-        throw Error(error.code(), "bsdf" + (d.id.empty() ? "" : " \"" + d.id + "\"") + ": " + error.what());
-    }
+    MaterialPtr front = make_front(d, channels, files);
+    return d.twosided ? twosided(std::move(front)) : front;
 }
 
 Mesh make(const ShapeDescription& d, Files& files) {
@@ -194,22 +213,29 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     LoadedScene out;
     out.notices = description.notices;
     if (description.emitter) {
-        const EnvironmentPtr light = make(*description.emitter, files);
-        const std::string negative = notice_of_negative(*light, description.emitter->filename.string());
-        if (!negative.empty()) out.notices.push_back(negative);
-        out.scene.set_environment(light, rotation_of(description.emitter->to_world, "emitter"),
-                                  description.emitter->scale);
+        made(file, "emitter", [&] {
+            const EnvironmentPtr light = make(*description.emitter, files);
+            const std::string negative = notice_of_negative(*light, description.emitter->filename.string());
+            if (!negative.empty()) out.notices.push_back(negative);
+            out.scene.set_environment(light, rotation_of(description.emitter->to_world, "the emitter"),
+                                      description.emitter->scale);
+        });
     }
     const SceneChannels channels = channels_under(out.scene.environment());
     std::vector<MaterialPtr> materials;
     for (const MaterialDescription& material : description.materials)
-        materials.push_back(make(material, channels, files));
+        materials.push_back(
+            made(file, named("bsdf", material.id), [&] { return make(material, channels, files); }));
     Meshes meshes(files);
     for (const ShapeDescription& shape : description.shapes) {
-        const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
-        files.budget().take_instance(file, mesh->positions.size(), mesh->triangles.size());
-        out.scene.add({.mesh = mesh, .material = materials.at(shape.material), .to_world = shape.to_world});
+        made(file, named("shape", shape.id), [&] {
+            const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
+            files.budget().take_instance(file, mesh->positions.size(), mesh->triangles.size());
+            out.scene.add(
+                {.mesh = mesh, .material = materials.at(shape.material), .to_world = shape.to_world});
+        });
     }
+    std::ranges::copy(files.notices(), std::back_inserter(out.notices));
     out.files = files.records();
     out.camera = make(description.sensor);
     out.width = description.sensor.width;

@@ -20,7 +20,7 @@ struct LoadedScene {
     int height = 0;
     bool luminance = false;            ///< the film has one channel
     std::vector<FileRecord> files;     ///< all that were read, as they were then; the scene file first
-    std::vector<std::string> notices;  ///< what the file says that has no effect, one line each
+    std::vector<std::string> notices;  ///< what has no effect or was assumed, one line each
 };
 
 /// Reads a scene file and everything it names. The light says what the channels of colours are; grey light

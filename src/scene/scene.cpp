@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "arguments.hpp"
+#include "geometry/largest_coordinate.hpp"
 
 namespace nicol {
 namespace {
@@ -131,6 +132,19 @@ void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotati
     rotation_ = rotation;
     scale_ = scale;
     light_version_ = new_version();
+}
+
+Mesh placed(const Mesh& mesh, const glm::dmat4& to_world, std::uint32_t instance) {
+    try {
+        Mesh out = transformed(mesh, to_world);
+        for (std::size_t v = 0; v < out.positions.size(); ++v)
+            for (glm::length_t i = 0; i < 3; ++i)
+                if (std::abs(out.positions[v][i]) > kLargestCoordinate)
+                    refuse("vertex " + std::to_string(v) + " (0-based) lies beyond 1e15 in the world");
+        return out;
+    } catch (const Error& error) {
+        throw Error(error.code(), "instance " + std::to_string(instance) + ": " + error.what());
+    }
 }
 
 }  // namespace nicol

@@ -71,4 +71,7 @@ private:
     Version light_version_ = new_version();
 };
 
+/// The mesh of an instance in the world. Throws as transformed() and beyond kLargestCoordinate, by instance.
+[[nodiscard]] Mesh placed(const Mesh& mesh, const glm::dmat4& to_world, std::uint32_t instance);
+
 }  // namespace nicol

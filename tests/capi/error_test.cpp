@@ -70,12 +70,12 @@ TEST_CASE("messages are one line of whole characters, however long") {
     const Owned context(make_context(NICOL_BACKEND_OSMESA));
     nicol_mesh mesh = marker<nicol_mesh>();
     for (const std::size_t length : {std::size_t{1500}, std::size_t{1501}, std::size_t{20000}}) {
-        std::string path = length % 2 == 1 ? "a\n" : "";
+        std::string path = length % 2 == 1 ? "a\n\x1b[31m\x7f" : "";
         while (path.size() < length) path += "\xC3\xA9";  // two bytes a character
         CHECK(nicol_mesh_load(context, (path + ".obj").c_str(), &mesh) == NICOL_ERROR_FILE_NOT_FOUND);
         const std::string message = nicol_last_error();
         CHECK(message.size() > 1000);
-        CHECK(message.find('\n') == std::string::npos);
+        CHECK(std::ranges::none_of(message, [](unsigned char c) { return c < ' ' || c == 0x7f; }));
         CHECK(std::ranges::count(message, '\xC3') == std::ranges::count(message, '\xA9'));
     }
     CHECK(mesh == marker<nicol_mesh>());

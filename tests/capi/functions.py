@@ -2,6 +2,7 @@
 """Prints what the tests of the contract need to know of the C headers.
 
 usage: functions.py table INCLUDE_FOLDER > functions.inc   (a line a function: itself and the names of its parameters)
+       functions.py fields INCLUDE_FOLDER > fields.inc     (a line a struct that a function reads: its numbers)
        functions.py use INCLUDE_FOLDER > use.c             (a C program that initialises every struct and passes every callback)
 PYTHONPATH names the folder of reader.py.
 """
@@ -9,6 +10,7 @@ PYTHONPATH names the folder of reader.py.
 import sys
 
 import reader
+from header import SCALARS
 
 
 def table(model):
@@ -16,6 +18,25 @@ def table(model):
         if function.result.base == "nicol_result":
             names = ", ".join(f'"{p.name}"' for p in function.parameters)
             yield f'{{"{function.name}", {{{names}}}, bind({function.name})}},'
+
+
+def numbers(model, struct, offset=0):
+    """Each field of numbers, those of structs in the struct too: name, offset, size of one, how many, floating."""
+    for field, at in zip(model.structs[struct].fields, model.layout(struct)[0]):
+        scalar = model.scalar(field.type)
+        if scalar:
+            floating = "true" if scalar in ("float", "double") else "false"
+            yield f'{{"{field.name}", {offset + at}, {SCALARS[scalar]}, {max(field.type.count, 1)}, {floating}}}'
+        elif field.type.base in model.structs and not field.type.pointers:
+            yield from numbers(model, field.type.base, offset + at)
+
+
+def fields(model):
+    for function in model.functions.values():
+        for parameter in function.parameters:
+            if parameter.type.base in model.structs and parameter.type.const:
+                all_of_them = ", ".join(numbers(model, parameter.type.base))
+                yield f'{{"{function.name}.{parameter.name}", {{{all_of_them}}}}},'
 
 
 def use(model):
@@ -43,4 +64,4 @@ def use(model):
 
 if __name__ == "__main__":
     header = reader.read(sys.argv[2])
-    print("\n".join({"table": table, "use": use}[sys.argv[1]](header)))
+    print("\n".join({"table": table, "fields": fields, "use": use}[sys.argv[1]](header)))

@@ -45,6 +45,17 @@ long peak_megabytes() {
 
 }  // namespace
 
+TEST_CASE("a member's name ends at a zero byte, as it does for Python") {
+    File file;
+    const std::string content = npy(header("<f8", "(2, 2)"), raw(some));
+    const std::string name("a.npy\0b", 7);
+    write_bytes(file.path, archive({ArchiveMember(name, content)}));
+    CHECK(file.read().values == some);
+    CHECK(npz_members(file.path) == std::vector<std::string>{"a"});
+    write_bytes(file.path, archive({ArchiveMember(name, content), ArchiveMember("a.npy", content)}));
+    file.refuse(bad, "has member a.npy twice");
+}
+
 TEST_CASE("all four types, stored and deflated, are read") {
     File file;
     for (const bool deflated : {false, true}) {

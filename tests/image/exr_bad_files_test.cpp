@@ -106,6 +106,39 @@ TEST_CASE("sizes beyond reason are refused before they are allocated") {
     CHECK(peak_megabytes() < before + 256);
 }
 
+TEST_CASE("attributes whose values end elsewhere than their sizes say are refused") {
+    // The library would go on to read at the value's own end, where a size of 2 GB may stand.
+    const TemporaryFolder folder;
+    write_exr(folder / "whole.exr", some_image());
+    const std::string bytes = file_bytes(folder / "whole.exr");
+    const auto end_of = [&](const std::string& name, const std::string& type) {
+        const std::string text = name + '\0' + type + '\0';
+        REQUIRE(bytes.find(text) != std::string::npos);
+        return bytes.find(text) + text.size();
+    };
+    const auto longer = [](std::string file, std::size_t at) {
+        std::uint32_t size = 0;
+        std::memcpy(&size, file.data() + at, sizeof size);
+        file.insert(at + sizeof size + size, 8, '\x7f');
+        size += 8;
+        std::memcpy(file.data() + at, &size, sizeof size);
+        return file;
+    };
+    for (const auto& [name, type] :
+         {std::pair{"channels", "chlist"}, {"dataWindow", "box2i"}, {"pixelAspectRatio", "float"}}) {
+        write_bytes(folder / "lie.exr", longer(bytes, end_of(name, type)));
+        check_error(bad, CALL(read_exr(folder / "lie.exr")), "lie.exr", "the attribute \"", "claims");
+    }
+    // The same of types that this library does not write.
+    const std::string huge = "\xff\xff\xff\x7f";
+    for (const std::string& lie : {std::string("a\0stringvector\0\5\0\0\0", 19) + huge + "x",
+                                   std::string("preview\0preview\0\10\0\0\0", 20) + huge + huge}) {
+        std::string file = bytes;
+        write_bytes(folder / "lie.exr", file.insert(8, lie));
+        check_error(bad, CALL(read_exr(folder / "lie.exr")), "lie.exr", "the attribute \"", "claims");
+    }
+}
+
 TEST_CASE("values that are not finite are named by channel and pixel") {
     const TemporaryFolder folder;
     constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();

@@ -284,6 +284,67 @@ TEST_CASE("malformed files are refused by file and field") {
     }
 }
 
+TEST_CASE("angle fields without values stand for evenly spaced angles, with one notice") {
+    const TemporaryFolder folder;
+    const auto path = folder / "m.pbsdf";
+    test::PbsdfFile file = test::make_pbsdf(even_angles(9, 0, 2 * pi), even_angles(4, 0, pi / 2),
+                                            even_angles(5, 0, pi / 2), {550}, of(pplastic({.alpha = 0.4})));
+    std::vector<std::string> notices;
+    const auto read = [&] {
+        write_bytes(path, file.bytes());
+        notices.clear();
+        return load_measured(path, {}, [&](const std::string& text) { notices.push_back(text); });
+    };
+    const MaterialPtr expected = read();
+    CHECK(notices.empty());
+    const auto check_same = [&](const MaterialPtr& found) {
+        std::mt19937 random(1);
+        for (int i = 0; i < 200; ++i) {
+            const glm::dvec3 light = random_direction_within(random, 1.4);
+            const glm::dvec3 viewer = random_direction_within(random, 1.4);
+            const Mueller wanted = evaluate(*expected, 0, light, viewer);
+            // The file's angles are floats.
+            CHECK(largest_difference(evaluate(*found, 0, light, viewer), wanted) <
+                  1e-5 + 1e-4 * wanted(0, 0));
+        }
+    };
+    const auto empty = [&](const std::string& name) {
+        test::PbsdfFile::Field& field = file.field(name);
+        field.shape[0] = 0;
+        field.bytes.clear();
+    };
+    empty("phi_d");
+    check_same(read());
+    REQUIRE(notices.size() == 1);
+    CHECK(notices[0].starts_with(path.string() + ": "));
+    CHECK(notices[0].find("phi_d") != std::string::npos);
+    CHECK(notices[0].find("theta") == std::string::npos);
+    empty("theta_h");
+    empty("theta_d");
+    check_same(read());
+    REQUIRE(notices.size() == 1);
+    for (const char* name : {"phi_d", "theta_d", "theta_h"})
+        CHECK_MESSAGE(notices[0].find(name) != std::string::npos, name);
+    // Any number may be claimed where there are no values.
+    for (const std::uint64_t count : {std::uint64_t{0}, std::uint64_t{6}, UINT64_MAX}) {
+        file.field("theta_h").shape[1] = count;
+        CHECK(error_of(CALL(read()), ErrorCode::invalid_file).find("field ") != std::string::npos);
+    }
+}
+
+TEST_CASE("Mitsuba's own measured material is read") {
+    const auto path = test_data("mitsuba_scenes/tests/pbsdf/spectralon_lowres.pbsdf");
+    if (path.empty()) return;
+    int notices = 0;
+    const MaterialPtr white = load_measured(path, {}, [&](const std::string&) { ++notices; });
+    CHECK(notices == 1);
+    CHECK(white->channels() == 3);
+    // Spectralon reflects nearly everything, evenly, and hardly polarizes.
+    const Mueller m = evaluate(*white, 1, direction(0.3, 0), direction(0.4, 2));
+    CHECK(m(0, 0) * pi == Approx(0.65).epsilon(0.2));
+    CHECK(std::abs(m(1, 0)) < 0.1 * m(0, 0));
+}
+
 TEST_CASE("a file of the KAIST size is read in less than 300 MB of memory") {
 #if defined(NICOL_SANITIZED)
     MESSAGE("skipped: the sanitizer's own memory hides ours");

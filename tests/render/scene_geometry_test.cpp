@@ -23,6 +23,19 @@ bool inside(const Ball& ball, const glm::vec3& point) {
 
 }  // namespace
 
+TEST_CASE("an instance that is moved too far is named") {
+    Scene scene = two_balls();
+    scene.remove(0);
+    scene.set_transform(1, at(1e15, 0, 0));
+    SceneGeometry surfaces;
+    CHECK_NOTHROW(surfaces.update(scene));
+    const std::uint32_t id =
+        scene.add({.mesh = coarse_sphere(3), .material = diffuse({0.4}), .to_world = at(0, -2e15, 0)});
+    const std::string message = error_of(CALL(surfaces.update(scene)));
+    CHECK(message.starts_with("instance " + std::to_string(id) + ": "));
+    CHECK(message.find("beyond 1e15") != std::string::npos);
+}
+
 TEST_CASE("the largest instance carries the axes") {
     Scene scene = two_balls();
     SceneGeometry surfaces;

@@ -2,6 +2,9 @@
 // Which files a scene is made of.
 #include "scene/load_scene.hpp"
 #include "light/cube_cross.hpp"
+#include "material/measured.hpp"
+#include "material/pbsdf_file.hpp"
+#include "material/psh_matrix_file.hpp"
 #include "scene/scene_file.hpp"
 
 using namespace nicol;
@@ -61,6 +64,87 @@ TEST_CASE("a loaded scene knows every file it was made of, and what it held") {
         changes(name, [&] { file.write(name, a_triangle + "\n"); });
     changes("part/b.xml", [&] { file.write("part/b.xml", scene(" " + obj("c.obj"))); });
     changes("light_s0.exr", [&] { write_cube_cross(file / "light", *constant_environment({2, 1, 1}), 2); });
+}
+
+TEST_CASE("a measured material that lacks its angles is one notice, however many shapes it has") {
+    const TemporaryFolder folder;
+    test::PbsdfFile file = test::make_pbsdf(
+        test::even_angles(3, 0, 2 * pi), test::even_angles(2, 0, pi / 2), test::even_angles(2, 0, pi / 2),
+        {550}, [](std::size_t, const glm::dvec3&, const glm::dvec3&) { return Mueller(); });
+    file.field("phi_d").shape[0] = 0;
+    file.field("phi_d").bytes.clear();
+    folder.write("m.pbsdf", file.bytes());
+    const std::string bsdf =
+        "<bsdf type='measured_polarized'><string name='filename' value='m.pbsdf'/></bsdf>";
+    const std::string shape = "<shape type='rectangle'>" + bsdf + "</shape>";
+    const LoadedScene loaded =
+        load_scene(folder.write("a.xml", scene(a_sensor + an_emitter + shape + shape)), {});
+    REQUIRE(loaded.notices.size() == 1);
+    CHECK(loaded.notices[0].find("m.pbsdf: ") != std::string::npos);
+}
+
+TEST_CASE("what fails while a scene is made names the file and the object") {
+    const SceneFile file("");
+    file.write("bad.obj", "v 0 0 0\n");
+    file.write("m.pbsdf", "no table");
+    const std::string turned =
+        "<transform name='to_world'><matrix value='1 1 0 0 0 1 0 0 0 0 1 0 0 0 0 1'/></transform>";
+    const std::string flat = "<transform name='to_world'><scale x='1e-200'/></transform>";
+    const std::string group =
+        "<shape type='shapegroup' id='g'><shape type='rectangle'>" + flat + "</shape></shape>";
+    struct Case {
+        std::string content;
+        std::vector<std::string> parts;
+    };
+    for (const Case& wrong : std::vector<Case>{
+             {obj("bad.obj"), {": shape: ", "bad.obj: no faces"}},
+             {"<shape type='rectangle'><bsdf type='measured_polarized' id='b'>"
+              "<string name='filename' value='m.pbsdf'/></bsdf></shape>",
+              {": bsdf \"b\": ", "m.pbsdf: "}},
+             {a_shape + "<emitter type='sky'><vector name='sun_direction' x='0' y='1' z='0'/>" + turned +
+                  "</emitter>",
+              {": emitter: the emitter: to_world must rotate"}},
+             {group + "<shape type='instance' id='i'><ref id='g'/><transform name='to_world'>"
+                      "<scale x='1e-200'/></transform></shape>",
+              {": shape \"i\": to_world cannot be inverted"}},
+         }) {
+        CAPTURE(wrong.content);
+        write_bytes(file.scene(), scene(a_sensor + wrong.content));
+        std::string message;
+        try {
+            static_cast<void>(load_scene(file.scene(), {}));
+        } catch (const Error& error) {
+            message = error.what();
+        }
+        CHECK_MESSAGE(message.starts_with(file.scene().string() + ": "), message);
+        for (const std::string& part : wrong.parts)
+            CHECK_MESSAGE(message.find(part) != std::string::npos, message, " lacks ", part);
+    }
+}
+
+TEST_CASE("a path that is too long is that of a file which is not there") {
+    const std::string longest(5000, 'x'), name(300, 'x');
+    for (const std::string& place : {"/" + longest, longest, "/tmp/" + name, name}) {
+        const auto missing = [&](const std::string& suffix, auto read) {
+            check_error(
+                ErrorCode::file_not_found, [&] { static_cast<void>(read(path(place + suffix))); }, place);
+        };
+        for (const char* suffix : {".obj", ".ply", ".off", ".stl"})
+            missing(suffix, [](const path& file) { return load_mesh(file); });
+        for (const char* suffix : {".exr", ".npz", "_s0.exr"})
+            missing(suffix, [](const path& file) { return load_environment(file); });
+        missing(".npz", [](const path& file) { return read_psh_matrix(file); });
+        missing(".pbsdf", [](const path& file) { return load_measured(file); });
+        missing(".xml", [](const path& file) { return load_scene(file, {}); });
+        const SceneFile file("");
+        for (const std::string& content :
+             {"<include filename='" + place + "'/>", "<path value='" + place + "'/>" + obj(place + ".obj"),
+              a_shape + "<emitter type='envmap'><string name='filename' value='" + place +
+                  ".exr'/></emitter>"}) {
+            write_bytes(file.scene(), scene(a_sensor + content));
+            check_error(ErrorCode::file_not_found, CALL(load_scene(file.scene(), {})), file.scene().string());
+        }
+    }
 }
 
 TEST_CASE("a record is of the bytes that were read, also if the file changes meanwhile") {

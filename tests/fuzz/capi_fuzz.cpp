@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+// Programs of calls of the C interface: bytes choose functions, handles alive, released and of other types,
+// and values of numbers and of struct fields. Pointers and the lengths of what they lead to are always true,
+// as a caller's must be.
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <set>
+
+#include "capi/contract.hpp"
+
+namespace {
+
+using namespace capi_test;
+
+constexpr int kMaxCalls = 24;
+constexpr std::size_t kMemoryDoubles = (std::size_t{1} << 16) / sizeof(double);
+
+/// Reads zeros beyond the end.
+class Bytes {
+public:
+    Bytes(const std::uint8_t* bytes, std::size_t size) : at_(bytes), end_(bytes + size) {}
+    [[nodiscard]] bool empty() const { return at_ == end_; }
+    std::size_t next() { return empty() ? 0 : *at_++; }
+    std::size_t below(std::size_t count) { return next() % count; }
+
+private:
+    const std::uint8_t* at_;
+    const std::uint8_t* end_;
+};
+
+struct Field {
+    std::string name;
+    std::size_t offset, size, count;
+    bool floating;
+};
+const std::vector<Field>& fields_of(const std::string& parameter) {
+    static const std::map<std::string, std::vector<Field>> all = {
+#include "fields.inc"
+    };
+    static const std::vector<Field> none;
+    const auto found = all.find(parameter);
+    return found == all.end() ? none : found->second;
+}
+
+/// Takes seconds with some arguments, reads and writes files, or makes contexts.
+bool is_left_out(const std::string& name) {
+    return name.starts_with("nicol_context_create") || name.starts_with("nicol_file_") ||
+           name.ends_with("_load") || name.find("_write") != std::string::npos ||
+           name.find("_load_") != std::string::npos || name == "nicol_mesh_create_sphere" ||
+           name == "nicol_psh_project_file";
+}
+/// Quick to render; others are released as soon as they are made.
+bool is_quick(const std::string& maker) {
+    return maker != "nicol_mesh_create_rectangle" && maker != "nicol_mesh_create_cube" &&
+           maker != "nicol_material_create_pplastic" && maker != "nicol_material_create_conductor" &&
+           maker != "nicol_material_create_callback" && maker != "nicol_environment_create_sky";
+}
+
+/// Small, or beyond every limit: what lies in between is slow and no different.
+Slot whole_number(const std::string& name, Bytes& bytes) {
+    static constexpr std::array<Slot, 22> values = {
+        0,  1,  2,   3,   4,     5,     6,         7,          8,          16,         32,
+        33, 64, 128, 255, 20000, 65537, INT32_MAX, 0x80000000, UINT32_MAX, UINT64_MAX, UINT64_MAX / 8 + 1};
+    const Slot value = values.at(bytes.below(values.size()));
+    // Lengths that a caller gets wrong on the other side are no defect of the library.
+    if (name.ends_with("count") && value > kMemoryDoubles) return UINT64_MAX;
+    if (name == "executor" && value == NICOL_EXECUTOR_COMPUTE) return NICOL_EXECUTOR_CPU;
+    if (name == "samples" && value > 64 && value <= 65537) return 1;
+    return value;
+}
+double real_number(const std::string& name, Bytes& bytes) {
+    static constexpr std::array<double, 20> values = {
+        0,   -0.0, 1,    -1,    0.5,    0.25,   2,     10,     45,       90,
+        180, -180, 1e-3, 1e-30, 1e-310, 1.5e30, 1e300, -1e300, HUGE_VAL, -HUGE_VAL};
+    const std::size_t choice = bytes.below(values.size() + 1);
+    if (choice == values.size()) return std::nan("");
+    if (name == "turbidity" && values.at(choice) >= 1.7 && values.at(choice) <= 10) return 1;
+    return values.at(choice);
+}
+
+void change_field(std::vector<std::byte>& memory, const std::vector<Field>& fields,
+                  const std::string& function, Bytes& bytes) {
+    const Field& field = fields[bytes.below(fields.size())];
+    const std::size_t at = field.offset + field.size * bytes.below(field.count);
+    if (field.floating) {
+        const double value = real_number(field.name, bytes);
+        const auto single = static_cast<float>(std::clamp(value, -3e38, 3e38));
+        const auto* source =
+            field.size == 4 ? static_cast<const void*>(&single) : static_cast<const void*>(&value);
+        std::memcpy(&memory[at], source, field.size);
+        return;
+    }
+    Slot value = whole_number(field.name, bytes);
+    Slot held = 0;
+    std::memcpy(&held, &memory[at], field.size);
+    const bool is_length =
+        field.name == "vertex_count" || field.name == "triangle_count" || field.name == "byte_size";
+    if (is_length && value > held) return;
+    if (field.name == "struct_size" && value > memory.size()) value = UINT32_MAX;
+    if (function.starts_with("nicol_psh") && value < 20000) value %= 8;
+    std::memcpy(&memory[at], &value, field.size);
+}
+
+/// The handles that a program may name.
+class Handles {
+public:
+    explicit Handles(const Everything& base) : base_(base) {
+        for (std::size_t type = 0; type < handle_names.size(); ++type) alive_[type] = {base.handles[type]};
+    }
+    ~Handles() {
+        for (std::size_t type = alive_.size(); type-- > 0;)
+            for (const Slot handle : alive_[type])
+                for (; references_[handle] > 0; --references_[handle]) release(type, handle);
+    }
+    Handles(const Handles&) = delete;
+    Handles& operator=(const Handles&) = delete;
+
+    /// Mostly one of the type that is alive.
+    Slot choose(std::size_t type, Bytes& bytes) {
+        const std::size_t how = bytes.next();
+        if (how == 255) return 0;
+        if (how == 254) return Everything::slot(marker<void*>());
+        if (how == 253 && !released_.empty()) return released_[bytes.below(released_.size())];
+        const auto& pool = alive_[how == 252 ? bytes.below(alive_.size()) : type];
+        return pool[how % pool.size()];
+    }
+    void add(std::size_t type, Slot handle) {
+        if (handle == 0) return;
+        if (std::ranges::find(alive_[type], handle) == alive_[type].end()) alive_[type].push_back(handle);
+        ++references_[handle];
+    }
+    [[nodiscard]] bool may_release(Slot handle) {
+        const bool is_base = std::ranges::find(base_.handles, handle) != base_.handles.end();
+        return !is_base || references_[handle] > 0;
+    }
+    void take(std::size_t type, Slot handle) {
+        if (handle == 0 || --references_[handle] > 0 || handle == base_.handles[type]) return;
+        std::erase(alive_[type], handle);
+        released_.push_back(handle);
+    }
+    static void release(std::size_t type, Slot handle) {
+        OK(::function(std::string(handle_names[type]) + "_release").call(&handle));
+    }
+
+private:
+    const Everything& base_;
+    std::array<std::vector<Slot>, handle_names.size()> alive_;
+    std::map<Slot, int> references_;
+    std::vector<Slot> released_;
+};
+
+void call(const Function& function, const Everything& all, Handles& handles, Bytes& bytes) {
+    Arguments arguments(function, all);
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) {
+        const Parameter& parameter = function.parameters[i];
+        if (parameter.kind == Kind::handle) {
+            arguments.set(i, handles.choose(parameter.type, bytes));
+        } else if (parameter.kind == Kind::struct_in ||
+                   (parameter.kind == Kind::input && parameter.size > 0)) {
+            if (function.name == "nicol_scene_add_instance") {
+                const Slot parts[] = {handles.choose(handle_type<nicol_mesh>(), bytes),
+                                      handles.choose(handle_type<nicol_material>(), bytes)};
+                std::memcpy(arguments.memory(i).data() + offsetof(nicol_instance, mesh), parts, sizeof parts);
+            }
+            const auto& fields = fields_of(function.name + "." + parameter.name);
+            for (std::size_t changes = bytes.below(4); changes > 0 && !fields.empty(); --changes)
+                change_field(arguments.memory(i), fields, function.name, bytes);
+        } else if (parameter.kind == Kind::input) {
+            for (std::size_t changes = bytes.below(4); changes > 0; --changes) {
+                const double value = real_number(parameter.name, bytes);
+                std::memcpy(arguments.memory(i).data() + sizeof value * bytes.next(), &value, sizeof value);
+            }
+        } else if (parameter.kind == Kind::number && bytes.below(4) == 0) {
+            arguments.set(i, whole_number(parameter.name, bytes));
+        }
+        // NULL for a pointer.
+        if (parameter.kind != Kind::handle && parameter.kind != Kind::number && bytes.next() == 255)
+            arguments.set(i, 0);
+    }
+    const bool is_release = function.name.ends_with("_release"),
+               is_retain = function.name.ends_with("_retain");
+    if (is_release && !handles.may_release(arguments[0])) return;
+
+    std::vector<Slot> slots;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i) slots.push_back(arguments[i]);
+    const nicol_result result = function.call(slots.data());
+    CHECK_MESSAGE(result != NICOL_ERROR_INTERNAL, function.name, ": ", nicol_last_error());
+    if (result != NICOL_OK) {
+        CHECK_MESSAGE(*nicol_last_error() != '\0', function.name, " failed without a message");
+        return;
+    }
+    if (is_release) handles.take(function.parameters[0].type, slots[0]);
+    if (is_retain) handles.add(function.parameters[0].type, slots[0]);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        if (function.parameters[i].kind != Kind::new_handle || slots[i] == 0) continue;
+        const std::size_t type = function.parameters[i].type;
+        Slot made = 0;
+        std::memcpy(&made, arguments.memory(i).data(), sizeof made);
+        if (is_quick(function.name))
+            handles.add(type, made);
+        else
+            Handles::release(type, made);
+    }
+}
+
+/// One of everything, with a scene of a single triangle.
+const Everything& everything() {
+    static_cast<void>(functions());  // made first, and so still there when everything is released
+    static Everything all(make_context(NICOL_BACKEND_OSMESA));
+    all.folder.write("a.obj", "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string file =
+        all.folder.write("small.xml",
+                         "<scene version='3.0.0'><sensor type='perspective'/><shape type='obj'>"
+                         "<string name='filename' value='a.obj'/></shape></scene>");
+    const auto replace = [&]<class Handle>(Handle made) {
+        constexpr std::size_t type = handle_type<Handle>();
+        OK(all.release(type));
+        all.handles[type] = Everything::slot(made);
+    };
+    const auto context = argument<nicol_context>(all.handles[handle_type<nicol_context>()]);
+    replace(make(nicol_scene_load, context, file.c_str(), nullptr, 0U));
+    replace(make(nicol_mesh_load, context, all.folder.file("a.obj").c_str()));
+    return all;
+}
+
+/// A failed check outside a test case is a finding.
+void abort_at(const doctest::AssertData& data) {
+    if (!data.m_failed) return;
+    std::fprintf(stderr, "finding: %s:%d: %s %s\n", data.m_file, data.m_line, data.m_expr,
+                 nicol_last_error());
+    std::abort();
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static doctest::Context& checks = *new doctest::Context;
+    checks.setAsDefaultForAssertsOutOfTestCases();
+    checks.setAssertHandler(abort_at);
+    static const Everything& all = everything();
+    static const std::vector<Function> usable = [] {
+        std::vector<Function> found;
+        std::ranges::copy_if(functions(), std::back_inserter(found),
+                             [](const Function& f) { return !is_left_out(f.name); });
+        return found;
+    }();
+    Bytes bytes(data, size);
+    Handles handles(all);
+    for (int calls = 0; calls < kMaxCalls && !bytes.empty(); ++calls)
+        call(usable[bytes.below(usable.size())], all, handles, bytes);
+    return 0;
+}

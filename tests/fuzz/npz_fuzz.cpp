@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// NumPy archives: light and materials as coefficients. NICOL_FUZZ_MEMBER: the input is the array `coeff` of
+// an archive that is right, so that no checksum stands before the array's own reader.
+#include "files/archive.hpp"
+#include "files/npz.hpp"
+#include "light/psh_file.hpp"
+#include "material/psh_matrix_file.hpp"
+#include "memory_file.hpp"
+
+namespace {
+
+std::string archive_of(std::string_view input) {
+#ifdef NICOL_FUZZ_MEMBER
+    const std::string bytes(input);
+    const bool scalar = bytes.size() % 2 != 0, deflated = bytes.size() % 8 == 7;
+    const std::string codomain = scalar ? "SCALAR" : "POLAR4";
+    const auto text = [](const std::string& s) { return npy(header("|S6", "()"), s); };
+    return archive({ArchiveMember("coeff.npy", bytes, deflated),
+                    ArchiveMember("cod_type.npy", text(codomain)),
+                    ArchiveMember("sh_type.npy", npy(header("|S4", "()"), "REAL"))});
+#else
+    return std::string(input);
+#endif
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+    static nicol::fuzz::MemoryFile memory;
+    const std::filesystem::path& file = memory.hold(archive_of(nicol::fuzz::text_of(bytes, size)));
+    nicol::fuzz::may_refuse(file, [&] { static_cast<void>(nicol::read_psh_vector(file)); });
+    nicol::fuzz::may_refuse(file, [&] { static_cast<void>(nicol::read_psh_matrix(file)); });
+    nicol::fuzz::may_refuse(file, [&] {
+        for (const std::string& name : nicol::npz_members(file))
+            static_cast<void>(nicol::read_npz_text(file, name));
+    });
+    return 0;
+}

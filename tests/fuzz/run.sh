@@ -1,0 +1,43 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Builds the fuzzers with Clang and runs each for some seconds; ends with an error where one finds something. What is
+# found lies in build-fuzz/findings: mend it, and keep the input in tests/fuzz/corpus/NAME.
+# usage: sh tests/fuzz/run.sh [SECONDS [NAME...]]
+set -eu
+cd "$(dirname "$0")/../.."
+seconds=${1:-30}
+[ $# = 0 ] || shift
+
+cmake -S . -B build-fuzz -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
+    -DNICOL_FUZZ=ON -DNICOL_BUILD_TESTS=ON -DNICOL_INSTALL=OFF
+cmake --build build-fuzz --target fuzzers
+
+export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
+[ ! -d /dev/shm ] || export TMPDIR=/dev/shm
+failed=""
+for program in build-fuzz/bin/fuzz_*; do
+    name=${program##*/fuzz_}
+    case " ${*:-$name} " in *" $name "*) ;; *) continue ;; esac
+    # New inputs go into the first folder, which later runs begin with.
+    grown=build-fuzz/corpus/$name
+    kept=tests/fuzz/corpus/$name
+    mkdir -p "$grown" build-fuzz/findings
+    [ -d "$kept" ] || kept=""
+    dictionary=tests/fuzz/$name.dict
+    [ ! -f "$dictionary" ] && dictionary="" || dictionary=-dict=$dictionary
+    log=build-fuzz/$name.log
+    # -rss_limit_mb also refuses single allocations of that size.
+    if "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 -max_len=4096 -print_final_stats=1 \
+        -artifact_prefix="build-fuzz/findings/$name-" $dictionary \
+        "$grown" "build-fuzz/tests/fuzz/seeds/$name" $kept >"$log" 2>&1; then
+        state=clean
+    else
+        state=FOUND
+        failed="$failed $name"
+        tail -n 60 "$log"
+    fi
+    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+    cover=$(sed -n 's/.* cov: \([0-9]*\).*/\1/p' "$log" | tail -n 1)
+    echo "fuzz $name: $state, ${runs:-?} executions, ${cover:-?} edges"
+done
+[ -z "$failed" ] || { echo "fuzz: findings in$failed" >&2; exit 1; }

@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: MIT
+"""Writes small valid inputs for each fuzzer, a folder each. Usage: seeds.py FOLDER"""
+
+import io
+import pathlib
+import struct
+import sys
+import zipfile
+
+OBJ = """# comment
+mtllib none.mtl
+o thing
+v 0 0 0
+v 1 0 0
+v 1 1 0.5
+v 0 1 1e-1
+vt 0 0
+vn 0 0 1
+vn 0 1 0
+usemtl grey
+f 1 2 3
+f 1//1 3//2 4//1
+f -4/1/1 \\
+  -3/1/2 -2/1/1 -1/1/2
+"""
+
+PLY_HEADER = """ply
+format {format} 1.0
+comment none
+element vertex 4
+property {number} x
+property {number} y
+property {number} z
+property {number} nx
+property {number} ny
+property {number} nz
+property uchar red
+element face 2
+property list uchar int vertex_indices
+property list uchar float texcoord
+end_header
+"""
+PLY_VERTICES = [(0, 0, 0, 0, 0, 1, 9), (1, 0, 0, 0, 0, 1, 9), (1, 1, 0, 0, 0, 1, 9), (0, 1, 0, 0, 0, 1, 9)]
+
+
+def ply_text():
+    lines = [" ".join(map(str, v)) for v in PLY_VERTICES] + ["3 0 1 2 0", "4 0 1 2 3 2 0.5 0.5"]
+    return PLY_HEADER.format(format="ascii", number="float") + "\n".join(lines) + "\n"
+
+
+def ply_binary(order, number, code):
+    name = {"<": "binary_little_endian", ">": "binary_big_endian"}[order]
+    body = b"".join(struct.pack(order + 6 * code + "B", *v) for v in PLY_VERTICES)
+    body += struct.pack(order + "B3iB", 3, 0, 1, 2, 0) + struct.pack(order + "B4iB2f", 4, 0, 1, 2, 3, 2, 0.5, 0.5)
+    return PLY_HEADER.format(format=name, number=number).encode() + body
+
+
+OFF = "OFF\n# comment\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n3 0 1 2 255 0 0\n4 0 1 2 3\n"
+NOFF = "CNOFF\n3 1 0\n0 0 0 0 0 1 1 1 1 1\n1 0 0 0 0 1 1 1 1 1\n0 1 0 0 0 1 1 1 1 1\n3 0 1 2\n"
+
+STL = """solid name
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+facet normal nan nan nan
+outer loop
+vertex 1 0 0
+vertex 1 1 2.5e-1
+vertex 0 1 0
+endloop
+endfacet
+endsolid name
+"""
+
+
+def stl_binary():
+    facets = [(0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0), (0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 0)]
+    return bytes(80) + struct.pack("<I", 2) + b"".join(struct.pack("<12fH", *f, 0) for f in facets)
+
+
+def exr(channels, width, height, value=0.5, tile=0):
+    """Uncompressed, float, in scan lines, or one tile of this size."""
+    attribute = lambda name, kind, data: name + b"\0" + kind + b"\0" + struct.pack("<I", len(data)) + data
+    names = sorted(channels)
+    listed = b"".join(n.encode() + b"\0" + struct.pack("<IB3xii", 2, 0, 1, 1) for n in names) + b"\0"
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    head = struct.pack("<II", 20000630, 2 | (0x200 if tile else 0))
+    head += attribute(b"channels", b"chlist", listed) + attribute(b"compression", b"compression", b"\0")
+    head += attribute(b"dataWindow", b"box2i", window) + attribute(b"displayWindow", b"box2i", window)
+    head += attribute(b"lineOrder", b"lineOrder", b"\0")
+    head += attribute(b"pixelAspectRatio", b"float", struct.pack("<f", 1))
+    head += attribute(b"screenWindowCenter", b"v2f", struct.pack("<2f", 0, 0))
+    head += attribute(b"screenWindowWidth", b"float", struct.pack("<f", 1))
+    if tile:
+        head += attribute(b"tiles", b"tiledesc", struct.pack("<IIB", tile, tile, 0))
+    head += b"\0"
+    line = struct.pack(f"<{width}f", *([value] * width)) * len(names)
+    if tile:
+        chunks = [struct.pack("<5i", 0, 0, 0, 0, len(line) * height) + line * height]
+    else:
+        chunks = [struct.pack("<ii", y, len(line)) + line for y in range(height)]
+    offsets, at = b"", len(head) + 8 * len(chunks)
+    for chunk in chunks:
+        offsets += struct.pack("<Q", at)
+        at += len(chunk)
+    return head + offsets + b"".join(chunks)
+
+
+STOKES = [f"S{p}.{c}" for p in range(4) for c in "RGB"]
+SPECTRAL = [f"S{p}.{nm},000000nm" for p in range(4) for nm in (450, 550)]
+
+
+def npy(kind, shape, values):
+    text = f"{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}\n".encode()
+    return b"\x93NUMPY\1\0" + struct.pack("<H", len(text)) + text + values
+
+
+def npz(members, method):
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w", method) as archive:
+        for name, content in members.items():
+            archive.writestr(zipfile.ZipInfo(name + ".npy"), content, method)
+    return out.getvalue()
+
+
+LIGHT = npy("<f8", (1, 4, 4), struct.pack("<16d", 1, 0, 0, 0, *([0.1, 0, 0, 0.05] * 3)))
+GREY_LIGHT = npy("<f4", (1, 4), struct.pack("<4f", 1, 0.5, 0.25, 0))
+# Orders 0 and 1 of a material: 2 (4 * 4 - 3 * 2 + 2) / ... = 2 * (16 - 6 + 2) / 3 = 8 rows of 4 x 4.
+MATERIAL = npy("<f8", (1, 8, 4, 4), struct.pack("<128d", *([0.25] + 127 * [0.0])))
+TEXTS = {"cod_type": npy("<U6", (), "POLAR4".encode("utf-32-le")), "sh_type": npy("|S4", (), b"REAL")}
+
+
+def pbsdf(shape, wavelengths, angles=True, step=0.5):
+    """Of `shape` phi_d, theta_d, theta_h."""
+    phi, d, h = shape
+    row = lambda n, to: struct.pack(f"<{n}f", *[to * i / max(n - 1, 1) for i in range(n)])
+    count = phi * d * h * len(wavelengths)
+    fields = [("phi_d", (1, phi), 10, row(phi, 6.2831)), ("theta_d", (1, d), 10, row(d, 1.5707)),
+              ("theta_h", (1, h), 10, row(h, 1.5707)),
+              ("wvls", (1, len(wavelengths)), 3, struct.pack(f"<{len(wavelengths)}H", *wavelengths)),
+              ("M", (phi, d, h, len(wavelengths), 4, 4), 10, struct.pack("<16f", step, *([0.0] * 15)) * count)]
+    if not angles:
+        fields = [(n, (0, s[1]), t, b"") if len(s) == 2 and t == 10 else (n, s, t, b) for n, s, t, b in fields]
+    at = 12 + 2 + 4 + sum(2 + len(n) + 2 + 1 + 8 + 8 * len(s) for n, s, _, _ in fields)
+    head, data = b"tensor_file\0\1\0" + struct.pack("<I", len(fields)), b""
+    for name, s, kind, content in fields:
+        head += struct.pack("<H", len(name)) + name.encode() + struct.pack("<HBQ", len(s), kind, at + len(data))
+        head += struct.pack(f"<{len(s)}Q", *s)
+        data += content
+    return head + data
+
+
+SCENE = """<?xml version="1.0"?>
+<scene version="3.0.0">
+  <default name="w" value="8"/>
+  <integrator type="stokes"><integrator type="path"/></integrator>
+  <sensor type="perspective">
+    <float name="fov" value="40"/><string name="fov_axis" value="smaller"/>
+    <transform name="to_world"><lookat origin="0, 1, 3" target="0 0 0" up="0 1 0"/></transform>
+    <film type="hdrfilm"><integer name="width" value="$w"/><integer name="height" value="6"/></film>
+    <sampler type="independent"/>
+  </sensor>
+  <emitter type="constant"><rgb name="radiance" value="#ffeedd"/></emitter>
+  <bsdf type="twosided" id="b"><bsdf type="pplastic"><float name="alpha" value="0.2"/></bsdf></bsdf>
+  <shape type="shapegroup" id="g"><shape type="rectangle"><ref id="b"/></shape></shape>
+  <shape type="instance"><ref id="g"/>
+    <transform name="to_world"><rotate x="1" angle="30"/><scale value="2"/><translate y="1"/></transform></shape>
+</scene>
+"""
+SKY = """<scene version="3.0.0"><path value="."/><alias id="m" as="n"/>
+<bsdf type="roughconductor" id="m"><string name="material" value="Au"/><string name="distribution" value="ggx"/></bsdf>
+<bsdf type="conductor" id="c"><spectrum name="eta" value="400:1, 700:2"/><rgb name="k" value="1 2 3"/></bsdf>
+<sensor type="orthographic"><film type="hdrfilm"><string name="pixel_format" value="luminance"/></film></sensor>
+<emitter type="sky"><vector name="sun_direction" x="1" y="2" z="3"/><float name="dop_max" value=".5"/></emitter>
+<shape type="rectangle"><ref id="n"/><boolean name="flip_normals" value="true"/>
+<transform name="to_world"><matrix value="1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"/></transform></shape>
+<shape type="obj"><string name="filename" value="a.obj"/><ref id="c"/></shape>
+</scene>
+"""
+
+TARGETS = [
+    "/scenes/a/image.png?size=64x32&observer=dolp",
+    "/scenes/a/image.exr?observer=polarizer&polarizer=30&exposure=1.5",
+    "/scenes/a/image.png?observer=s2&scale=0.5&azimuth=-30&elevation=20&distance=2&target=0,1%2C2",
+    "/scenes/a/stokes.f32?matrix=1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1&fov=30&light=400&light_tilt=-20",
+    "/scenes/a/stokes.exr?order_low=2&order_high=9",
+    "/scenes/a/image.png?tolerance=0.01&expires=99999999999&sig=" + "0" * 64,
+]
+
+
+def requests():
+    yield from TARGETS
+    yield f"GET {TARGETS[0]} HTTP/1.1\r\nHost: a\r\nIf-None-Match: \"x\"\r\n\r\nHEAD /scenes HTTP/1.1\r\n\r\n"
+    yield "POST /health HTTP/1.1\r\nContent-Length: 3\r\n\r\nabcGET / HTTP/1.0\r\nConnection: close\r\n\r\n"
+    yield "PUT /x HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n3;a=b\r\nabc\r\n0\r\nT: 1\r\n\r\n"
+
+
+SEEDS = {
+    "obj": [OBJ],
+    "ply": [ply_text(), ply_binary("<", "float", "f"), ply_binary(">", "double", "d")],
+    "off": [OFF, NOFF],
+    "stl": [STL, stl_binary()],
+    "exr": [exr("RGB", 4, 2), exr("Y", 3, 3, tile=4), exr(STOKES, 2, 2, 0.0), exr(SPECTRAL, 2, 2, 0.0)],
+    "npz": [npz({"coeff": LIGHT, **TEXTS}, zipfile.ZIP_STORED), npz({"coeff": LIGHT, **TEXTS}, zipfile.ZIP_DEFLATED),
+            npz({"coeff": MATERIAL}, zipfile.ZIP_STORED)],
+    "npy": [LIGHT, GREY_LIGHT, MATERIAL],
+    "pbsdf": [pbsdf((3, 2, 2), [550]), pbsdf((4, 2, 3), [450, 550, 650]), pbsdf((2, 2, 2), [550], angles=False)],
+    "scene": [SCENE, SKY],
+    "http": list(requests()),
+    # A byte chooses the function; zeros leave its arguments as they are.
+    "capi": [bytes([function]) + bytes(24) for function in range(80)],
+}
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    for name, inputs in SEEDS.items():
+        folder = root / name
+        folder.mkdir(parents=True, exist_ok=True)
+        for i, content in enumerate(inputs):
+            (folder / str(i)).write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+if __name__ == "__main__":
+    main()
