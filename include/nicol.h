@@ -161,9 +161,10 @@ typedef struct nicol_context_options {
     nicol_log_callback log; /* NULL: silent. May be called on any thread. */
     void* log_user;
     /* The folder in which material tables and baked visibility are kept between runs; created if missing.
-     * Processes may share it, and it may be emptied at any time. NULL or "": that of the environment variable
-     * NICOL_CACHE, or if it is not set or empty, no cache. A folder that cannot be used is a notice to the
-     * log, not an error. */
+     * Processes may share it, and it may be emptied at any time. Beyond the bytes of the environment variable
+     * NICOL_CACHE_LIMIT (default 4 GiB; 0: no limit) what was used longest ago is removed. NULL or "": that
+     * of the environment variable NICOL_CACHE, or if it is not set or empty, no cache. A folder that cannot
+     * be used is a notice to the log, not an error. */
     const char* cache_folder;
     /* Limit of the bytes that each scene keeps at run time, on the device too: the statistics'
      * visibility_bytes and transfer_bytes, and the OpenGL buffers of its vertices without compute shaders'
