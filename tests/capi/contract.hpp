@@ -49,6 +49,8 @@ concept Sized = requires(T t) {
     t.struct_size;
 };
 
+#include "defaults.inc"
+
 /// A struct that a call can take, in the bytes of its argument.
 template <class T>
 void make_good(T&) {}
@@ -77,9 +79,10 @@ inline void make_good(nicol_psh_sampling& sampling) {
 
 struct Parameter {
     Kind kind = Kind::number;
-    std::size_t type = 0;           ///< of a handle
-    std::size_t size = 0;           ///< of what a pointer leads to, where it is a struct
-    std::vector<std::byte> good{};  ///< a struct that the call takes
+    std::size_t type = 0;              ///< of a handle
+    std::size_t size = 0;              ///< of what a pointer leads to, where it is a struct
+    std::vector<std::byte> initial{};  ///< a struct with its defaults
+    std::vector<std::byte> good{};     ///< one that the call takes
     const char* name = "";
 };
 
@@ -99,14 +102,19 @@ Parameter parameter_of() {
         } else if constexpr (IsHandle<Plain>) {
             return {.kind = Kind::new_handle, .type = handle_type<Plain>()};
         } else if constexpr (Sized<Plain>) {
-            Plain good{};
-            good.struct_size = sizeof good;
+            const auto bytes_of = [](const Plain& made) {
+                std::vector<std::byte> bytes(sizeof made);
+                std::memcpy(bytes.data(), &made, sizeof made);
+                return bytes;
+            };
+            Plain initial;
+            initialise(initial);
+            Plain good = initial;
             make_good(good);
-            Parameter found{.kind = std::is_const_v<Target> ? Kind::struct_in : Kind::struct_out,
-                            .size = sizeof good,
-                            .good = std::vector<std::byte>(sizeof good)};
-            std::memcpy(found.good.data(), &good, sizeof good);
-            return found;
+            return {.kind = std::is_const_v<Target> ? Kind::struct_in : Kind::struct_out,
+                    .size = sizeof good,
+                    .initial = bytes_of(initial),
+                    .good = bytes_of(good)};
         } else if constexpr (std::is_same_v<Plain, char>) {
             return {.kind = Kind::text};
         } else {

@@ -156,12 +156,13 @@ CONTEXT_TEST_CASE(
             CHECK(result == NICOL_ERROR_INVALID_ARGUMENT);
             CHECK(message.find(name + " has fields set") != std::string::npos);
         }
-        // Fields that an older caller does not have are zero.
+        // Fields that an older caller does not have get their defaults.
         for (std::size_t size = 8; size < parameter.size; size += 8) {
-            const auto cut = parameter.good.begin() + static_cast<std::ptrdiff_t>(size);
-            std::vector<std::byte> older(parameter.good.begin(), cut), zero = older;
-            zero.resize(parameter.size);
-            CHECK(outcome(older) == outcome(zero));
+            const auto cut = static_cast<std::ptrdiff_t>(size);
+            const std::vector<std::byte> older(parameter.good.begin(), parameter.good.begin() + cut);
+            std::vector<std::byte> whole = older;
+            whole.insert(whole.end(), parameter.initial.begin() + cut, parameter.initial.end());
+            CHECK(outcome(older) == outcome(whole));
         }
     });
 }

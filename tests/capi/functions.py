@@ -3,6 +3,7 @@
 
 usage: functions.py table INCLUDE_FOLDER > functions.inc   (a line a function: itself and the names of its parameters)
        functions.py fields INCLUDE_FOLDER > fields.inc     (a line a struct that a function reads: its numbers)
+       functions.py defaults INCLUDE_FOLDER > defaults.inc (a function a struct that gives it its defaults)
        functions.py use INCLUDE_FOLDER > use.c             (a C program that initialises every struct and passes every callback)
 PYTHONPATH names the folder of reader.py.
 """
@@ -39,6 +40,12 @@ def fields(model):
                 yield f'{{"{function.name}.{parameter.name}", {{{all_of_them}}}}},'
 
 
+def defaults(model):
+    for name, struct in model.structs.items():
+        if struct.fields[0].name == "struct_size":
+            yield f"inline void initialise({name}& made) {{ made = {name} {name.upper()}_INIT; }}"
+
+
 def use(model):
     callbacks = [c for c in model.callbacks.values() if c.name != "nicol_release_callback"]  # the reader's own name
     yield "".join(f'#include "{name}"\n' for name in reader.HEADERS)
@@ -64,4 +71,4 @@ def use(model):
 
 if __name__ == "__main__":
     header = reader.read(sys.argv[2])
-    print("\n".join({"table": table, "fields": fields, "use": use}[sys.argv[1]](header)))
+    print("\n".join({"table": table, "fields": fields, "defaults": defaults, "use": use}[sys.argv[1]](header)))
