@@ -122,7 +122,7 @@ typedef struct nicol_spectrum {
 #define NICOL_IDENTITY_4X4 { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }
 /* clang-format on */
 
-#define NICOL_NO_LIMIT ((uint64_t)-1)
+#define NICOL_NO_LIMIT 0xffffffffffffffffu
 
 /* ---------------------------------------------------------------- context */
 
@@ -182,7 +182,7 @@ typedef struct nicol_context_options {
 } nicol_context_options;
 /* clang-format off */
 #define NICOL_CONTEXT_OPTIONS_INIT \
-    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, (uint64_t)1 << 33, 1 << 26, 1 << 27, 600 }
+    { sizeof(nicol_context_options), 0, 0, 0, 0, 0, 0, NICOL_NO_LIMIT, 0x200000000u, 1 << 26, 1 << 27, 600 }
 /* clang-format on */
 
 typedef struct nicol_context_info {

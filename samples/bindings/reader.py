@@ -93,7 +93,6 @@ class Parser:
             self.fail(f"cannot evaluate {text!r}", line)
         text = re.sub(r"\b(0x[0-9a-fA-F]+|\d+)[uU]\b", r"\1", text)
         text = re.sub(r"(\d\.\d+)f\b", r"\1", text)
-        text = re.sub(r"\(uint64_t\)-1\b", str(2**64 - 1), text).replace("(uint64_t)", "")
         try:
             return eval(text, {"__builtins__": {}}, dict(self.header.constants))
         except (NameError, SyntaxError, TypeError):
