@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "handles.hpp"
 
+#include <bit>
 #include <unordered_map>
 
 namespace nicol::capi {
@@ -66,7 +67,7 @@ void* add(void* object, HandleKind kind) {
     const std::lock_guard lock(all().mutex);
     const std::uintptr_t handle = all().next++;
     all().alive.emplace(handle, Entry{kind, object});
-    return reinterpret_cast<void*>(handle);
+    return std::bit_cast<void*>(handle);
 }
 
 Held hold(const void* handle, HandleKind kind) {

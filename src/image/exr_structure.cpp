@@ -136,9 +136,11 @@ void check_attributes(const path& file, std::uintmax_t file_size) {
                                    " bytes, more than the rest of the file has");
         std::string value(size, '\0');
         in.read(value.data(), size);
-        if (!is_whole(type, value))
-            invalid_file(file, "the attribute \"" + name + "\" claims " + std::to_string(size) +
-                                   " bytes, which its value, a " + type + ", does not have");
+        if (!is_whole(type, value)) {
+            std::string message = "the attribute \"" + name + "\" claims " + std::to_string(size);
+            message.append(" bytes, which its value, a ").append(type).append(", does not have");
+            invalid_file(file, message);
+        }
     }
 }
 
