@@ -95,7 +95,8 @@ void change_field(std::vector<std::byte>& memory, const std::vector<Field>& fiel
     const bool is_length =
         field.name == "vertex_count" || field.name == "triangle_count" || field.name == "byte_size";
     if (is_length && value > held) return;
-    if (field.name == "struct_size" && value > memory.size()) value = UINT32_MAX;
+    // No version's struct ends within a pointer, half of which would lead anywhere.
+    if (field.name == "struct_size") value = value > memory.size() ? UINT32_MAX : value - value % 8;
     if (function.starts_with("nicol_psh") && value < 20000) value %= 8;
     std::memcpy(&memory[at], &value, field.size);
 }
