@@ -8,13 +8,6 @@
 
 namespace nicol::capi {
 
-/// What a new asset has to tell its context's log: nothing, unless an overload knows better.
-inline void tell(const Session&, const void*, const char*) {}
-inline void tell(const Session& session, const Environment* light, const char* name) {
-    const std::string negative = notice_of_negative(*light, name);
-    if (!negative.empty()) session.notice(negative);
-}
-
 /// Makes an immutable asset on the caller's thread; the context is not locked, since nothing of it is used.
 template <class Impl, class Make>
 nicol_result create(nicol_context context, Impl** out, const char* name, Make&& make) {
@@ -25,7 +18,7 @@ nicol_result create(nicol_context context, Impl** out, const char* name, Make&& 
     });
 }
 
-/// The same from a file: make(budget) is given the context's limits.
+/// The same from a file: make(budget, session) is given the context's limits and its log.
 template <class Impl, class Make>
 nicol_result load(nicol_context context, const char* path, Impl** out, const char* name, Make&& make) {
     return guarded([&] {
@@ -33,9 +26,7 @@ nicol_result load(nicol_context context, const char* path, Impl** out, const cha
         const SessionPtr session = resolve(context).session;
         require(path, "path");
         LoadBudget budget(session->load_limits);
-        const auto made = make(budget);
-        tell(*session, made.get(), path);
-        *out = make_handle<Impl>(session, made);
+        *out = make_handle<Impl>(session, make(budget, *session));
     });
 }
 

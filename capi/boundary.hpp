@@ -72,6 +72,12 @@ T read_struct(const T* from, T defaults, const char* name) {
     return defaults;
 }
 
+/// The same of options, which may be NULL: all defaults.
+template <class T>
+T read_options(const T* from, const T& defaults) {
+    return from != nullptr ? read_struct(from, defaults, "options") : defaults;
+}
+
 /// Fills as much of a caller's struct as it has room for; struct_size stays.
 template <class T>
 void write_struct(T* to, T value, const char* name) {

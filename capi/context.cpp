@@ -4,14 +4,12 @@
 
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <cstdlib>
-#include <thread>
 
 #include "gl/program_cache.hpp"
 #include "handles.hpp"
 #include "material/response_table.hpp"
-#include "render/workers.hpp"
+#include "worker_count.hpp"
 
 namespace nicol::capi {
 namespace {
@@ -67,9 +65,7 @@ const char* cache_folder(const char* chosen) {
 }  // namespace
 
 nicol_context_options context_options(const nicol_context_options* options) {
-    const nicol_context_options chosen =
-        options != nullptr ? read_struct(options, nicol_context_options NICOL_CONTEXT_OPTIONS_INIT, "options")
-                           : nicol_context_options NICOL_CONTEXT_OPTIONS_INIT;
+    const auto chosen = read_options(options, nicol_context_options NICOL_CONTEXT_OPTIONS_INIT);
     if (chosen.threads > 1024) {
         refuse("threads is " + std::to_string(chosen.threads) + "; it must lie in 0 (one a core) to 1024");
     }

@@ -50,12 +50,14 @@ EquirectView view_of(const nicol_image& image) {
             .pixel_stride = std::size_t{image.channels} * image.components};
 }
 
+void tell_negative(const Session& session, const Environment& light, const char* name) {
+    const std::string negative = notice_of_negative(light, name);
+    if (!negative.empty()) session.notice(negative);
+}
+
 EnvironmentPtr from_file(const char* path, const nicol_environment_load_options* options) {
-    const nicol_environment_load_options given =
-        options != nullptr
-            ? read_struct(options, nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT,
-                          "options")
-            : nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT;
+    const auto given =
+        read_options(options, nicol_environment_load_options NICOL_ENVIRONMENT_LOAD_OPTIONS_INIT);
     if (given.reserved != 0) refuse("options->reserved must be 0");
     return load_environment(path, given.scale, spectrum(given.wavelengths, 0, 0, "options->wavelengths"));
 }
@@ -83,9 +85,11 @@ ImagePixels nicol::capi::read_image(const nicol_image* image) {
 nicol_result nicol_environment_load(nicol_context context, const char* path,
                                     const nicol_environment_load_options* options,
                                     nicol_environment* environment) {
-    return load(context, path, environment, "environment", [&](LoadBudget& budget) {
+    return load(context, path, environment, "environment", [&](LoadBudget& budget, const Session& session) {
         for (const std::filesystem::path& file : environment_files(path)) budget.take_file(file);
-        return from_file(path, options);
+        EnvironmentPtr light = from_file(path, options);
+        tell_negative(session, *light, path);
+        return light;
     });
 }
 
@@ -97,7 +101,7 @@ nicol_result nicol_environment_create_image(nicol_context context, const nicol_i
         require(environment, "environment");
         const SessionPtr session = resolve(context).session;
         const EnvironmentPtr light = image_environment(view_of(description));
-        tell(*session, light.get(), "image");
+        tell_negative(*session, *light, "image");
         *environment = make_handle<nicol_environment_impl>(session, light);
     });
 }
@@ -115,8 +119,7 @@ nicol_result nicol_environment_create_sky(nicol_context context, const nicol_sky
     return create(context, environment, "environment", [&] {
         const nicol_sky given = read_struct(sky, nicol_sky NICOL_SKY_INIT, "sky");
         RayleighSky description;
-        const glm::dvec3 sun(given.sun_direction[0], given.sun_direction[1], given.sun_direction[2]);
-        description.sun_direction = sun;
+        description.sun_direction = {given.sun_direction[0], given.sun_direction[1], given.sun_direction[2]};
         description.dop_max = static_cast<double>(given.dop_max);
         description.radiance = spectrum(given.radiance, 1, 3, "sky->radiance");
         description.turbidity = static_cast<double>(given.turbidity);

@@ -45,9 +45,7 @@ std::optional<glm::dmat3> rotation_from(const double (&rows)[9]) {
 
 FileOptions options_from(const nicol_file_options* options) {
     FileOptions out;
-    if (options == nullptr) return out;
-    const nicol_file_options given =
-        read_struct(options, nicol_file_options NICOL_FILE_OPTIONS_INIT, "options");
+    const auto given = read_options(options, nicol_file_options NICOL_FILE_OPTIONS_INIT);
     const auto limit = [](std::uint64_t value, const char* name, std::uint32_t low, std::uint32_t high) {
         if (value >= low && value <= high) return static_cast<int>(value);
         refuse("options->" + std::string(name) + " is " + std::to_string(value) + "; it must be " +

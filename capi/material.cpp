@@ -62,9 +62,7 @@ MaterialPtr make(const nicol_conductor& given) {
 }
 
 MaterialPtr measured(const char* path, const nicol_measured* options, const Session& session) {
-    const nicol_measured given = options != nullptr
-                                     ? read_struct(options, nicol_measured NICOL_MEASURED_INIT, "options")
-                                     : nicol_measured NICOL_MEASURED_INIT;
+    const auto given = read_options(options, nicol_measured NICOL_MEASURED_INIT);
     require_constant(given.sampling, NICOL_WAVELENGTH_NEAREST, "options->sampling", "NICOL_WAVELENGTH_...");
     return load_measured(
         path,
@@ -130,15 +128,15 @@ nicol_result nicol_material_create_conductor(nicol_context context, const nicol_
 
 nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                           const nicol_measured* options, nicol_material* material) {
-    return load(context, path, material, "material", [&](LoadBudget& budget) {
+    return load(context, path, material, "material", [&](LoadBudget& budget, const Session& session) {
         budget.take_file(path);
-        return measured(path, options, *resolve(context).session);
+        return measured(path, options, session);
     });
 }
 
 nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_spectrum* scale,
                                      nicol_material* material) {
-    return load(context, path, material, "material", [&](LoadBudget& budget) {
+    return load(context, path, material, "material", [&](LoadBudget& budget, const Session&) {
         budget.take_file(path);
         const std::vector<double> factors = spectrum_at(scale, 1, "scale");
         return psh_matrix_material(read_psh_matrix(path), factors);

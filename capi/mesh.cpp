@@ -6,7 +6,7 @@ using namespace nicol;
 using namespace nicol::capi;
 
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh) {
-    return load(context, path, mesh, "mesh", [&](LoadBudget& budget) {
+    return load(context, path, mesh, "mesh", [&](LoadBudget& budget, const Session&) {
         budget.take_file(path);
         auto loaded = std::make_shared<const Mesh>(load_mesh(path));
         budget.take_instance(path, loaded->positions.size(), loaded->triangles.size());

@@ -162,9 +162,7 @@ struct RenderCall {
 };
 
 RenderCall read_render_call(const nicol_camera* camera, const nicol_render_options* options) {
-    const nicol_render_options given =
-        options != nullptr ? read_struct(options, nicol_render_options NICOL_RENDER_OPTIONS_INIT, "options")
-                           : nicol_render_options NICOL_RENDER_OPTIONS_INIT;
+    const auto given = read_options(options, nicol_render_options NICOL_RENDER_OPTIONS_INIT);
     if (given.reserved != 0) refuse("options->reserved must be 0");
     return {camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera")), options_from(given)};
 }

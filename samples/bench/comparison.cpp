@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-Comparison::Comparison(const SceneSource& source, std::uint32_t size, std::int32_t samples, bool shadows,
+Comparison::Comparison(const SceneSource& source, std::uint32_t size, std::uint32_t samples, bool shadows,
                        int converged)
     : stage_(source),
       framebuffer_(stage_.framebuffer(kReduction * size, kReduction * size)),

@@ -14,7 +14,7 @@ class Comparison {
 public:
     /// `converged` above 0: the order of a factored image against which truncation errors are measured, since
     /// it has the same vertices.
-    Comparison(const SceneSource& source, std::uint32_t size, std::int32_t samples, bool shadows,
+    Comparison(const SceneSource& source, std::uint32_t size, std::uint32_t samples, bool shadows,
                int converged = 0);
 
     [[nodiscard]] StokesErrors noise() const { return truth_.noise(); }

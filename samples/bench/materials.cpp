@@ -24,7 +24,7 @@ int rings(std::uint32_t size) {
 struct Named {
     const char* name;
     std::string bsdf;
-    int sample_share = 1;  // what the samples are divided by
+    std::uint32_t sample_share = 1;  // what the samples are divided by
 };
 
 std::string plastic(const char* alpha) {
@@ -100,7 +100,7 @@ Report bench_materials(const Options& given) {
         const auto& name = material;  // which a lambda can capture
         write_scene(options.scene, bsdf);
         const SceneSource source(options);
-        const Comparison comparison(source, size, std::max(static_cast<int>(samples) / share, 1), false);
+        const Comparison comparison(source, size, std::max(samples / share, 1U), false);
         const auto add = [&](const std::string& what, const StokesErrors& e) {
             report.add(std::string(name) + ": " + what, {e[0], e[1], e[2]});
             return e;

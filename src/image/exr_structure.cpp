@@ -35,18 +35,19 @@ std::string header_text(std::istream& in) {
     return text;
 }
 
-/// Little endian; 0 where the file ends.
-std::uint32_t header_number(std::istream& in) {
-    std::uint32_t number = 0;
-    for (int shift = 0; shift < 32; shift += 8) number |= static_cast<std::uint32_t>(in.get()) << shift;
-    return in ? number : 0;
-}
-
+/// Little endian.
 std::uint32_t number_at(std::string_view bytes, std::size_t at) {
     std::uint32_t number = 0;
     for (std::size_t i = 0; i < 4; ++i)
         number |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
     return number;
+}
+
+/// 0 where the file ends.
+std::uint32_t header_number(std::istream& in) {
+    std::array<char, 4> bytes{};
+    in.read(bytes.data(), bytes.size());
+    return in ? number_at({bytes.data(), bytes.size()}, 0) : 0;
 }
 
 /// The C++ library reads values of these types without regard to the size that stands before them.

@@ -2,7 +2,6 @@
 #include "reference/render_reference.hpp"
 
 #include <tbb/blocked_range2d.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -18,6 +17,7 @@
 #include "progress.hpp"
 #include "reference/camera_rays.hpp"
 #include "reference/low_discrepancy.hpp"
+#include "worker_count.hpp"
 
 namespace nicol {
 namespace {
@@ -159,9 +159,7 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
     tbb::task_group_context group;
     const CameraRays rays(projection, width, height);
     Tracer tracer(light, rays, options, progress, group, projection.view, image, aovs);
-    // More than there are would only make TBB complain.
-    const int cores = tbb::info::default_concurrency();
-    tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
+    tbb::task_arena arena(worker_count(options.threads));
     arena.execute([&] {
         tbb::parallel_for(
             tbb::blocked_range2d<int>(0, height, kTileSide, 0, width, kTileSide),

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <tbb/blocked_range.h>
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -13,14 +12,9 @@
 #include "progress.hpp"
 #include "render/render.hpp"
 #include "simd/lanes.hpp"
+#include "worker_count.hpp"
 
 namespace nicol {
-
-/// How many work where this many are asked for: never more than one a core, and that for 0.
-inline int worker_count(int threads) {
-    const int cores = tbb::info::default_concurrency();
-    return threads > 0 ? std::min(threads, cores) : cores;
-}
 
 class Workers {
 public:

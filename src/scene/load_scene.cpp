@@ -68,8 +68,13 @@ private:
 EnvironmentPtr make(const EmitterDescription& d, Files& files) {
     const SceneChannels rgb;
     switch (d.kind) {
-        case EmitterDescription::Kind::envmap:
-            return files.read(environment_files(d.filename), [&] { return load_environment(d.filename); });
+        case EmitterDescription::Kind::envmap: {
+            EnvironmentPtr light =
+                files.read(environment_files(d.filename), [&] { return load_environment(d.filename); });
+            const std::string negative = notice_of_negative(*light, d.filename.string());
+            if (!negative.empty()) files.notice(negative);
+            return light;
+        }
         case EmitterDescription::Kind::psh:
             return psh_environment(files.read(d.filename, [&] { return read_psh_vector(d.filename); }));
         case EmitterDescription::Kind::constant:
@@ -214,10 +219,8 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     out.notices = description.notices;
     if (description.emitter) {
         made(file, "emitter", [&] {
-            const EnvironmentPtr light = make(*description.emitter, files);
-            const std::string negative = notice_of_negative(*light, description.emitter->filename.string());
-            if (!negative.empty()) out.notices.push_back(negative);
-            out.scene.set_environment(light, rotation_of(description.emitter->to_world, "the emitter"),
+            out.scene.set_environment(make(*description.emitter, files),
+                                      rotation_of(description.emitter->to_world, "the emitter"),
                                       description.emitter->scale);
         });
     }

@@ -174,9 +174,8 @@ CONTEXT_TEST_CASE("framebuffers that are too large or have no pixels are refused
 
 STAGE_TEST_CASE("scenes refuse transforms, instances and lights that do not fit, and stay as they were") {
     const std::vector<float> before = stage.image();
-    const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-    Matrix to_world{};
-    std::copy_n(identity, 16, to_world.rows);
+    const Matrix to_world;
+    const double(&identity)[16] = to_world.rows;
     nicol_instance instance = NICOL_INSTANCE_INIT;
     instance.mesh = stage.mesh;
     instance.material = stage.material;
