@@ -6,8 +6,8 @@
 #include <complex>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <memory>
 #include <numbers>
-#include <optional>
 #include <random>
 #include <utility>
 
@@ -39,9 +39,9 @@ public:
     explicit Product(int order) : order_(order) {
         // From triple products where a table of them is affordable, else through a grid.
         if (order <= 9) {
-            triples_.emplace(2 * order, order, order);
+            triples_ = std::make_unique<ShadowMatrix>(2 * order, order, order);
         } else {
-            grid_.emplace(2 * order, order, order);
+            grid_ = std::make_unique<PshProduct>(2 * order, order, order);
         }
     }
     void set(std::vector<double> visibility) {
@@ -60,8 +60,8 @@ public:
 
 private:
     int order_;
-    std::optional<ShadowMatrix> triples_;
-    std::optional<PshProduct> grid_;
+    std::unique_ptr<ShadowMatrix> triples_;
+    std::unique_ptr<PshProduct> grid_;
     std::vector<double> visibility_;
     CoefficientMatrix matrix_;
 };
