@@ -38,6 +38,7 @@ struct Session {
     std::shared_ptr<struct HostObserver> observer;  ///< in a host's context, once it draws an image
     std::mutex mutex;
     std::atomic<std::thread::id> busy{};  ///< the thread inside a call
+    std::atomic<std::size_t> handles{};   ///< of all its objects
 
     /// Made on first use.
     JobQueue& job_queue() {
@@ -53,6 +54,9 @@ struct Session {
         if (log != nullptr) log(log_user, severity, NICOL_OK, message.c_str());
     }
     void notice(const std::string& message) const { log_message(NICOL_LOG_NOTICE, message); }
+
+    /// Whether OpenGL is a host's, so that whoever waits for a job lends it the context.
+    [[nodiscard]] bool in_host() const { return gl->info().backend == gl::Backend::host; }
 };
 
 using SessionPtr = std::shared_ptr<Session>;
@@ -70,7 +74,7 @@ public:
 
 /// Throws Error(invalid_argument) inside a callback of the session, where waiting for it would never end.
 inline void refuse_in_callback(const Session& session) {
-    if (session.busy == std::this_thread::get_id() || calling_back == &session) {
+    if (session.busy == std::this_thread::get_id() || calling_back == &session || session.gl->on_thread()) {
         refuse("a callback called Nicol with an object of the context that is calling it");
     }
 }
@@ -80,12 +84,17 @@ class SessionLock {
 public:
     explicit SessionLock(SessionPtr session) : session_(std::move(session)) {
         refuse_in_callback(*session_);
-        session_->mutex.lock();
+        if (!session_->in_host()) {
+            session_->mutex.lock();
+        } else if (!session_->mutex.try_lock()) {
+            static_cast<void>(session_->gl->lend_until([this] { return session_->mutex.try_lock(); }));
+        }
         session_->busy = std::this_thread::get_id();
     }
     ~SessionLock() {
         session_->busy = std::thread::id();
         session_->mutex.unlock();
+        session_->gl->wake();
     }
     SessionLock(const SessionLock&) = delete;
     SessionLock& operator=(const SessionLock&) = delete;
@@ -230,6 +239,7 @@ Impl* make_handle(const SessionPtr& session, std::shared_ptr<Content> content) {
     handle->content = std::move(content);
     auto* const number = static_cast<Impl*>(registry::add(handle.get(), Impl::kKind));
     static_cast<void>(handle.release());
+    if (session) ++session->handles;
     return number;
 }
 
@@ -251,6 +261,7 @@ nicol_result release(Impl* handle) noexcept {
         if (--object->references > 0) return;
         registry::forget(handle);
         last.reset(object);
+        if (object->session) --object->session->handles;
     });
 }
 

@@ -28,7 +28,7 @@ gl::HostAccess access_from(const nicol_host& host, const nicol_context_options& 
 }
 
 const Framebuffer& of_host(const nicol_framebuffer_impl& framebuffer) {
-    if (framebuffer.session->gl->info().backend != gl::Backend::host) {
+    if (!framebuffer.session->in_host()) {
         throw Error(ErrorCode::unsupported,
                     "the framebuffer's context is Nicol's own and shares no textures; it must come from "
                     "nicol_context_create_host");

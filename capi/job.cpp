@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <utility>
 #include <vector>
 
 #include "gl/worker.hpp"
@@ -39,24 +40,37 @@ std::optional<nicol_result> Job::wait(std::optional<std::chrono::milliseconds> a
 
 void Job::cancel() {
     Work dropped;  // after the lock: it may hold the last of much
+    std::function<void()> ended;
+    {
+        const std::lock_guard lock(mutex_);
+        cancelled_ = true;
+        if (state_ != NICOL_JOB_WAITING) return;
+        dropped = std::move(work_);
+        work_ = nullptr;
+        ended = finish(NICOL_ERROR_CANCELLED, "the job was cancelled before it ran");
+    }
+    ended();
+}
+
+void Job::require_wanted() const {
+    if (cancelled_) throw Error(ErrorCode::cancelled, "the job was cancelled");
+}
+
+void Job::check() const {
     const std::lock_guard lock(mutex_);
-    cancelled_ = true;
-    if (state_ != NICOL_JOB_WAITING) return;
-    dropped = std::move(work_);
-    work_ = nullptr;
-    finish(NICOL_ERROR_CANCELLED, "the job was cancelled before it ran");
+    require_wanted();
 }
 
 void Job::report(const char* verb, double fraction) {
     const std::lock_guard lock(mutex_);
     verb_ = verb;
     fraction_ = fraction;
-    if (cancelled_) throw Error(ErrorCode::cancelled, "the job was cancelled");
+    require_wanted();
 }
 
 void Job::begin() {
     const std::lock_guard lock(mutex_);
-    if (cancelled_) throw Error(ErrorCode::cancelled, "the job was cancelled");
+    require_wanted();
     state_ = NICOL_JOB_RUNNING;
 }
 
@@ -70,11 +84,16 @@ void Job::run() {
     }
     const nicol_result result = guarded([&] { work(*this); });
     work = nullptr;  // what it held is free before anybody who waits goes on
-    const std::lock_guard lock(mutex_);
-    if (state_ != NICOL_JOB_DONE) finish(result, nicol_last_error());
+    std::function<void()> ended;
+    {
+        const std::lock_guard lock(mutex_);
+        if (state_ == NICOL_JOB_DONE) return;  // cancelled before begin()
+        ended = finish(result, nicol_last_error());
+    }
+    ended();
 }
 
-void Job::finish(nicol_result result, const char* message) {
+std::function<void()> Job::finish(nicol_result result, const char* message) {
     state_ = NICOL_JOB_DONE;
     result_ = result;
     verb_ = "";
@@ -85,6 +104,7 @@ void Job::finish(nicol_result result, const char* message) {
         std::copy_n(message, length, message_.begin());
     }
     changed_.notify_all();
+    return std::exchange(ended_, nullptr);
 }
 
 struct JobQueue::Shared {

@@ -24,7 +24,8 @@ public:
     /// its way any more, then report().
     using Work = std::function<void(Job&)>;
 
-    explicit Job(Work work) : work_(std::move(work)) {}
+    /// `ended` is called once the job is done.
+    Job(Work work, std::function<void()> ended) : work_(std::move(work)), ended_(std::move(ended)) {}
 
     [[nodiscard]] nicol_job_status status() const;
     /// The result and, where it is a failure, its message for nicol_last_error(); none where the time is
@@ -33,18 +34,22 @@ public:
     /// Ends a waiting job now and a running one at its next report(). Does nothing once it is done.
     void cancel();
 
-    /// Both throw Error(cancelled) after cancel().
+    /// All three throw Error(cancelled) after cancel().
     void begin();
     void report(const char* verb, double fraction);
+    void check() const;
     void run();
     [[nodiscard]] bool waiting() const;
 
 private:
-    void finish(nicol_result result, const char* message);  // with the mutex held
+    // Both with the mutex held. finish() returns what is to be called without it.
+    [[nodiscard]] std::function<void()> finish(nicol_result result, const char* message);
+    void require_wanted() const;
 
     mutable std::mutex mutex_;
     mutable std::condition_variable changed_;
     Work work_;
+    std::function<void()> ended_;
     nicol_job_state state_ = NICOL_JOB_WAITING;
     bool cancelled_ = false;
     nicol_result result_ = NICOL_OK;

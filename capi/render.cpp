@@ -178,6 +178,15 @@ std::function<bool(const char*, double)> job_progress(Job& job, const RenderOpti
     };
 }
 
+// For a job that waits for the host's context.
+void require_awaited(const Job& job, const Session& session) {
+    job.check();
+    if (session.handles == 0) {
+        throw Error(ErrorCode::cancelled,
+                    "all objects of the host's context are released: nobody can lend it");
+    }
+}
+
 }  // namespace
 
 nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const nicol_render_options* options,
@@ -203,24 +212,23 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
         const nicol_framebuffer_impl& target = resolve(framebuffer);
         require_same_context(self, target);
         const RenderCall call = read_render_call(camera, options);
-        if (self.session->gl->info().backend == gl::Backend::host) {
-            throw Error(ErrorCode::unsupported,
-                        "jobs run on a thread of their own, where a host's OpenGL context is not current");
-        }
         refuse_in_callback(*self.session);
         Scene snapshot;
         {
             const Edit edit(self);
             snapshot = self.content->scene;
         }
-        auto made = std::make_shared<Job>([call, snapshot = std::move(snapshot), session = self.session,
-                                           state = self.content, target = target.content](Job& running) {
-            const SessionLock lock(session);
-            running.begin();
-            RenderOptions options = call.options;
-            options.progress = job_progress(running, call.options);
-            state->renderer.render(snapshot, call.camera, options, *target);
-        });
+        auto made = std::make_shared<Job>(
+            [call, snapshot = std::move(snapshot), session = self.session, state = self.content,
+             target = target.content](Job& running) {
+                const SessionLock lock(session);
+                running.begin();
+                const gl::Borrower borrower(session->gl, [&] { require_awaited(running, *session); });
+                RenderOptions options = call.options;
+                options.progress = job_progress(running, call.options);
+                state->renderer.render(snapshot, call.camera, options, *target);
+            },
+            [session = self.session] { session->gl->wake(); });
         auto* const handle = make_handle<nicol_job_impl>(self.session, made);
         try {
             self.session->job_queue().add(made);
@@ -233,7 +241,11 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
 }
 
 nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status) {
-    return guarded([&] { write_struct(status, resolve(job).content->status(), "status"); });
+    return guarded([&] {
+        const nicol_job_impl& self = resolve(job);
+        self.session->gl->lend();
+        write_struct(status, self.content->status(), "status");
+    });
 }
 
 nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms) {
@@ -241,9 +253,16 @@ nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms) {
     const nicol_result called = guarded([&] {
         const nicol_job_impl& self = resolve(job);
         refuse_in_callback(*self.session);
-        const auto at_most = timeout_ms == NICOL_WAIT_FOREVER
-                                 ? std::nullopt
-                                 : std::optional(std::chrono::milliseconds(timeout_ms));
+        auto at_most = timeout_ms == NICOL_WAIT_FOREVER
+                           ? std::nullopt
+                           : std::optional(std::chrono::milliseconds(timeout_ms));
+        if (self.session->in_host()) {
+            std::optional<std::chrono::steady_clock::time_point> until;
+            if (at_most) until = std::chrono::steady_clock::now() + *at_most;
+            static_cast<void>(self.session->gl->lend_until(
+                [&] { return self.content->status().state == NICOL_JOB_DONE; }, until));
+            at_most = std::chrono::milliseconds(0);
+        }
         const std::optional<nicol_result> done = self.content->wait(at_most);
         if (!done) {
             throw Error(ErrorCode::timeout,

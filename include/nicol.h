@@ -686,7 +686,8 @@ NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camer
 /* An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
  * of the context. A running job locks the context: calls that render, create, read and write its framebuffers
  * wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
- * meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too. */
+ * meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too. What
+ * is different inside a host's OpenGL is told there. */
 typedef struct nicol_job_impl* nicol_job;
 
 #define NICOL_MAX_JOBS 256 /* queued in one context */
@@ -695,8 +696,8 @@ typedef struct nicol_job_impl* nicol_job;
  * keeps its content until the job has run. Scene, framebuffer and all they need are kept alive; the caller
  * may release them, and the job too, which runs all the same. The progress callback runs on the context's
  * thread, and progress_user must live until the job is done. Invalid arguments are refused at once where
- * possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued;
- * NICOL_ERROR_UNSUPPORTED in a host's OpenGL context. A process that exits cancels its jobs. */
+ * possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued. A process that
+ * exits cancels its jobs. */
 NICOL_API nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
                                           const nicol_render_options* options, nicol_framebuffer framebuffer,
                                           nicol_job* job);
@@ -718,12 +719,13 @@ typedef struct nicol_job_status {
 #define NICOL_JOB_STATUS_INIT \
     { sizeof(nicol_job_status), 0, 0, 0, 0, 0 }
 
-/* The job's progress; never waits. */
+/* The job's progress; never waits for it. */
 NICOL_API nicol_result nicol_job_poll(nicol_job job, nicol_job_status* status);
 
 #define NICOL_WAIT_FOREVER 0xffffffffu
 /* Waits until the job is done, at most this long (0: not at all), and returns its result; after a failure
- * nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then.
+ * nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then, NICOL_ERROR_NOT_CURRENT
+ * where the job needs a host's OpenGL context that is not current on the calling thread.
  * NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, which would be a deadlock. */
 NICOL_API nicol_result nicol_job_wait(nicol_job job, uint32_t timeout_ms);
 /* Cancels a queued job at once, and a running one where it would next call a progress callback; its result is
@@ -895,6 +897,12 @@ NICOL_API nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer
  *                 of the host count what is drawn. An error pending in glGetError when a call begins is cleared and
  *                 logged.
  *   Callbacks     that come while Nicol renders must not call OpenGL.
+ *   Jobs          bake, project and shade on a thread of Nicol's, while the host goes on. The OpenGL commands that they
+ *                 give wait until the host lends its context: a call of nicol_job_poll where it is current gives those
+ *                 that are ready, and nicol_job_wait, or any call that waits for the job, gives them as they come.
+ *                 Waiting where it is not current is NICOL_ERROR_NOT_CURRENT. A job that waits for the context after
+ *                 the last handle of its objects was released is cancelled.
+ *   Times         of verbs that work on the device are those of giving the commands, which the host's follow in order.
  *   Release       where the context is current deletes its OpenGL objects at once. Elsewhere they are deleted by the
  *                 next call while it is current, or with the host's context. Release everything before the OpenGL
  *                 library is unloaded.

@@ -158,8 +158,35 @@ void Context::execute(void (*call)(void*), void* argument) {
         kept->worker.execute(call, argument);
 }
 
+void Context::lend() {
+    if (state_->host) state_->host->lend(*state_);
+}
+
+bool Context::lend_until(const std::function<bool()>& over,
+                         std::optional<std::chrono::steady_clock::time_point> until) {
+    return state_->host->lend_until(*state_, over, until);
+}
+
+void Context::wake() {
+    if (state_->host) state_->host->wake();
+}
+
+Borrower::Borrower(std::shared_ptr<Context> context, std::function<void()> meanwhile)
+    : context_(std::move(context)) {
+    if (Host* const host = context_->state().host.get()) host->begin_borrowing(std::move(meanwhile));
+}
+
+Borrower::~Borrower() {
+    if (Host* const host = context_->state().host.get()) host->end_borrowing();
+}
+
 void finish(Context& context) {
-    functions(context, "finish").Finish();
+    const GladGLContext& gl = functions(context, "finish");
+    if (context.info().backend == Backend::host) {
+        gl.Flush();
+    } else {
+        gl.Finish();
+    }
     context.state().check("finish");
 }
 

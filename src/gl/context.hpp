@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -103,6 +104,17 @@ public:
     /// Throws what run() would where a host's context is not current; never for a context of our own.
     void require_current() const;
 
+    /// Does what a Borrower of the host's context waits for, if there is something and the context is current
+    /// on the calling thread. Never waits.
+    void lend();
+    /// Waits until over() or `until`, and lends a host's context meanwhile. over() is asked at first and
+    /// after each wake(); it must not use the context. Returns its last answer. Throws Error(not_current)
+    /// where there is a Borrower and the context is not current. For a host's context alone, outside run().
+    [[nodiscard]] bool lend_until(const std::function<bool()>& over,
+                                  std::optional<std::chrono::steady_clock::time_point> until = std::nullopt);
+    /// Lets every lend_until() ask again.
+    void wake();
+
     struct State;  ///< the thread, the platform's context and the function pointers (state.hpp)
     [[nodiscard]] State& state() noexcept { return *state_; }
 
@@ -111,6 +123,21 @@ private:
     void execute(void (*call)(void*), void* argument);
 
     std::shared_ptr<State> state_;
+};
+
+/// While it lives, run() on the thread that made it works without the host's context, where a context is a
+/// host's: the call waits for a thread that lends it. At most one of a context at a time.
+class Borrower {
+public:
+    /// `meanwhile` is called about ten times a second while a call waits, and takes it back by an exception.
+    /// It must not use the context.
+    Borrower(std::shared_ptr<Context> context, std::function<void()> meanwhile);
+    ~Borrower();
+    Borrower(const Borrower&) = delete;
+    Borrower& operator=(const Borrower&) = delete;
+
+private:
+    std::shared_ptr<Context> context_;
 };
 
 template <class F>
@@ -128,7 +155,8 @@ auto Context::run(F&& f) -> std::invoke_result_t<F&> {
     }
 }
 
-/// Waits until all earlier commands of the context are done. Inside run().
+/// Waits until all earlier commands of the context are done, so that times measured around them are theirs.
+/// In a host's context, where the host's own wait as well, they are only sent on their way. Inside run().
 void finish(Context& context);
 
 }  // namespace nicol::gl

@@ -74,11 +74,11 @@ void Host::execute(Context::State& state, void (*call)(void*), void* argument) {
         call(argument);
         return;
     }
+    if (borrower_.load() == std::this_thread::get_id()) {
+        borrow(call, argument);
+        return;
+    }
     require_current(state);
-    forget_errors(state.gl, access_);
-    require_idle(state.gl);
-    remove_waiting(state);
-    const HostState host_state(state);
     struct Inside {
         explicit Inside(std::atomic<std::thread::id>& place) : thread(place) {
             thread = std::this_thread::get_id();
@@ -88,7 +88,94 @@ void Host::execute(Context::State& state, void (*call)(void*), void* argument) {
         Inside& operator=(const Inside&) = delete;
         std::atomic<std::thread::id>& thread;
     } const inside(inside_);
+    forget_errors(state.gl, access_);
+    require_idle(state.gl);
+    remove_waiting(state);
+    const HostState host_state(state);
     call(argument);
+}
+
+void Host::begin_borrowing(std::function<void()> meanwhile) {
+    const std::lock_guard lock(lending_);
+    meanwhile_ = std::move(meanwhile);
+    borrower_ = std::this_thread::get_id();
+    changed_.notify_all();
+}
+
+void Host::end_borrowing() noexcept {
+    const std::lock_guard lock(lending_);
+    borrower_ = std::thread::id();
+    meanwhile_ = nullptr;
+    changed_.notify_all();
+}
+
+void Host::borrow(void (*call)(void*), void* argument) {
+    Call mine{.call = call, .argument = argument, .error = {}};
+    std::unique_lock lock(lending_);
+    asked_ = &mine;
+    changed_.notify_all();
+    const auto done = [&mine] { return mine.done; };
+    while (!changed_.wait_for(lock, std::chrono::milliseconds(100), done)) {
+        if (mine.taken) continue;
+        try {
+            meanwhile_();
+        } catch (...) {
+            asked_ = nullptr;
+            throw;
+        }
+    }
+    if (mine.error) std::rethrow_exception(std::move(mine.error));
+}
+
+void Host::run_asked(Context::State& state, std::unique_lock<std::mutex>& lock) {
+    Call& asked = *std::exchange(asked_, nullptr);
+    asked.taken = true;
+    lock.unlock();
+    std::exception_ptr error;
+    try {
+        execute(state, asked.call, asked.argument);
+    } catch (...) {
+        error = std::current_exception();
+    }
+    lock.lock();
+    asked.error = std::move(error);
+    asked.done = true;
+    changed_.notify_all();
+}
+
+void Host::lend(Context::State& state) {
+    std::unique_lock lock(lending_);
+    if (asked_ == nullptr) return;
+    lock.unlock();  // the host is asked
+    if (!is_current(state)) return;
+    lock.lock();
+    if (asked_ != nullptr) run_asked(state, lock);
+}
+
+bool Host::lend_until(Context::State& state, const std::function<bool()>& over,
+                      std::optional<std::chrono::steady_clock::time_point> until) {
+    const bool current = is_current(state);
+    std::unique_lock lock(lending_);
+    while (!over()) {
+        if (!current && borrower_.load() != std::thread::id()) {
+            throw Error(
+                ErrorCode::not_current,
+                "a job waits for the host's OpenGL context, which is not current on the calling thread");
+        }
+        if (asked_ != nullptr) {
+            run_asked(state, lock);
+        } else if (!until) {
+            changed_.wait(lock);
+        } else if (changed_.wait_until(lock, *until) == std::cv_status::timeout) {
+            return over();
+        }
+    }
+    return true;
+}
+
+void Host::wake() noexcept {
+    const std::lock_guard lock(lending_);
+    changed_.notify_all();
 }
 
 void Host::remove(const Context::State& state, ObjectKind kind, unsigned id) noexcept {

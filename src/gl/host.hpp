@@ -3,7 +3,12 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -23,8 +28,8 @@ private:
     HostAccess access_;
 };
 
-/// The counterpart of Worker for a host's context: runs calls, and deletes objects that were dropped
-/// elsewhere.
+/// The counterpart of Worker for a host's context: runs calls, those of a borrowing thread on one that lends,
+/// and deletes objects that were dropped elsewhere.
 class Host {
 public:
     explicit Host(const HostAccess& access) : access_(access) {}
@@ -36,10 +41,19 @@ public:
     [[nodiscard]] bool is_current(const Context::State& state) const noexcept;
     /// Throws Error(not_current) unless it is.
     void require_current(const Context::State& state) const;
-    /// Calls call(argument) between saving and restoring the host's state. Throws Error(not_current), or
-    /// Error(unsupported) if the host is in a state that cannot be restored.
+    /// Calls call(argument) between saving and restoring the host's state; for a thread that borrows, where
+    /// the context is lent. Throws Error(not_current), or Error(unsupported) if the host is in a state that
+    /// cannot be restored.
     void execute(Context::State& state, void (*call)(void*), void* argument);
     [[nodiscard]] bool on_thread() const noexcept { return inside_.load() == std::this_thread::get_id(); }
+
+    /// See Context and Borrower.
+    void begin_borrowing(std::function<void()> meanwhile);
+    void end_borrowing() noexcept;
+    void lend(Context::State& state);
+    [[nodiscard]] bool lend_until(Context::State& state, const std::function<bool()>& over,
+                                  std::optional<std::chrono::steady_clock::time_point> until);
+    void wake() noexcept;
 
     /// Deletes an object now if the context is current, else at the next call while it is.
     void remove(const Context::State& state, ObjectKind kind, unsigned id) noexcept;
@@ -51,11 +65,27 @@ private:
         ObjectKind kind;
         unsigned id;
     };
+    // What a borrowing thread waits for.
+    struct Call {
+        void (*call)(void*);
+        void* argument;
+        bool taken = false;
+        bool done = false;
+        std::exception_ptr error;
+    };
+    void borrow(void (*call)(void*), void* argument);
+    void run_asked(Context::State& state, std::unique_lock<std::mutex>& lock);
+
     const HostAccess& access_;
     std::string mark_;
     std::atomic<std::thread::id> inside_{};
     std::mutex mutex_;
     std::vector<Name> waiting_;
+    std::mutex lending_;
+    std::condition_variable changed_;  // of the following, and what lend_until() waits for
+    std::atomic<std::thread::id> borrower_{};
+    std::function<void()> meanwhile_;
+    Call* asked_ = nullptr;
 };
 
 }  // namespace nicol::gl

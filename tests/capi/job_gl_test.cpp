@@ -4,61 +4,9 @@
 #include <mutex>
 #include <thread>
 
-#include "capi.hpp"
+#include "jobs.hpp"
 
 using namespace capi_test;
-
-namespace {
-
-/// A progress callback that holds its job until it is let go.
-class Gate {
-public:
-    static std::int32_t callback(void* user, const char*, double) {
-        auto& gate = *static_cast<Gate*>(user);
-        gate.entered_ = true;
-        gate.entered_.notify_all();
-        gate.answer_.wait(closed);
-        return gate.answer_;
-    }
-    void wait_until_entered() { entered_.wait(false); }
-    void open(std::int32_t answer = 1) {
-        answer_ = answer;
-        answer_.notify_all();
-    }
-
-private:
-    static constexpr std::int32_t closed = -1;
-    std::atomic<bool> entered_ = false;
-    std::atomic<std::int32_t> answer_ = closed;
-};
-
-// Every render with these traces anew.
-nicol_render_options traced() {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
-    options.method = NICOL_METHOD_REFERENCE;
-    options.samples = 2;
-    options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
-    return options;
-}
-
-nicol_render_options gated(Gate& gate) {
-    nicol_render_options options = traced();
-    options.progress = Gate::callback;
-    options.progress_user = &gate;
-    return options;
-}
-
-nicol_job submit(const Stage& stage, const nicol_render_options& options = traced()) {
-    return make(nicol_render_async, stage.scene, &stage.camera, &options, stage.framebuffer);
-}
-
-nicol_job_status poll(nicol_job job) {
-    nicol_job_status status = NICOL_JOB_STATUS_INIT;
-    OK(nicol_job_poll(job, &status));
-    return status;
-}
-
-}  // namespace
 
 STAGE_TEST_CASE("a job makes the image that a render makes") {
     for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {

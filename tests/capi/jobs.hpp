@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Jobs for tests.
+#pragma once
+
+#include <atomic>
+
+#include "capi/capi.hpp"
+
+namespace capi_test {
+
+/// A progress callback that holds its job until it is let go.
+class Gate {
+public:
+    static std::int32_t callback(void* user, const char*, double) {
+        auto& gate = *static_cast<Gate*>(user);
+        gate.entered_ = true;
+        gate.entered_.notify_all();
+        gate.answer_.wait(closed);
+        return gate.answer_;
+    }
+    void wait_until_entered() { entered_.wait(false); }
+    void open(std::int32_t answer = 1) {
+        answer_ = answer;
+        answer_.notify_all();
+    }
+
+private:
+    static constexpr std::int32_t closed = -1;
+    std::atomic<bool> entered_ = false;
+    std::atomic<std::int32_t> answer_ = closed;
+};
+
+// Every render with these traces anew.
+inline nicol_render_options traced() {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.method = NICOL_METHOD_REFERENCE;
+    options.samples = 2;
+    options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
+    return options;
+}
+
+inline nicol_render_options gated(Gate& gate) {
+    nicol_render_options options = traced();
+    options.progress = Gate::callback;
+    options.progress_user = &gate;
+    return options;
+}
+
+inline nicol_job submit(const Stage& stage, const nicol_render_options& options = traced()) {
+    return make(nicol_render_async, stage.scene, &stage.camera, &options, stage.framebuffer);
+}
+
+inline nicol_job_status poll(nicol_job job) {
+    nicol_job_status status = NICOL_JOB_STATUS_INIT;
+    OK(nicol_job_poll(job, &status));
+    return status;
+}
+
+}  // namespace capi_test
