@@ -3,7 +3,8 @@
 # Installs the Debian 12 packages that Nicol is built with and run on, where some are missing.
 set -eu
 
-packages="cmake g++ ninja-build python3 python3-glad python3-numpy luajit pkg-config doxygen
+packages="cmake g++ ninja-build python3 python3-glad python3-numpy python3-pip python3-setuptools python3-wheel
+  luajit pkg-config doxygen
   libosmesa6-dev libosmesa6 libegl-dev libegl-mesa0 libgl1-mesa-dri
   libglm-dev libopenmesh-dev libopenexr-dev libembree-dev libtbb-dev libpugixml-dev libpng-dev
   libboost-dev libssl-dev libdeflate-dev zlib1g-dev doctest-dev libsdl2-dev xvfb xauth"

@@ -1,17 +1,22 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # pip installs the package from its folder, without the network, and what it installed works.
-# usage: python_package.sh PYTHON PACKAGE
+# usage: python_package.sh PACKAGE PYTHON...
 set -eu
-python=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-if ! "$python" -c 'import setuptools, wheel, pip' 2>/dev/null; then
-    echo "skipped: pip, setuptools or wheel is absent"
+package=$1
+shift
+python=""
+for candidate in "$@"; do
+    ! "$candidate" -c 'import setuptools, wheel, pip' 2>/dev/null || python=$candidate
+done
+if [ -z "$python" ]; then
+    echo "skipped: none of $* has pip, setuptools and wheel"
     exit 77
 fi
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
 # The build writes beside its input.
-cp -R "$2" "$folder/package"
+cp -R "$package" "$folder/package"
 "$python" -m pip install --quiet --no-index --no-deps --no-build-isolation --no-warn-script-location \
     --disable-pip-version-check --root-user-action=ignore --target "$folder/installed" "$folder/package"
 cd "$folder"
