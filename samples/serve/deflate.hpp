@@ -5,4 +5,7 @@
 #include <string>
 #include <string_view>
 
-std::string deflated(std::string_view data);
+/// What matters more.
+enum class Deflate { speed, size };
+
+std::string deflated(std::string_view data, Deflate matters);

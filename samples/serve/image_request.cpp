@@ -35,7 +35,7 @@ double wrapped(double value, double period) {
 /// The parameters of one URL, each checked against its row of the table.
 class Reader {
 public:
-    Reader(const Target& target, const Limits& limits, bool stokes)
+    Reader(const Target& target, const Limits& limits, Format format)
         : target_(target), limits_(limits), table_(parameters(limits)) {
         for (const auto& parameter : target.query) {
             const std::string& name = parameter.first;
@@ -43,7 +43,7 @@ public:
             if (name == "sig" || name == "expires") continue;
             const auto known =
                 std::ranges::find_if(table_, [&](const Parameter& p) { return p.name == name; });
-            if (known == table_.end() || (stokes && !known->stokes)) refuse_unknown(name, stokes);
+            if (known == table_.end() || !known->applies_to(format)) refuse_unknown(name, format);
         }
     }
 
@@ -79,10 +79,10 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse_unknown(const std::string& name, bool stokes) const {
+    [[noreturn]] void refuse_unknown(const std::string& name, Format format) const {
         std::string known;
         for (const Parameter& p : table_)
-            if (p.stokes || !stokes) known += (known.empty() ? "" : ", ") + p.name;
+            if (p.applies_to(format)) known += (known.empty() ? "" : ", ") + p.name;
         throw Refusal({.status = 400,
                        .detail = "There is no such parameter here.",
                        .parameter = name,
@@ -159,8 +159,7 @@ std::string list(const double* values, std::size_t count) {
 
 ImageRequest parse_image(const Target& target, Format format, std::uint32_t scene, const SceneInfo& info,
                          const Limits& limits) {
-    const bool stokes = format != Format::png && format != Format::exr;
-    const Reader reader(target, limits, stokes);
+    const Reader reader(target, limits, format);
     ImageRequest request;
     request.format = format;
     request.view.scene = scene;
@@ -169,7 +168,8 @@ ImageRequest parse_image(const Target& target, Format format, std::uint32_t scen
     request.view.light = wrapped(reader.number("light").value_or(0), 360);
     request.view.light_tilt = reader.number("light_tilt").value_or(0);
     read_orders(reader, request.view);
-    if (!stokes) read_observer(reader, info, request);
+    if (format == Format::png || format == Format::exr) read_observer(reader, info, request);
+    request.bits = static_cast<std::uint32_t>(reader.number("bits").value_or(0));
     return request;
 }
 
@@ -194,6 +194,7 @@ std::string canonical(const ImageRequest& request, const SceneInfo& info) {
         text += "&polarizer=" + json_number(request.polarizer) +
                 "&exposure=" + json_number(request.exposure) + "&scale=" + json_number(request.scale);
     }
+    if (request.bits > 0) text += "&bits=" + std::to_string(request.bits);
     if (request.deflate) text += "&deflate";
     return text;
 }

@@ -47,6 +47,7 @@ struct ImageRequest {
     double polarizer = 0;              ///< degrees in [0, 180)
     double exposure = 0;               ///< stops; of s0 and polarizer
     double scale = 0;                  ///< of s1, s2, s3; 0: the largest of the image
+    std::uint32_t bits = 0;            ///< of stokes_planes: how finely they are rounded; 0: not at all
     bool deflate = false;              ///< of stokes_planes: compressed
 };
 

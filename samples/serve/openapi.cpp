@@ -31,10 +31,10 @@ std::string query_parameter(const std::string& name, const std::string& descript
            (list ? R"(,"style":"form","explode":false)" : "") + ",\"schema\":" + schema_text + "}";
 }
 
-std::string image_parameters(const Options& options, bool stokes) {
+std::string image_parameters(const Options& options, Format format) {
     std::string text = R"({"name":"id","in":"path","required":true,"schema":{"type":"string"}})";
     for (const Parameter& parameter : parameters(options.limits))
-        if (parameter.stokes || !stokes)
+        if (parameter.applies_to(format))
             text +=
                 query_parameter(parameter.name, parameter.description + " Range: " + parameter.range() + ".",
                                 schema(parameter), parameter.kind == Parameter::Kind::numbers);
@@ -57,7 +57,7 @@ std::string image_path(const Options& options, const Resource& resource) {
     const bool stokes = resource.format != Format::png && resource.format != Format::exr;
     std::string text = ",\"/scenes/{id}/" + std::string(resource.name) + "\":{\"get\":{\"summary\":";
     text += json_string(stokes ? "The Stokes vector of every pixel" : "An image of an observer");
-    text += ",\"parameters\":[" + image_parameters(options, stokes) + "],\"responses\":{";
+    text += ",\"parameters\":[" + image_parameters(options, resource.format) + "],\"responses\":{";
     text += "\"200\":{\"description\":\"The image\",\"content\":{" + json_string(resource.type) + ":{}}}";
     text += R"(,"304":{"description":"As If-None-Match has it"})";
     text += problem_response(400, "A parameter is wrong; the problem names it and its range");

@@ -10,10 +10,16 @@
 namespace {
 
 using Kind = Parameter::Kind;
+using Of = Parameter::Of;
 
 constexpr double kFarthest = 1e6;
 
 }  // namespace
+
+bool Parameter::applies_to(Format format) const {
+    if (of == Of::planes) return format == Format::stokes_planes;
+    return of == Of::every || format == Format::png || format == Format::exr;
+}
 
 std::string Parameter::range() const {
     std::string span = json_number(least) + " to " + json_number(most);
@@ -94,25 +100,33 @@ std::vector<Parameter> parameters(const Limits& limits) {
          .kind = Kind::choice,
          .choices = {"s0", "s1", "s2", "s3", "dolp", "aolp", "polarizer"},
          .description = "What is looked at.",
-         .stokes = false},
+         .of = Of::images},
         {.name = "polarizer",
          .least = -360,
          .most = 360,
          .description =
              "The light behind a linear polarizer at this angle, degrees counter-clockwise from the "
              "image's right.",
-         .stokes = false},
+         .of = Of::images},
         {.name = "exposure",
          .least = -20,
          .most = 20,
          .description = "Stops; of s0 and polarizer.",
-         .stokes = false},
+         .of = Of::images},
         {.name = "scale",
          .least = 1e-6,
          .most = kFarthest,
          .description = "Of s1, s2 and s3 as PNG: the value at full colour. Without it the largest of the "
                         "image.",
-         .stokes = false},
+         .of = Of::images},
+        {.name = "bits",
+         .kind = Kind::whole,
+         .least = 1,
+         .most = 10,
+         .description =
+             "Rounds each Stokes vector to multiples of this power of 1/2, times the power of two at or "
+             "below s0. Without it nothing is rounded.",
+         .of = Of::planes},
     };
     return table;
 }

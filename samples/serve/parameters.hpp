@@ -11,14 +11,16 @@
 
 struct Parameter {
     enum class Kind { number, whole, numbers, size, choice };
+    enum class Of { every, images, planes };
     std::string name;
     Kind kind = Kind::number;
     double least = 0, most = 0;  ///< of each number; of each side of a size
     int count = 1;               ///< of Kind::numbers
     std::vector<std::string> choices = {};
     std::string description = {};
-    bool stokes = true;  ///< also of Stokes data; false: of image.png and image.exr alone
+    Of of = Of::every;  ///< images: of image.png and image.exr alone; planes: of stokes.planes alone
 
+    [[nodiscard]] bool applies_to(Format format) const;
     /// For people: "-360 to 360".
     [[nodiscard]] std::string range() const;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stokes images laid out so that they compress well, without loss.
+// Stokes images laid out so that they compress well, with or without loss.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,6 @@ struct Planes {
     std::string bytes;
 };
 
-/// halves: little-endian, [channel][row][column][4], as many channels as there are.
-Planes planes_of(std::string_view halves, std::uint32_t width, std::uint32_t height);
+/// halves: little-endian, [channel][row][column][4], as many channels as there are. bits 1 to 10: each vector is
+/// rounded to multiples of 2^-bits times the power of two at or below its |s0|; 0: not at all.
+Planes planes_of(std::string_view halves, std::uint32_t width, std::uint32_t height, std::uint32_t bits);

@@ -61,7 +61,7 @@ std::string encode_png(std::uint32_t width, std::uint32_t height, const std::vec
     std::string file = "\x89PNG\r\n\x1a\n";
     chunk(file, "IHDR", big_endian(width) + big_endian(height) + std::string(colours.begin(), colours.end()));
     if (srgb) chunk(file, "sRGB", std::string_view("\1", 1));  // relative colorimetric
-    chunk(file, "IDAT", deflated(filtered(kPixelBytes * width, height, rgb)));
+    chunk(file, "IDAT", deflated(filtered(kPixelBytes * width, height, rgb), Deflate::speed));
     chunk(file, "IEND", {});
     return file;
 }

@@ -153,9 +153,10 @@ std::string Stage::encode(const ImageRequest& request, const std::string& scratc
         case Format::stokes_f32:
             return stokes(request.format == Format::stokes_f16);
         case Format::stokes_planes: {
-            const Planes planes = planes_of(stokes(true), width_, height_);
+            const Planes planes = planes_of(stokes(true), width_, height_, request.bits);
             head.components = planes.components;
-            return request.deflate ? deflated(planes.bytes) : planes.bytes;
+            if (!request.deflate) return planes.bytes;
+            return deflated(planes.bytes, request.bits > 0 ? Deflate::size : Deflate::speed);
         }
         case Format::stokes_exr: {
             // The library writes files alone.

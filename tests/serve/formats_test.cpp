@@ -2,6 +2,9 @@
 #include <doctest/doctest.h>
 #include <png.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "coding.hpp"
 #include "message.hpp"
 #include "metrics.hpp"
@@ -36,8 +39,8 @@ TEST_CASE("planes hold every half, and s3 where there is one") {
                 const std::uint16_t zero = i % 8 == 3 ? 0x8000 : 0;  // also with a sign
                 halves[i] = i % 4 < components ? static_cast<std::uint16_t>(i * i * 7919) : zero;
             }
-            const Planes planes =
-                planes_of({reinterpret_cast<const char*>(halves.data()), halves.size() * 2}, width, height);
+            const Planes planes = planes_of({reinterpret_cast<const char*>(halves.data()), halves.size() * 2},
+                                            width, height, 0);
             REQUIRE(planes.components == components);
             REQUIRE(planes.bytes.size() == components * channels * pixels * 2);
             const auto* byte = reinterpret_cast<const unsigned char*>(planes.bytes.data());
@@ -48,6 +51,40 @@ TEST_CASE("planes hold every half, and s3 where there is one") {
                         CHECK(value % 65536 == halves[(c * pixels + i) * 4 + s]);
                     }
         }
+}
+
+TEST_CASE("rounded planes hold the nearest multiples of a part of s0") {
+    const auto number = [](unsigned half) {
+        const int exponent = static_cast<int>(half >> 10u & 31u);
+        const double magnitude =
+            exponent == 0 ? std::ldexp(half & 1023u, -24) : std::ldexp(1024 + (half & 1023u), exponent - 25);
+        return (half & 0x8000u) != 0 ? -magnitude : magnitude;
+    };
+    // Every half there is but infinities and NaN, as s1 to s3 beside s0 that are as large, or larger.
+    std::vector<std::uint16_t> halves;
+    for (unsigned magnitude = 0; magnitude < 0x7c00; ++magnitude)
+        for (const unsigned above : {0u, 1u << 10u, 5u << 10u, 11u << 10u, 12u << 10u})
+            for (const unsigned value :
+                 {std::min(magnitude + above, 0x7bffu), magnitude, magnitude | 0x8000u, 0u})
+                halves.push_back(static_cast<std::uint16_t>(value));
+    const std::size_t pixels = halves.size() / 4;
+    for (const std::uint32_t bits : {1u, 6u, 10u}) {
+        const Planes planes = planes_of({reinterpret_cast<const char*>(halves.data()), halves.size() * 2},
+                                        static_cast<std::uint32_t>(pixels), 1, bits);
+        const auto* byte = reinterpret_cast<const unsigned char*>(planes.bytes.data());
+        std::size_t wrong = 0;
+        for (std::size_t s = 0; s < 3; ++s, byte += 2 * pixels)
+            for (std::size_t i = 0, value = 0; i < pixels; ++i) {
+                value = (value + byte[i] + 256u * byte[pixels + i]) % 65536;
+                const double s0 = std::max(number(halves[4 * i]), 0x1p-14), given = number(halves[4 * i + s]);
+                const double step = std::ldexp(1.0, std::ilogb(s0) - static_cast<int>(bits));
+                // A half holds no multiple of less than 2^-24, and nothing beyond 65504.
+                const double least = std::max(step, 0x1p-24), found = number(static_cast<unsigned>(value));
+                const bool beyond = std::abs(std::round(given / least) * least) > 65504;
+                if (found != (beyond ? given : std::round(given / least) * least)) ++wrong;
+            }
+        CHECK(wrong == 0);
+    }
 }
 
 TEST_CASE("a coding is taken where the client says so") {

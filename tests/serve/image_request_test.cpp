@@ -88,6 +88,8 @@ TEST_CASE("other requests have another text") {
     for (const Format format :
          {Format::exr, Format::stokes_exr, Format::stokes_planes, Format::stokes_f16, Format::stokes_f32})
         CHECK(texts.insert(text("", format)).second);
+    CHECK(texts.insert(text("bits=6", Format::stokes_planes)).second);
+    CHECK(texts.insert(text("bits=7", Format::stokes_planes)).second);
     ImageRequest compressed = parse("", Format::stokes_planes);
     compressed.deflate = true;
     CHECK(texts.insert(canonical(compressed, scene())).second);
@@ -154,6 +156,11 @@ TEST_CASE("Stokes data has no observer") {
     CHECK(parse("azimuth=1", Format::stokes_f16).view.orbit.azimuth == 1);
     for (const char* query : {"observer=s0", "polarizer=1", "exposure=1", "scale=1"})
         CHECK_MESSAGE(refused([&] { parse(query, Format::stokes_exr); }).status == 400, query);
+    CHECK(parse("bits=10", Format::stokes_planes).bits == 10);
+    for (const Format format : {Format::png, Format::exr, Format::stokes_exr, Format::stokes_f16})
+        CHECK(refused([&] { parse("bits=6", format); }).parameter == "bits");
+    for (const char* query : {"bits=0", "bits=11", "bits=1.5"})
+        CHECK_MESSAGE(refused([&] { parse(query, Format::stokes_planes); }).parameter == "bits", query);
 }
 
 TEST_CASE("channels that are no colour have no colour image") {

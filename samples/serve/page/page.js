@@ -12,7 +12,8 @@ const state = {
   scene: null, azimuth: 0, elevation: 0, distance: 1, nearest: 0.1, farthest: 10, moved: false, light: 0, light_tilt: 0,
   polarizer: 0, view: "polarizer", exposure: 0, split: false, dragLight: false, probe: [0.5, 0.5],
 };
-let view, stokes, limits, scenes, moving = false, wanted = 0, shown = -1, fetching = false;
+// "half" the resolution while something moves; a scene's first image "rounded"; else "all".
+let view, stokes, limits, scenes, detail = "all", wanted = 0, shown = -1, fetching = false;
 
 function say(text) {
   element("message").textContent = text;
@@ -20,10 +21,9 @@ function say(text) {
 
 // ---------------------------------------------------------------- images
 
-// Half the resolution while something moves.
 function size() {
   const [width, height] = state.scene.size, pixels = Math.min(devicePixelRatio, 2) * canvas.clientWidth;
-  const side = Math.min(768, limits.max_side, Math.max(64, pixels)) / (moving ? 2 : 1);
+  const side = Math.min(768, limits.max_side, Math.max(64, pixels)) / (detail === "half" ? 2 : 1);
   const factor = Math.min(side / Math.max(width, height), Math.sqrt(limits.max_pixels / (width * height)));
   return [width, height].map((length) => Math.max(1, Math.floor(length * factor)));
 }
@@ -33,6 +33,7 @@ function target([width, height]) {
   const query = new URLSearchParams({ size: `${width}x${height}` });
   if (state.moved) for (const name of ["azimuth", "elevation", "distance"]) query.set(name, round(state[name]));
   for (const name of ["light", "light_tilt"]) if (state[name] !== 0) query.set(name, round(state[name]));
+  if (detail !== "all") query.set("bits", 6);
   return `${state.scene["stokes.planes"]}?${query}`;
 }
 
@@ -79,9 +80,12 @@ function draw() {
 // ---------------------------------------------------------------- changes
 
 function move(changed, dragging) {
-  const ended = moving && !dragging;
-  if (Object.keys(changed).length === 0 && !ended) return;
-  moving = dragging;
+  ask(changed, dragging ? "half" : "all");
+}
+
+function ask(changed, howMuch) {
+  if (Object.keys(changed).length === 0 && detail === howMuch) return;
+  detail = howMuch;
   for (const name of ["azimuth", "elevation", "distance"]) if (name in changed) state.moved = true;
   Object.assign(state, changed);
   ++wanted;
@@ -117,9 +121,8 @@ function choose(scene) {
   const { azimuth, elevation, distance } = scene;
   // Its own camera may do what an orbit cannot, such as roll: it holds until something moves.
   Object.assign(state, { scene, azimuth, elevation, distance, moved: false });
-  // Half the resolution comes first, as if something moved.
-  move({ nearest: distance / 10, farthest: distance * 10, light: 0, light_tilt: 0 }, true);
-  move({}, false);
+  ask({ nearest: distance / 10, farthest: distance * 10, light: 0, light_tilt: 0 }, "rounded");
+  ask({}, "all");
 }
 
 // ---------------------------------------------------------------- start
