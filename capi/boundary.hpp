@@ -16,6 +16,12 @@
 
 namespace nicol::capi {
 
+/// What messages have no place for: they are one line that a terminal shows as it is, whatever a path, a file
+/// or a driver says.
+[[nodiscard]] inline bool is_control(char c) noexcept {
+    return static_cast<unsigned char>(c) < ' ' || c == 0x7f;
+}
+
 /// Keeps the message for nicol_last_error() and returns the code. Allocates nothing.
 nicol_result fail(ErrorCode code, const char* message) noexcept;
 

@@ -115,8 +115,6 @@ nicol_result fail(ErrorCode code, const char* message) noexcept {
         // Not in the middle of a UTF-8 character.
         while (length > 0 && (static_cast<unsigned char>(message[length]) & 0xC0) == 0x80) --length;
     }
-    // One line that a terminal shows as it is, whatever a path, a file or a driver says.
-    const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
     std::replace_copy_if(message, message + length, last_error.begin(), is_control, ' ');
     last_error[length] = '\0';
     return static_cast<nicol_result>(code);

@@ -50,7 +50,7 @@ struct Session {
     std::unique_ptr<JobQueue> jobs;
 
     void log_message(std::uint32_t severity, std::string message) const {
-        std::ranges::replace(message, '\n', ' ');  // whatever a path or a driver says
+        std::ranges::replace_if(message, is_control, ' ');
         if (log != nullptr) log(log_user, severity, NICOL_OK, message.c_str());
     }
     void notice(const std::string& message) const { log_message(NICOL_LOG_NOTICE, message); }

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Builds the fuzzers with Clang and runs each for some seconds; ends with an error where one finds something. What is
-# found lies in build-fuzz/findings: mend it, and keep the input in tests/fuzz/corpus/NAME.
+# Builds the fuzzers with Clang and runs each for some seconds, two at a time; ends with an error where one finds
+# something. What is found lies in build-fuzz/findings: mend it, and keep the input in tests/fuzz/corpus/NAME.
 # usage: sh tests/fuzz/run.sh [SECONDS [NAME...]]
 set -eu
 cd "$(dirname "$0")/../.."
@@ -14,32 +14,42 @@ cmake --build build-fuzz --target fuzzers
 
 export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
 [ ! -d /dev/shm ] || export TMPDIR=/dev/shm
-failed=""
-for program in build-fuzz/bin/fuzz_*; do
-    name=${program##*/fuzz_}
-    case " ${*:-$name} " in *" $name "*) ;; *) continue ;; esac
+rm -f build-fuzz/*.found
+# usage: fuzz PROGRAM NAME
+fuzz() {
     # New inputs go into the first folder, which later runs begin with.
-    grown=build-fuzz/corpus/$name
-    kept=tests/fuzz/corpus/$name
+    grown=build-fuzz/corpus/$2
+    kept=tests/fuzz/corpus/$2
     mkdir -p "$grown" build-fuzz/findings
     [ -d "$kept" ] || kept=""
-    dictionary=tests/fuzz/$name.dict
+    dictionary=tests/fuzz/$2.dict
     [ ! -f "$dictionary" ] && dictionary="" || dictionary=-dict=$dictionary
-    log=build-fuzz/$name.log
+    log=build-fuzz/$2.log
     # -rss_limit_mb also refuses single allocations of that size. An image may take 8 GiB.
     megabytes=1024
-    [ "$name" != exr ] || megabytes=9216
-    if "$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb="$megabytes" -max_len=4096 -print_final_stats=1 \
-        -artifact_prefix="build-fuzz/findings/$name-" $dictionary \
-        "$grown" "build-fuzz/tests/fuzz/seeds/$name" $kept >"$log" 2>&1; then
+    [ "$2" != exr ] || megabytes=9216
+    if "$1" -max_total_time="$seconds" -timeout=10 -rss_limit_mb="$megabytes" -max_len=4096 -print_final_stats=1 \
+        -artifact_prefix="build-fuzz/findings/$2-" $dictionary \
+        "$grown" "build-fuzz/tests/fuzz/seeds/$2" $kept >"$log" 2>&1; then
         state=clean
     else
         state=FOUND
-        failed="$failed $name"
+        touch "build-fuzz/$2.found"
         tail -n 60 "$log"
     fi
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
     cover=$(sed -n 's/.* cov: \([0-9]*\).*/\1/p' "$log" | tail -n 1)
-    echo "fuzz $name: $state, ${runs:-?} executions, ${cover:-?} edges"
+    echo "fuzz $2: $state, ${runs:-?} executions, ${cover:-?} edges"
+}
+
+beside=0
+for program in build-fuzz/bin/fuzz_*; do
+    name=${program##*/fuzz_}
+    case " ${*:-$name} " in *" $name "*) ;; *) continue ;; esac
+    fuzz "$program" "$name" &
+    beside=$(((beside + 1) % 2))
+    [ "$beside" = 1 ] || wait
 done
-[ -z "$failed" ] || { echo "fuzz: findings in$failed" >&2; exit 1; }
+wait
+found=$(cd build-fuzz && ls -- *.found 2>/dev/null || true)
+[ -z "$found" ] || { echo "fuzz: findings in" $found >&2; exit 1; }
