@@ -231,19 +231,34 @@ void abort_at(const doctest::AssertData& data) {
     std::abort();
 }
 
+struct Prepared {
+    const Everything& all;
+    std::vector<Function> usable;
+};
+
+const Prepared& prepared() {
+    static const Prepared one = [] {
+        auto& checks = *new doctest::Context;
+        checks.setAsDefaultForAssertsOutOfTestCases();
+        checks.setAssertHandler(abort_at);
+        Prepared made{.all = everything(), .usable = {}};
+        std::ranges::copy_if(functions(), std::back_inserter(made.usable),
+                             [](const Function& f) { return !is_left_out(f.name); });
+        return made;
+    }();
+    return one;
+}
+
 }  // namespace
 
+/// Called by libFuzzer before the time of the first input begins.
+extern "C" int LLVMFuzzerInitialize(int* /*count*/, char*** /*arguments*/) {
+    static_cast<void>(prepared());
+    return 0;
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    static doctest::Context& checks = *new doctest::Context;
-    checks.setAsDefaultForAssertsOutOfTestCases();
-    checks.setAssertHandler(abort_at);
-    static const Everything& all = everything();
-    static const std::vector<Function> usable = [] {
-        std::vector<Function> found;
-        std::ranges::copy_if(functions(), std::back_inserter(found),
-                             [](const Function& f) { return !is_left_out(f.name); });
-        return found;
-    }();
+    const auto& [all, usable] = prepared();
     Bytes bytes(data, size);
     Handles handles(all);
     for (int calls = 0; calls < kMaxCalls && !bytes.empty(); ++calls)
