@@ -996,17 +996,19 @@ class Job(Handle):
     """An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
     of the context. A running job locks the context: calls that render, create, read and write its framebuffers
     wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
-    meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too."""
+    meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too. What
+    is different inside a host's OpenGL is told there."""
 
     def poll(self):
-        """The job's progress; never waits."""
+        """The job's progress; never waits for it."""
         status = JobStatus()
         check(_job_poll(self, byref(status)))
         return status
 
     def wait(self, timeout_ms):
         """Waits until the job is done, at most this long (0: not at all), and returns its result; after a failure
-        nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then.
+        nicol_last_error() has its message. NICOL_ERROR_TIMEOUT if it is not done by then, NICOL_ERROR_NOT_CURRENT
+        where the job needs a host's OpenGL context that is not current on the calling thread.
         NICOL_ERROR_INVALID_ARGUMENT inside a callback of the context, which would be a deadlock."""
         check(_job_wait(self, timeout_ms))
 
@@ -1097,8 +1099,8 @@ def render_async(scene, camera, options, framebuffer):
     keeps its content until the job has run. Scene, framebuffer and all they need are kept alive; the caller
     may release them, and the job too, which runs all the same. The progress callback runs on the context's
     thread, and progress_user must live until the job is done. Invalid arguments are refused at once where
-    possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued;
-    NICOL_ERROR_UNSUPPORTED in a host's OpenGL context. A process that exits cancels its jobs."""
+    possible; other errors are the job's result. NICOL_ERROR_BUSY if NICOL_MAX_JOBS are queued. A process that
+    exits cancels its jobs."""
     options = lend(options)
     job = Job()
     check(_render_async(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer, byref(job)))
