@@ -686,8 +686,8 @@ NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camer
 /* An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
  * of the context. A running job locks the context: calls that render, create, read and write its framebuffers
  * wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
- * meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too. What
- * is different inside a host's OpenGL is told there. */
+ * meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too.
+ * What is different inside a host's OpenGL is told there. */
 typedef struct nicol_job_impl* nicol_job;
 
 #define NICOL_MAX_JOBS 256 /* queued in one context */

@@ -13,6 +13,6 @@ struct Planes {
     std::string bytes;
 };
 
-/// halves: little-endian, [channel][row][column][4], as many channels as there are. bits 1 to 10: each vector is
-/// rounded to multiples of 2^-bits times the power of two at or below its |s0|; 0: not at all.
+/// halves: little-endian, [channel][row][column][4], as many channels as there are. bits 1 to 10: each vector
+/// is rounded to multiples of 2^-bits times the power of two at or below its |s0|; 0: not at all.
 Planes planes_of(std::string_view halves, std::uint32_t width, std::uint32_t height, std::uint32_t bits);

@@ -996,8 +996,8 @@ class Job(Handle):
     """An asynchronous render. Jobs of one context run one after another, in the order of submission, on a thread
     of the context. A running job locks the context: calls that render, create, read and write its framebuffers
     wait for it, but not for queued jobs. Calls that change or query scenes or make lights, materials and
-    meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too. What
-    is different inside a host's OpenGL is told there."""
+    meshes do not wait. May be used from any thread; nicol_job_poll and nicol_job_cancel from callbacks too.
+    What is different inside a host's OpenGL is told there."""
 
     def poll(self):
         """The job's progress; never waits for it."""
