@@ -9,6 +9,7 @@
 #include <array>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -116,19 +117,24 @@ bool is_whole(std::string_view type, std::string_view bytes) {
 
 /// No attribute may be larger than the rest of the file: the C library leaves out those that are, and the C++
 /// library allocates what they claim. No value may end elsewhere than its size says, or the C++ library takes
-/// other bytes for the next attribute and its size. What else is wrong with the header is left to the
-/// libraries.
+/// other bytes for the next attribute and its size. No attribute may come twice in a header: of two values
+/// each library takes another one. What else is wrong with the header is left to the libraries.
 void check_attributes(const path& file, std::uintmax_t file_size) {
     constexpr std::uint32_t magic = 20000630, several_parts_flag = 0x1000;
     std::ifstream in(file, std::ios::binary);
     if (header_number(in) != magic) return;
     const bool several_parts = (header_number(in) & several_parts_flag) != 0;
     // An empty name ends a header; that of a further part may follow, or one more empty name.
+    std::set<std::string> names;
     for (bool inside = true;;) {
         const std::string name = header_text(in);
         if (!in || (name.empty() && !(inside && several_parts))) return;
         inside = !name.empty();
-        if (!inside) continue;
+        if (!inside) {
+            names.clear();
+            continue;
+        }
+        if (!names.insert(name).second) invalid_file(file, "the attribute \"" + name + "\" comes twice");
         const std::string type = header_text(in);
         const std::uint32_t size = header_number(in);
         if (!in) return;

@@ -238,7 +238,7 @@ struct Prepared {
 
 const Prepared& prepared() {
     static const Prepared one = [] {
-        auto& checks = *new doctest::Context;
+        static auto& checks = *new doctest::Context;  // never destroyed, and no leak
         checks.setAsDefaultForAssertsOutOfTestCases();
         checks.setAssertHandler(abort_at);
         Prepared made{.all = everything(), .usable = {}};

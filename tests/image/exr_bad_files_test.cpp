@@ -139,6 +139,17 @@ TEST_CASE("attributes whose values end elsewhere than their sizes say are refuse
     }
 }
 
+TEST_CASE("an attribute that comes twice is refused") {
+    // Its libraries would take another one each, and only one of them is checked.
+    const TemporaryFolder folder;
+    write_exr(folder / "whole.exr", some_image());
+    std::string lie = file_bytes(folder / "whole.exr");
+    const std::string window = std::string("dataWindow") + '\0' + "box2i" + '\0';
+    const std::string twice = lie.substr(lie.find(window), window.size() + 4 + 16);
+    write_bytes(folder / "lie.exr", lie.insert(8, twice));
+    check_error(bad, CALL(read_exr(folder / "lie.exr")), "lie.exr", "\"dataWindow\" comes twice");
+}
+
 TEST_CASE("values that are not finite are named by channel and pixel") {
     const TemporaryFolder folder;
     constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
