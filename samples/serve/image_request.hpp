@@ -12,6 +12,10 @@
 
 enum class Format : std::uint32_t { png, exr, stokes_exr, stokes_planes, stokes_f16, stokes_f32 };
 enum class Observer : std::uint32_t { s0, s1, s2, s3, dolp, aolp, polarizer };
+/// Whether the format is an image of an observer, not Stokes vectors.
+constexpr bool has_observer(Format format) {
+    return format == Format::png || format == Format::exr;
+}
 enum class CameraKind : std::uint32_t { scene, orbit, matrix };
 
 /// A camera that looks at a target from an azimuth and an elevation in degrees. Azimuth 0 is the axis after

@@ -54,9 +54,9 @@ std::string problem_response(int status, const std::string& description) {
 }
 
 std::string image_path(const Options& options, const Resource& resource) {
-    const bool stokes = resource.format != Format::png && resource.format != Format::exr;
     std::string text = ",\"/scenes/{id}/" + std::string(resource.name) + "\":{\"get\":{\"summary\":";
-    text += json_string(stokes ? "The Stokes vector of every pixel" : "An image of an observer");
+    text += json_string(has_observer(resource.format) ? "An image of an observer"
+                                                      : "The Stokes vector of every pixel");
     text += ",\"parameters\":[" + image_parameters(options, resource.format) + "],\"responses\":{";
     text += "\"200\":{\"description\":\"The image\",\"content\":{" + json_string(resource.type) + ":{}}}";
     text += R"(,"304":{"description":"As If-None-Match has it"})";

@@ -18,7 +18,7 @@ constexpr double kFarthest = 1e6;
 
 bool Parameter::applies_to(Format format) const {
     if (of == Of::planes) return format == Format::stokes_planes;
-    return of == Of::every || format == Format::png || format == Format::exr;
+    return of == Of::every || has_observer(format);
 }
 
 std::string Parameter::range() const {

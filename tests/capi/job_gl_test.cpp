@@ -92,14 +92,7 @@ TEST_CASE("everything may be released while a job runs and others wait") {
         Gate gate;
         {
             const Stage stage(context);
-            nicol_callback_material parameters = grey_function();
-            parameters.user = &released;
-            parameters.release = [](void* user) {
-                auto& done = *static_cast<std::atomic<bool>*>(user);
-                done = true;
-                done.notify_all();
-            };
-            add(stage.scene, stage.mesh, Owned(make(nicol_material_create_callback, context, &parameters)));
+            add_watched(stage, released);
             const nicol_job first = submit(stage, gated(gate));
             const nicol_job second = submit(stage);
             const nicol_job dropped = submit(stage);

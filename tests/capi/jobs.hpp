@@ -39,8 +39,9 @@ inline nicol_render_options traced() {
     return options;
 }
 
-inline nicol_render_options gated(Gate& gate) {
+inline nicol_render_options gated(Gate& gate, nicol_method method = NICOL_METHOD_REFERENCE) {
     nicol_render_options options = traced();
+    options.method = method;
     options.progress = Gate::callback;
     options.progress_user = &gate;
     return options;
@@ -54,6 +55,18 @@ inline nicol_job_status poll(nicol_job job) {
     nicol_job_status status = NICOL_JOB_STATUS_INIT;
     OK(nicol_job_poll(job, &status));
     return status;
+}
+
+/// Puts an instance into the stage whose material sets `released` when it goes.
+inline void add_watched(const Stage& stage, std::atomic<bool>& released) {
+    nicol_callback_material parameters = grey_function();
+    parameters.user = &released;
+    parameters.release = [](void* user) {
+        auto& done = *static_cast<std::atomic<bool>*>(user);
+        done = true;
+        done.notify_all();
+    };
+    add(stage.scene, stage.mesh, Owned(make(nicol_material_create_callback, stage.context, &parameters)));
 }
 
 }  // namespace capi_test

@@ -15,38 +15,38 @@ cmake --build build-fuzz --target fuzzers
 export LSAN_OPTIONS=suppressions=$PWD/tests/lsan.supp:print_suppressions=0
 [ ! -d /dev/shm ] || export TMPDIR=/dev/shm
 rm -f build-fuzz/*.found
-# usage: fuzz PROGRAM NAME
+# usage: fuzz NAME
 fuzz() {
     # New inputs go into the first folder, which later runs begin with.
-    grown=build-fuzz/corpus/$2
-    kept=tests/fuzz/corpus/$2
+    grown=build-fuzz/corpus/$1
+    kept=tests/fuzz/corpus/$1
     mkdir -p "$grown" build-fuzz/findings
     [ -d "$kept" ] || kept=""
-    dictionary=tests/fuzz/$2.dict
+    dictionary=tests/fuzz/$1.dict
     [ ! -f "$dictionary" ] && dictionary="" || dictionary=-dict=$dictionary
-    log=build-fuzz/$2.log
+    log=build-fuzz/$1.log
     # -rss_limit_mb also refuses single allocations of that size. An image may take 8 GiB.
     megabytes=1024
-    [ "$2" != exr ] || megabytes=9216
-    if "$1" -max_total_time="$seconds" -timeout=10 -rss_limit_mb="$megabytes" -max_len=4096 -print_final_stats=1 \
-        -artifact_prefix="build-fuzz/findings/$2-" $dictionary \
-        "$grown" "build-fuzz/tests/fuzz/seeds/$2" $kept >"$log" 2>&1; then
+    [ "$1" != exr ] || megabytes=9216
+    if "build-fuzz/bin/fuzz_$1" -max_total_time="$seconds" -timeout=10 -rss_limit_mb="$megabytes" -max_len=4096 \
+        -print_final_stats=1 -artifact_prefix="build-fuzz/findings/$1-" $dictionary \
+        "$grown" "build-fuzz/tests/fuzz/seeds/$1" $kept >"$log" 2>&1; then
         state=clean
     else
         state=FOUND
-        touch "build-fuzz/$2.found"
+        touch "build-fuzz/$1.found"
         tail -n 60 "$log"
     fi
     runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
     cover=$(sed -n 's/.* cov: \([0-9]*\).*/\1/p' "$log" | tail -n 1)
-    echo "fuzz $2: $state, ${runs:-?} executions, ${cover:-?} edges"
+    echo "fuzz $1: $state, ${runs:-?} executions, ${cover:-?} edges"
 }
 
 beside=0
 for program in build-fuzz/bin/fuzz_*; do
     name=${program##*/fuzz_}
     case " ${*:-$name} " in *" $name "*) ;; *) continue ;; esac
-    fuzz "$program" "$name" &
+    fuzz "$name" &
     beside=$(((beside + 1) % 2))
     [ "$beside" = 1 ] || wait
 done

@@ -68,9 +68,7 @@ TEST_CASE("a job in an application makes the image that a render makes, and leav
 TEST_CASE("the application goes on while a job bakes") {
     const Hosted hosted;
     Gate gate;
-    nicol_render_options options = gated(gate);
-    options.method = NICOL_METHOD_FACTORED;
-    const Owned job(submit(hosted.stage, options));
+    const Owned job(submit(hosted.stage, gated(gate, NICOL_METHOD_FACTORED)));
     gate.wait_until_entered();
     const GlState before = gl_state(hosted.application.gl);
     for (int frame = 0; frame < 100; ++frame) CHECK(poll(job).state == NICOL_JOB_RUNNING);
@@ -93,9 +91,7 @@ TEST_CASE("a call that waits for a job lends it the context") {
              [&] { OK(nicol_framebuffer_release(framebuffer_of(hosted.context, 4, 4, 1))); },
          }) {
         Gate gate;
-        nicol_render_options options = gated(gate);
-        options.method = NICOL_METHOD_FACTORED;
-        const Owned job(submit(other, options));
+        const Owned job(submit(other, gated(gate, NICOL_METHOD_FACTORED)));
         gate.wait_until_entered();
         gate.open();
         wait();
@@ -209,17 +205,8 @@ TEST_CASE("a job ends that nobody can lend the context any more") {
     {
         const Owned context(make_host_context());
         const Stage stage(context);
-        nicol_callback_material parameters = grey_function();
-        parameters.user = &released;
-        parameters.release = [](void* user) {
-            auto& done = *static_cast<std::atomic<bool>*>(user);
-            done = true;
-            done.notify_all();
-        };
-        add(stage.scene, stage.mesh, Owned(make(nicol_material_create_callback, context, &parameters)));
-        nicol_render_options options = gated(gate);
-        options.method = NICOL_METHOD_FACTORED;
-        const Owned job(submit(stage, options));
+        add_watched(stage, released);
+        const Owned job(submit(stage, gated(gate, NICOL_METHOD_FACTORED)));
         gate.wait_until_entered();
     }
     CHECK_FALSE(released);
