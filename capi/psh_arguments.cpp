@@ -3,12 +3,18 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 namespace nicol::capi {
 namespace {
 
 void check_length(const double* values, std::uint64_t count, std::uint64_t vectors, std::uint64_t size,
                   const char* name) {
+    constexpr std::uint64_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double);
+    if (count > most) {
+        refuse("the length of " + std::string(name) + " is " + std::to_string(count) +
+               "; no memory holds more than " + std::to_string(most) + " doubles");
+    }
     // Divided, since the product may not fit.
     const bool fits = vectors == 0 || size == 0 ? count == 0 : count % size == 0 && count / size == vectors;
     if (!fits) {

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Builds the fuzzers with Clang and runs each for some seconds, two at a time; ends with an error where one finds
 # something. What is found lies in build-fuzz/findings: mend it, and keep the input in tests/fuzz/corpus/NAME.
+# NICOL_FUZZ_SEED=N begins with the same random numbers each time, so that what one machine finds another finds too.
 # usage: sh tests/fuzz/run.sh [SECONDS [NAME...]]
 set -eu
 cd "$(dirname "$0")/../.."
@@ -29,7 +30,7 @@ fuzz() {
     megabytes=1024
     [ "$1" != exr ] || megabytes=9216
     if "build-fuzz/bin/fuzz_$1" -max_total_time="$seconds" -timeout=10 -rss_limit_mb="$megabytes" -max_len=4096 \
-        -print_final_stats=1 -artifact_prefix="build-fuzz/findings/$1-" $dictionary \
+        -seed="${NICOL_FUZZ_SEED:-0}" -print_final_stats=1 -artifact_prefix="build-fuzz/findings/$1-" $dictionary \
         "$grown" "build-fuzz/tests/fuzz/seeds/$1" $kept >"$log" 2>&1; then
         state=clean
     else
