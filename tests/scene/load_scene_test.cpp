@@ -190,7 +190,7 @@ TEST_CASE("what takes more than its limits is refused, and the option is named")
     cases[1].option = "vertex_limit", --cases[1].limits.vertices;
     cases[2].option = "triangle_limit", --cases[2].limits.triangles;
     cases[3].option = "load_seconds_limit", cases[3].limits.seconds = 0;
-    for (const auto& [option, limits] : cases)
-        check_error(ErrorCode::unsupported, CALL(load_scene(file.scene(), {}, limits)), option,
+    for (const Case& one : cases)
+        check_error(ErrorCode::unsupported, CALL(load_scene(file.scene(), {}, one.limits)), one.option,
                     file.path().string());
 }
