@@ -63,7 +63,7 @@ template <int Fields>
     }
 }
 
-// z (c + i s), or with its conjugate.
+// z (c + i s), or with its conjugate: one number z for all lanes.
 template <int Fields>
 [[gnu::always_inline]] inline void spread(const std::complex<float>* const* in, int at, const Angles& by,
                                           int m, float sign, Lanes* re, Lanes* im) {
@@ -80,6 +80,7 @@ template <int Fields>
     }
 }
 
+// The same of a number in each lane.
 template <int Fields>
 [[gnu::always_inline]] inline void multiply_phase(Lanes* re, Lanes* im, const Angles& by, int m, float sign) {
     LaneVector c;
@@ -97,9 +98,10 @@ template <int Fields>
     }
 }
 
-// What a rotation of fields needs.
+// What a rotation of fields needs. Where `in` is null, `re` and `im` hold them, one in each lane.
 struct Rotation {
     int order;
+    bool back;
     const float* first;
     const float* second;
     const std::complex<float>* const* in;
@@ -110,8 +112,20 @@ struct Rotation {
     Lanes* scratch;
 };
 
+// The phase that a rotation begins with, or the rotation back ends with.
+template <int Fields>
+[[gnu::always_inline]] inline void multiply_azimuth(const Rotation& t, int at, int m, Lanes* re, Lanes* im) {
+    const float sign = (m < 0) != t.back ? -1.0F : 1.0F;
+    if (t.in != nullptr) {
+        spread<Fields>(t.in, at, t.azimuth, m < 0 ? -m : m, sign, re, im);
+    } else {
+        multiply_phase<Fields>(re, im, t.azimuth, m < 0 ? -m : m, sign);
+    }
+}
+
 template <int Fields>
 [[gnu::always_inline]] inline void rotate_real_fields(const Rotation& t) {
+    const float zenith_sign = t.back ? -1.0F : 1.0F;
     const float* first = t.first;
     const float* second = t.second;
     Lanes* const other_re = t.scratch;
@@ -120,14 +134,17 @@ template <int Fields>
     for (int l = 0; l <= t.order; ++l) {
         Lanes* const re = t.re + Fields * begin;
         Lanes* const im = t.im + Fields * begin;
-        for (int m = 0; m <= l; ++m) {
-            spread<Fields>(t.in, begin + m, t.azimuth, m, 1, re + Fields * m, im + Fields * m);
+        for (int m = 0; m <= l && !t.back; ++m) {
+            multiply_azimuth<Fields>(t, begin + m, m, re + Fields * m, im + Fields * m);
         }
         multiply_real<Fields>(first, l, re, im, other_re, other_im);
         for (int k = 1; k <= l; ++k) {
-            multiply_phase<Fields>(other_re + Fields * k, other_im + Fields * k, t.zenith, k, 1);
+            multiply_phase<Fields>(other_re + Fields * k, other_im + Fields * k, t.zenith, k, zenith_sign);
         }
         multiply_real<Fields>(second, l, other_re, other_im, re, im);
+        for (int m = 0; m <= l && t.back; ++m) {
+            multiply_azimuth<Fields>(t, begin + m, m, re + Fields * m, im + Fields * m);
+        }
         first += (l + 1) * (l + 1);
         second += (l + 1) * (l + 1);
         begin += l + 1;
@@ -178,18 +195,20 @@ template <int Fields>
         const int middle = l * l + l;
         Lanes* const re = t.re + Fields * middle;
         Lanes* const im = t.im + Fields * middle;
-        for (int m = -l; m <= l; ++m) {
-            spread<Fields>(t.in, middle + m, t.azimuth, m < 0 ? -m : m, m < 0 ? -1.0F : 1.0F, re + Fields * m,
-                           im + Fields * m);
+        for (int m = -l; m <= l && !t.back; ++m) {
+            multiply_azimuth<Fields>(t, middle + m, m, re + Fields * m, im + Fields * m);
         }
         multiply_complex<Fields>(first, l, re, t.scratch);
         multiply_complex<Fields>(first, l, im, t.scratch);
         for (int k = -l; k <= l; ++k) {
             multiply_phase<Fields>(re + Fields * k, im + Fields * k, t.zenith, k < 0 ? -k : k,
-                                   k < 0 ? -1.0F : 1.0F);
+                                   (k < 0) != t.back ? -1.0F : 1.0F);
         }
         multiply_complex<Fields>(second, l, re, t.scratch);
         multiply_complex<Fields>(second, l, im, t.scratch);
+        for (int m = -l; m <= l && t.back; ++m) {
+            multiply_azimuth<Fields>(t, middle + m, m, re + Fields * m, im + Fields * m);
+        }
         first += (l + 1) * (l + 1);
         second += (l + 1) * (l + 1);
     }
@@ -258,7 +277,7 @@ LaneRotation::Work LaneRotation::work() const {
         phases->cosine.resize(count);
         phases->sine.resize(count);
     }
-    work.results_.resize(2 * kMostFields * psh_count(order_));
+    work.fields_.resize(2 * kMostFields * psh_count(order_));
     work.scratch_.resize(4 * kMostFields * count);
     return work;
 }
@@ -282,29 +301,36 @@ void LaneRotation::set_normals(std::span<const glm::vec3> normals, Work& work) c
                  work.zenith_.sine.data());
 }
 
-template <class Run>
-void LaneRotation::rotate_by(const Quarters& quarters, std::span<const std::complex<float>* const> in,
-                             Work& work, Run run) const {
-    run({.order = order_,
-         .first = quarters.first.data(),
-         .second = quarters.second.data(),
-         .in = in.data(),
-         .azimuth = {work.azimuth_.cosine.data(), work.azimuth_.sine.data()},
-         .zenith = {work.zenith_.cosine.data(), work.zenith_.sine.data()},
-         .re = work.results_.data(),
-         .im = work.results_.data() + in.size() * work.imaginary(),
-         .scratch = work.scratch_.data()},
-        in.size());
+void LaneRotation::rotate_by(Field kind, const std::complex<float>* const* in, std::size_t fields, bool back,
+                             Work& work) const {
+    const Quarters& quarters = kind == Field::real ? real_ : complex_;
+    const Rotation rotation{.order = order_,
+                            .back = back,
+                            .first = quarters.first.data(),
+                            .second = quarters.second.data(),
+                            .in = in,
+                            .azimuth = {work.azimuth_.cosine.data(), work.azimuth_.sine.data()},
+                            .zenith = {work.zenith_.cosine.data(), work.zenith_.sine.data()},
+                            .re = work.fields_.data(),
+                            .im = work.fields_.data() + fields * work.imaginary(),
+                            .scratch = work.scratch_.data()};
+    if (kind == Field::real) {
+        dispatch<rotate_some_real>(rotation, fields);
+    } else {
+        dispatch<rotate_some_complex>(rotation, fields);
+    }
 }
 
-void LaneRotation::rotate_real(std::span<const std::complex<float>* const> in, Work& work) const {
-    rotate_by(real_, in, work,
-              [](const Rotation& t, std::size_t fields) { dispatch<rotate_some_real>(t, fields); });
+void LaneRotation::rotate(Field kind, std::span<const std::complex<float>* const> in, Work& work) const {
+    rotate_by(kind, in.data(), in.size(), false, work);
 }
 
-void LaneRotation::rotate_complex(std::span<const std::complex<float>* const> in, Work& work) const {
-    rotate_by(complex_, in, work,
-              [](const Rotation& t, std::size_t fields) { dispatch<rotate_some_complex>(t, fields); });
+void LaneRotation::rotate(Field kind, std::size_t fields, Work& work) const {
+    rotate_by(kind, nullptr, fields, false, work);
+}
+
+void LaneRotation::rotate_back(Field kind, std::size_t fields, Work& work) const {
+    rotate_by(kind, nullptr, fields, true, work);
 }
 
 }  // namespace nicol

@@ -10,6 +10,7 @@
 #include "harmonics/light_layout.hpp"
 #include "simd/lanes.hpp"
 #include "transfer/lane_rotation.hpp"
+#include "transfer/light_fields.hpp"
 
 namespace nicol {
 
@@ -36,6 +37,22 @@ public:
         return {data_.data() + offset(block, channel), size_};
     }
 
+    /// The numbers of each channel.
+    [[nodiscard]] std::vector<Lanes*> channels_of(std::size_t block) {
+        std::vector<Lanes*> out;
+        for (int c = 0; c < channels_; ++c) out.push_back(data_.data() + offset(block, c));
+        return out;
+    }
+    /// Leaves the numbers of each vertex of a block one after the other, in the same memory.
+    void to_rows(std::size_t block);
+    /// [channel][number], after to_rows() of its block.
+    [[nodiscard]] const float* row(std::size_t vertex) const {
+        return data_[offset(vertex / kLanes, 0)].value.data() + vertex % kLanes * row_size();
+    }
+    [[nodiscard]] std::size_t row_size() const noexcept {
+        return static_cast<std::size_t>(channels_) * size_;
+    }
+
     [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(Lanes); }
 
 private:
@@ -60,32 +77,16 @@ public:
     /// side.
     void run(std::span<const glm::vec3> normals, std::size_t first, std::size_t last, VertexLight& out) const;
 
-    /// A number of a light as a sum of results of LaneRotation.
-    struct Term {
-        std::size_t first;
-        std::size_t second;
-        float first_factor;
-        float second_factor;  ///< 0: there is no second
-    };
-
 private:
     // Complex fields: s0 and s3 over complex harmonics, m >= 0, s1 + i s2 for all m.
     using Field = std::vector<std::complex<float>>;
-    // The fields of one kind, and how they make the numbers of a light from `begin` on.
-    struct Part {
-        std::vector<Field> channels;
-        std::vector<Term> terms;
-        std::size_t begin;
-        bool spin;
-    };
 
-    void add_part(const LightLayout& layout, const PshVector& light, LightKind kind, std::size_t begin,
-                  std::size_t end);
-    void run_part(const Part& part, LaneRotation::Work& work, std::size_t block, VertexLight& out) const;
+    void run_part(std::size_t part, LaneRotation::Work& work, std::size_t block, VertexLight& out) const;
 
     int order_;
     LaneRotation rotation_;
-    std::vector<Part> parts_;
+    LightFields fields_;
+    std::vector<std::vector<Field>> channels_;  // of each part
 };
 
 }  // namespace nicol

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Lights that differ from place to place, between the world's axes and surfaces' frames.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "harmonics/light_layout.hpp"
+#include "simd/lanes.hpp"
+#include "transfer/lane_rotation.hpp"
+#include "transfer/light_fields.hpp"
+
+namespace nicol {
+
+/// Rotates the numbers of LightLayout of sixteen lights at once: in the world's axes, or in the frame with z
+/// along a normal and x and y along theta-hat and phi-hat there (theta_phi_frame). A normal (0, 0, 1) has the
+/// world's axes as its frame. Immutable; threads share it.
+class FrameRotation {
+public:
+    explicit FrameRotation(const LightLayout& layout);
+
+    /// Rotates each channel's numbers where they are. `normals`: at most kLanes unit vectors, one a lane.
+    void into_frames(std::span<const glm::vec3> normals, std::span<Lanes* const> channels) const;
+    void into_world(std::span<const glm::vec3> normals, std::span<Lanes* const> channels) const;
+
+private:
+    template <class Rotate>
+    void rotate(const LightFields& from, const LightFields& to, std::span<const glm::vec3> normals,
+                std::span<Lanes* const> channels, const Rotate& one_part) const;
+
+    int order_;
+    LaneRotation rotation_;
+    LightFields in_world_;
+    LightFields in_frame_;
+};
+
+}  // namespace nicol
