@@ -105,6 +105,19 @@ nicol_high_orders_at high_orders_at_of(HighOrdersAt where) {
     }
 }
 
+ShadeAt shade_at_from(nicol_shade_at given) {
+    switch (given) {
+        case NICOL_SHADE_AT_AUTOMATIC:
+            return ShadeAt::automatic;
+        case NICOL_SHADE_AT_VERTICES:
+            return ShadeAt::vertices;
+        case NICOL_SHADE_AT_PIXELS:
+            return ShadeAt::pixels;
+        default:
+            refuse("shade_at is " + std::to_string(given) + "; it must be one of NICOL_SHADE_AT_...");
+    }
+}
+
 bool switch_from(std::uint32_t given, const char* name) {
     if (given > 1) refuse(std::string(name) + " is " + std::to_string(given) + "; it must be 0 or 1");
     return given == 1;
@@ -143,6 +156,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.high_orders = high_orders_from(given.high_orders);
     options.high_order_shadows = switch_from(given.high_order_shadows, "high_order_shadows");
     options.high_orders_at = high_orders_at_from(given.high_orders_at);
+    options.shade_at = shade_at_from(given.shade_at);
     options.dering = given.dering;
     options.physical = switch_from(given.physical, "physical");
     options.tolerance = given.tolerance;
@@ -164,6 +178,7 @@ struct RenderCall {
 RenderCall read_render_call(const nicol_camera* camera, const nicol_render_options* options) {
     const auto given = read_options(options, nicol_render_options NICOL_RENDER_OPTIONS_INIT);
     if (given.reserved != 0) refuse("options->reserved must be 0");
+    if (given.reserved_end != 0) refuse("options->reserved_end must be 0");
     return {camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera")), options_from(given)};
 }
 
@@ -325,6 +340,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.matrices_baked = s.matrices_baked;
         out.vertices_relit = s.vertices_relit;
         out.vertices_shaded = s.vertices_shaded;
+        out.pixels_shaded = s.pixels_shaded;
         write_struct(statistics, out, "statistics");
     });
 }

@@ -590,6 +590,16 @@ typedef uint32_t nicol_high_orders_at;
 #define NICOL_HIGH_ORDERS_AT_VERTICES 1  /* and interpolated in between, as all else */
 #define NICOL_HIGH_ORDERS_AT_PIXELS 2    /* smooth highlights on coarse meshes too */
 
+/* Where light becomes the Stokes vector of an image. */
+typedef uint32_t nicol_shade_at;
+#define NICOL_SHADE_AT_AUTOMATIC 0 /* vertices */
+/* Stokes vectors are interpolated across triangles: fast, and right where triangles cover few pixels. */
+#define NICOL_SHADE_AT_VERTICES 1
+/* The light that arrives is interpolated, in the world's axes; normal, view angle, response and high orders
+ * are those of the pixel. For coarse meshes. On threads: compute shaders do not have it, and an automatic
+ * executor becomes the CPU. */
+#define NICOL_SHADE_AT_PIXELS 2
+
 /* What runs relight and shade. The images agree to 1e-5 of their largest value. */
 typedef uint32_t nicol_executor;
 #define NICOL_EXECUTOR_AUTOMATIC 0 /* compute, unless OpenGL runs on the CPU or lacks features */
@@ -635,7 +645,7 @@ typedef struct nicol_render_options {
                                  time and memory to bake and leave less noise in the shadows */
     uint32_t physical;        /* 1: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0 and no
                                  more polarized than s0, which truncated light may violate: at vertices, or at pixels
-                                 if high orders are looked up there; 0: no */
+                                 if these are shaded or high orders are looked up there; 0: no */
     double dering;            /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
                                  1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
     nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
@@ -658,10 +668,12 @@ typedef struct nicol_render_options {
     uint32_t high_order_shadows; /* whether high orders are multiplied by the visible fraction of their lobe:
                                     1, the default, or 0: unshadowed highlights */
     uint32_t aovs;               /* sum of NICOL_AOV_... to make. 0: none */
+    nicol_shade_at shade_at;     /* default automatic. With pixels high_orders_at has no effect */
+    uint32_t reserved_end;       /* 0 */
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
-    { sizeof(nicol_render_options), 0, 4, 9, 0, 1, 2048, 0, 0, 0, 0, 256, 0, 0, 0, 0, 0, 0, 0, 1, 0 }
+    { sizeof(nicol_render_options), 0, 4, 9, 0, 1, 2048, 0, 0, 0, 0, 256, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0 }
 /* clang-format on */
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
@@ -778,12 +790,13 @@ typedef struct nicol_statistics {
     uint64_t matrices_baked;        /* dense: of vertices */
     uint64_t vertices_relit;        /* into whose frames light was brought */
     uint64_t vertices_shaded;       /* whose Stokes vectors were computed */
+    uint64_t pixels_shaded;         /* likewise */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                                  \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                               \
     }
 
 /* All zeros before the first render. */

@@ -38,14 +38,19 @@ void compare(Report& report, const FrameTimes& dense, const FrameTimes& factored
         times("dense / factored, " + what + ", bytes of vertices", dense.transfer_mb / factored.transfer_mb));
 }
 
+bool at_pixels(const Recipe& recipe) {
+    return recipe.at == NICOL_HIGH_ORDERS_AT_PIXELS || recipe.shade_at == NICOL_SHADE_AT_PIXELS;
+}
+
 // Of a recipe at pixels with the same at vertices.
 void compare_pixels(Report& report, const std::vector<Recipe>& list, const std::vector<FrameTimes>& medians) {
     for (std::size_t p = 0; p < list.size(); ++p) {
-        if (list[p].at != NICOL_HIGH_ORDERS_AT_PIXELS) continue;
+        if (!at_pixels(list[p])) continue;
         for (std::size_t v = 0; v < list.size(); ++v) {
-            if (list[v].at == list[p].at || list[v].method != list[p].method || list[v].high != list[p].high)
+            if (at_pixels(list[v]) || list[v].method != list[p].method || list[v].high != list[p].high ||
+                list[v].low != list[p].low)
                 continue;
-            report.note(times("pixels / vertices, " + list[v].name() + ", frame, camera only",
+            report.note(times(list[p].name() + " / at vertices, frame, camera only",
                               medians[p + 1].camera / medians[v + 1].camera));
         }
     }
@@ -64,6 +69,8 @@ std::vector<Recipe> recipes(const Options& options, const DenseMemory& memory) {
     for (const High high : {High::convolution, High::split})
         list.push_back({.low = low, .high = high, .top = top, .at = NICOL_HIGH_ORDERS_AT_PIXELS});
     list.push_back({.low = top});
+    for (const High high : {High::none, High::split})
+        list.push_back({.low = low, .high = high, .top = top, .shade_at = NICOL_SHADE_AT_PIXELS});
     return list;
 }
 

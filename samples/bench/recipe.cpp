@@ -7,8 +7,9 @@ std::string Recipe::name() const {
     if (high != High::none) {
         text += high == High::convolution ? " + convolution to " : " + split to ";
         text += std::to_string(top);
-        if (at == NICOL_HIGH_ORDERS_AT_PIXELS) text += ", at pixels";
+        if (at == NICOL_HIGH_ORDERS_AT_PIXELS) text += ", high orders at pixels";
     }
+    if (shade_at == NICOL_SHADE_AT_PIXELS) text += ", at pixels";
     return shadows ? text : text + ", no shadows";
 }
 
@@ -22,6 +23,7 @@ nicol_render_options Recipe::options() const {
                                                      : NICOL_HIGH_ORDERS_SPLIT;
     wanted.tolerance = tolerance;
     wanted.high_orders_at = at;
+    wanted.shade_at = shade_at;
     wanted.shadows = shadows ? 1 : 0;
     wanted.bake_directions = directions;
     return wanted;

@@ -162,6 +162,7 @@ typedef struct nicol_scene_file {
 typedef uint32_t nicol_method;
 typedef uint32_t nicol_high_orders;
 typedef uint32_t nicol_high_orders_at;
+typedef uint32_t nicol_shade_at;
 typedef uint32_t nicol_executor;
 typedef uint32_t nicol_components;
 typedef struct nicol_render_options {
@@ -186,6 +187,8 @@ typedef struct nicol_render_options {
     uint32_t disabled_optimisations;
     uint32_t high_order_shadows;
     uint32_t aovs;
+    nicol_shade_at shade_at;
+    uint32_t reserved_end;
 } nicol_render_options;
 typedef struct nicol_job_impl* nicol_job;
 typedef uint32_t nicol_job_state;
@@ -235,6 +238,7 @@ typedef struct nicol_statistics {
     uint64_t matrices_baked;
     uint64_t vertices_relit;
     uint64_t vertices_shaded;
+    uint64_t pixels_shaded;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;
@@ -509,6 +513,9 @@ return {
         HIGH_ORDERS_AT_AUTOMATIC = 0,
         HIGH_ORDERS_AT_VERTICES = 1,
         HIGH_ORDERS_AT_PIXELS = 2,
+        SHADE_AT_AUTOMATIC = 0,
+        SHADE_AT_VERTICES = 1,
+        SHADE_AT_PIXELS = 2,
         EXECUTOR_AUTOMATIC = 0,
         EXECUTOR_CPU = 1,
         EXECUTOR_COMPUTE = 2,

@@ -63,6 +63,7 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.order_high = options.order_high.value_or(wanted.order_high);
     wanted.high_orders = options.high_orders;
     wanted.high_orders_at = options.high_orders_at;
+    wanted.shade_at = options.shade_at;
     wanted.tolerance = options.tolerance;
     wanted.components = options.components;
     wanted.aovs = options.aovs;

@@ -27,6 +27,8 @@ const char* const usage =
     "                           default split\n"
     "      --high-orders-at NAME  where they are looked up: vertices, pixels or automatic, which is pixels\n"
     "                           where OpenGL does not run on the CPU; default automatic\n"
+    "      --shade-at NAME      where light becomes a Stokes vector: vertices (automatic, the default) or\n"
+    "                           pixels, for coarse meshes\n"
     "      --tolerance E        chooses the orders: those left out may change s0, s1 and s2 by E, as the\n"
     "                           predicted relative RMSE; without it orders are as given\n"
     "      --components NAME    what the image holds: s0, linear (s0, s1, s2) or all; default all\n"
@@ -143,6 +145,13 @@ nicol_high_orders_at parse_high_orders_at(std::string_view text) {
     throw Failure("--high-orders-at: '" + std::string(text) + "' is none of: automatic, vertices, pixels");
 }
 
+nicol_shade_at parse_shade_at(std::string_view text) {
+    if (text == "automatic") return NICOL_SHADE_AT_AUTOMATIC;
+    if (text == "vertices") return NICOL_SHADE_AT_VERTICES;
+    if (text == "pixels") return NICOL_SHADE_AT_PIXELS;
+    throw Failure("--shade-at: '" + std::string(text) + "' is none of: automatic, vertices, pixels");
+}
+
 nicol_components parse_components(std::string_view text) {
     if (text == "all") return NICOL_COMPONENTS_ALL;
     if (text == "s0") return NICOL_COMPONENTS_S0;
@@ -211,6 +220,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.high_orders = parse_high_orders(value());
         else if (name == "--high-orders-at")
             options.high_orders_at = parse_high_orders_at(value());
+        else if (name == "--shade-at")
+            options.shade_at = parse_shade_at(value());
         else if (name == "--tolerance")
             options.tolerance = parse_strength(name, value());
         else if (name == "--components")

@@ -27,6 +27,7 @@ struct Options {
     std::optional<std::uint32_t> order_low, order_high;
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
     nicol_high_orders_at high_orders_at = NICOL_HIGH_ORDERS_AT_AUTOMATIC;
+    nicol_shade_at shade_at = NICOL_SHADE_AT_AUTOMATIC;
     double tolerance = 0;
     nicol_components components = NICOL_COMPONENTS_ALL;
     bool shadows = true;

@@ -73,6 +73,7 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
          << "  \"predicted_error\": " << s.predicted_error << ",\n"
          << "  \"vertices\": " << s.vertices << ",\n"
          << "  \"triangles\": " << s.triangles << ",\n"
+         << "  \"pixels_shaded\": " << s.pixels_shaded << ",\n"
          << "  \"milliseconds\": {\n"
          << "    \"project\": " << milliseconds(s.project_ms) << ",\n"
          << "    \"bake\": " << milliseconds(s.bake_ms) << ",\n"

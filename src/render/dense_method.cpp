@@ -108,7 +108,7 @@ void DenseMethod::build(const TransferInput& input, const VertexRange& range, bo
 }
 
 void DenseMethod::relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) {
-    if (!relighting_.update(input, executor.version(), input.light_version)) return;
+    if (!relighting_.update(input, executor.version(), input.light_version, input.at_pixels)) return;
     const Stopwatch watch;
     run.statistics.vertices_relit += executor.relight(*this, input, relighting_.current(), run);
     relighting_.complete();
@@ -117,6 +117,10 @@ void DenseMethod::relight(const TransferInput& input, RenderExecutor& executor, 
 
 void DenseMethod::shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const {
     executor.shade(*this, input, run);
+}
+
+void DenseMethod::shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const {
+    executor.shade_pixels(*this, input, run);
 }
 
 void DenseMethod::count(const TransferInput& input, Statistics& statistics) const {

@@ -26,6 +26,7 @@ public:
     void bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) override;
     void relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) override;
     void shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const override;
+    void shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const override;
     void count(const TransferInput& input, Statistics& statistics) const override;
 
     /// One for each of the geometry's ranges.
@@ -50,8 +51,8 @@ private:
     // Order, kind.
     VertexStage<int, LightKind> baking_{{.on_materials = true}};
     Versioned<std::vector<Run>> runs_;
-    // Executor, light.
-    VertexStage<Version, Version> relighting_{{.on_materials = true}};
+    // Executor, light, for pixels.
+    VertexStage<Version, Version, bool> relighting_{{.on_materials = true}};
 };
 
 }  // namespace nicol

@@ -17,13 +17,24 @@ namespace nicol {
 class DenseMethod;
 class FactoredMethod;
 class HighOrderTransfer;
+class HitImage;
+class PixelImage;
 class VertexBuffers;
+struct Projection;
 
 /// What shade and specular start from.
 struct ShadeInput : TransferInput {
     const Viewpoint& view;                 ///< in the geometry's axes
     std::span<const std::uint8_t> chosen;  ///< 1 for each vertex to be shaded
     glm::dmat3 light_to_geometry;          ///< rotates the distant light's axes into the geometry's
+};
+
+/// What shading at pixels starts from; chosen are vertices of triangles in view.
+struct PixelInput : ShadeInput {
+    const Projection& projection;  ///< of the geometry's axes
+    const HitImage& hits;
+    const HighOrderTransfer* high_orders;  ///< null: none
+    bool physical;                         ///< Stokes vectors are moved into the physical range
 };
 
 /// Computes light and Stokes vectors of vertices and keeps them. Its callers decide what is computed and
@@ -38,10 +49,10 @@ public:
     [[nodiscard]] virtual bool can_choose() const noexcept = 0;
 
     /// relight: the light of at least the vertices with current[v] == 0, in their own frames, times their
-    /// visibility. Returns the number of those vertices.
+    /// visibility; for pixels in the geometry's axes. Returns the number of those vertices.
     virtual std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                                   std::span<const std::uint8_t> current, RenderRun& run) = 0;
-    /// The same after reflection, in the world's axes.
+    /// The same after reflection.
     virtual std::uint64_t relight(const DenseMethod& method, const TransferInput& input,
                                   std::span<const std::uint8_t> current, RenderRun& run) = 0;
 
@@ -54,6 +65,11 @@ public:
     virtual void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
                           RenderRun& run) = 0;
 
+    /// Stokes vectors of the pixels that show a surface, high orders included, from what relight() leaves for
+    /// pixels and specular() of the fractions.
+    virtual void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) = 0;
+    virtual void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) = 0;
+
     /// Moves Stokes vectors into the physical range. Returns how many it moved.
     virtual std::uint64_t make_physical(const ShadeInput& input) = 0;
 
@@ -62,6 +78,8 @@ public:
     /// Puts Stokes vectors and, where pixels look high orders up, fractions into the buffers that are drawn.
     /// Inside run() of the context.
     virtual void store(VertexBuffers& buffers, bool fractions) const = 0;
+    /// Puts the Stokes vectors of pixels into an image of all channels. Inside run() of the context.
+    virtual void store(PixelImage& image) const = 0;
     /// Adds the memory it keeps outside the context to the statistics.
     virtual void count(Statistics& statistics) const = 0;
 

@@ -61,7 +61,8 @@ void FactoredMethod::bake(const TransferInput& input, VisibilityRequest* request
 }
 
 void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) {
-    if (!relighting_.update(input, executor.version(), input.light_version)) return;
+    if (input.at_pixels && !*shadows_) return;  // the same light everywhere
+    if (!relighting_.update(input, executor.version(), input.light_version, input.at_pixels)) return;
     const Stopwatch watch;
     run.statistics.vertices_relit += executor.relight(*this, input, relighting_.current(), run);
     relighting_.complete();
@@ -70,6 +71,10 @@ void FactoredMethod::relight(const TransferInput& input, RenderExecutor& executo
 
 void FactoredMethod::shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const {
     executor.shade(*this, input, run);
+}
+
+void FactoredMethod::shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const {
+    executor.shade_pixels(*this, input, run);
 }
 
 void FactoredMethod::count(const TransferInput& input, Statistics& statistics) const {

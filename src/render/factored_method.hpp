@@ -22,6 +22,7 @@ public:
     void bake(const TransferInput& input, VisibilityRequest* request, RenderRun& run) override;
     void relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) override;
     void shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const override;
+    void shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const override;
     void count(const TransferInput& input, Statistics& statistics) const override;
 
     using Tables = std::map<MaterialPtr, ResponseTable>;
@@ -41,8 +42,8 @@ private:
     // Order, kind.
     VertexStage<int, LightKind> baking_{{}};
     Versioned<std::optional<VisibilityProduct>> shadows_;
-    // Executor, light.
-    VertexStage<Version, Version> relighting_{{}};
+    // Executor, light, for pixels.
+    VertexStage<Version, Version, bool> relighting_{{}};
 };
 
 }  // namespace nicol

@@ -60,8 +60,8 @@ std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& ge
 Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)), aovs_(context_) {}
 
 void Painter::draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuffers& buffers,
-                   const HighOrdersOfPixels& high_orders, const Wanted& wanted, const Projection& projection,
-                   Framebuffer& target) {
+                   const HighOrdersOfPixels& high_orders, const ShadedPixels* pixels, const Wanted& wanted,
+                   const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();
     const bool by_material = high_orders.textures != nullptr;
     binding_.run(buffers.version(), by_material ? surfaces.material_version() : 0, channels, by_material,
@@ -71,10 +71,14 @@ void Painter::draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuff
                    [&] { upload_environment(scene.environment().get(), channels); });
     aovs_.prepare(surfaces.geometry(), buffers, wanted.aovs, target);
 
-    const Projection of_surfaces = in_axes(projection, surfaces.to_world());
-    const glm::mat3 to_light(glm::transpose(scene.light_rotation()) * glm::dmat3(surfaces.to_world()));
-    for (std::size_t g = 0; g < groups_.size(); ++g)
-        draw_surface(scene, high_orders, wanted.components, of_surfaces, to_light, g, target);
+    if (pixels != nullptr) {
+        draw_pixels(*pixels, wanted.components, scene.environment() != nullptr, target);
+    } else {
+        const Projection of_surfaces = in_axes(projection, surfaces.to_world());
+        const glm::mat3 to_light(glm::transpose(scene.light_rotation()) * glm::dmat3(surfaces.to_world()));
+        for (std::size_t g = 0; g < groups_.size(); ++g)
+            draw_surface(scene, high_orders, wanted.components, of_surfaces, to_light, g, target);
+    }
     if (scene.environment()) draw_background(scene, wanted.components, projection, target);
     aovs_.draw(projection, surfaces.to_world(), target);
     gl::finish(*context_);
@@ -110,6 +114,24 @@ void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_or
         // Materials without a back are drawn black from behind, the others have triangles for each side.
         gl::draw(image, surface, *groups_[group].vertices, batch.first, batch.last - batch.first,
                  {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none, .components = components});
+    }
+}
+
+void Painter::draw_pixels(const ShadedPixels& pixels, int components, bool background, Framebuffer& target) {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        const int channels = group_size(target.channels(), g);
+        gl::RenderTarget& image = target.groups()[g];
+        if (background && components == 4) {
+            image.clear_depth();
+        } else {
+            image.clear();
+        }
+        gl::Program& shown = program("fullscreen.vert", "pixels.frag", channels, {});
+        pixels.hits.texture().bind(0);
+        for (int c = 0; c < channels; ++c)
+            pixels.stokes.channel(static_cast<int>(g) * Framebuffer::kGroup + c)
+                .bind(static_cast<unsigned>(1 + c));
+        gl::draw_fullscreen(image, shown, {.depth_test = gl::DepthTest::less, .components = components});
     }
 }
 

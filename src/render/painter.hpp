@@ -13,6 +13,7 @@
 #include "render/aov_painter.hpp"
 #include "render/framebuffer.hpp"
 #include "render/high_order_textures.hpp"
+#include "render/hit_image.hpp"
 #include "render/scene_geometry.hpp"
 #include "render/vertex_buffers.hpp"
 #include "scene/projection.hpp"
@@ -32,16 +33,22 @@ public:
         bool physical = false;                        ///< sums are moved into the physical range
     };
 
+    struct ShadedPixels {
+        const HitImage& hits;
+        PixelImage& stokes;
+    };
+
     struct Wanted {
         int components = 4;      ///< Stokes components that are drawn; the others are 0
         std::uint32_t aovs = 0;  ///< bits of AovBit
     };
 
-    /// `buffers` are of `surfaces`; `projection` is of the world. All memory is allocated before the
+    /// `buffers` are of `surfaces`; `projection` is of the world. `pixels`, where not null, have been shaded
+    /// and are drawn instead of vertices. All memory is allocated before the
     /// framebuffer is touched.
     void draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuffers& buffers,
-              const HighOrdersOfPixels& high_orders, const Wanted& wanted, const Projection& projection,
-              Framebuffer& target);
+              const HighOrdersOfPixels& high_orders, const ShadedPixels* pixels, const Wanted& wanted,
+              const Projection& projection, Framebuffer& target);
 
 private:
     // Channels that are drawn at once.
@@ -68,6 +75,7 @@ private:
     void draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
                       const Projection& projection, const glm::mat3& to_light, std::size_t group,
                       Framebuffer& target);
+    void draw_pixels(const ShadedPixels& pixels, int components, bool background, Framebuffer& target);
     void upload_environment(const Environment* environment, int channels);
     void draw_background(const Scene& scene, int components, const Projection& projection,
                          Framebuffer& target);

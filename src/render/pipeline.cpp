@@ -15,8 +15,9 @@ void Pipeline::set_cache(const std::filesystem::path& folder, const CacheNotice&
 }
 
 void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderOptions& given,
-                   RenderExecutor& executor, RenderRun& run) {
+                   RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits) {
     TransferMethod& method = method_for(given.method);
+    const bool pixels = given.shade_at == ShadeAt::pixels;
 
     // bake, first half: the orders below may depend on it.
     surfaces_.update(scene);
@@ -36,6 +37,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
         *light_.rotated(),
         light_.rotated().version(),
         scene.channels(),
+        pixels,
         (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
         static_cast<std::size_t>(options.components)};
     const DistantLight distant{.coefficients = *light_.distant(),
@@ -44,7 +46,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
                                .high = light_.last_order(),
                                .polarized = input.layout.kind() != LightKind::unpolarized};
     const bool high_orders = distant.high > distant.low;
-    at_pixels_ = high_orders && options.high_orders_at == HighOrdersAt::pixels;
+    at_pixels_ = high_orders && !pixels && options.high_orders_at == HighOrdersAt::pixels;
     method.project(input, run);
     if (high_orders) high_orders_.project(input, distant, options.high_orders, run);
 
@@ -62,7 +64,12 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
     method.relight(input, executor, run);
 
-    shade({input, projection.view, {}, light_to_geometry}, projection, options, distant, executor, run);
+    const ShadeInput shaded{input, projection.view, {}, light_to_geometry};
+    if (pixels) {
+        shade_pixels(shaded, projection, options, high_orders, executor, run, draw_hits);
+    } else {
+        shade(shaded, projection, options, distant, executor, run);
+    }
 
     method.count(input, run.statistics);
     executor.count(run.statistics);
@@ -115,6 +122,27 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     run.statistics.shade_ms += watch.milliseconds();
 }
 
+void Pipeline::shade_pixels(ShadeInput input, const Projection& projection, const RenderOptions& options,
+                            bool high_orders, RenderExecutor& executor, RenderRun& run,
+                            const DrawHits& draw_hits) {
+    const Stopwatch drawing;
+    const HitImage& hits = draw_hits();
+    run.statistics.draw_ms += drawing.milliseconds();
+
+    const Stopwatch watch;
+    shading_.reset();  // what vertices have is of another render then
+    if (high_orders) {
+        chosen_.assign(input.geometry.positions.size(), 1);
+        input.chosen = chosen_;
+        executor.specular(high_orders_, input, true, run);
+    }
+    method_for(options.method)
+        .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical},
+                      executor, run);
+    executor.finish();
+    run.statistics.shade_ms += watch.milliseconds();
+}
+
 void Pipeline::choose_vertices(const WorldGeometry& geometry, const Projection& projection,
                                const RenderOptions& options, RenderRun& run) {
     if ((options.disabled_optimisations & skip_hidden) != 0) {
@@ -131,7 +159,8 @@ void Pipeline::count(const TransferInput& input, const DistantLight& distant, St
     statistics.order_low = distant.low;
     statistics.order = distant.high;
     if (distant.high > distant.low) {
-        statistics.high_orders_at = at_pixels_ ? HighOrdersAt::pixels : HighOrdersAt::vertices;
+        statistics.high_orders_at =
+            at_pixels_ || input.at_pixels ? HighOrdersAt::pixels : HighOrdersAt::vertices;
         high_orders_.count(statistics);
     }
     statistics.vertices = input.geometry.positions.size();

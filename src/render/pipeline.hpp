@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "render/dense_method.hpp"
 #include "render/executor.hpp"
 #include "render/factored_method.hpp"
 #include "render/high_orders.hpp"
+#include "render/hit_image.hpp"
 #include "render/light_projection.hpp"
 #include "render/order_selector.hpp"
 #include "render/scene_geometry.hpp"
@@ -27,11 +29,15 @@ public:
     /// Where to keep what takes long to compute; an empty folder: nowhere.
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
 
-    /// Shades every vertex that can be seen; `executor` keeps the results. High orders are at vertices where
-    /// `options` leaves that open. Adds times and counts to the statistics. `projection`: of the world. After
-    /// an exception the next call computes what was not completed.
+    /// Which triangles of surfaces() are at the pixels of an image.
+    using DrawHits = std::function<const HitImage&()>;
+
+    /// Shades every vertex that can be seen, or with ShadeAt::pixels every pixel that shows a surface;
+    /// `executor` keeps the results. High orders are at vertices where `options` leaves that open. Adds times
+    /// and counts to the statistics. `projection`: of the world. After an exception the next call computes
+    /// what was not completed.
     void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
-             RenderExecutor& executor, RenderRun& run);
+             RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits);
 
     /// What is drawn, in axes of its own.
     [[nodiscard]] const SceneGeometry& surfaces() const noexcept { return surfaces_; }
@@ -46,6 +52,8 @@ private:
     RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run);
     void shade(ShadeInput input, const Projection& projection, const RenderOptions& options,
                const DistantLight& distant, RenderExecutor& executor, RenderRun& run);
+    void shade_pixels(ShadeInput input, const Projection& projection, const RenderOptions& options,
+                      bool high_orders, RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits);
     /// Sets chosen_ to 1 for each vertex that can be seen and whose Stokes vector is not current.
     void choose_vertices(const WorldGeometry& geometry, const Projection& projection,
                          const RenderOptions& options, RenderRun& run);

@@ -33,6 +33,13 @@ enum class HighOrdersAt {
     pixels,     ///< with the normal and the visible fraction of the lobe interpolated
 };
 
+/// Where light becomes a Stokes vector.
+enum class ShadeAt {
+    automatic,  ///< vertices
+    vertices,   ///< Stokes vectors are interpolated: the fastest, right where triangles cover few pixels
+    pixels,     ///< incident light is interpolated; normal, view and material are those of the pixel
+};
+
 /// Where relight and shade run; the results agree.
 enum class Executor {
     automatic,  ///< compute, unless the processor rasterises or the driver cannot
@@ -62,7 +69,8 @@ struct RenderOptions {
     int order_high = 9;          ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;
-    bool high_order_shadows = true;  ///< with shadows: times the visible fraction of the lobe
+    ShadeAt shade_at = ShadeAt::automatic;  ///< pixels: high orders too, whatever high_orders_at says
+    bool high_order_shadows = true;         ///< with shadows: times the visible fraction of the lobe
     /// Above 0: the largest relative RMSE of s0, s1 and s2 (over the RMS of s0) that the orders left out may
     /// be predicted to cause; order_low and order_high are then chosen for it. Only with Method::factored and
     /// HighOrders::split or none. 0: order_low and order_high as given.
@@ -92,8 +100,9 @@ struct RenderOptions {
     bool operator==(const RenderOptions& o) const {
         const auto values = [](const RenderOptions& a) {
             return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.order_low, a.order_high,
-                            a.high_orders, a.high_orders_at, a.high_order_shadows, a.tolerance, a.dering,
-                            a.physical, a.components, a.aovs, a.samples, a.seed, a.disabled_optimisations);
+                            a.high_orders, a.high_orders_at, a.shade_at, a.high_order_shadows, a.tolerance,
+                            a.dering, a.physical, a.components, a.aovs, a.samples, a.seed,
+                            a.disabled_optimisations);
         };
         return values(*this) == values(o);
     }
@@ -139,12 +148,13 @@ struct Statistics {
     std::uint64_t matrices_baked = 0;   ///< dense: of vertices
     std::uint64_t vertices_relit = 0;   ///< into whose frames light was brought
     std::uint64_t vertices_shaded = 0;  ///< whose Stokes vectors were computed
+    std::uint64_t pixels_shaded = 0;    ///< likewise
 
     /// Sets times and counts of what was made to 0, for a render that could keep all.
     void nothing_ran() {
         project_ms = bake_ms = bake_trace_ms = relight_ms = shade_ms = draw_ms = observe_ms = trace_ms = 0;
         bake_rays = lights_projected = materials_projected = vertices_traced = 0;
-        matrices_baked = vertices_relit = vertices_shaded = camera_rays = shadow_rays = 0;
+        matrices_baked = vertices_relit = vertices_shaded = pixels_shaded = camera_rays = shadow_rays = 0;
     }
 };
 

@@ -56,10 +56,14 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       workers_(threads),
       buffers_(context),
       textures_(context),
+      hits_(context),
+      pixels_(context),
       painter_(std::move(context)) {}
 
-bool Renderer::on_device(Executor executor) const {
+bool Renderer::on_device(const RenderOptions& options) const {
+    const Executor executor = options.executor;
     if (executor == Executor::cpu) return false;
+    if (executor == Executor::automatic && options.shade_at == ShadeAt::pixels) return false;
     const std::string obstacle = GpuExecutor::obstacle(*context_);
     if (executor == Executor::automatic) return !context_->info().software && obstacle.empty();
     if (!obstacle.empty()) {
@@ -68,8 +72,8 @@ bool Renderer::on_device(Executor executor) const {
     return true;
 }
 
-RenderExecutor& Renderer::executor_for(Executor executor) {
-    if (on_device(executor)) {
+RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
+    if (on_device(options)) {
         cpu_.reset();
         if (!gpu_) gpu_.emplace(context_, buffers_, textures_);
         return *gpu_;
@@ -132,7 +136,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
-    RenderExecutor& executor = executor_for(options.executor);
+    RenderExecutor& executor = executor_for(options);
     statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
     if (chosen.high_orders_at == HighOrdersAt::automatic) {
@@ -140,7 +144,16 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
         chosen.high_orders_at = context_->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
     }
     RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};
-    pipeline_.run(scene, projection, chosen, executor, run);
+    const auto draw_hits = [&]() -> const HitImage& {
+        context_->run([&] {
+            const SceneGeometry& surfaces = pipeline_.surfaces();
+            buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
+            hits_.draw(surfaces.geometry(), buffers_, projection.world_to_clip * surfaces.to_world(),
+                       target.width(), target.height());
+        });
+        return hits_;
+    };
+    pipeline_.run(scene, projection, chosen, executor, run, draw_hits);
     progress.report("draw", 0);
 
     const Stopwatch watch;
@@ -148,15 +161,23 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
         const SceneGeometry& surfaces = pipeline_.surfaces();
         buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
         const HighOrderTransfer* const high_orders = pipeline_.pixel_high_orders();
-        executor.store(buffers_, high_orders != nullptr);
+        std::optional<Painter::ShadedPixels> pixels;
+        if (options.shade_at == ShadeAt::pixels) {
+            pixels_.resize(target.width(), target.height(), target.channels());
+            executor.store(pixels_);
+            pixels.emplace(hits_, pixels_);
+        } else {
+            executor.store(buffers_, high_orders != nullptr);
+        }
         if (high_orders != nullptr) textures_.update(*high_orders, target.channels());
         painter_.draw(scene, surfaces, buffers_,
                       {.textures = high_orders != nullptr ? &textures_ : nullptr,
                        .shadowed = high_orders != nullptr && !high_orders->visibility()->empty(),
                        .physical = options.physical},
-                      {.components = options.components, .aovs = options.aovs}, projection, target);
+                      pixels ? &*pixels : nullptr, {.components = options.components, .aovs = options.aovs},
+                      projection, target);
     });
-    statistics.draw_ms = watch.milliseconds();
+    statistics.draw_ms += watch.milliseconds();
 
     const gl::MemoryUse memory = context_->memory();
     statistics.buffer_bytes = memory.of(gl::MemoryKind::vertex) + memory.of(gl::MemoryKind::index) +

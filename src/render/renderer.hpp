@@ -42,8 +42,8 @@ private:
                          Framebuffer& target);
     void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
     // Whether compute shaders are the executor.
-    [[nodiscard]] bool on_device(Executor executor) const;
-    [[nodiscard]] RenderExecutor& executor_for(Executor executor);
+    [[nodiscard]] bool on_device(const RenderOptions& options) const;
+    [[nodiscard]] RenderExecutor& executor_for(const RenderOptions& options);
 
     std::shared_ptr<gl::Context> context_;
     int threads_;
@@ -53,6 +53,8 @@ private:
     Pipeline pipeline_;
     VertexBuffers buffers_;
     HighOrderTextures textures_;
+    HitImage hits_;
+    PixelImage pixels_;
     std::optional<CpuExecutor> cpu_;  // one or the other
     std::optional<GpuExecutor> gpu_;
     Painter painter_;

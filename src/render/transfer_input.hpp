@@ -19,6 +19,9 @@ struct TransferInput : SurfaceState {
     const PshVector& light;  ///< in the geometry's axes, scaled; one channel where all are equal
     Version light_version;   ///< another for each layout, too
     int channels;            ///< of the image
+    /// Pixels are shaded, not vertices: relight leaves light in the geometry's axes, which can be
+    /// interpolated.
+    bool at_pixels = false;
     /// Of reflected light: the first so many components are shaded even where they are zero ...
     std::size_t least_components = 1;
     /// ... and so many where they are not.

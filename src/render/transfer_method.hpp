@@ -34,6 +34,8 @@ public:
     virtual void relight(const TransferInput& input, RenderExecutor& executor, RenderRun& run) = 0;
     /// shade: the Stokes vectors of the vertices with chosen[v] != 0, by the executor that has relit them.
     virtual void shade(const ShadeInput& input, RenderExecutor& executor, RenderRun& run) const = 0;
+    /// Likewise of pixels.
+    virtual void shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const = 0;
 
     /// Adds what it keeps to the statistics.
     virtual void count(const TransferInput& input, Statistics& statistics) const = 0;

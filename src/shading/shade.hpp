@@ -30,6 +30,8 @@ public:
              std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
              std::span<const std::span<glm::vec4>> out) const;
 
+    [[nodiscard]] const LightLayout& layout() const noexcept { return layout_; }
+
 private:
     std::size_t least_;
     std::size_t most_;

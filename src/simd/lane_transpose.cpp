@@ -61,6 +61,26 @@ template <int Step, int... K>
     }
 }
 
+// rows and weights: those of the first summand, of the second and of the third, kLanes each.
+[[gnu::always_inline]] inline void gather_weighted(const float* const* rows, const float* weights,
+                                                   std::size_t count, Lanes* lanes) {
+    for (std::size_t at = 0; at < count; at += kLanes) {
+        const std::size_t j = std::min(at, count - kLanes);
+        LaneVector square[kLanes];
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            LaneVector sum = {};
+            for (std::size_t k = 0; k < 3 * kLanes; k += kLanes) {
+                LaneVector row;
+                std::memcpy(&row, rows[k + i] + j, sizeof row);
+                sum += weights[k + i] * row;
+            }
+            square[i] = sum;
+        }
+        transpose(square);
+        for (std::size_t i = 0; i < kLanes; ++i) store(lanes + j + i, square[i]);
+    }
+}
+
 using FourFloats [[gnu::vector_size(16), gnu::may_alias, gnu::aligned(4)]] = float;
 
 template <bool Add>
@@ -134,6 +154,20 @@ void to_lanes_between(const std::array<const float*, kLanes>& rows, std::size_t 
     for (std::size_t i = 0; i < kLanes; ++i) {
         for (std::size_t j = 0; j < count; ++j)
             lanes[j][i] = rows[i][j] + fraction[i] * (rows[i][step + j] - rows[i][j]);
+    }
+}
+
+void to_lanes_weighted(const std::array<std::array<const float*, kLanes>, 3>& rows,
+                       const std::array<Lanes, 3>& weights, std::size_t count, Lanes* lanes) {
+    if (count >= kLanes) {
+        dispatch<gather_weighted>(rows.front().data(), weights.front().value.data(), count, lanes);
+        return;
+    }
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        for (std::size_t j = 0; j < count; ++j) {
+            lanes[j][i] =
+                weights[0][i] * rows[0][i][j] + weights[1][i] * rows[1][i][j] + weights[2][i] * rows[2][i][j];
+        }
     }
 }
 

@@ -19,6 +19,10 @@ void to_lanes(const std::array<const float*, kLanes>& rows, std::size_t count, L
 void to_lanes_between(const std::array<const float*, kLanes>& rows, std::size_t step, const Lanes& fraction,
                       std::size_t count, Lanes* lanes);
 
+/// Sums of three rows: lanes[j][i] = sum over k of weights[k][i] rows[k][i][j] for j < count.
+void to_lanes_weighted(const std::array<std::array<const float*, kLanes>, 3>& rows,
+                       const std::array<Lanes, 3>& weights, std::size_t count, Lanes* lanes);
+
 /// out[i][p] = or += lanes[p][i] for p < 4 and where show[i] != 0, i < count.
 void put_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out);
 void add_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out);

@@ -278,6 +278,8 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"tolerance", [](auto& o) { o.tolerance = 0.1, o.high_orders = NICOL_HIGH_ORDERS_CONVOLUTION; }},
          {"high_orders", [](auto& o) { o.high_orders = 3; }},
          {"high_orders_at", [](auto& o) { o.high_orders_at = 3; }},
+         {"shade_at", [](auto& o) { o.shade_at = 3; }},
+         {"reserved_end", [](auto& o) { o.reserved_end = 1; }},
          {"shadows", [](auto& o) { o.shadows = 2; }},
          {"high_order_shadows", [](auto& o) { o.high_order_shadows = 2; }},
          {"bake_directions", [](auto& o) { o.bake_directions = 0; }},

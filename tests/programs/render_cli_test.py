@@ -274,6 +274,16 @@ class Success(RenderTest):
         _, stats = self.image_and_statistics("ring.xml", "--high-orders", "none", "--high-orders-at", "pixels")
         self.assertEqual(stats["high_orders_at"], "none")
 
+    def test_shade_at(self):
+        self.write_ring(100)
+        image, stats = self.image_and_statistics("ring.xml", "--shade-at", "pixels")
+        self.assertGreater(stats["pixels_shaded"], 0)
+        self.assertEqual(stats["executor"], "cpu")
+        vertices, stats = self.image_and_statistics("ring.xml", "--shade-at", "vertices")
+        self.assertEqual(stats["pixels_shaded"], 0)
+        self.assertNotEqual(image, vertices)
+        self.assertEqual(vertices, self.image_and_statistics("ring.xml")[0])
+
     def test_physical(self):
         # The lowest orders of a bright ring are negative between the ring and its poles, and a metal shows it.
         self.write_ring(1000)
@@ -312,6 +322,7 @@ class CommandLine(RenderTest):
             (["--backend", "metal"], "--backend metal"),
             (["--method", "'sparse'"], "--method sparse"),
             (["--executor", "'gpu'", "automatic, cpu, compute"], "--executor gpu"),
+            (["--shade-at", "'edges'", "automatic, vertices, pixels"], "--shade-at edges"),
             (["--high-orders-at", "'edges'", "automatic, vertices, pixels"], "--high-orders-at edges"),
             (["--high-orders", "'some'"], "--high-orders some"),
             (["--no-shadows=1"], "--no-shadows=1"),

@@ -74,7 +74,7 @@ struct Frames {
         RenderRun run{.workers = workers, .progress = progress, .statistics = statistics};
         allocations = 0;
         counting = true;
-        pipeline.run(scene, projection, options, executor, run);
+        pipeline.run(scene, projection, options, executor, run, {});
         counting = false;
         return allocations;
     }

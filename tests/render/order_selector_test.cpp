@@ -91,7 +91,7 @@ private:
                  Statistics& statistics) {
             Progress progress(options.progress);
             RenderRun run{.workers = workers, .progress = progress, .statistics = statistics};
-            pipeline.run(scene, projection, options, executor, run);
+            pipeline.run(scene, projection, options, executor, run, {});
         }
     };
 

@@ -52,6 +52,9 @@ HIGH_ORDERS_NONE = 2
 HIGH_ORDERS_AT_AUTOMATIC = 0
 HIGH_ORDERS_AT_VERTICES = 1
 HIGH_ORDERS_AT_PIXELS = 2
+SHADE_AT_AUTOMATIC = 0
+SHADE_AT_VERTICES = 1
+SHADE_AT_PIXELS = 2
 EXECUTOR_AUTOMATIC = 0
 EXECUTOR_CPU = 1
 EXECUTOR_COMPUTE = 2
@@ -399,6 +402,8 @@ class RenderOptions(Struct):
         ("disabled_optimisations", c_uint32),
         ("high_order_shadows", c_uint32),
         ("aovs", c_uint32),
+        ("shade_at", c_uint32),
+        ("reserved_end", c_uint32),
     ]
     _defaults_ = {
         "order_low": 4,
@@ -461,6 +466,7 @@ class Statistics(Struct):
         ("matrices_baked", c_uint64),
         ("vertices_relit", c_uint64),
         ("vertices_shaded", c_uint64),
+        ("pixels_shaded", c_uint64),
     ]
 
 
@@ -1515,6 +1521,9 @@ __all__ = [
     "PshSampling",
     "PshTransform",
     "RenderOptions",
+    "SHADE_AT_AUTOMATIC",
+    "SHADE_AT_PIXELS",
+    "SHADE_AT_VERTICES",
     "Scene",
     "SceneFile",
     "Sky",

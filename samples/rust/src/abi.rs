@@ -49,6 +49,9 @@ pub const NICOL_HIGH_ORDERS_NONE: u32 = 2;
 pub const NICOL_HIGH_ORDERS_AT_AUTOMATIC: u32 = 0;
 pub const NICOL_HIGH_ORDERS_AT_VERTICES: u32 = 1;
 pub const NICOL_HIGH_ORDERS_AT_PIXELS: u32 = 2;
+pub const NICOL_SHADE_AT_AUTOMATIC: u32 = 0;
+pub const NICOL_SHADE_AT_VERTICES: u32 = 1;
+pub const NICOL_SHADE_AT_PIXELS: u32 = 2;
 pub const NICOL_EXECUTOR_AUTOMATIC: u32 = 0;
 pub const NICOL_EXECUTOR_CPU: u32 = 1;
 pub const NICOL_EXECUTOR_COMPUTE: u32 = 2;
@@ -693,6 +696,7 @@ const _: () = {
 pub type nicol_method = u32;
 pub type nicol_high_orders = u32;
 pub type nicol_high_orders_at = u32;
+pub type nicol_shade_at = u32;
 pub type nicol_executor = u32;
 pub type nicol_components = u32;
 
@@ -720,6 +724,8 @@ pub struct nicol_render_options {
     pub disabled_optimisations: u32,
     pub high_order_shadows: u32,
     pub aovs: u32,
+    pub shade_at: nicol_shade_at,
+    pub reserved_end: u32,
 }
 impl Default for nicol_render_options {
     fn default() -> Self {
@@ -736,7 +742,7 @@ impl Default for nicol_render_options {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 104);
+    assert!(size_of::<nicol_render_options>() == 112);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -758,6 +764,8 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, disabled_optimisations) == 92);
     assert!(offset_of!(nicol_render_options, high_order_shadows) == 96);
     assert!(offset_of!(nicol_render_options, aovs) == 100);
+    assert!(offset_of!(nicol_render_options, shade_at) == 104);
+    assert!(offset_of!(nicol_render_options, reserved_end) == 108);
 };
 
 #[repr(C)]
@@ -841,6 +849,7 @@ pub struct nicol_statistics {
     pub matrices_baked: u64,
     pub vertices_relit: u64,
     pub vertices_shaded: u64,
+    pub pixels_shaded: u64,
 }
 impl Default for nicol_statistics {
     fn default() -> Self {
@@ -851,7 +860,7 @@ impl Default for nicol_statistics {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 272);
+    assert!(size_of::<nicol_statistics>() == 280);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -889,6 +898,7 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, matrices_baked) == 248);
     assert!(offset_of!(nicol_statistics, vertices_relit) == 256);
     assert!(offset_of!(nicol_statistics, vertices_shaded) == 264);
+    assert!(offset_of!(nicol_statistics, pixels_shaded) == 272);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;

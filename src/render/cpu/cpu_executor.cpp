@@ -7,6 +7,7 @@
 #include "render/dense_method.hpp"
 #include "render/factored_method.hpp"
 #include "render/high_orders.hpp"
+#include "render/hit_image.hpp"
 #include "render/vertex_buffers.hpp"
 #include "shading/physical_range.hpp"
 #include "shading/shade.hpp"
@@ -28,6 +29,16 @@ void for_runs(std::size_t first, std::size_t last, const Stale& stale, const Bod
     }
 }
 
+// Light in the frames of vertices becomes rows in the geometry's axes.
+void leave_for_pixels(const FrameRotation& back, std::span<const glm::vec3> normals, std::size_t first,
+                      std::size_t last, VertexLight& light) {
+    for (std::size_t block = first; block < last; ++block) {
+        const std::size_t v = block * kLanes;
+        back.into_world(normals.subspan(v, std::min(kLanes, normals.size() - v)), light.channels_of(block));
+        light.to_rows(block);
+    }
+}
+
 }  // namespace
 
 std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferInput& input,
@@ -37,6 +48,8 @@ std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferI
     const std::span normals(input.geometry.normals);
     const Relight rotation(input.layout, input.light);
     const std::optional<VisibilityProduct>& shadows = *method.shadows();
+    std::optional<FrameRotation> back;
+    if (input.at_pixels) back.emplace(input.layout);
     const auto stale = [&](std::size_t block) {
         const auto vertices_of = current.subspan(block * kLanes);
         return std::ranges::any_of(vertices_of.first(std::min(kLanes, vertices_of.size())),
@@ -48,6 +61,7 @@ std::uint64_t CpuExecutor::relight(const FactoredMethod& method, const TransferI
                                for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
                                    rotation.run(normals, begin, end, light_);
                                    if (shadows) shadows->run(light_, begin, end);
+                                   if (back) leave_for_pixels(*back, normals, begin, end, light_);
                                    relit += std::min(end * kLanes, vertices) - begin * kLanes;
                                });
                            });
@@ -65,7 +79,8 @@ std::uint64_t CpuExecutor::relight(const DenseMethod& method, const TransferInpu
         const std::size_t count = matrices.vertices();
         const int channels = std::max(input.light.channels(), matrices.material().channels());
         light.resize(matrices.material().outgoing(), channels, count);
-        const auto stale = [&](std::size_t v) { return current[runs[i].first + v] == 0; };
+        // Rows are made of all or of none.
+        const auto stale = [&](std::size_t v) { return input.at_pixels || current[runs[i].first + v] == 0; };
         run.workers.for_vertices(0, count, count, "relight", run.progress,
                                  [&](std::size_t first, std::size_t last) {
                                      for_runs(first, last, stale, [&](std::size_t begin, std::size_t end) {
@@ -73,6 +88,14 @@ std::uint64_t CpuExecutor::relight(const DenseMethod& method, const TransferInpu
                                          relit += end - begin;
                                      });
                                  });
+        if (input.at_pixels) {
+            const FrameRotation back(matrices.material().outgoing());
+            const std::span normals = std::span(input.geometry.normals).subspan(runs[i].first, count);
+            run.workers.for_blocks(light.blocks(), "relight", run.progress,
+                                   [&](std::size_t first, std::size_t last) {
+                                       leave_for_pixels(back, normals, first, last, light);
+                                   });
+        }
     }
     return relit;
 }
@@ -113,6 +136,72 @@ void CpuExecutor::shade(const DenseMethod& method, const ShadeInput& input, Rend
                                                input.chosen.subspan(of.first, count), begin, end, channels);
                                  });
     }
+}
+
+void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) {
+    const Shade shade(input.layout, input.least_components, input.most_components);
+    const FrameRotation rotation(input.layout);
+    const Relight unoccluded(input.layout, input.light);
+    std::vector<PixelSurface> surfaces;
+    for (const VertexRange& range : input.geometry.ranges) {
+        surfaces.push_back({.first = range.first,
+                            .last = range.last,
+                            .shade = &shade,
+                            .response = &method.tables()->at(range.material),
+                            .light = &light_,
+                            .of_range = false,
+                            .rotation = &rotation,
+                            .unoccluded = &unoccluded,
+                            .high_orders = nullptr});
+    }
+    run_pixels(input, surfaces, run);
+}
+
+void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) {
+    const std::vector<DenseMethod::Run>& runs = *method.runs();
+    std::vector<Shade> shades;
+    std::vector<FrameRotation> rotations;
+    for (const DenseMethod::Run& of : runs) {
+        shades.emplace_back(of.matrices.material().outgoing());
+        rotations.emplace_back(of.matrices.material().outgoing());
+    }
+    std::vector<PixelSurface> surfaces;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        surfaces.push_back({.first = runs[i].first,
+                            .last = runs[i].first + runs[i].matrices.vertices(),
+                            .shade = &shades[i],
+                            .response = runs[i].response.get(),
+                            .light = &outgoing_[i],
+                            .of_range = true,
+                            .rotation = &rotations[i],
+                            .unoccluded = nullptr,
+                            .high_orders = nullptr});
+    }
+    run_pixels(input, surfaces, run);
+}
+
+void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run) {
+    std::vector<HighOrder> high_orders;
+    if (input.high_orders != nullptr) {
+        high_orders.reserve(surfaces.size());
+        for (std::size_t i = 0; i < surfaces.size(); ++i) {
+            const HighOrderTransfer::Part& part =
+                input.high_orders->parts()->at(input.geometry.ranges[i].material);
+            surfaces[i].high_orders =
+                &high_orders.emplace_back(part.factors, part.maps, input.light_to_geometry);
+        }
+    }
+    input.hits.read(hits_);
+    pixels_.resize(static_cast<std::size_t>(input.channels));
+    for (auto& channel : pixels_) channel.resize(hits_.size());
+    const std::vector<std::span<glm::vec4>> channels(pixels_.begin(), pixels_.end());
+    const bool fractions = input.high_orders != nullptr && !input.high_orders->visibility()->empty();
+    const PixelShading shading(input, surfaces, fractions ? fractions_ : std::span<const glm::vec2>(), hits_);
+    std::atomic<std::uint64_t> shaded = 0;
+    run.workers.for_vertices(
+        0, hits_.size(), hits_.size(), "shade", run.progress,
+        [&](std::size_t begin, std::size_t end) { shaded += shading.run(begin, end, channels); });
+    run.statistics.pixels_shaded += shaded;
 }
 
 void CpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
@@ -169,6 +258,13 @@ std::uint64_t CpuExecutor::make_physical(const ShadeInput& /*input*/) {
 void CpuExecutor::store(VertexBuffers& buffers, bool fractions) const {
     buffers.upload(stokes_);
     if (fractions) buffers.upload(fractions_);
+}
+
+void CpuExecutor::store(PixelImage& image) const {
+    for (int c = 0; c < image.channels(); ++c) {
+        const std::vector<glm::vec4>& pixels = pixels_[static_cast<std::size_t>(c)];
+        image.channel(c).update(std::span(&pixels.front().x, 4 * pixels.size()));
+    }
 }
 
 void CpuExecutor::count(Statistics& statistics) const {

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "render/cpu/pixel_shading.hpp"
 #include "render/executor.hpp"
 #include "transfer/vertex_light.hpp"
 
@@ -21,9 +22,12 @@ public:
     void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) override;
     void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
                   RenderRun& run) override;
+    void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
+    void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     std::uint64_t make_physical(const ShadeInput& input) override;
     void finish() override {}
     void store(VertexBuffers& buffers, bool fractions) const override;
+    void store(PixelImage& image) const override;
     void count(Statistics& statistics) const override;
 
     /// Results of the last shade(), specular() and make_physical().
@@ -33,11 +37,14 @@ private:
     /// Makes room; vertices that are not shaded keep what they had.
     void resize(const ShadeInput& input);
     void compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
+    void run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run);
     void add_high_orders(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
 
     VertexLight light_;                  // of the factored method
     std::vector<VertexLight> outgoing_;  // of the dense method, one for each of its runs
     VertexStokes stokes_;
+    std::vector<glm::vec4> hits_;                 // of the last image that was shaded at pixels
+    std::vector<std::vector<glm::vec4>> pixels_;  // its Stokes vectors, by channel
     /// Of the lobe about the mirror direction and of the hemisphere; empty where nothing casts shadows.
     std::vector<glm::vec2> fractions_;
 };

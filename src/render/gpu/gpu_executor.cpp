@@ -3,9 +3,18 @@
 
 #include <utility>
 
+#include "error.hpp"
 #include "gl/draw.hpp"
 
 namespace nicol {
+namespace {
+
+[[noreturn]] void refuse_pixels() {
+    throw Error(ErrorCode::unsupported,
+                "compute shaders do not shade at pixels; shade at vertices, or leave the executor automatic");
+}
+
+}  // namespace
 
 std::string GpuExecutor::obstacle(const gl::Context& context) {
     constexpr int bindings = 8;
@@ -82,6 +91,16 @@ void GpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInpu
         high_orders_.compute_fractions(high_orders, input, buffers_);
         if (!at_pixels) high_orders_.add(high_orders, input, buffers_);
     });
+}
+
+void GpuExecutor::shade_pixels(const FactoredMethod& /*method*/, const PixelInput& /*input*/,
+                               RenderRun& /*run*/) {
+    refuse_pixels();
+}
+
+void GpuExecutor::shade_pixels(const DenseMethod& /*method*/, const PixelInput& /*input*/,
+                               RenderRun& /*run*/) {
+    refuse_pixels();
 }
 
 std::uint64_t GpuExecutor::make_physical(const ShadeInput& input) {

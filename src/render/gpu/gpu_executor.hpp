@@ -32,9 +32,13 @@ public:
     void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) override;
     void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
                   RenderRun& run) override;
+    /// Throw Error(unsupported).
+    void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
+    void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     std::uint64_t make_physical(const ShadeInput& input) override;
     void finish() override;
     void store(VertexBuffers& /*buffers*/, bool /*fractions*/) const override {}
+    void store(PixelImage& /*image*/) const override {}
     void count(Statistics& /*statistics*/) const override {}
 
 private:

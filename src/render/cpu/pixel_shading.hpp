@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// shade at pixels on threads.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "material/response_table.hpp"
+#include "render/executor.hpp"
+#include "shading/shade.hpp"
+#include "specular/high_order.hpp"
+#include "transfer/frame_rotation.hpp"
+#include "transfer/vertex_light.hpp"
+
+namespace nicol {
+
+/// What the pixels of some of the geometry's vertices are shaded by.
+struct PixelSurface {
+    std::size_t first;  ///< vertex
+    std::size_t last;
+    const Shade* shade;
+    const ResponseTable* response;
+    const VertexLight* light;  ///< rows, from vertex `first` on if of_range
+    bool of_range;
+    const FrameRotation* rotation;  ///< of the light
+    const Relight* unoccluded;      ///< for pixels between unoccluded vertices, or null
+    const HighOrder* high_orders;   ///< or null
+};
+
+/// Shades the pixels of an image that show a surface. Calls for different pixels may run side by side.
+class PixelShading {
+public:
+    /// `surfaces`: by vertices, ascending. `fractions`: of the vertices' lobes of high orders, or empty.
+    PixelShading(const PixelInput& input, std::span<const PixelSurface> surfaces,
+                 std::span<const glm::vec2> fractions, std::span<const glm::vec4> hits);
+
+    /// Writes channel c's Stokes vector to out[c][pixel] for first <= pixel < last. Returns how many were
+    /// shaded.
+    std::size_t run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
+
+private:
+    struct Pixel {
+        std::uint32_t surface;
+        std::uint32_t occluded;  // 1 where a corner is, which sorts them apart
+        std::uint32_t triangle;
+        std::uint32_t index;
+        [[nodiscard]] std::uint64_t group() const { return std::uint64_t{2} * surface + occluded; }
+    };
+    struct Batch;
+
+    void collect(std::size_t first, std::size_t last, std::vector<Pixel>& out) const;
+    void shade(std::span<const Pixel> pixels, Batch& batch, std::span<const std::span<glm::vec4>> out) const;
+    void light(const PixelSurface& surface, std::span<const Pixel> pixels, Batch& batch) const;
+
+    const PixelInput& input_;
+    std::span<const PixelSurface> surfaces_;
+    std::span<const glm::vec2> fractions_;
+    std::span<const glm::vec4> hits_;
+};
+
+}  // namespace nicol

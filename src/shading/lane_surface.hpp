@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The points of triangles that sixteen pixels show.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "polarization/viewpoint.hpp"
+#include "simd/lanes.hpp"
+
+namespace nicol {
+
+/// What interpolation across triangles yields.
+struct LaneSurface {
+    std::array<Lanes, 3> weights;  ///< barycentric: of the corners, 0 to 1, with sum 1
+    std::array<glm::vec3, kLanes> positions;
+    std::array<glm::vec3, kLanes> normals;  ///< unit
+};
+
+/// The corners of a triangle: indices of vertices.
+using Corners = glm::uvec3;
+
+/// The points where the rays through `at` meet the planes of triangles, moved into the triangle where they
+/// lie outside. `at`: on the image plane, in units of right and up, at unit distance (perspective), or in the
+/// world's (orthographic). Where the normals of corners cancel, the normal points to the camera. At most
+/// kLanes triangles, and as many points.
+void find_surface(const Viewpoint& view, std::span<const glm::vec3> positions,
+                  std::span<const glm::vec3> normals, std::span<const Corners> triangles,
+                  std::span<const glm::vec2> at, LaneSurface& out);
+
+}  // namespace nicol

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// Shading at pixels.
+#include "gl/contexts.hpp"
+#include "image_difference.hpp"
+#include "render/scenes.hpp"
+
+using namespace nicol;
+using test::falling_light;
+using test::minus;
+using test::rms;
+using test::Studio;
+
+namespace {
+
+RenderOptions at(ShadeAt where) {
+    return {.executor = Executor::cpu,
+            .bake_directions = 1024,
+            .order_low = 4,
+            .order_high = 9,
+            .shade_at = where};
+}
+
+/// A metal sphere over a plastic plate that has two sides.
+Scene sphere_on_plate(const EnvironmentPtr& light, const std::shared_ptr<const Mesh>& sphere, int cells) {
+    static const MaterialPtr plastic = twosided(pplastic({.diffuse_reflectance = {0.4}, .alpha = 0.3}));
+    Scene scene;
+    scene.add({.mesh = sphere, .material = test::some_metal(0.3)});
+    scene.add({.mesh = test::rectangle(cells), .material = plastic, .to_world = test::plate_at(-1, 3)});
+    scene.set_environment(light, theta_phi_frame(glm::normalize(glm::dvec3(1, -2, 0.7))), 0.7);
+    return scene;
+}
+
+/// Each triangle in four, on the same plane, with normals as shading interpolates them.
+Mesh split(const Mesh& mesh) {
+    Mesh out = mesh;
+    out.triangles.clear();
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+        const auto [found, added] =
+            middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(out.positions.size()));
+        if (added) {
+            out.positions.push_back((mesh.positions[a] + mesh.positions[b]) * 0.5F);
+            out.normals.push_back(glm::normalize(mesh.normals[a] + mesh.normals[b]));
+        }
+        return found->second;
+    };
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::uvec3 m(middle(t.x, t.y), middle(t.y, t.z), middle(t.z, t.x));
+        for (const glm::uvec3& part :
+             {glm::uvec3(t.x, m.x, m.z), glm::uvec3(m.x, t.y, m.y), glm::uvec3(m.z, m.y, t.z), glm::uvec3(m)})
+            out.triangles.push_back(part);
+    }
+    return out;
+}
+
+}  // namespace
+
+GL_TEST_CASE("where vertices are dense, pixels make what they make") {
+    Studio render(context);
+    struct Case {
+        int channels;
+        bool polarized;
+        Method method;
+        HighOrders form;
+        bool shadows;
+        bool orthographic;
+        double least;  // of the difference, relative
+    };
+    for (const Case& one : {Case{1, true, Method::factored, HighOrders::none, false, false, 2e-3},
+                            {3, false, Method::factored, HighOrders::none, true, false, 2e-3},
+                            {6, true, Method::factored, HighOrders::split, true, true, 3e-3},
+                            {3, true, Method::factored, HighOrders::convolution, false, false, 2e-3},
+                            {3, true, Method::dense, HighOrders::none, true, true, 1e-3}}) {
+        CAPTURES(one.channels, one.polarized, one.form, one.method, one.shadows, one.orthographic);
+        const Scene scene =
+            sphere_on_plate(falling_light(9, one.polarized, one.channels), test::coarse_sphere(24), 32);
+        RenderOptions options = at(ShadeAt::pixels);
+        options.method = one.method;
+        options.high_orders = one.form;
+        options.shadows = one.shadows;
+        Camera camera = test::some_camera();
+        camera.orthographic = one.orthographic;
+        if (one.orthographic) camera.to_world = camera.to_world * glm::dmat4(glm::dmat3(1.7));
+        const StokesImage pixels = render(scene, options, camera);
+        CHECK(render.statistics.pixels_shaded > 500);
+        CHECK(render.statistics.vertices_shaded == 0);
+        options.shade_at = ShadeAt::vertices;
+        const StokesImage vertices = render(scene, options, camera);
+        CHECK(render.statistics.pixels_shaded == 0);
+        const double difference = rms(minus(pixels, vertices)) / rms(vertices);
+        CHECK(difference < one.least);
+        CHECK(difference > 0);
+    }
+}
+
+GL_TEST_CASE("at pixels a coarse mesh looks as its triangles split in sixteen do") {
+    Studio render(context);
+    const auto coarse = test::coarse_sphere(4);
+    const auto fine = std::make_shared<const Mesh>(split(split(*coarse)));
+    const EnvironmentPtr light = falling_light(9, true, 3);
+    for (const bool shadows : {false, true})
+        for (const HighOrders form : {HighOrders::none, HighOrders::split}) {
+            CAPTURES(shadows, form);
+            RenderOptions options = at(ShadeAt::vertices);
+            options.high_orders = form;
+            options.shadows = shadows;
+            const StokesImage expected = render(sphere_on_plate(light, fine, 48), options);
+            const Scene scene = sphere_on_plate(light, coarse, 48);
+            const double vertices = rms(minus(render(scene, options), expected));
+            options.shade_at = ShadeAt::pixels;
+            const double pixels = rms(minus(render(scene, options), expected));
+            CHECK(pixels < (shadows ? 0.4 : 0.2) * vertices);
+            CHECK(pixels < 0.02 * rms(expected));
+        }
+}
+
+GL_TEST_CASE("a render at pixels is that of a fresh start, whatever was rendered before") {
+    const EnvironmentPtr light = falling_light(9, false, 3);
+    Scene scene = sphere_on_plate(light, test::coarse_sphere(6), 8);
+    Studio render(context);
+    const auto as_fresh = [&](const RenderOptions& options, const Camera& camera) {
+        const StokesImage image = render(scene, options, camera);
+        CHECK(rms(minus(image, Studio(context)(scene, options, camera))) < 1e-5 * rms(image));
+    };
+    RenderOptions pixels = at(ShadeAt::pixels);
+    RenderOptions vertices = at(ShadeAt::vertices);
+    Camera other = test::some_camera();
+    other.fov = 25;
+    as_fresh(pixels, test::some_camera());
+    as_fresh(vertices, test::some_camera());
+    as_fresh(pixels, other);
+    scene.set_environment(light, scene.light_rotation() * theta_phi_frame(glm::dvec3(0, 0.6, 0.8)), 0.5);
+    as_fresh(pixels, other);
+    as_fresh(vertices, other);
+    scene.set_transform(scene.ids().front(), test::at(0.2, 0.1, 0));
+    as_fresh(pixels, other);
+    pixels.method = Method::dense;
+    as_fresh(pixels, other);
+    pixels.shadows = false;
+    pixels.method = Method::factored;
+    as_fresh(pixels, other);
+    pixels.components = 1;
+    as_fresh(pixels, other);
+    pixels.physical = true;
+    as_fresh(pixels, other);
+}
+
+GL_TEST_CASE("pixels of backs are black, and each side of a surface has its own light") {
+    Studio render(context);
+    Scene scene;
+    scene.add({.mesh = test::fine_sphere(), .material = diffuse({0.5}), .to_world = test::at(0, 0, 0, 20)});
+    scene.set_environment(falling_light(4, false, 1), glm::dmat3(1), 1);
+    const StokesImage inside = render(scene, at(ShadeAt::pixels));
+    CHECK(rms(inside) == 0);
+    CHECK(render.statistics.pixels_shaded == 0);
+
+    Scene sides;
+    sides.add({.mesh = test::rectangle(1), .material = twosided(diffuse({0.5}))});
+    sides.set_environment(falling_light(4, false, 1), glm::dmat3(1), 1);
+    for (const double z : {4.0, -4.0}) {
+        const Camera camera = test::camera_at({0, 0, z});
+        RenderOptions options = at(ShadeAt::pixels);
+        const StokesImage image = render(sides, options, camera);
+        options.shade_at = ShadeAt::vertices;
+        CHECK(rms(minus(image, render(sides, options, camera))) < 1e-5 * rms(image));
+        CHECK(image.at(0, 24, 32)[0] > 0);
+    }
+}
+
+GL_TEST_CASE("compute shaders refuse to shade at pixels") {
+    if (!GpuExecutor::obstacle(*context).empty()) return;
+    Studio render(context);
+    const Scene scene = sphere_on_plate(falling_light(4, false, 1), test::coarse_sphere(4), 4);
+    RenderOptions options = at(ShadeAt::pixels);
+    options.executor = Executor::compute;
+    check_error(ErrorCode::unsupported, CALL(render(scene, options)), "compute shaders", "vertices");
+    options.executor = Executor::automatic;
+    render(scene, options);
+    CHECK(!render.statistics.compute);
+}
