@@ -48,12 +48,12 @@ CoefficientMatrix compose(const CoefficientMatrix& second, const CoefficientMatr
 IsotropicMatrix::IsotropicMatrix(int order_out, int order_in) : order_out_(order_out), order_in_(order_in) {
     require_order(order_out);
     require_order(order_in);
-    std::size_t count = 0;
+    std::size_t total = 0;
     for (int m = 0; m <= std::min(order_out, order_in); ++m) {
-        first_.push_back(count);
-        count += static_cast<std::size_t>(order_out - m + 1) * static_cast<std::size_t>(order_in - m + 1);
+        first_.push_back(total);
+        total += count(m);
     }
-    blocks_.resize(count);
+    blocks_.resize(total);
 }
 
 void IsotropicMatrix::apply(std::span<const double> in, std::span<double> out) const {

@@ -71,6 +71,10 @@ public:
         return blocks_[position(m, l_out, l_in)];
     }
 
+    /// All of one m, [l_out][l_in].
+    [[nodiscard]] std::span<Block> blocks(int m) { return {&block(m, m, m), count(m)}; }
+    [[nodiscard]] std::span<const Block> blocks(int m) const { return {&block(m, m, m), count(m)}; }
+
     /// out = matrix * in, one channel; the spans must not overlap.
     void apply(std::span<const double> in, std::span<double> out) const;
     [[nodiscard]] CoefficientMatrix dense() const;
@@ -79,6 +83,10 @@ private:
     [[nodiscard]] std::size_t position(int m, int l_out, int l_in) const {
         return first_[static_cast<std::size_t>(m)] +
                static_cast<std::size_t>((l_out - m) * (order_in_ - m + 1) + l_in - m);
+    }
+
+    [[nodiscard]] std::size_t count(int m) const {
+        return static_cast<std::size_t>(order_out_ - m + 1) * static_cast<std::size_t>(order_in_ - m + 1);
     }
 
     int order_out_ = -1;

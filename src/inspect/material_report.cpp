@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "harmonics/mirror_symmetry.hpp"
 #include "harmonics/spin_harmonics.hpp"
 
 namespace nicol {
@@ -28,17 +29,6 @@ std::vector<double> cosine_lobe(int order) {
         out.push_back(2 * pi * std::sqrt((2 * l + 1) / (4 * pi)) * moment);
     }
     return out;
-}
-
-// Lanes s0, s3, w, conj w. Squares of a real matrix' entries, by those of the lanes' block: a scalar pair of
-// degrees +-m is one complex number of 1/sqrt2 its length, and at m = 0 the last lane repeats the third.
-double weight_of(int m, std::size_t out, std::size_t in) {
-    const bool scalar_out = out < 2;
-    const bool scalar_in = in < 2;
-    if (m > 0) return 2 * (scalar_out ? 2.0 : 1.0) / (scalar_in ? 2.0 : 1.0);
-    if (out == 3) return 0;
-    if (scalar_out) return scalar_in ? 1 : 2;
-    return scalar_in ? 1 : 2;
 }
 
 double largest_albedo_of(const IsotropicMatrix& matrix, const std::vector<double>& lobe) {
@@ -90,30 +80,20 @@ MatrixReport describe(const IsotropicMatrix& matrix) {
     constexpr std::array<std::size_t, 4> group{0, 2, 1, 1};  // of a lane
     MatrixReport out;
     out.energy.assign(static_cast<std::size_t>(std::max(matrix.order_out(), matrix.order_in())) + 1, 0.0);
-    double wrong = 0;
-    double all = 0;
+    out.asymmetry = asymmetry(matrix);
     for (int m = 0; m <= std::min(matrix.order_out(), matrix.order_in()); ++m) {
         for (int l = m; l <= matrix.order_out(); ++l) {
             for (int k = m; k <= matrix.order_in(); ++k) {
                 const IsotropicMatrix::Block& block = matrix.block(m, l, k);
                 for (std::size_t e = 0; e < 16; ++e) {
-                    const std::size_t to = e / 4;
-                    const std::size_t from = e % 4;
-                    const double weight = weight_of(m, to, from);
-                    const double square = weight * std::norm(block[e]);
-                    all += square;
+                    const double square = block_weight(m, e / 4, e % 4) * std::norm(block[e]);
                     out.energy[static_cast<std::size_t>(std::max(l, k))] += square;
-                    out.norms[3 * group[to] + group[from]] += square;
-                    // Of a mirror-symmetric material, what mixes s3 with the others is imaginary, the rest
-                    // real.
-                    const bool imaginary = (to == 1) != (from == 1);
-                    wrong += weight * std::pow(imaginary ? block[e].real() : block[e].imag(), 2);
+                    out.norms[3 * group[e / 4] + group[e % 4]] += square;
                 }
             }
         }
     }
     for (double& norm : out.norms) norm = std::sqrt(norm);
-    if (all > 0) out.asymmetry = std::sqrt(wrong / all);
     const std::vector<double> lobe = cosine_lobe(matrix.order_out());
     for (int l = 0; l <= matrix.order_out(); ++l)
         out.albedo += lobe[static_cast<std::size_t>(l)] * matrix.block(0, l, 0)[0].real();
