@@ -10,7 +10,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Normals { float normals[]; };
 layout(std430, binding = 2) readonly buffer Light { float light[]; };  // [number][vertex]
-layout(std430, binding = 3) readonly buffer Table { float table[]; };  // [angle][s0, s1, s2, s3][pair]
+layout(std430, binding = 3) readonly buffer Table { float table[]; };  // [angle][s0, s1, s2, s3][pairing][pair]
 layout(std430, binding = 4) writeonly buffer Result { vec4 result[]; };
 // LightLayout::Run, by |m|: first even and odd number of the light, count, sign * m
 layout(std430, binding = 5) readonly buffer Runs { ivec4 runs[]; };
@@ -19,7 +19,8 @@ uniform int first;        // vertex, in the bound part of the scene
 uniform int light_first;  // in the bound light
 uniform int count;
 uniform int stride;       // of the light's vertices
-uniform int row_size;
+uniform int row_size;     // of all pairings
+uniform int pairs;        // of one pairing
 uniform int runs_of_row;
 uniform int angles;       // of the table, from 0 to pi/2
 uniform bool makes_linear;
@@ -47,12 +48,17 @@ void main() {
             vec2 z = vec2(light[(run.x + k) * stride + vertex], light[(run.y + k) * stride + vertex]);
             // (even, odd) as the viewer has them
             z = vec2(rotation.x * z.x + rotation.y * z.y, rotation.x * z.y - rotation.y * z.x);
-            stokes.x += mix(table[low], table[high], at.part) * z.x;
-            if (makes_linear) {
-                stokes.y += mix(table[low + row_size], table[high + row_size], at.part) * z.x;
-                stokes.z += mix(table[low + 2 * row_size], table[high + 2 * row_size], at.part) * z.y;
+            // In the second pairing they change places.
+            for (int at_row = 0; at_row < row_size; at_row += pairs, z = z.yx) {
+                int a = low + at_row;
+                int b = high + at_row;
+                stokes.x += mix(table[a], table[b], at.part) * z.x;
+                if (makes_linear) {
+                    stokes.y += mix(table[a + row_size], table[b + row_size], at.part) * z.x;
+                    stokes.z += mix(table[a + 2 * row_size], table[b + 2 * row_size], at.part) * z.y;
+                }
+                if (makes_circular) stokes.w += mix(table[a + 3 * row_size], table[b + 3 * row_size], at.part) * z.y;
             }
-            if (makes_circular) stokes.w += mix(table[low + 3 * row_size], table[high + 3 * row_size], at.part) * z.y;
         }
     }
     result[v] = in_camera_frame(view, stokes);

@@ -33,8 +33,9 @@ enum class LightKind : std::int32_t { unpolarized = 1, linear = 3, full = 4 };
 /// one of the same l and |m|. A viewer at azimuth phi has, for pairs of s0 and e, and with the other sign of
 /// phi for o and s3,
 ///     even' = even cos m phi + odd sin m phi        odd' = odd cos m phi - even sin m phi.
-/// A row of a response has one number for each pair. A mirror-symmetric material makes s0 and s1 of the even
-/// numbers and s2 and s3 of the odd ones.
+/// A row of a response has one number for each pair and pairing. The first pairing makes s0 and s1 of the
+/// even numbers and s2 and s3 of the odd ones, which is all that mirror-symmetric materials do. Any other
+/// isotropic material has the second as well: s0 and s1 of the odd numbers, s2 and s3 of the even ones.
 class LightLayout {
 public:
     /// Throws Error(invalid_argument) unless 0 <= order <= kMaxOrder.
@@ -44,7 +45,7 @@ public:
     [[nodiscard]] LightKind kind() const noexcept { return kind_; }
     /// Numbers of a light.
     [[nodiscard]] std::size_t size() const noexcept { return terms_.size(); }
-    /// Pairs of them: numbers of a row.
+    /// Pairs of them: numbers of a row, in one pairing.
     [[nodiscard]] std::size_t row_size() const noexcept { return row_size_; }
 
     /// Consecutive pairs of one |m|, with l, l + step, ...

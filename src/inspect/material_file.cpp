@@ -37,11 +37,9 @@ std::vector<IsotropicMatrix> project(const MaterialFile& file, const FileOptions
     for (int c = 0; c < file.material->channels(); ++c) {
         out.push_back(project_material(*file.material, c, file.order(options)));
         if (!file.material->matrix(c) && options.scale != 1) {
-            IsotropicMatrix& matrix = out.back();
-            for (int m = 0; m <= matrix.order_in(); ++m)
-                for (int l = m; l <= matrix.order_out(); ++l)
-                    for (int k = m; k <= matrix.order_in(); ++k)
-                        for (auto& value : matrix.block(m, l, k)) value *= options.scale;
+            for (int m = 0; m <= out.back().order_in(); ++m)
+                for (IsotropicMatrix::Block& block : out.back().blocks(m))
+                    for (auto& value : block) value *= options.scale;
         }
     }
     return out;
@@ -80,7 +78,8 @@ std::vector<IsotropicMatrix> matrices_of(const StoredResponse& stored) {
     const int channels = stored.table.channels();
     std::vector<IsotropicMatrix> out(static_cast<std::size_t>(channels), IsotropicMatrix(order, order));
     const std::vector<std::size_t> pairs = pairs_in_full(stored.layout, all);
-    std::vector<double> rows(4 * all.row_size());
+    const std::size_t pairings = stored.table.pairings();
+    std::vector<double> rows(4 * pairings * all.row_size());
     constexpr int last = ResponseTable::kAngles - 1;
     constexpr double step = std::numbers::pi / 2 / last;
     for (int angle = 0; angle <= last; ++angle) {
@@ -89,10 +88,11 @@ std::vector<IsotropicMatrix> matrices_of(const StoredResponse& stored) {
         const double theta = angle * step;
         for (int c = 0; c < channels; ++c) {
             const std::span<const float> from = stored.table.rows(angle, c);
-            for (std::size_t p = 0; p < 4; ++p)
+            for (std::size_t row = 0; row < 4 * pairings; ++row)
                 for (std::size_t j = 0; j < pairs.size(); ++j)
-                    rows[p * all.row_size() + pairs[j]] = static_cast<double>(from[p * pairs.size() + j]);
-            add_circle(out[static_cast<std::size_t>(c)], theta, simpson * std::sin(theta), all, rows);
+                    rows[row * all.row_size() + pairs[j]] = static_cast<double>(from[row * pairs.size() + j]);
+            add_circle(out[static_cast<std::size_t>(c)], theta, simpson * std::sin(theta), all, pairings,
+                       rows);
         }
     }
     return out;

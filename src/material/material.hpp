@@ -14,8 +14,7 @@
 namespace nicol {
 
 /// An isotropic pBRDF without the cosine, as a sum of colourless terms with one weight a colour channel:
-/// M(channel) = sum over t of weight(t, channel) * evaluate(t, ...). Mirror symmetric about every plane
-/// through the normal. Immutable.
+/// M(channel) = sum over t of weight(t, channel) * evaluate(t, ...). Immutable.
 class Material {
 public:
     virtual ~Material() = default;
@@ -40,6 +39,13 @@ public:
     /// Angular radius of the narrowest feature of a term around the mirror direction, radians: what an
     /// integration over incident directions has to resolve.
     [[nodiscard]] virtual double lobe_width(int term) const noexcept = 0;
+
+    /// Whether the pBRDF is its own mirror image in every plane through the normal: mirroring both directions
+    /// reverses the sign of what mixes (s0, s1) with (s2, s3), and changes nothing else. Measurements are not
+    /// quite.
+    [[nodiscard]] virtual bool mirror_symmetric() const noexcept { return true; }
+    /// Pairings of the numbers of light (LightLayout) that rows of its response need: 1 or 2.
+    [[nodiscard]] std::size_t pairings() const noexcept { return mirror_symmetric() ? 1 : 2; }
 
     /// Whether the back of a surface reflects like its front. Then evaluate() is also defined where both
     /// directions are below the horizon; tables hold the front only.
@@ -96,8 +102,8 @@ struct CallbackParameters {
     double lobe_width = 1;  ///< see Material::lobe_width(), 0.001..1
 };
 /// Tests the function at some directions. Throws Error(invalid_argument) for a parameter out of range, a
-/// matrix that is not finite (later also from evaluate()), and a function that is not isotropic or not mirror
-/// symmetric, which a Material cannot represent.
+/// matrix that is not finite (later also from evaluate()), and a function that is not isotropic, which a
+/// Material cannot represent, or not mirror symmetric, which is mostly a mistake with its frames.
 [[nodiscard]] MaterialPtr callback_material(CallbackParameters parameters);
 
 }  // namespace nicol

@@ -46,7 +46,7 @@ IsotropicMatrix project_material(const Material& material, int channel, int orde
     for (int t = 0; t < material.terms(); ++t) lobe = std::min(lobe, material.lobe_width(t));
     const std::vector<QuadratureNode> nodes =
         nodes_around(pi / 2, 0, pi / 2, lobe / 4, std::min(pi / 8, 2 * pi / (order + 1)));
-    const std::size_t set = 4 * layout.row_size();
+    const std::size_t set = 4 * material.pairings() * layout.row_size();
     std::vector<double> rows(nodes.size() * set);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size()), [&](const auto& range) {
         RowIntegral integral(material, layout);
@@ -59,7 +59,7 @@ IsotropicMatrix project_material(const Material& material, int channel, int orde
         }
     });
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-        add_circle(matrix, nodes[n].x, nodes[n].weight * std::sin(nodes[n].x), layout,
+        add_circle(matrix, nodes[n].x, nodes[n].weight * std::sin(nodes[n].x), layout, material.pairings(),
                    std::span(rows).subspan(n * set, set));
     }
     return matrix;

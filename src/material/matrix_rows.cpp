@@ -2,7 +2,9 @@
 // A block of an isotropic matrix acts on the lanes (s0_lm, s3_lm, w_lm, conj w_l-m). Responses are first made
 // as rows over complex numbers, which are the same lanes up to factors: sqrt2 conj(s0_lm), i sqrt2 s3_lm,
 // w_lm; their real parts make s0 and s1, their imaginary parts s2 and s3. A mirror symmetric material has one
-// real number for each.
+// real number for each, which is that of the first pairing. A matrix that is changed by every mirror image to
+// its negative is i times a symmetric one for m > 0; i is a rotation of light by a quarter of its wave, which
+// makes even numbers of odd ones: the numbers of the second pairing.
 #include "material/matrix_rows.hpp"
 
 #include <algorithm>
@@ -42,6 +44,21 @@ RowEntries entries_of(const Block& g, int m) {
     r[2] = {(g[12].real() - g[8].real()) / kRoot2, g[10].real() - g[14].real(), g[15].real() - g[11].real(),
             (g[9].imag() - g[13].imag()) / kRoot2};
     r[3] = {kRoot2 * g[4].imag(), -2 * g[6].imag(), 2 * g[7].imag(), kRoot2 * g[5].real()};
+    return e;
+}
+
+// Those of the second pairing.
+RowEntries second_entries_of(const Block& g, int m) {
+    if (m > 0) {
+        Block symmetric;
+        for (std::size_t e = 0; e < 16; ++e) symmetric[e] = Complex(0, -1) * g[e];
+        return entries_of(symmetric, m);
+    }
+    RowEntries e;
+    e.at[0] = {0, g[3].imag() - g[2].imag(), 0, g[1].real()};
+    e.at[1] = {0, g[11].imag() - g[10].imag(), 0, g[9].real()};
+    e.at[2] = {g[8].imag(), g[10].imag() + g[11].imag(), 0, 0};
+    e.at[3] = {g[4].real(), g[6].real() + g[7].real(), 0, 0};
     return e;
 }
 
@@ -86,13 +103,43 @@ Block block_of(const RowEntries& e, int m) {
             (r[1][2] + r[2][2]) / 2};
 }
 
-// Between numbers for w_lm and w_l-m and those for the pairs of e and o; m = 0 has w_l0 and one pair.
-void to_pairs(RowEntries& entries, int l, int m) {
+Block second_block_of(const RowEntries& e, int m) {
+    const Complex i(0, 1);
+    if (m > 0) {
+        Block block = block_of(e, m);
+        for (Complex& value : block) value *= i;
+        return block;
+    }
+    const auto& r = e.at;
+    const double same = (r[2][1] - r[1][1]) / 2;
+    const double other = (r[2][1] + r[1][1]) / 2;
+    return {0.0,          r[0][3],     -i * r[0][1] / 2.0, i * r[0][1] / 2.0, r[3][0],  0.0,
+            r[3][1] / 2,  r[3][1] / 2, i * r[2][0],        r[1][3],           i * same, i * other,
+            -i * r[2][0], r[1][3],     -i * other,         -i * same};
+}
+
+// Signs that a quarter of a wave gives to pairs as the second pairing has them, or takes away; m > 0.
+void rotate_pairs(RowEntries& entries) {
+    for (std::size_t p = 0; p < 4; ++p) {
+        auto& [s0, e, o, s3] = entries.at[p];
+        if (p < 2) {
+            o = -o;
+            s3 = -s3;
+        } else {
+            s0 = -s0;
+            e = -e;
+        }
+    }
+}
+
+// Between numbers for w_lm and w_l-m and those for the pairs of e and o; m = 0 has w_l0 and one pair, of
+// which the odd number has the sign of the harmonic's image.
+void to_pairs(RowEntries& entries, int l, int m, std::size_t pairing) {
     const double image = l % 2 == 0 ? 1 : -1;
     for (std::size_t p = 0; p < 4; ++p) {
         auto& [s0, plus, minus, s3] = entries.at[p];
         if (m == 0) {
-            if (p >= 2) plus *= image;
+            if ((p >= 2) == (pairing == 0)) plus *= image;
             continue;
         }
         const double sum = (plus + image * minus) / kRoot2;
@@ -100,13 +147,15 @@ void to_pairs(RowEntries& entries, int l, int m) {
         plus = p < 2 ? sum : -difference;
         minus = p < 2 ? difference : sum;
     }
+    if (m > 0 && pairing == 1) rotate_pairs(entries);
 }
-void from_pairs(RowEntries& entries, int l, int m) {
+void from_pairs(RowEntries& entries, int l, int m, std::size_t pairing) {
+    if (m > 0 && pairing == 1) rotate_pairs(entries);
     const double image = l % 2 == 0 ? 1 : -1;
     for (std::size_t p = 0; p < 4; ++p) {
         auto& [s0, e, o, s3] = entries.at[p];
         if (m == 0) {
-            if (p >= 2) e *= image;
+            if ((p >= 2) == (pairing == 0)) e *= image;
             continue;
         }
         const double sum = (p < 2 ? e + o : o - e) / kRoot2;
@@ -150,7 +199,7 @@ struct OutgoingHarmonics {
 }  // namespace
 
 void rows_from_matrix(const IsotropicMatrix& matrix, double theta_out, const LightLayout& layout,
-                      std::span<double> rows) {
+                      std::size_t pairings, std::span<double> rows) {
     std::ranges::fill(rows, 0.0);
     const auto at = positions(layout);
     const OutgoingHarmonics y(matrix.order_out(), theta_out);
@@ -167,33 +216,40 @@ void rows_from_matrix(const IsotropicMatrix& matrix, double theta_out, const Lig
             }
         }
         for (int k = m; k <= order_in; ++k) {
-            RowEntries entries = entries_of(sums[static_cast<std::size_t>(k)], m);
-            to_pairs(entries, k, m);
+            const Block& sum = sums[static_cast<std::size_t>(k)];
             const auto& slots = at[psh_index(k, m)];
-            for (std::size_t p = 0; p < 4; ++p) {
-                for (std::size_t s = 0; s < 4; ++s)
-                    if (slots[s] < layout.row_size())
-                        rows[p * layout.row_size() + slots[s]] = entries.at[p][s];
+            for (std::size_t pairing = 0; pairing < pairings; ++pairing) {
+                RowEntries entries = pairing == 0 ? entries_of(sum, m) : second_entries_of(sum, m);
+                to_pairs(entries, k, m, pairing);
+                for (std::size_t p = 0; p < 4; ++p) {
+                    const std::size_t row = (p * pairings + pairing) * layout.row_size();
+                    for (std::size_t s = 0; s < 4; ++s)
+                        if (slots[s] < layout.row_size()) rows[row + slots[s]] = entries.at[p][s];
+                }
             }
         }
     }
 }
 
 void add_circle(IsotropicMatrix& matrix, double theta_out, double weight, const LightLayout& layout,
-                std::span<const double> rows) {
+                std::size_t pairings, std::span<const double> rows) {
     const auto at = positions(layout);
     const OutgoingHarmonics y(matrix.order_out(), theta_out);
     for (int m = 0; m <= std::min(matrix.order_in(), matrix.order_out()); ++m) {
         for (int k = m; k <= matrix.order_in(); ++k) {
-            RowEntries entries;
+            Block g{};
             const auto& slots = at[psh_index(k, m)];
-            for (std::size_t p = 0; p < 4; ++p) {
-                for (std::size_t s = 0; s < 4; ++s)
-                    if (slots[s] < layout.row_size())
-                        entries.at[p][s] = rows[p * layout.row_size() + slots[s]];
+            for (std::size_t pairing = 0; pairing < pairings; ++pairing) {
+                RowEntries entries;
+                for (std::size_t p = 0; p < 4; ++p) {
+                    const std::size_t row = (p * pairings + pairing) * layout.row_size();
+                    for (std::size_t s = 0; s < 4; ++s)
+                        if (slots[s] < layout.row_size()) entries.at[p][s] = rows[row + slots[s]];
+                }
+                from_pairs(entries, k, m, pairing);
+                const Block part = pairing == 0 ? block_of(entries, m) : second_block_of(entries, m);
+                for (std::size_t e = 0; e < 16; ++e) g[e] += part[e];
             }
-            from_pairs(entries, k, m);
-            const Block g = block_of(entries, m);
             for (int l = m; l <= matrix.order_out(); ++l) {
                 const std::array<double, 4> lane = y.lanes(l, m);
                 Block& block = matrix.block(m, l, k);

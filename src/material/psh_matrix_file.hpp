@@ -25,10 +25,12 @@ void write_psh_matrix(const std::filesystem::path& path, std::span<const Isotrop
 
 /// A material defined by coefficient matrices. evaluate() reconstructs the Mueller matrix at the two
 /// directions and divides by the cosine that the matrices include; truncation makes it ring and go below
-/// zero. The outgoing side is interpolated between rows (error below 1e-3 of the largest value). Parts that
-/// break mirror symmetry are dropped, except from matrix(). The matrices are multiplied by `scale`, finite
-/// and >= 0, one value or one per channel. Throws Error(invalid_argument).
+/// zero. The outgoing side is interpolated between rows (error below 1e-3 of the largest value). The matrices
+/// are multiplied by `scale`, finite and >= 0, one value or one per channel. symmetrize: drops what breaks
+/// mirror symmetry, in measurements mostly their noise; up to 1e-6 of the norm, which is rounding, it is
+/// always dropped from the angular domain. Throws Error(invalid_argument).
 [[nodiscard]] MaterialPtr psh_matrix_material(std::vector<IsotropicMatrix> channels,
-                                              const std::vector<double>& scale = {1.0});
+                                              const std::vector<double>& scale = {1.0},
+                                              bool symmetrize = false);
 
 }  // namespace nicol

@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "files/content_hash.hpp"
+#include "harmonics/mirror_symmetry.hpp"
 #include "harmonics/spin_harmonics.hpp"
 #include "material/key.hpp"
 #include "material/matrix_rows.hpp"
@@ -16,6 +17,8 @@ namespace nicol {
 namespace {
 
 using std::numbers::pi;
+// Of files in single precision.
+constexpr double kRounding = 1e-6;
 
 // Rows at outgoing angles a sixth of the shortest half-wave apart; between them cubics.
 class PshMatrixMaterial final : public Material {
@@ -26,11 +29,12 @@ public:
           cells_(6 * (matrices_.front().order_out() + 1)) {
         for (std::size_t c = 0; c < matrices_.size(); ++c)
             multiply(matrices_[c], of_channel(scale, static_cast<int>(c)));
-        const std::size_t set = 4 * layout_.row_size();
-        std::vector<double> rows(set);
+        for (const IsotropicMatrix& matrix : matrices_)
+            mirror_symmetric_ = mirror_symmetric_ && asymmetry(matrix) <= kRounding;
+        std::vector<double> rows(4 * pairings() * layout_.row_size());
         for (const IsotropicMatrix& matrix : matrices_) {
             for (int angle = 0; angle <= cells_; ++angle) {
-                rows_from_matrix(matrix, angle * pi / 2 / cells_, layout_, rows);
+                rows_from_matrix(matrix, angle * pi / 2 / cells_, layout_, pairings(), rows);
                 rows_.insert(rows_.end(), rows.begin(), rows.end());
             }
         }
@@ -42,6 +46,7 @@ public:
     [[nodiscard]] double lobe_width(int) const noexcept override {
         return std::min(1.0, pi / (layout_.order() + 1));
     }
+    [[nodiscard]] bool mirror_symmetric() const noexcept override { return mirror_symmetric_; }
     [[nodiscard]] const IsotropicMatrix* matrix(int channel) const override {
         return &matrices_.at(matrices_.size() == 1 ? 0 : static_cast<std::size_t>(channel));
     }
@@ -50,10 +55,8 @@ public:
         for (const IsotropicMatrix& matrix : matrices_) {
             hash.add(std::to_string(matrix.order_in()) + " ");
             for (int m = 0; m <= matrix.order_in(); ++m) {
-                const auto blocks =
-                    static_cast<std::size_t>((matrix.order_in() - m + 1) * (matrix.order_in() - m + 1));
-                hash.add({reinterpret_cast<const unsigned char*>(&matrix.block(m, m, m)),
-                          blocks * sizeof(IsotropicMatrix::Block)});
+                const std::span<const IsotropicMatrix::Block> blocks = matrix.blocks(m);
+                hash.add({reinterpret_cast<const unsigned char*>(blocks.data()), blocks.size_bytes()});
             }
         }
         return Key("psh").add("coefficients", std::string_view(hash.text())).text();
@@ -64,7 +67,11 @@ public:
         // Closer to the horizon the division by the cosine would overflow.
         if (towards_light.z <= 1e-9 || towards_viewer.z <= 0) return {};
         Mueller m;
-        add_term(m, term, towards_light, towards_viewer);
+        if (mirror_symmetric_) {
+            add_term<1>(m, term, towards_light, towards_viewer);
+        } else {
+            add_term<2>(m, term, towards_light, towards_viewer);
+        }
         m *= 1 / towards_light.z;
         return m;
     }
@@ -73,9 +80,8 @@ private:
     static void multiply(IsotropicMatrix& matrix, double scale) {
         if (scale == 1) return;
         for (int m = 0; m <= matrix.order_in(); ++m)
-            for (int l = m; l <= matrix.order_out(); ++l)
-                for (int k = m; k <= matrix.order_in(); ++k)
-                    for (auto& value : matrix.block(m, l, k)) value *= scale;
+            for (IsotropicMatrix::Block& block : matrix.blocks(m))
+                for (auto& value : block) value *= scale;
     }
 
     struct Taps {
@@ -96,12 +102,15 @@ private:
     }
 
     // Rows times the coefficients of light from one direction, for one Stokes component after the other.
+    template <std::size_t Pairings>
     void add_term(Mueller& out, int term, const glm::dvec3& light, const glm::dvec3& viewer) const {
         const Taps tap = taps(viewer);
         const std::size_t size = layout_.row_size();
+        constexpr std::size_t rows_at_angle = 4 * Pairings;
         const float* rows =
             rows_.data() +
-            4 * size * (static_cast<std::size_t>(term) * static_cast<std::size_t>(cells_ + 1) + tap.first);
+            rows_at_angle * size *
+                (static_cast<std::size_t>(term) * static_cast<std::size_t>(cells_ + 1) + tap.first);
         // Half-angle functions of the propagation, which is opposite.
         const double sine = std::hypot(light.x, light.y);
         const double half = std::atan2(sine, light.z) / 2;
@@ -118,29 +127,30 @@ private:
         zenith_functions(layout_, scalar, spin2, first, second);
         std::size_t j = 0;
         for (const LightLayout::Run& run : layout_.runs()) {
-            std::array<double, 4> a{};
-            std::array<double, 4> b{};
+            std::array<double, rows_at_angle> a{};  // [p][pairing]
+            std::array<double, rows_at_angle> b{};
             for (const std::size_t end = j + run.count; j < end; ++j) {
-                for (std::size_t p = 0; p < 4; ++p) {
+                for (std::size_t r = 0; r < rows_at_angle; ++r) {
                     double row = 0;
                     for (std::size_t i = 0; i < 4; ++i)
-                        row += tap.weight[i] * static_cast<double>(rows[(4 * i + p) * size + j]);
-                    a[p] += row * first[j];
-                    b[p] += row * second[j];
+                        row += tap.weight[i] * static_cast<double>(rows[(rows_at_angle * i + r) * size + j]);
+                    a[r] += row * first[j];
+                    b[r] += row * second[j];
                 }
             }
             const double c = std::cos(run.m * azimuth);
             const double s = std::sin(run.m * azimuth);
-            for (std::size_t p = 0; p < 4; ++p) {
-                const bool even = p < 2;
+            for (std::size_t r = 0; r < rows_at_angle; ++r) {
+                const std::size_t p = r / Pairings;
+                const bool even = (p < 2) == (r % Pairings == 0);
                 if (run.part == LightKind::unpolarized) {
-                    out(p, 0) += (even ? c : s) * a[p];
+                    out(p, 0) += (even ? c : s) * a[r];
                 } else if (run.part == LightKind::full) {
-                    out(p, 3) += (even ? s : c) * a[p];
+                    out(p, 3) += (even ? s : c) * a[r];
                 } else {
                     const double sign = even ? 1 : static_cast<double>(run.sign);
-                    out(p, 1) += sign * (even ? c : s) * a[p];
-                    out(p, 2) += sign * (even ? s : -c) * b[p];
+                    out(p, 1) += sign * (even ? c : s) * a[r];
+                    out(p, 2) += sign * (even ? s : -c) * b[r];
                 }
             }
         }
@@ -149,12 +159,14 @@ private:
     std::vector<IsotropicMatrix> matrices_;
     LightLayout layout_;
     int cells_;
-    std::vector<float> rows_;  // [channel][angle][p][j]
+    bool mirror_symmetric_ = true;
+    std::vector<float> rows_;  // [channel][angle][p][pairing][j]
 };
 
 }  // namespace
 
-MaterialPtr psh_matrix_material(std::vector<IsotropicMatrix> channels, const std::vector<double>& scale) {
+MaterialPtr psh_matrix_material(std::vector<IsotropicMatrix> channels, const std::vector<double>& scale,
+                                bool symmetrize) {
     if (channels.empty() || channels.size() > 16)
         throw Error(ErrorCode::invalid_argument, "channels: there must be 1 to 16 matrices");
     const int order = channels.front().order_in();
@@ -167,6 +179,8 @@ MaterialPtr psh_matrix_material(std::vector<IsotropicMatrix> channels, const std
                                                      " values; it must have 1 or one a channel (" +
                                                      std::to_string(channels.size()) + ")");
     for (const double value : scale) check_range(value, 0, 1e12, "scale");
+    if (symmetrize)
+        for (IsotropicMatrix& matrix : channels) nicol::symmetrize(matrix);
     return std::make_shared<PshMatrixMaterial>(std::move(channels), scale);
 }
 

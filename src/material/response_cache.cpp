@@ -21,14 +21,16 @@ namespace {
 
 constexpr std::string_view kMagic("NICOLRT\0", 8);
 // Raise it whenever the numbers of any table change.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 // The table's parameters follow the material's own key.
-std::string key_of(const std::string& content, const LightLayout& layout, int channels) {
+std::string key_of(const std::string& content, const LightLayout& layout, int channels,
+                   std::size_t pairings) {
     return Key(content)
         .add("order", layout.order())
         .add("kind", static_cast<double>(layout.kind()))
         .add("channels", channels)
+        .add("pairings", static_cast<double>(pairings))
         .add("angles", ResponseTable::kAngles)
         .text();
 }
@@ -50,6 +52,7 @@ public:
         const int order = number("order", 0, kMaxOrder);
         const int kind = number("kind", 1, 4);
         const int channels = number("channels", 1, 99999);
+        const int pairings = number("pairings", 1, 2);
         if (kind == 2) invalid("has the kind of light 2; it must be 1, 3 or 4");
         (void)number("angles", ResponseTable::kAngles, ResponseTable::kAngles);
 
@@ -57,7 +60,8 @@ public:
         const auto pairs = static_cast<std::uint64_t>(order + 1) * static_cast<std::uint64_t>(order + 2) / 2;
         check_size(size_ >= pairs * kRowBytes, order);
         const LightLayout layout(order, static_cast<LightKind>(kind));
-        const std::uint64_t bytes = layout.row_size() * kRowBytes * static_cast<std::uint64_t>(channels);
+        const std::uint64_t bytes = layout.row_size() * kRowBytes * static_cast<std::uint64_t>(channels) *
+                                    static_cast<std::uint64_t>(pairings);
         check_size(size_ == header.size() + bytes + kHashSize, order);
         std::vector<float> data(bytes / sizeof(float));
         in_.read(reinterpret_cast<char*>(data.data()), static_cast<std::streamsize>(bytes));
@@ -65,7 +69,7 @@ public:
         if (hash != ContentHash().add(header).add(bytes_of(std::span<const float>(data))).text())
             invalid("is damaged: its checksum differs");
         if (!all_finite(data)) invalid("has a value that is not finite");
-        return {layout, ResponseTable(layout, channels, std::move(data))};
+        return {layout, ResponseTable(layout, channels, static_cast<std::size_t>(pairings), std::move(data))};
     }
 
 private:
@@ -133,8 +137,10 @@ struct Cached {
 Cached through_cache(const Material& material, const std::string& content, const LightLayout& layout,
                      int channels, const std::filesystem::path& folder) {
     const int table_channels = ResponseTable::channels_for(material, channels);
-    const CacheFile file(folder, kMagic, kVersion, key_of(content, layout, table_channels), ".response");
-    std::vector<float> data(ResponseTable::kAngles * 4 * layout.row_size() *
+    const std::size_t pairings = material.pairings();
+    const CacheFile file(folder, kMagic, kVersion, key_of(content, layout, table_channels, pairings),
+                         ".response");
+    std::vector<float> data(ResponseTable::kAngles * 4 * pairings * layout.row_size() *
                             static_cast<std::size_t>(table_channels));
     const std::array parts{writable_bytes_of(std::span(data))};
     CacheFile::Outcome outcome = file.read(parts);
@@ -142,7 +148,7 @@ Cached through_cache(const Material& material, const std::string& content, const
         outcome = {CacheFile::State::unfit, "is damaged"};
     }
     if (outcome.state == CacheFile::State::complete) {
-        return {ResponseTable(layout, table_channels, std::move(data)), {}, {}};
+        return {ResponseTable(layout, table_channels, pairings, std::move(data)), {}, {}};
     }
     Cached built{ResponseTable(material, layout, channels), {}, {}};
     if (outcome.state == CacheFile::State::unfit) built.unfit = file.path().string() + ": " + outcome.reason;

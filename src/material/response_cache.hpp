@@ -17,11 +17,11 @@ using CacheNotice = std::function<void(const std::string&)>;
 /// The table of a material: read from `folder` if it is there, else built and saved there. The folder is
 /// created if it is missing; an empty path: no cache.
 ///
-/// A file is used only if format version, content key of the material, order, kind of light, channels, length
-/// and checksum are right; otherwise the table is rebuilt and the file replaced, with a notice. Files are
-/// written atomically, so processes may share a folder. Failure to write is a notice, not an error. Materials
-/// without a content key (Material::content_key()) are not cached. Throws what ResponseTable's constructor
-/// throws.
+/// A file is used only if format version, content key of the material, order, kind of light, channels,
+/// pairings, length and checksum are right; otherwise the table is rebuilt and the file replaced, with a
+/// notice. Files are written atomically, so processes may share a folder. Failure to write is a notice, not
+/// an error. Materials without a content key (Material::content_key()) are not cached. Throws what
+/// ResponseTable's constructor throws.
 [[nodiscard]] ResponseTable load_or_build(const Material& material, const LightLayout& layout, int channels,
                                           const std::filesystem::path& folder = {},
                                           const CacheNotice& notice = {});

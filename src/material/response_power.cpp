@@ -18,16 +18,16 @@ std::size_t part_of(LightKind kind) {
     return kind == LightKind::unpolarized ? 0 : kind == LightKind::linear ? 1 : 2;
 }
 
-// Rows [channel][p][j] at an outgoing angle.
+// Rows [channel][p][pairing][j] at an outgoing angle.
 std::vector<double> rows_at(const Material& material, const LightLayout& layout, int channels, double theta) {
-    const std::size_t set = 4 * layout.row_size();
+    const std::size_t set = 4 * material.pairings() * layout.row_size();
     std::vector<double> rows(set * static_cast<std::size_t>(channels));
     const auto of_channel = [&](int c) {
         return std::span(rows).subspan(set * static_cast<std::size_t>(c), set);
     };
     if (material.matrix(0) != nullptr) {
         for (int c = 0; c < channels; ++c)
-            rows_from_matrix(*material.matrix(c), theta, layout, of_channel(c));
+            rows_from_matrix(*material.matrix(c), theta, layout, material.pairings(), of_channel(c));
         return rows;
     }
     RowIntegral integral(material, layout);
@@ -58,14 +58,15 @@ ResponsePower::ResponsePower(const Material& material, int order, LightKind kind
     for (const std::vector<double>& angle : rows) {
         const double* row = angle.data();
         for (Channel& channel : of_) {
-            for (std::size_t p = 0; p < 4; ++p, row += layout.row_size()) {
+            for (std::size_t i = 0; i < 4 * material.pairings(); ++i, row += layout.row_size()) {
+                const std::size_t p = i / material.pairings();
                 if (p == 3) continue;
                 const double* value = row;
                 for (const LightLayout::Run& run : layout.runs()) {
                     Spectrum& spectrum = channel[p == 0 ? 0 : 1][part_of(run.part)];
-                    for (std::size_t i = 0; i < run.count; ++i, ++value) {
+                    for (std::size_t k = 0; k < run.count; ++k, ++value) {
                         const auto l =
-                            static_cast<std::size_t>(run.l) + i * static_cast<std::size_t>(run.step);
+                            static_cast<std::size_t>(run.l) + k * static_cast<std::size_t>(run.step);
                         spectrum[l] += *value * *value / kAngles;
                     }
                 }

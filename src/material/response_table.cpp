@@ -68,7 +68,10 @@ int ResponseTable::channels_for(const Material& material, int channels) {
 }
 
 ResponseTable::ResponseTable(const Material& material, const LightLayout& layout, int channels)
-    : row_size_(layout.row_size()), channels_(channels_for(material, channels)), angles_(kAngles) {
+    : pairings_(material.pairings()),
+      row_size_(pairings_ * layout.row_size()),
+      channels_(channels_for(material, channels)),
+      angles_(kAngles) {
     const std::size_t width = 4 * row_size_ * static_cast<std::size_t>(channels_);
     data_.assign(kAngles * width, 0.0F);
     if (material.matrix(0) != nullptr) {
@@ -80,11 +83,17 @@ ResponseTable::ResponseTable(const Material& material, const LightLayout& layout
     find_makes();
 }
 
-ResponseTable::ResponseTable(const LightLayout& layout, int channels, std::vector<float> data)
-    : ResponseTable(layout, channels, kAngles, std::move(data)) {}
+ResponseTable::ResponseTable(const LightLayout& layout, int channels, std::size_t pairings,
+                             std::vector<float> data)
+    : ResponseTable(layout, channels, pairings, kAngles, std::move(data)) {}
 
-ResponseTable::ResponseTable(const LightLayout& layout, int channels, int angles, std::vector<float> data)
-    : row_size_(layout.row_size()), channels_(channels), angles_(angles), data_(std::move(data)) {
+ResponseTable::ResponseTable(const LightLayout& layout, int channels, std::size_t pairings, int angles,
+                             std::vector<float> data)
+    : pairings_(pairings),
+      row_size_(pairings * layout.row_size()),
+      channels_(channels),
+      angles_(angles),
+      data_(std::move(data)) {
     if (channels < 1 ||
         data_.size() != static_cast<std::size_t>(angles) * 4 * row_size_ * static_cast<std::size_t>(channels))
         throw Error(ErrorCode::invalid_argument,
@@ -118,7 +127,7 @@ ResponseTable ResponseTable::of_outgoing_light(const LightLayout& layout) {
             }
         }
     }
-    return {layout, 1, kOutgoingAngles, std::move(data)};
+    return {layout, 1, 1, kOutgoingAngles, std::move(data)};
 }
 
 void ResponseTable::find_makes() {
@@ -154,7 +163,8 @@ void ResponseTable::rows_of_matrices(const Material& material, const LightLayout
         std::vector<double> rows(4 * row_size_);
         for (int angle = range.begin(); angle < range.end(); ++angle) {
             for (int c = 0; c < channels_; ++c) {
-                rows_from_matrix(*material.matrix(c), angle * (pi / 2) / (kAngles - 1), layout, rows);
+                rows_from_matrix(*material.matrix(c), angle * (pi / 2) / (kAngles - 1), layout, pairings_,
+                                 rows);
                 const auto at = static_cast<std::size_t>(angle * channels_ + c) * rows.size();
                 for (std::size_t j = 0; j < rows.size(); ++j) data_[at + j] = static_cast<float>(rows[j]);
             }

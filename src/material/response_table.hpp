@@ -14,7 +14,9 @@ namespace nicol {
 
 /// The outgoing Stokes vector at zenith angle theta, azimuth 0, in the theta-phi frame there, for light in
 /// the surface's frame with even and odd numbers as LightLayout pairs them:
-///     s_p = sum_j row_p[j] even_j  for p = 0, 1,      s_p = sum_j row_p[j] odd_j  for p = 2, 3.
+///     s_p = sum_j row_p[j] even_j + second_p[j] odd_j  for p = 0, 1,
+///     s_p = sum_j row_p[j] odd_j + second_p[j] even_j  for p = 2, 3,
+/// where `second`, the row of the second pairing, is there for materials without mirror symmetry only.
 /// Row entries are the integral of M_pq cos(theta_i) against the basis over incident directions (Eq. 40 with
 /// the outgoing side left in the angular domain), so nothing is truncated on the outgoing side. Between
 /// angles rows are interpolated linearly.
@@ -31,9 +33,9 @@ public:
     /// or evaluates the outgoing side of the matrix that defines the material. `channels`: 1 or the scene's;
     /// a material of one channel fits any. Throws Error(invalid_argument) if the channels do not fit.
     ResponseTable(const Material& material, const LightLayout& layout, int channels);
-    /// From the data() of another table with this layout and number of channels. Throws
+    /// From the data() of another table with this layout, number of channels and pairings. Throws
     /// Error(invalid_argument) where the length does not fit.
-    ResponseTable(const LightLayout& layout, int channels, std::vector<float> data);
+    ResponseTable(const LightLayout& layout, int channels, std::size_t pairings, std::vector<float> data);
     /// The table whose outgoing Stokes vector is the value of the light itself at the outgoing direction, for
     /// light that is the reflected one already.
     [[nodiscard]] static ResponseTable of_outgoing_light(const LightLayout& layout);
@@ -45,7 +47,10 @@ public:
     [[nodiscard]] int channels() const noexcept { return channels_; }
     /// Zenith angles, evenly from 0 to pi/2: kAngles or kOutgoingAngles.
     [[nodiscard]] int angles() const noexcept { return angles_; }
+    /// Numbers of a row, of all pairings.
     [[nodiscard]] std::size_t row_size() const noexcept { return row_size_; }
+    /// 1, or 2 for a material without mirror symmetry.
+    [[nodiscard]] std::size_t pairings() const noexcept { return pairings_; }
     /// False if row_p is zero for every angle: the material never reflects that component.
     [[nodiscard]] bool makes(std::size_t p) const noexcept { return makes_[p]; }
 
@@ -56,16 +61,18 @@ public:
         return {data_.data() + 4 * row_size_ * index, 4 * row_size_};
     }
 
-    /// All rows: [angle][channel][p][j].
+    /// All rows: [angle][channel][p][pairing][j].
     [[nodiscard]] std::span<const float> data() const noexcept { return data_; }
     [[nodiscard]] std::size_t bytes() const noexcept { return data_.size() * sizeof(float); }
 
 private:
-    ResponseTable(const LightLayout& layout, int channels, int angles, std::vector<float> data);
+    ResponseTable(const LightLayout& layout, int channels, std::size_t pairings, int angles,
+                  std::vector<float> data);
     void find_makes();
     void integrate(const Material& material, const LightLayout& layout);
     void rows_of_matrices(const Material& material, const LightLayout& layout);
 
+    std::size_t pairings_;
     std::size_t row_size_;
     int channels_;
     int angles_;

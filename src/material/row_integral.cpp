@@ -13,15 +13,19 @@ namespace {
 
 using std::numbers::pi;
 
-// Whether M_pq is even in the azimuth, for materials with mirror symmetry; else it is odd.
-constexpr bool is_even(std::size_t p, std::size_t q) {
-    return (p < 2) == (q < 2);
+// Whether the part of M_pq that a pairing takes is even in the azimuth; else it is odd. Materials with mirror
+// symmetry have none for the second pairing.
+constexpr bool is_even(std::size_t p, std::size_t q, std::size_t pairing) {
+    return ((p < 2) == (q < 2)) == (pairing == 0);
 }
 
 }  // namespace
 
 RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
-    : material_(material), layout_(layout), waves_(static_cast<std::size_t>(layout.order()) + 1) {
+    : material_(material),
+      layout_(layout),
+      pairings_(material.pairings()),
+      waves_(static_cast<std::size_t>(layout.order()) + 1) {
     // Terms of one lobe width share their nodes, and then what evaluate_terms() shares.
     const int terms = material.terms();
     bool equal_widths = true;
@@ -34,12 +38,12 @@ RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
     }
     const auto all = static_cast<std::size_t>(terms);
     muellers_.resize(all);
-    moments_.resize(all * 16 * waves_);
+    moments_.resize(all * 16 * pairings_ * waves_);
     scalar_.resize(psh_count(layout.order()));
     spin2_.resize(psh_count(layout.order()));
     first_.resize(layout.row_size());
     second_.resize(layout.row_size());
-    rows_.resize(all * 4 * layout.row_size());
+    rows_.resize(all * 4 * pairings_ * layout.row_size());
 }
 
 std::span<const double> RowIntegral::integrate(double theta_out) {
@@ -52,10 +56,8 @@ void RowIntegral::place_azimuths(double narrow, double wide) {
     azimuths_.clear();
     cosines_.clear();
     sines_.clear();
-    for (const QuadratureNode& q : nodes_around(pi, 0, pi, narrow, wide)) {
-        const double c = std::cos(q.x);
-        const double s = std::sin(q.x);
-        azimuths_.push_back({c, s, q.weight});
+    const auto place = [this](double c, double s, double weight) {
+        azimuths_.push_back({c, s, weight});
         double cosine = 1;
         double sine = 0;
         for (std::size_t m = 0; m < waves_; ++m) {
@@ -65,6 +67,14 @@ void RowIntegral::place_azimuths(double narrow, double wide) {
             sine = -(sine * c + cosine * s);
             cosine = next;
         }
+    };
+    // Of mirror images one stands for both.
+    const double share = 2 / static_cast<double>(pairings_);
+    for (const QuadratureNode& q : nodes_around(pi, 0, pi, narrow, wide)) {
+        const double c = std::cos(q.x);
+        const double s = std::sin(q.x);
+        place(c, s, share * q.weight);
+        if (pairings_ == 2) place(c, -s, share * q.weight);
     }
 }
 
@@ -88,7 +98,7 @@ void RowIntegral::add_terms(double theta_out, std::span<const int> terms) {
     }
 }
 
-// Cosine moments of the even elements, sine moments of the odd ones, over the whole circle.
+// Cosine moments of even parts, sine moments of odd ones, over the whole circle.
 void RowIntegral::take_moments(double theta, const glm::dvec3& viewer, std::span<const int> terms) {
     std::ranges::fill(moments_, 0.0);
     const auto columns = static_cast<std::size_t>(layout_.kind());
@@ -108,11 +118,13 @@ void RowIntegral::take_moments(double theta, const glm::dvec3& viewer, std::span
         double* out = moments_.data();
         for (std::size_t t = 0; t < terms.size(); ++t) {
             for (std::size_t p = 0; p < 4; ++p) {
-                for (std::size_t q = 0; q < 4; ++q, out += waves_) {
-                    const double value = 2 * node.weight * muellers_[t](p, q);
-                    if (q >= columns || value == 0) continue;
-                    const double* wave = is_even(p, q) ? cosines : sines;
-                    for (std::size_t m = 0; m < waves_; ++m) out[m] += value * wave[m];
+                for (std::size_t q = 0; q < 4; ++q) {
+                    const double value = node.weight * muellers_[t](p, q);
+                    for (std::size_t pairing = 0; pairing < pairings_; ++pairing, out += waves_) {
+                        if (q >= columns || value == 0) continue;
+                        const double* wave = is_even(p, q, pairing) ? cosines : sines;
+                        for (std::size_t m = 0; m < waves_; ++m) out[m] += value * wave[m];
+                    }
                 }
             }
         }
@@ -125,26 +137,30 @@ void RowIntegral::accumulate(double solid_angle, std::span<const int> terms) {
         const double* first = &first_[begin];
         const double* second = &second_[begin];
         for (std::size_t t = 0; t < terms.size(); ++t) {
-            const auto moment = [&](std::size_t p, std::size_t q) {
-                return solid_angle *
-                       moments_[(16 * t + 4 * p + q) * waves_ + static_cast<std::size_t>(run.m)];
+            const auto moment = [&](std::size_t p, std::size_t q, std::size_t pairing) {
+                const std::size_t at = (16 * t + 4 * p + q) * pairings_ + pairing;
+                return solid_angle * moments_[at * waves_ + static_cast<std::size_t>(run.m)];
             };
-            for (std::size_t p = 0; p < 4; ++p) {
+            for (std::size_t i = 0; i < 4 * pairings_; ++i) {
+                const std::size_t p = i / pairings_;
+                const std::size_t pairing = i % pairings_;
+                // Against the even functions of the run, or the odd ones.
+                const bool even = is_even(p, 0, pairing);
                 double a = 0;
                 double b = 0;
                 if (run.part == LightKind::unpolarized) {
-                    a = moment(p, 0);
+                    a = moment(p, 0, pairing);
                 } else if (run.part == LightKind::full) {
-                    a = moment(p, 3);
+                    a = moment(p, 3, pairing);
                 } else {
-                    const double sign = p < 2 ? 1 : static_cast<double>(run.sign);
-                    a = sign * moment(p, 1);
-                    b = (p < 2 ? sign : -sign) * moment(p, 2);
+                    const double sign = even ? 1 : static_cast<double>(run.sign);
+                    a = sign * moment(p, 1, pairing);
+                    b = (even ? sign : -sign) * moment(p, 2, pairing);
                 }
                 if (a == 0 && b == 0) continue;
-                const std::size_t row = 4 * static_cast<std::size_t>(terms[t]) + p;
+                const std::size_t row = 4 * pairings_ * static_cast<std::size_t>(terms[t]) + i;
                 double* out = &rows_[row * layout_.row_size() + begin];
-                for (std::size_t i = 0; i < run.count; ++i) out[i] += a * first[i] + b * second[i];
+                for (std::size_t j = 0; j < run.count; ++j) out[j] += a * first[j] + b * second[j];
             }
         }
         begin += run.count;

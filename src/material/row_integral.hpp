@@ -16,7 +16,8 @@ public:
     /// Both must outlive the object.
     RowIntegral(const Material& material, const LightLayout& layout);
 
-    /// Rows [term][p][j] (see ResponseTable) at a zenith angle in [0, pi/2), valid until the next call.
+    /// Rows [term][p][pairing][j] (see ResponseTable), in the material's pairings(), at a zenith angle in
+    /// [0, pi/2), valid until the next call.
     [[nodiscard]] std::span<const double> integrate(double theta_out);
 
 private:
@@ -32,15 +33,16 @@ private:
 
     const Material& material_;
     const LightLayout& layout_;
+    std::size_t pairings_;
     std::size_t waves_;  // order + 1
     std::vector<std::vector<int>> groups_;
     std::vector<AzimuthNode> azimuths_;
     std::vector<double> cosines_, sines_;  // [node][m] of m phi_p, phi_p = phi + pi of the propagation
     std::vector<Mueller> muellers_;        // [term]
-    std::vector<double> moments_;          // [term in group][p][q][m]
+    std::vector<double> moments_;          // [term in group][p][q][pairing][m]
     std::vector<double> scalar_, spin2_;   // harmonics by psh_index
     std::vector<double> first_, second_;   // zenith_functions()
-    std::vector<double> rows_;             // [term][p][j]
+    std::vector<double> rows_;             // [term][p][pairing][j]
 };
 
 }  // namespace nicol

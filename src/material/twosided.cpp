@@ -17,6 +17,7 @@ public:
         return front_->weight(term, channel);
     }
     [[nodiscard]] double lobe_width(int term) const noexcept override { return front_->lobe_width(term); }
+    [[nodiscard]] bool mirror_symmetric() const noexcept override { return front_->mirror_symmetric(); }
     [[nodiscard]] bool twosided() const noexcept override { return true; }
     // Tables hold the front.
     [[nodiscard]] std::string content_key() const override { return front_->content_key(); }

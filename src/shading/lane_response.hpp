@@ -9,9 +9,9 @@
 
 namespace nicol {
 
-/// stokes[p] for p < rows (1, 3 or 4) = the response of `table`, [p][pair], to light seen at azimuth phi:
-/// cosine[m] and sine[m] are those of m phi.
-void respond(const LightLayout& layout, std::size_t rows, const Lanes* table, const Lanes* light,
-             const Lanes* cosine, const Lanes* sine, Lanes* stokes);
+/// stokes[p] for p < rows (1, 3 or 4) = the response of `table`, [p][pairing][pair], to light seen at azimuth
+/// phi: cosine[m] and sine[m] are those of m phi. pairings: 1 or 2.
+void respond(const LightLayout& layout, std::size_t rows, std::size_t pairings, const Lanes* table,
+             const Lanes* light, const Lanes* cosine, const Lanes* sine, Lanes* stokes);
 
 }  // namespace nicol

@@ -25,7 +25,7 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
     const std::size_t step = response.rows(0, 0).size() * static_cast<std::size_t>(response.channels());
 
     // Whole squares are faster to transpose, and the rows of a few orders together have as many numbers.
-    const std::size_t row_size = layout_.row_size();
+    const std::size_t row_size = response.row_size();
     const std::size_t numbers = std::max(rows * row_size, std::min(kLanes, 4 * row_size));
 
     LaneView& seen = LaneView::of_thread(layout_.order());
@@ -63,8 +63,9 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
             }
             const int light_channel = light.channels() == 1 ? 0 : static_cast<int>(channel);
             stokes = {};
-            respond(layout_, rows, table.data(), light.block(begin / kLanes, light_channel).data(),
-                    seen.cosines(), seen.sines(), stokes.data());
+            respond(layout_, rows, response.pairings(), table.data(),
+                    light.block(begin / kLanes, light_channel).data(), seen.cosines(), seen.sines(),
+                    stokes.data());
             const Lanes& c = seen.frame_cosine();
             const Lanes& s = seen.frame_sine();
             for (std::size_t i = 0; i < kLanes; ++i) {

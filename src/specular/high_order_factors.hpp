@@ -25,7 +25,8 @@ inline constexpr std::array<double, 4> kLobeWidths{0.0, 0.05, 0.1, 0.2};
 /// is at -n in light filtered by cosine_gains(). With S the Stokes vectors at the taps, outgoing light is
 ///     F_central S_d + F_up S_up + F_down S_down + F_sum (S_right + S_left) + F_difference (S_right - S_left)
 ///     + F_base S_-n.
-/// Mirror symmetry leaves eight elements each (the last: s0 to s0 and s1).
+/// Mirror symmetry leaves eight elements each (the last: s0 to s0 and s1); of materials without it, the part
+/// that has it is taken.
 class HighOrderFactors {
 public:
     /// Cosines of the zenith angle, evenly from 0 to 1. In between, factors are linear.

@@ -59,6 +59,21 @@ void add_other_side(std::array<SplitVector, 4>& moments) {
     }
 }
 
+// The mean of the matrices for light from one direction and of those that the mirror images of materials
+// have, which are their own where they are symmetric; the viewer is at azimuth 0.
+void evaluate_symmetric(const Material& material, const glm::dvec3& light, const glm::dvec3& viewer,
+                        std::span<Mueller> muellers, std::span<Mueller> mirrored) {
+    material.evaluate_terms(light, viewer, muellers);
+    if (material.mirror_symmetric()) return;
+    material.evaluate_terms({light.x, -light.y, light.z}, viewer, mirrored);
+    for (std::size_t t = 0; t < muellers.size(); ++t)
+        for (std::size_t p = 0; p < 4; ++p)
+            for (std::size_t q = 0; q < 4; ++q) {
+                const double image = (p < 2) == (q < 2) ? mirrored[t](p, q) : -mirrored[t](p, q);
+                muellers[t](p, q) = (muellers[t](p, q) + image) / 2;
+            }
+}
+
 // The s-frame x of outgoing light is phi-hat: theta-hat rotated by 90 degrees.
 constexpr std::array<double, 4> kQuarterRotation{1, -1, -1, 1};
 
@@ -172,6 +187,7 @@ std::vector<SplitFit::Moments> SplitFit::integrated(double theta_out,
 
     std::vector<Moments> out(terms);
     std::vector<Mueller> muellers(terms);
+    std::vector<Mueller> mirrored(terms);
     for (const QuadratureNode& zenith : nodes_around(theta_out, 0, pi / 2, lobe, pi / 8)) {
         const double sin_theta = std::sin(zenith.x);
         const double cos_theta = std::cos(zenith.x);
@@ -179,7 +195,7 @@ std::vector<SplitFit::Moments> SplitFit::integrated(double theta_out,
             const double weight = zenith.weight * azimuth.weight * sin_theta * cos_theta;
             const glm::dvec3 light(sin_theta * std::cos(azimuth.x), sin_theta * std::sin(azimuth.x),
                                    cos_theta);
-            material_.evaluate_terms(light, viewer, muellers);
+            evaluate_symmetric(material_, light, viewer, muellers, mirrored);
             const Frame frame = theta_phi_frame(-light);
             for (std::size_t i = 0; i < taps.size(); ++i) {
                 const auto lobe_index = static_cast<std::size_t>(taps[i].lobe);
@@ -216,7 +232,7 @@ std::vector<SplitFit::Moments> SplitFit::of_matrices(
         const LightLayout layout(order, LightKind::full);
         std::vector<double> rows(4 * layout.row_size());
         std::vector<double> numbers(layout.size());
-        rows_from_matrix(matrix, theta_out, layout, rows);
+        rows_from_matrix(matrix, theta_out, layout, 1, rows);
         for (std::size_t p = 0; p < 4; ++p) {
             for (std::size_t i = 0; i < taps.size(); ++i) {
                 const std::vector<double>& gain = gains_[static_cast<std::size_t>(taps[i].lobe)];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "harmonics/light_layout.hpp"
+#include "polarization/stokes.hpp"
 
 namespace nicol::test {
 
@@ -34,6 +35,20 @@ inline std::vector<std::complex<double>> light_pairs(const LightLayout& layout,
             out.emplace_back(both || run.sign > 0 ? numbers[run.even + i] : 0,
                              both || run.sign < 0 ? numbers[run.odd + i] : 0);
         }
+    }
+    return out;
+}
+
+/// Rows [p][pairing][j] of a response times light in these pairs: what a viewer at azimuth 0 sees.
+template <class Number>
+Stokes rows_times_light(std::span<const Number> rows, const std::vector<std::complex<double>>& pairs) {
+    const std::size_t pairings = rows.size() / (4 * pairs.size());
+    Stokes out(0.0);
+    for (std::size_t row = 0; row < 4 * pairings; ++row) {
+        const bool even = (row / pairings < 2) == (row % pairings == 0);
+        for (std::size_t j = 0; j < pairs.size(); ++j)
+            out[static_cast<int>(row / pairings)] += static_cast<double>(rows[row * pairs.size() + j]) *
+                                                     (even ? pairs[j].real() : pairs[j].imag());
     }
     return out;
 }

@@ -57,14 +57,7 @@ inline Stokes reflected(const Material& material, int channel, const PshVector& 
 /// Rows of the table applied to light in the surface's own frame, viewer at that table angle and azimuth 0.
 inline Stokes respond(const ResponseTable& table, const LightLayout& layout, const PshVector& light,
                       int angle) {
-    const auto pairs = light_pairs(layout, light.channel(0));
-    const std::span<const float> rows = table.rows(angle, 0);
-    Stokes out(0.0);
-    for (std::size_t j = 0; j < pairs.size(); ++j)
-        for (std::size_t p = 0; p < 4; ++p)
-            out[static_cast<int>(p)] +=
-                static_cast<double>(rows[p * pairs.size() + j]) * (p < 2 ? pairs[j].real() : pairs[j].imag());
-    return out;
+    return rows_times_light(table.rows(angle, 0), light_pairs(layout, light.channel(0)));
 }
 
 /// A light with every coefficient that `components` (1, 3 or 4) allows, decaying with the order.

@@ -44,13 +44,8 @@ std::array<double, 2> mean_squares(const ResponseTable& table, const LightLayout
         const auto z = test::light_pairs(layout, rotated(light, glm::mat3_cast(q)).channel(0));
         const double theta = std::acos(std::sqrt(uniform(random)));
         const auto angle = static_cast<int>(theta / std::acos(0.0) * (ResponseTable::kAngles - 1));
-        const auto rows = table.rows(angle, 0);
-        for (std::size_t p = 0; p < 3; ++p) {
-            double s = 0;
-            for (std::size_t j = 0; j < z.size(); ++j)
-                s += static_cast<double>(rows[p * z.size() + j]) * (p < 2 ? z[j].real() : z[j].imag());
-            sum[p == 0 ? 0 : 1] += s * s / rotations;
-        }
+        const Stokes s = test::rows_times_light(table.rows(angle, 0), z);
+        for (int p = 0; p < 3; ++p) sum[p == 0 ? 0 : 1] += s[p] * s[p] / rotations;
     }
     return sum;
 }

@@ -2,6 +2,7 @@
 #include "material/response_table.hpp"
 
 #include "brute_force.hpp"
+#include "chiral_material.hpp"
 #include "harmonics/light_numbers.hpp"
 #include "material/lobe_quadrature.hpp"
 #include "test.hpp"
@@ -39,12 +40,15 @@ TEST_CASE("rows times light equals the reflection integral in the angular domain
         {"beckmann 0.4", pplastic({.alpha = 0.4}), 2e-5},
         {"ggx 0.3", pplastic({.diffuse_reflectance = {0.1}, .alpha = 0.3, .distribution = Distribution::ggx}),
          2e-5},
+        {"chiral", test::chiral(pplastic({.alpha = 0.4})), 3e-5},
     };
     for (const Case& c : cases) {
         for (const LightKind kind : {LightKind::unpolarized, LightKind::linear, LightKind::full}) {
             const LightLayout layout(4, kind);
             const PshVector light = test::random_light(4, 1, static_cast<int>(kind), 11);
             const ResponseTable table(*c.material, layout, 1);
+            CHECK(table.data().size() ==
+                  ResponseTable::kAngles * 4 * c.material->pairings() * layout.row_size());
             for (const int angle : {0, 1, 90 * 4, 200 * 4 + 1, 250 * 4 + 2}) {
                 CAPTURES(c.name, angle);
                 const double theta = angle * pi / 2 / (ResponseTable::kAngles - 1);

@@ -2,6 +2,7 @@
 // The methods of transfer against each other.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
+#include "material/chiral_material.hpp"
 #include "material/material_projection.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "render/scenes.hpp"
@@ -33,7 +34,7 @@ const Camera some_camera = test::camera_at({1, 2, 6});
 
 GL_TEST_CASE("dense equals factored where factored truncates the outgoing side as well") {
     const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.3});
-    const MaterialPtr metal = test::some_metal(0.3);
+    const MaterialPtr metal = test::chiral(test::some_metal(0.3));
     for (const int order : {0, 3}) {
         Scene exact = two_spheres(plastic, metal, order);
         Scene cut = two_spheres(truncated(*plastic, order), truncated(*metal, order), order);

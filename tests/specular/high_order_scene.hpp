@@ -100,20 +100,15 @@ struct SphereView {
             const Frame from = frame * theta_phi_frame(glm::transpose(frame) * towards);
             const double angle_to_camera = angle_between(from, view.frame(towards));
             for (std::size_t c = 0; c < channels; ++c) {
-                const auto& z = light.pairs[v * channels + c];
-                const double* row = rows[ring[v]].data() + 4 * z.size() * c;
+                const std::size_t set = rows[ring[v]].size() / channels;
+                const auto row = std::span<const double>(rows[ring[v]]).subspan(set * c, set);
                 for (std::size_t i = 0; i < tops.size(); ++i) {
-                    Stokes sum(0.0);
+                    auto cut = light.pairs[v * channels + c];
                     std::size_t j = 0;
-                    for (const LightLayout::Run& run : layout.runs()) {
-                        for (std::size_t k = 0; k < run.count; ++k, ++j) {
-                            if (run.l + static_cast<int>(k) * run.step > tops[i]) continue;
-                            for (std::size_t p = 0; p < 4; ++p)
-                                sum[static_cast<int>(p)] +=
-                                    row[p * z.size() + j] * (p < 2 ? z[j].real() : z[j].imag());
-                        }
-                    }
-                    out[i][c][v] = glm::vec4(rotated(sum, angle_to_camera));
+                    for (const LightLayout::Run& run : layout.runs())
+                        for (std::size_t k = 0; k < run.count; ++k, ++j)
+                            if (run.l + static_cast<int>(k) * run.step > tops[i]) cut[j] = 0;
+                    out[i][c][v] = glm::vec4(rotated(rows_times_light(row, cut), angle_to_camera));
                 }
             }
         }
@@ -141,11 +136,11 @@ struct SphereView {
 private:
     static Frame surface(const glm::vec3& normal) { return frame_with_x(glm::dvec3(normal), {0, 0, 1}); }
 
-    // [ring][channel][p][j]
+    // [ring][channel][p][pairing][j]
     [[nodiscard]] std::vector<std::vector<double>> response_rows(const Material& material,
                                                                  const LightLayout& layout,
                                                                  int channels) const {
-        const std::size_t set = 4 * layout.row_size();
+        const std::size_t set = 4 * material.pairings() * layout.row_size();
         std::vector<std::vector<double>> out;
         RowIntegral integral(material, layout);
         for (const double angle : angles) {
@@ -153,7 +148,7 @@ private:
             if (material.matrix(0) != nullptr) {
                 for (int c = 0; c < channels; ++c) {
                     const int own = material.channels() == 1 ? 0 : c;
-                    rows_from_matrix(*material.matrix(own), angle, layout,
+                    rows_from_matrix(*material.matrix(own), angle, layout, material.pairings(),
                                      std::span(rows).subspan(set * static_cast<std::size_t>(c), set));
                 }
                 continue;

@@ -4,6 +4,7 @@
 #include "harmonics/light_numbers.hpp"
 #include "harmonics/rotation.hpp"
 #include "material/brute_force.hpp"
+#include "material/chiral_material.hpp"
 #include "material/conductor.hpp"
 #include "material/material_projection.hpp"
 #include "shading/shade.hpp"
@@ -52,7 +53,7 @@ std::vector<IsotropicMatrix> matrices(const Material& material, int order) {
 TEST_CASE("a dense matrix is rotation, shadow and material one after another") {
     const MaterialPtr coloured = pplastic({.diffuse_reflectance = {0.6, 0.2}, .alpha = 0.3});
     const MaterialPtr metal = rough_conductor({.eta = {{0.2, -3.0}}, .alpha = 0.3});
-    for (const MaterialPtr& material : {coloured, metal, diffuse({0.5})}) {
+    for (const MaterialPtr& material : {coloured, metal, test::chiral(metal), diffuse({0.5})}) {
         for (const int order : {0, 1, 4, 5}) {
             const std::vector<IsotropicMatrix> channels = matrices(*material, order);
             const auto shadows = std::make_shared<const ShadowMatrix>(2 * order, order, order);

@@ -25,7 +25,8 @@ std::vector<std::array<std::int32_t, 4>> runs_of(const LightLayout& layout) {
 
 DeviceTable::DeviceTable(const std::shared_ptr<gl::Context>& context, const LightLayout& layout,
                          const ResponseTable& table)
-    : row_size_(static_cast<int>(layout.row_size())),
+    : row_size_(static_cast<int>(table.row_size())),
+      pairs_(static_cast<int>(layout.row_size())),
       runs_(static_cast<int>(layout.runs().size())),
       angles_(table.angles()),
       makes_linear_(table.makes(1) || table.makes(2)),
@@ -58,6 +59,7 @@ void DeviceShade::run(const DeviceTable& table, const DeviceLight& light, std::s
     program_.set("count", static_cast<int>(last - first));
     program_.set("stride", static_cast<int>(light.stride()));
     program_.set("row_size", table.row_size_);
+    program_.set("pairs", table.pairs_);
     program_.set("runs_of_row", table.runs_);
     program_.set("angles", table.angles_);
     program_.set("makes_linear", table.makes_linear_ ? 1 : 0);

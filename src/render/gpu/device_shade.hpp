@@ -23,7 +23,8 @@ public:
 private:
     friend class DeviceShade;
 
-    int row_size_;
+    int row_size_;  // of all pairings
+    int pairs_;     // of one
     int runs_;
     int angles_;
     bool makes_linear_;
