@@ -24,6 +24,7 @@ public:
     [[nodiscard]] int terms() const noexcept override { return channels(); }
     [[nodiscard]] double weight(int term, int channel) const override { return term == channel ? 1 : 0; }
     [[nodiscard]] double lobe_width(int) const noexcept override { return lobe_; }
+    [[nodiscard]] bool mirror_symmetric() const noexcept override { return table_.mirror_symmetric(); }
     [[nodiscard]] std::string content_key() const override { return key_; }
 
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
@@ -82,13 +83,14 @@ MaterialPtr load_measured(const std::filesystem::path& path, const MeasuredParam
                                                   : linear_weights(measured, parameters.wavelengths))
                                    : measured.size() == 1 ? ChannelWeights{{1.0}}
                                                           : rgb_weights(measured);
-    MeasuredTable table(file, weights);
+    MeasuredTable table(file, weights, parameters.symmetrize);
     if (notice && !table.implied().empty())
         notice(path.string() + ": angles without values are taken as evenly spaced: " + table.implied());
     const std::string key = Key("measured_polarized")
                                 .add("content", std::string_view(table.content()))
                                 .add("wavelengths", parameters.wavelengths)
                                 .add("nearest", nearest)
+                                .add("symmetrize", parameters.symmetrize)
                                 .text();
     return std::make_shared<Measured>(std::move(table), key);
 }

@@ -19,6 +19,8 @@ struct MeasuredParameters {
     /// channel per wavelength in nm: 1..16 values from 100 to 5000.
     std::vector<double> wavelengths;
     WavelengthSampling sampling = WavelengthSampling::linear;
+    /// Averages M(phi_d) with the mirror image of M(-phi_d), which takes out noise and half of the memory.
+    bool symmetrize = false;
 };
 
 /// Reads a .pbsdf file: fields theta_h, theta_d, phi_d (f32, [1][N] or [N], radians, increasing), wvls (u16
@@ -27,13 +29,15 @@ struct MeasuredParameters {
 /// [0][N], which hold no values, stand for N evenly spaced angles, both ends included: theta_h and theta_d
 /// over 0..pi/2, phi_d over 0..2 pi. One call of `notice` then names them.
 ///
-/// The file is streamed. Memory: 34 bytes per channel and pair of mirrored directions, 52 MB per channel at
-/// the resolution of the KAIST data set (361 x 91 x 91).
+/// The file is streamed. Memory: 34 bytes per channel and direction, 102 MB per channel at the resolution of
+/// the KAIST data set (361 x 91 x 91), half of that where the material is mirror symmetric: symmetrized, or
+/// where the file has azimuths on one side of the plane of incidence only, whose mirror images stand for the
+/// other.
 ///
-/// A Material is mirror symmetric, so M(phi_d) is averaged with the mirror image of M(-phi_d). Elements other
-/// than M00 are stored relative to M00, clamped to -2..2, in steps of 6e-5. A matrix whose M00 is NaN is
-/// missing and replaced by that of the nearest wavelength or the mirrored direction, else by zero. A matrix
-/// whose M00 is negative is zero, and so is any other element that is not finite.
+/// Elements other than M00 are stored relative to M00, clamped to -2..2, in steps of 6e-5. A matrix whose M00
+/// is NaN is missing and replaced by that of the nearest wavelength or the mirror image of that of the
+/// mirrored direction, else by zero. A matrix whose M00 is negative is zero, and so is any other element that
+/// is not finite.
 ///
 /// Throws Error(file_not_found); Error(invalid_file) naming file and field if malformed, truncated or empty;
 /// Error(unsupported) for tables above 1 GiB; Error(invalid_argument) for the parameters.

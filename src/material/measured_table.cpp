@@ -21,13 +21,22 @@ constexpr std::size_t kChunkBytes = 1 << 22;
 constexpr std::uint64_t kMaxTableBytes = std::uint64_t{1} << 30;
 constexpr double kSteps = 32767 / 2.0;  // in 1
 
+using Matrix = std::array<double, 16>;
+
+// Whether an element changes its sign with the side, if there is mirror symmetry.
 bool is_odd(std::size_t element) {
     return (element / 4 < 2) != (element % 4 < 2);
 }
 
+Matrix with_odd_elements_times(double sign, Matrix matrix) {
+    for (std::size_t e = 0; e < 16; ++e)
+        if (is_odd(e)) matrix[e] *= sign;
+    return matrix;
+}
+
 // Matrices of one record, by wavelength; false for those that are missing.
 struct Record {
-    std::vector<std::array<double, 16>> matrix;
+    std::vector<Matrix> matrix;
     std::vector<bool> known;
     bool any = false;
 
@@ -65,7 +74,7 @@ std::vector<double> MeasuredTable::wavelengths(TensorFile& file) {
     return values;
 }
 
-MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
+MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights, bool symmetrize)
     : theta_d_(angles(file, "theta_d", 0, pi / 2)),
       theta_h_(angles(file, "theta_h", 0, pi / 2)),
       channels_(weights.size()) {
@@ -78,15 +87,20 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
                      std::to_string(shape[0]) + "][" + std::to_string(shape[1]) + "][" +
                      std::to_string(shape[2]) + "][" + std::to_string(shape[3]) + "][4][4]");
     fold_azimuths(phi);
+    const auto has_side = [this](int sign) {
+        return std::ranges::any_of(azimuths_, [=](const Azimuth& a) { return a.sign == sign; });
+    };
+    if (symmetrize || !has_side(1) || !has_side(-1)) sides_ = 1;
 
     const std::size_t plane = theta_d_.size() * theta_h_.size();
-    const std::uint64_t entries = std::uint64_t{phi_d_.size()} * plane;
-    if (entries > kMaxTableBytes / (34 * channels_))
+    const std::uint64_t directions = std::uint64_t{sides_ * phi_d_.size()} * plane;
+    if (directions > kMaxTableBytes / (34 * channels_))
         throw Error(ErrorCode::unsupported,
                     "the table of a measured material would need more than 1 GiB; "
                     "use fewer channels or angles");
-    m00_.assign(entries * channels_, -1.0F);
-    rest_.resize(entries * channels_);
+    side_size_ = phi_d_.size() * plane * channels_;
+    m00_.assign(sides_ * side_size_, -1.0F);
+    rest_.resize(sides_ * side_size_);
 
     ContentHash hash;
     for (const auto& grid : {phi, theta_d_, theta_h_, wavelengths(file)})
@@ -95,7 +109,7 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
     const auto chunk_bytes =
         static_cast<std::size_t>(std::min<std::uint64_t>(kChunkBytes, m.count * sizeof(float)));
     std::vector<unsigned char> chunk(std::max<std::size_t>(chunk_bytes / record_bytes, 1) * record_bytes);
-    Record record{std::vector<std::array<double, 16>>(spectrum), std::vector<bool>(spectrum)};
+    Record record{std::vector<Matrix>(spectrum), std::vector<bool>(spectrum)};
     std::uint64_t index = 0;
     for (std::uint64_t done = 0; done < m.count * sizeof(float);) {
         const auto size =
@@ -107,19 +121,24 @@ MeasuredTable::MeasuredTable(TensorFile& file, const ChannelWeights& weights)
         for (std::size_t at = 0; at < size; at += record_bytes, ++index) {
             record.read(&chunk[at], spectrum);
             if (!record.any) continue;
-            const std::size_t azimuth = index / plane;
-            const std::size_t entry = (folded_[azimuth] * plane + index % plane) * channels_;
+            const Azimuth azimuth = azimuths_[index / plane];
+            const std::size_t entry = (azimuth.index * plane + index % plane) * channels_;
             for (std::size_t c = 0; c < channels_; ++c) {
-                std::array<double, 16> sum{};
+                Matrix sum{};
                 for (std::size_t w = 0; w < spectrum; ++w) {
                     if (weights[c][w] == 0) continue;
                     for (std::size_t e = 0; e < 16; ++e) sum[e] += weights[c][w] * record.matrix[w][e];
                 }
-                take(entry + c, phi[azimuth], sum);
+                if (sides_ == 1) {
+                    take(entry + c, with_odd_elements_times(azimuth.sign, sum));
+                    continue;
+                }
+                if (azimuth.sign >= 0) take(entry + c, sum);
+                if (azimuth.sign <= 0) take(side_size_ + entry + c, sum);
             }
         }
     }
-    for (float& value : m00_) value = std::max(value, 0.0F);
+    fill_missing();
     content_ = hash.text();
 }
 
@@ -153,41 +172,55 @@ std::vector<double> MeasuredTable::angles(TensorFile& file, const std::string& n
 
 // The grid of |phi_d|, and where each azimuth of the file stands in it.
 void MeasuredTable::fold_azimuths(const std::vector<double>& phi) {
-    std::vector<double> folded;
-    folded.reserve(phi.size());
+    std::vector<double> wrapped;
+    wrapped.reserve(phi.size());
     for (const double value : phi)
-        folded.push_back(std::min(std::abs(value > pi ? value - 2 * pi : value), pi));
-    std::vector<double> sorted = folded;
+        wrapped.push_back(std::clamp(value > pi ? value - 2 * pi : value, -pi, pi));
+    std::vector<double> sorted = wrapped;
+    for (double& value : sorted) value = std::abs(value);
     std::ranges::sort(sorted);
     for (const double value : sorted)
         if (phi_d_.empty() || value - phi_d_.back() > kSameAngle) phi_d_.push_back(value);
-    for (const double value : folded) {
-        const auto after = std::ranges::upper_bound(phi_d_, value);
-        folded_.push_back(static_cast<std::size_t>(after - phi_d_.begin()) - 1);
+    for (const double value : wrapped) {
+        const double folded = std::abs(value);
+        const auto after = std::ranges::upper_bound(phi_d_, folded);
+        const bool in_plane = folded < kSameAngle || folded > pi - kSameAngle;
+        const int side = value < 0 ? -1 : 1;
+        azimuths_.push_back({static_cast<std::size_t>(after - phi_d_.begin()) - 1, in_plane ? 0 : side});
     }
 }
 
-// Adds a matrix to the average of mirror images that a table entry is.
-void MeasuredTable::take(std::size_t entry, double phi, std::array<double, 16>& matrix) {
-    const double wrapped = phi > pi ? phi - 2 * pi : phi;
-    // In the plane of symmetry the odd elements vanish.
-    const bool in_plane = std::abs(wrapped) < kSameAngle || std::abs(wrapped) > pi - kSameAngle;
-    const double odd = in_plane ? 0 : wrapped < 0 ? -1 : 1;
-    for (std::size_t e = 0; e < 16; ++e)
-        if (is_odd(e)) matrix[e] *= odd;
+// Adds a matrix to the average that a table entry is.
+void MeasuredTable::take(std::size_t entry, const Matrix& matrix) {
+    Matrix mean = matrix;
     const auto before = static_cast<double>(m00_[entry]);
     if (before >= 0) {
-        matrix[0] = (matrix[0] + before) / 2;
-        for (std::size_t e = 1; e < 16; ++e)
-            matrix[e] = (matrix[e] + before * rest_[entry][e - 1] / kSteps) / 2;
+        mean[0] = (mean[0] + before) / 2;
+        for (std::size_t e = 1; e < 16; ++e) mean[e] = (mean[e] + before * rest_[entry][e - 1] / kSteps) / 2;
     }
     // Colours outside the gamut.
-    if (!(matrix[0] > 0)) matrix = {};
-    m00_[entry] = static_cast<float>(matrix[0]);
+    if (!(mean[0] > 0)) mean = {};
+    m00_[entry] = static_cast<float>(mean[0]);
     for (std::size_t e = 1; e < 16; ++e) {
-        const double relative = matrix[0] > 0 ? std::clamp(matrix[e] / matrix[0], -2.0, 2.0) : 0;
+        const double relative = mean[0] > 0 ? std::clamp(mean[e] / mean[0], -2.0, 2.0) : 0;
         rest_[entry][e - 1] = static_cast<std::int16_t>(std::lround(relative * kSteps));
     }
+}
+
+// By the mirror image of the other side, else by zero.
+void MeasuredTable::fill_missing() {
+    const auto fill = [this](std::size_t entry, std::size_t from) {
+        if (m00_[entry] >= 0) return;
+        m00_[entry] = m00_[from];
+        for (std::size_t e = 1; e < 16; ++e)
+            rest_[entry][e - 1] =
+                static_cast<std::int16_t>(is_odd(e) ? -rest_[from][e - 1] : rest_[from][e - 1]);
+    };
+    for (std::size_t i = 0; sides_ == 2 && i < side_size_; ++i) {
+        fill(i, side_size_ + i);
+        fill(side_size_ + i, i);
+    }
+    for (float& value : m00_) value = std::max(value, 0.0F);
 }
 
 MeasuredTable::Cell MeasuredTable::find(const std::vector<double>& grid, double value) {
@@ -201,8 +234,10 @@ void MeasuredTable::at(const Angles& angles, std::size_t first, std::span<Muelle
     const Cell phi = find(phi_d_, std::abs(angles.phi_d));
     const Cell d = find(theta_d_, angles.theta_d);
     const Cell h = find(theta_h_, angles.theta_h);
+    const bool behind = angles.phi_d < 0;
+    const std::size_t side = behind && sides_ == 2 ? side_size_ : 0;
     for (std::size_t c = 0; c < out.size(); ++c) {
-        std::array<double, 16> sum{};
+        Matrix sum{};
         for (std::size_t corner = 0; corner < 8; ++corner) {
             const std::size_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
             const double weight = (i != 0 ? phi.fraction : 1 - phi.fraction) *
@@ -210,6 +245,7 @@ void MeasuredTable::at(const Angles& angles, std::size_t first, std::span<Muelle
                                   (k != 0 ? h.fraction : 1 - h.fraction);
             if (weight == 0) continue;
             const std::size_t entry =
+                side +
                 (((phi.index + i) * theta_d_.size() + d.index + j) * theta_h_.size() + h.index + k) *
                     channels_ +
                 first + c;
@@ -217,11 +253,7 @@ void MeasuredTable::at(const Angles& angles, std::size_t first, std::span<Muelle
             sum[0] += m00;
             for (std::size_t e = 1; e < 16; ++e) sum[e] += m00 / kSteps * rest_[entry][e - 1];
         }
-        if (angles.phi_d < 0) {
-            for (std::size_t e = 0; e < 16; ++e)
-                if (is_odd(e)) sum[e] = -sum[e];
-        }
-        out[c] = Mueller(sum);
+        out[c] = Mueller(behind && sides_ == 1 ? with_odd_elements_times(-1, sum) : sum);
     }
 }
 
@@ -231,7 +263,7 @@ double MeasuredTable::lobe_width() const {
         double peak = 0;
         for (std::size_t k = 0; k < theta_h_.size(); ++k) {
             double sum = 0;
-            for (std::size_t i = 0; i < phi_d_.size(); ++i) {
+            for (std::size_t i = 0; i < sides_ * phi_d_.size(); ++i) {
                 for (std::size_t j = 0; j < theta_d_.size() && theta_d_[j] <= pi / 4; ++j)
                     sum += static_cast<double>(
                         m00_[((i * theta_d_.size() + j) * theta_h_.size() + k) * channels_ + c]);

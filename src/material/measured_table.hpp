@@ -14,7 +14,8 @@
 
 namespace nicol {
 
-/// A grid of compressed matrices [phi_d >= 0][theta_d][theta_h][channel] in s-frames; see load_measured().
+/// A grid of compressed matrices [side][|phi_d|][theta_d][theta_h][channel] in s-frames; see load_measured().
+/// Sides: phi_d >= 0 and phi_d <= 0, or the first alone, whose mirror image is the other.
 class MeasuredTable {
 public:
     struct Angles {
@@ -24,9 +25,10 @@ public:
     };
 
     /// Streams the field M. Weights: of the file's wavelengths in each channel.
-    MeasuredTable(TensorFile& file, const ChannelWeights& weights);
+    MeasuredTable(TensorFile& file, const ChannelWeights& weights, bool symmetrize);
 
     [[nodiscard]] std::size_t channels() const noexcept { return channels_; }
+    [[nodiscard]] bool mirror_symmetric() const noexcept { return sides_ == 1; }
     /// Writes the matrices of `count` channels from `first` on.
     void at(const Angles& angles, std::size_t first, std::span<Mueller> out) const;
     /// theta_h at which M00, averaged over phi_d and theta_d up to 45 degrees, falls to a quarter of that at
@@ -49,11 +51,18 @@ private:
     std::vector<double> angles(TensorFile& file, const std::string& name, double low, double high);
     static Cell find(const std::vector<double>& grid, double value);
     void fold_azimuths(const std::vector<double>& phi);
-    void take(std::size_t entry, double phi, std::array<double, 16>& matrix);
+    void take(std::size_t entry, const std::array<double, 16>& matrix);
+    void fill_missing();
 
     std::string implied_;  // filled while the angles are read
     std::vector<double> phi_d_, theta_d_, theta_h_;
-    std::vector<std::size_t> folded_;  // by index in the file
+    struct Azimuth {
+        std::size_t index;  // in phi_d_
+        int sign;           // 0 in the plane of incidence, which is of both sides
+    };
+    std::vector<Azimuth> azimuths_;  // by index in the file
+    std::size_t sides_ = 2;
+    std::size_t side_size_ = 0;  // entries
     std::size_t channels_;
     std::vector<float> m00_;                          // negative: nothing yet
     std::vector<std::array<std::int16_t, 15>> rest_;  // elements 1 to 15 relative to M00
