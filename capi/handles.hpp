@@ -271,6 +271,11 @@ nicol_context_options context_options(const nicol_context_options* options);
 /// A handle with one reference.
 nicol_context make_context(std::shared_ptr<gl::Context> context, const nicol_context_options& options);
 
+/// Whether it is 1. "name is 7; it must be 0 or 1" unless it is one of these.
+inline bool switch_from(std::uint32_t given, const char* name) {
+    if (given > 1) refuse(std::string(name) + " is " + std::to_string(given) + "; it must be 0 or 1");
+    return given == 1;
+}
 /// A spectrum of the interface as values; `fallback` where it is empty. Throws Error(invalid_argument).
 std::vector<double> spectrum(const nicol_spectrum& values, double fallback, std::size_t fallback_channels,
                              const char* name);

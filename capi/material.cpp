@@ -19,12 +19,6 @@ Distribution distribution_of(nicol_distribution given) {
     return given == NICOL_DISTRIBUTION_GGX ? Distribution::ggx : Distribution::beckmann;
 }
 
-// The optional spectrum of an argument.
-std::vector<double> spectrum_at(const nicol_spectrum* values, double fallback, const char* name) {
-    const nicol_spectrum given = values != nullptr ? *values : nicol_spectrum NICOL_SPECTRUM_INIT;
-    return spectrum(given, fallback, 1, name);
-}
-
 std::vector<std::complex<double>> index_of(const nicol_conductor& given) {
     const std::string metal = given.metal != nullptr ? given.metal : "";
     if (!metal.empty()) {
@@ -64,12 +58,12 @@ MaterialPtr make(const nicol_conductor& given) {
 MaterialPtr measured(const char* path, const nicol_measured* options, const Session& session) {
     const auto given = read_options(options, nicol_measured NICOL_MEASURED_INIT);
     require_constant(given.sampling, NICOL_WAVELENGTH_NEAREST, "options->sampling", "NICOL_WAVELENGTH_...");
-    return load_measured(
-        path,
-        {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
-         .sampling = given.sampling == NICOL_WAVELENGTH_NEAREST ? WavelengthSampling::nearest
-                                                                : WavelengthSampling::linear},
-        [&](const std::string& text) { session.notice(text); });
+    return load_measured(path,
+                         {.wavelengths = spectrum(given.wavelengths, 0, 0, "options->wavelengths"),
+                          .sampling = given.sampling == NICOL_WAVELENGTH_NEAREST ? WavelengthSampling::nearest
+                                                                                 : WavelengthSampling::linear,
+                          .symmetrize = switch_from(given.symmetrize, "options->symmetrize")},
+                         [&](const std::string& text) { session.notice(text); });
 }
 
 // A caller's function as a material's.
@@ -115,8 +109,10 @@ nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_p
 
 nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance,
                                            nicol_material* material) {
-    return create(context, material, "material",
-                  [&] { return diffuse(spectrum_at(reflectance, 0.5, "reflectance")); });
+    static constexpr nicol_spectrum unset = NICOL_SPECTRUM_INIT;
+    return create(context, material, "material", [&] {
+        return diffuse(spectrum(reflectance != nullptr ? *reflectance : unset, 0.5, 1, "reflectance"));
+    });
 }
 
 nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters,
@@ -134,12 +130,14 @@ nicol_result nicol_material_load_measured(nicol_context context, const char* pat
     });
 }
 
-nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_spectrum* scale,
+nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_psh_matrix* options,
                                      nicol_material* material) {
     return load(context, path, material, "material", [&](LoadBudget& budget, const Session&) {
         budget.take_file(path);
-        const std::vector<double> factors = spectrum_at(scale, 1, "scale");
-        return psh_matrix_material(read_psh_matrix(path), factors);
+        const auto given = read_options(options, nicol_psh_matrix NICOL_PSH_MATRIX_INIT);
+        const std::vector<double> scale = spectrum(given.scale, 1, 1, "options->scale");
+        return psh_matrix_material(read_psh_matrix(path), scale,
+                                   switch_from(given.symmetrize, "options->symmetrize"));
     });
 }
 

@@ -118,11 +118,6 @@ ShadeAt shade_at_from(nicol_shade_at given) {
     }
 }
 
-bool switch_from(std::uint32_t given, const char* name) {
-    if (given > 1) refuse(std::string(name) + " is " + std::to_string(given) + "; it must be 0 or 1");
-    return given == 1;
-}
-
 int components_from(nicol_components given) {
     switch (given) {
         case NICOL_COMPONENTS_ALL:

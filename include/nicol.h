@@ -382,20 +382,31 @@ typedef struct nicol_measured {
     /* A channel each, nm, 100 to 5000. count 0: red, green and blue by the CIE 1931 observer under D65, or
      * one channel where the file has one wavelength. */
     nicol_spectrum wavelengths;
+    /* 1: without what breaks mirror symmetry, in which noise of the measurement is; 0, the default: all. */
+    uint32_t symmetrize;
 } nicol_measured;
 #define NICOL_MEASURED_INIT \
-    { sizeof(nicol_measured), 0, NICOL_SPECTRUM_INIT }
+    { sizeof(nicol_measured), 0, NICOL_SPECTRUM_INIT, 0 }
 
-/* Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 52 MB
- * stay in memory for each channel at the data set's resolution. options may be NULL: all defaults. Front side
- * only. */
+/* Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 102 MB
+ * stay in memory for each channel at the data set's resolution, half of that where symmetrized. options may
+ * be NULL: all defaults. Front side only. */
 NICOL_API nicol_result nicol_material_load_measured(nicol_context context, const char* path,
                                                     const nicol_measured* options, nicol_material* material);
+
+typedef struct nicol_psh_matrix {
+    uint32_t struct_size;
+    uint32_t symmetrize;  /* as of nicol_measured */
+    nicol_spectrum scale; /* multiplies; default 1; not negative */
+} nicol_psh_matrix;
+#define NICOL_PSH_MATRIX_INIT \
+    { sizeof(nicol_psh_matrix), 0, NICOL_SPECTRUM_INIT }
+
 /* A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
- * package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or not given: 1; not negative. Light
- * of orders above the matrix's is not reflected. Front side only. */
+ * package polarsh (SHMat in the layout ISOBI2). Light of orders above the matrix's is not reflected. options
+ * may be NULL: all defaults. Front side only. */
 NICOL_API nicol_result nicol_material_load_psh(nicol_context context, const char* path,
-                                               const nicol_spectrum* scale, nicol_material* material);
+                                               const nicol_psh_matrix* options, nicol_material* material);
 /* The back of a surface reflects as its front. `front` may be released afterwards. */
 NICOL_API nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,
                                                       nicol_material* material);

@@ -117,10 +117,11 @@ typedef struct nicol_material_report {
     double largest_albedo[NICOL_MAX_CHANNELS]; /* of light from one direction, the worst up to 75 degrees from
                                                   the normal and the worst polarization; above 1 energy
                                                   appears, the material is not passive */
-    double norms[9 * NICOL_MAX_CHANNELS]; /* [channel][out][in]: Frobenius norms of the parts of the matrix
-                                             between the groups s0, (s1, s2), s3 */
-    double asymmetry[NICOL_MAX_CHANNELS]; /* norm of what breaks mirror symmetry, over that of all. It is left
-                                             out when the material is rendered */
+    double norms[9 * NICOL_MAX_CHANNELS];  /* [channel][out][in]: Frobenius norms of the parts of the matrix
+                                              between the groups s0, (s1, s2), s3 */
+    double asymmetry[NICOL_MAX_CHANNELS];  /* norm of what breaks mirror symmetry, over that of all: errors of
+                                              a measurement, mostly. It can be left out when the material is
+                                              loaded (symmetrize) */
     double unphysical[NICOL_MAX_CHANNELS]; /* part of all pairs of directions, by projected solid angle, where
                                               some fully polarized light leaves with sqrt(s1^2 + s2^2 + s3^2)
                                               above s0 by more than 0.001 of the mean M00 */

@@ -116,7 +116,13 @@ typedef struct nicol_measured {
     uint32_t struct_size;
     nicol_wavelength_sampling sampling;
     nicol_spectrum wavelengths;
+    uint32_t symmetrize;
 } nicol_measured;
+typedef struct nicol_psh_matrix {
+    uint32_t struct_size;
+    uint32_t symmetrize;
+    nicol_spectrum scale;
+} nicol_psh_matrix;
 typedef int32_t (*nicol_mueller_callback)(void* user, uint32_t channel, const double towards_light[3], const double towards_viewer[3], double mueller[16]);
 typedef struct nicol_callback_material {
     uint32_t struct_size;
@@ -382,7 +388,7 @@ nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_p
 nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance, nicol_material* material);
 nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters, nicol_material* material);
 nicol_result nicol_material_load_measured(nicol_context context, const char* path, const nicol_measured* options, nicol_material* material);
-nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_spectrum* scale, nicol_material* material);
+nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_psh_matrix* options, nicol_material* material);
 nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front, nicol_material* material);
 nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material* parameters, nicol_material* material);
 nicol_result nicol_material_retain(nicol_material material);
@@ -682,6 +688,7 @@ return {
         pplastic = { true, { int_ior = 1.49, ext_ior = 1.000277, alpha = 0.1 } },
         conductor = { true, {} },
         measured = { true, {} },
+        psh_matrix = { true, {} },
         callback_material = { true, { channels = 1, lobe_width = 1 } },
         mesh_data = { true, {} },
         camera = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, fov = 45, near_clip = 0.01, far_clip = 10000 } },

@@ -286,6 +286,17 @@ export const types = [
       ["struct_size", "uint32_t", 0],
       ["sampling", "nicol_wavelength_sampling", 0],
       ["wavelengths", "nicol_spectrum", 0],
+      ["symmetrize", "uint32_t", 0],
+    ],
+  },
+  {
+    kind: "struct",
+    name: "nicol_psh_matrix",
+    // name, type, length of a fixed array, default where it is not zero
+    fields: [
+      ["struct_size", "uint32_t", 0],
+      ["symmetrize", "uint32_t", 0],
+      ["scale", "nicol_spectrum", 0],
     ],
   },
   { kind: "callback", name: "nicol_mueller_callback", of: "int32_t nicol_mueller_callback(void *user, uint32_t channel, const double *towards_light, const double *towards_viewer, double *mueller)" },
@@ -647,7 +658,7 @@ export const functions = {
   material_create_diffuse: ["nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum *reflectance, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_conductor: ["nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
   material_load_measured: ["nicol_result nicol_material_load_measured(nicol_context context, const char *path, const nicol_measured *options, _Out_ nicol_material *material)", true, "nicol_material"],
-  material_load_psh: ["nicol_result nicol_material_load_psh(nicol_context context, const char *path, const nicol_spectrum *scale, _Out_ nicol_material *material)", true, "nicol_material"],
+  material_load_psh: ["nicol_result nicol_material_load_psh(nicol_context context, const char *path, const nicol_psh_matrix *options, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_twosided: ["nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_callback: ["nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
   material_retain: ["nicol_result nicol_material_retain(nicol_material material)", true, null],

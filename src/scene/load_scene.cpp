@@ -116,11 +116,11 @@ MaterialPtr matrix_material(const MaterialDescription& d, const SceneChannels& c
     std::vector<double> scale = reflectance(d.scale, channels);
     if (std::ranges::all_of(scale, [&](double s) { return s == scale.front(); })) scale.resize(1);
     if (matrices.size() == 1) matrices.resize(scale.size(), matrices.front());
-    return psh_matrix_material(std::move(matrices), scale);
+    return psh_matrix_material(std::move(matrices), scale, d.symmetrize);
 }
 
 MaterialPtr measured_material(const MaterialDescription& d, const SceneChannels& channels, Files& files) {
-    MeasuredParameters parameters{.wavelengths = channels.wavelengths};
+    MeasuredParameters parameters{.wavelengths = channels.wavelengths, .symmetrize = d.symmetrize};
     if (d.wavelength) parameters.wavelengths = {*d.wavelength};
     return load_measured(d.filename, parameters, [&](const std::string& text) { files.notice(text); });
 }

@@ -117,6 +117,7 @@ void read_measured(Plugin& plugin, MaterialDescription& material) {
     material.filename = plugin.filename("filename");
     const double wavelength = plugin.number("wavelength", -1.0);
     if (wavelength != -1.0) material.wavelength = plugin.number("wavelength", 0.0, 0.0, kNoLimit, true);
+    material.symmetrize = plugin.boolean("symmetrize", false);
     plugin.pass_over({"alpha_sample"});
 }
 
@@ -164,6 +165,7 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
         material.kind = MaterialDescription::Kind::psh;
         material.filename = plugin.filename("filename");
         material.scale = plugin.color("scale", 1.0);
+        material.symmetrize = plugin.boolean("symmetrize", false);
         if (!material.scale.spectrum.empty())
             plugin.fail("scale", "is a table over the wavelength; expected one value or three",
                         ErrorCode::unsupported);

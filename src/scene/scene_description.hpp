@@ -67,7 +67,8 @@ struct MaterialDescription {
     std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
     ColorDescription scale{1.0};     ///< psh
     std::optional<double>
-        wavelength;  ///< measured_polarized: the only one to use, nm; none: all of the table
+        wavelength;           ///< measured_polarized: the only one to use, nm; none: all of the table
+    bool symmetrize = false;  ///< psh, measured_polarized: without what breaks mirror symmetry
 };
 
 struct ShapeDescription {

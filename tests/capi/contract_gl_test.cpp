@@ -15,7 +15,7 @@ const std::set<std::string> optional = {
     "nicol_environment_create_constant.radiance",
     "nicol_material_create_diffuse.reflectance",
     "nicol_material_load_measured.options",
-    "nicol_material_load_psh.scale",
+    "nicol_material_load_psh.options",
     "nicol_scene_load.definitions",
     "nicol_scene_add_instance.id",
     "nicol_scene_get_instance.mesh",

@@ -128,7 +128,8 @@ TEST_CASE("a measured material has the channels asked for") {
         };
         check_wrong(options, [&](const nicol_measured& given) { return load(path, &given); },
                     {{"sampling", [](auto& o) { o.sampling = 2; }},
-                     {"wavelength", [](auto& o) { o.wavelengths = spectrum({1e9F}); }}});
+                     {"wavelength", [](auto& o) { o.wavelengths = spectrum({1e9F}); }},
+                     {"symmetrize", [](auto& o) { o.symmetrize = 2; }}});
         FAILS(load(folder.file("absent.pbsdf")), NICOL_ERROR_FILE_NOT_FOUND, "absent.pbsdf");
         FAILS(load(text), NICOL_ERROR_INVALID_FILE, "text.pbsdf");
         CHECK(material == marker<nicol_material>());
@@ -141,25 +142,30 @@ TEST_CASE("a material by its coefficients") {
     const nicol::IsotropicMatrix matrix = nicol::project_material(*nicol::diffuse({0.4}), 0, 6);
     nicol::write_psh_matrix(path, std::vector{matrix, matrix});
     on_every_backend([&](nicol_context context) {
-        const auto middle = [&](const nicol_spectrum* scale) {
-            return middle_of(context, Owned(make(nicol_material_load_psh, context, path.c_str(), scale)));
+        const auto middle = [&](const nicol_psh_matrix* options) {
+            return middle_of(context, Owned(make(nicol_material_load_psh, context, path.c_str(), options)));
         };
         const std::vector<float> plain = middle(nullptr);
         CHECK(same(plain, {0.4F, 0.4F}, 0.1));  // truncated, so it rings
-        const nicol_spectrum scale = spectrum({0.5F, 2});
-        CHECK(same(middle(&scale), {0.5F * plain[0], 2 * plain[1]}, 1e-4));
+        nicol_psh_matrix options = NICOL_PSH_MATRIX_INIT;
+        CHECK(middle(&options) == plain);
+        options.scale = spectrum({0.5F, 2});
+        CHECK(same(middle(&options), {0.5F * plain[0], 2 * plain[1]}, 1e-4));
+        options.symmetrize = 1;
+        CHECK(same(middle(&options), {0.5F * plain[0], 2 * plain[1]}, 1e-4));
 
         nicol_material material = marker<nicol_material>();
-        const auto load = [&](const std::string& file, const std::vector<float>& factors) {
-            const nicol_spectrum given = spectrum(factors);
-            return nicol_material_load_psh(context, file.c_str(), &given, &material);
+        const auto load = [&](const std::string& file, const nicol_psh_matrix* given = nullptr) {
+            return nicol_material_load_psh(context, file.c_str(), given, &material);
         };
-        check_refused({{"scale", [&] { return load(path, {-1}); }},
-                       {"scale",
-                        [&] {
-                            return load(path, {1, 2, 3});
-                        }},
-                       {"text.npz", [&] { return load(text, {1}); }, NICOL_ERROR_INVALID_FILE}});
+        check_wrong(options, [&](const nicol_psh_matrix& given) { return load(path, &given); },
+                    {{"scale", [](auto& o) { o.scale = spectrum({-1}); }},
+                     {"scale",
+                      [](auto& o) {
+                          o.scale = spectrum({1, 2, 3});
+                      }},
+                     {"symmetrize", [](auto& o) { o.symmetrize = 2; }}});
+        FAILS(load(text), NICOL_ERROR_INVALID_FILE, "text.npz");
         CHECK(material == marker<nicol_material>());
     });
 }

@@ -83,6 +83,29 @@ TEST_CASE("a measured material that lacks its angles is one notice, however many
     CHECK(loaded.notices[0].find("m.pbsdf: ") != std::string::npos);
 }
 
+TEST_CASE("measured materials are made whole or symmetrized, as the scene says") {
+    const TemporaryFolder folder;
+    IsotropicMatrix matrix(2, 2);
+    matrix.block(1, 1, 1)[0] = {1, 0.5};
+    write_psh_matrix(folder / "m.npz", std::vector{matrix});
+    folder.write("m.pbsdf",
+                 test::make_pbsdf(test::even_angles(5, -pi, pi), test::even_angles(2, 0, pi / 2),
+                                  test::even_angles(2, 0, pi / 2), {550},
+                                  [](std::size_t, const glm::dvec3&, const glm::dvec3&) { return Mueller(); })
+                     .bytes());
+    for (const auto& [type, name] : {std::pair{"psh", "m.npz"}, std::pair{"measured_polarized", "m.pbsdf"}}) {
+        for (const std::string flag : {"", "false", "true"}) {
+            const std::string shape =
+                "<shape type='rectangle'><bsdf type='" + std::string(type) +
+                "'><string name='filename' value='" + name + "'/>" +
+                (flag.empty() ? "" : "<boolean name='symmetrize' value='" + flag + "'/>") + "</bsdf></shape>";
+            const LoadedScene loaded =
+                load_scene(folder.write("a.xml", scene(a_sensor + an_emitter + shape)), {});
+            CHECK(loaded.scene.instances()[0].material->mirror_symmetric() == (flag == "true"));
+        }
+    }
+}
+
 TEST_CASE("what fails while a scene is made names the file and the object") {
     const SceneFile file("");
     file.write("bad.obj", "v 0 0 0\n");

@@ -300,6 +300,15 @@ class Measured(Struct):
         ("struct_size", c_uint32),
         ("sampling", c_uint32),
         ("wavelengths", Spectrum),
+        ("symmetrize", c_uint32),
+    ]
+
+
+class PshMatrix(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("symmetrize", c_uint32),
+        ("scale", Spectrum),
     ]
 
 
@@ -739,21 +748,20 @@ class Material(Handle):
 
     @classmethod
     def load_measured(cls, context, path, options=None):
-        """Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 52 MB
-        stay in memory for each channel at the data set's resolution. options may be NULL: all defaults. Front side
-        only."""
+        """Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 102 MB
+        stay in memory for each channel at the data set's resolution, half of that where symmetrized. options may
+        be NULL: all defaults. Front side only."""
         material = cls()
         check(_material_load_measured(context, text(path), byref(options) if options is not None else None, byref(material)))
         return material
 
     @classmethod
-    def load_psh(cls, context, path, scale):
+    def load_psh(cls, context, path, options=None):
         """A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-        package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or not given: 1; not negative. Light
-        of orders above the matrix's is not reflected. Front side only."""
-        scale = scale if scale is None or isinstance(scale, Spectrum) else Spectrum.of(scale)
+        package polarsh (SHMat in the layout ISOBI2). Light of orders above the matrix's is not reflected. options
+        may be NULL: all defaults. Front side only."""
         material = cls()
-        check(_material_load_psh(context, text(path), byref(scale) if scale is not None else None, byref(material)))
+        check(_material_load_psh(context, text(path), byref(options) if options is not None else None, byref(material)))
         return material
 
     @classmethod
@@ -1310,7 +1318,7 @@ _material_create_pplastic = declare("nicol_material_create_pplastic", c_int32, C
 _material_create_diffuse = declare("nicol_material_create_diffuse", c_int32, Context, POINTER(Spectrum), POINTER(Material))
 _material_create_conductor = declare("nicol_material_create_conductor", c_int32, Context, POINTER(Conductor), POINTER(Material))
 _material_load_measured = declare("nicol_material_load_measured", c_int32, Context, c_char_p, POINTER(Measured), POINTER(Material))
-_material_load_psh = declare("nicol_material_load_psh", c_int32, Context, c_char_p, POINTER(Spectrum), POINTER(Material))
+_material_load_psh = declare("nicol_material_load_psh", c_int32, Context, c_char_p, POINTER(PshMatrix), POINTER(Material))
 _material_create_twosided = declare("nicol_material_create_twosided", c_int32, Context, Material, POINTER(Material))
 _material_create_callback = declare("nicol_material_create_callback", c_int32, Context, POINTER(CallbackMaterial), POINTER(Material))
 Material._release = declare("nicol_material_release", c_int32, c_void_p)
@@ -1517,6 +1525,7 @@ __all__ = [
     "PSH_MAX_ORDER",
     "PlaneBuffer",
     "Pplastic",
+    "PshMatrix",
     "PshMuellerField",
     "PshSampling",
     "PshTransform",

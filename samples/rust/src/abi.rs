@@ -520,6 +520,7 @@ pub struct nicol_measured {
     pub struct_size: u32,
     pub sampling: nicol_wavelength_sampling,
     pub wavelengths: nicol_spectrum,
+    pub symmetrize: u32,
 }
 impl Default for nicol_measured {
     fn default() -> Self {
@@ -530,10 +531,33 @@ impl Default for nicol_measured {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_measured>() == 76);
+    assert!(size_of::<nicol_measured>() == 80);
     assert!(offset_of!(nicol_measured, struct_size) == 0);
     assert!(offset_of!(nicol_measured, sampling) == 4);
     assert!(offset_of!(nicol_measured, wavelengths) == 8);
+    assert!(offset_of!(nicol_measured, symmetrize) == 76);
+};
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_psh_matrix {
+    pub struct_size: u32,
+    pub symmetrize: u32,
+    pub scale: nicol_spectrum,
+}
+impl Default for nicol_psh_matrix {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_psh_matrix>() == 76);
+    assert!(offset_of!(nicol_psh_matrix, struct_size) == 0);
+    assert!(offset_of!(nicol_psh_matrix, symmetrize) == 4);
+    assert!(offset_of!(nicol_psh_matrix, scale) == 8);
 };
 
 /// Writes the Mueller matrix of one colour channel, 16 row-major doubles, 1/sr and without the cosine, for
@@ -1330,14 +1354,14 @@ extern "C" {
     pub fn nicol_material_create_diffuse(context: nicol_context, reflectance: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
     /// Likewise; a metal that is not known is refused with the names of those that are.
     pub fn nicol_material_create_conductor(context: nicol_context, parameters: *const nicol_conductor, material: *mut nicol_material) -> nicol_result;
-    /// Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 52 MB
-    /// stay in memory for each channel at the data set's resolution. options may be NULL: all defaults. Front side
-    /// only.
+    /// Mitsuba 3's measured_polarized: a .pbsdf file, as the KAIST data set has them. It is streamed: about 102 MB
+    /// stay in memory for each channel at the data set's resolution, half of that where symmetrized. options may
+    /// be NULL: all defaults. Front side only.
     pub fn nicol_material_load_measured(context: nicol_context, path: *const c_char, options: *const nicol_measured, material: *mut nicol_material) -> nicol_result;
     /// A PSH coefficient matrix a channel, cosine included, of an isotropic material: the .npz files of the Python
-    /// package polarsh (SHMat in the layout ISOBI2). scale multiplies; NULL or not given: 1; not negative. Light
-    /// of orders above the matrix's is not reflected. Front side only.
-    pub fn nicol_material_load_psh(context: nicol_context, path: *const c_char, scale: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
+    /// package polarsh (SHMat in the layout ISOBI2). Light of orders above the matrix's is not reflected. options
+    /// may be NULL: all defaults. Front side only.
+    pub fn nicol_material_load_psh(context: nicol_context, path: *const c_char, options: *const nicol_psh_matrix, material: *mut nicol_material) -> nicol_result;
     /// The back of a surface reflects as its front. `front` may be released afterwards.
     pub fn nicol_material_create_twosided(context: nicol_context, front: nicol_material, material: *mut nicol_material) -> nicol_result;
     /// The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
