@@ -148,15 +148,14 @@ GL_TEST_CASE("a sphere of a material without mirror symmetry is what its matrix 
 }
 
 TEST_CASE("rays see all of a material without mirror symmetry") {
-    // Light from below the horizon, which truncated matrices reflect a little of (gold one per cent of s0),
-    // reaches no ray.
+    // Light from below the horizon, of which truncated matrices reflect a little, reaches no ray.
     constexpr int order = 19;
     const EnvironmentPtr light = test::falling_light(4, true, 1);
     for (const IsotropicMatrix& matrix : matrices(order)) {
         ReferenceStatistics statistics;
         const StokesImage image = render_reference(scene_of(psh_matrix_material({matrix}), light),
                                                    project(camera_above(), kPixels, kPixels), kPixels,
-                                                   kPixels, {.samples = 512, .shadows = false}, statistics);
+                                                   kPixels, {.samples = 4096, .shadows = false}, statistics);
         check_errors(image, truth(matrix, light->project(order)), 0.0125);
     }
 }
