@@ -18,9 +18,10 @@ struct PlaneKind {
     const char* name;
     std::size_t components;
     std::uint32_t aov = 0;  // the AovBit of planes that a render makes on request
+    bool coloured = aov == 0;
 };
 
-constexpr std::array<PlaneKind, 11> kKinds{{{"NICOL_PLANE_S0", 1},
+constexpr std::array<PlaneKind, 12> kKinds{{{"NICOL_PLANE_S0", 1},
                                             {"NICOL_PLANE_S1", 1},
                                             {"NICOL_PLANE_S2", 1},
                                             {"NICOL_PLANE_S3", 1},
@@ -30,7 +31,8 @@ constexpr std::array<PlaneKind, 11> kKinds{{{"NICOL_PLANE_S0", 1},
                                             {"NICOL_PLANE_DEPTH", 1, aov_depth},
                                             {"NICOL_PLANE_NORMAL", 3, aov_normals},
                                             {"NICOL_PLANE_POSITION", 3, aov_positions},
-                                            {"NICOL_PLANE_INSTANCE", 1, aov_instances}}};
+                                            {"NICOL_PLANE_INSTANCE", 1, aov_instances},
+                                            {"NICOL_PLANE_VARIANCE", 4, aov_variance, true}}};
 
 // A request, checked and with defaults resolved.
 struct Request {
@@ -45,7 +47,7 @@ std::size_t bytes_of(nicol_format format) {
 }
 
 Request understand(const nicol_plane_buffer& given, int channels) {
-    require_constant(given.plane, NICOL_PLANE_INSTANCE, "plane", "NICOL_PLANE_...");
+    require_constant(given.plane, NICOL_PLANE_VARIANCE, "plane", "NICOL_PLANE_...");
     require_constant(given.format, NICOL_FORMAT_UINT32, "format", "NICOL_FORMAT_...");
     const PlaneKind& kind = kKinds[given.plane];
     const bool ids = given.plane == NICOL_PLANE_INSTANCE;
@@ -55,7 +57,7 @@ Request understand(const nicol_plane_buffer& given, int channels) {
         refuse(std::string("the format of ") + kind.name + " must be " +
                (ids ? "NICOL_FORMAT_UINT32" : "NICOL_FORMAT_FLOAT32 or NICOL_FORMAT_FLOAT16"));
     }
-    if (kind.aov != 0) {
+    if (!kind.coloured) {
         if (given.channel != 0) refuse(std::string("channel must be 0: ") + kind.name + " has none");
         return {given.plane, format, 0, 1};
     }
@@ -99,63 +101,67 @@ private:
 class Source {
 public:
     Source(Framebuffer& from, const Request& request)
-        : request_(request), components_(kKinds[request.plane].components) {
-        if (kKinds[request.plane].aov != 0) {
-            aovs_ = &from.aovs();
-            return;
-        }
-        image_ = &from.image();
-        for (int c = 0; c < request.channels; ++c) {
-            const int channel = request.first_channel + c;
-            if (request.plane == NICOL_PLANE_DOLP) planes_.push_back(dolp(*image_, channel));
-            if (request.plane == NICOL_PLANE_AOLP) planes_.push_back(aolp(*image_, channel));
-        }
-    }
-
-    [[nodiscard]] std::size_t elements(int width) const {
-        return static_cast<std::size_t>(width) * static_cast<std::size_t>(request_.channels) * components_;
+        : components_(kKinds[request.plane].components), width_(static_cast<std::size_t>(from.width())) {
+        if (kKinds[request.plane].aov != 0) aovs_ = &from.aovs();
+        for (int c = 0; c < request.channels; ++c)
+            parts_.push_back(part(from, request.plane, request.first_channel + c));
     }
 
     // [column][channel][component]
     void read(int y, std::span<float> row) const {
-        if (aovs_ != nullptr) {
-            const std::vector<float>& plane = request_.plane == NICOL_PLANE_DEPTH    ? aovs_->depth
-                                              : request_.plane == NICOL_PLANE_NORMAL ? aovs_->normals
-                                                                                     : aovs_->positions;
-            std::copy_n(plane.data() + static_cast<std::size_t>(y) * row.size(), row.size(), row.data());
-            return;
-        }
-        const auto channels = static_cast<std::size_t>(request_.channels);
-        for (std::size_t c = 0; c < channels; ++c) {
-            std::size_t step = 1;  // from pixel to pixel
-            const float* in = nullptr;
-            if (planes_.empty()) {
-                step = 4;
-                in = image_->at(request_.first_channel + static_cast<int>(c), y, 0).data();
-                if (request_.plane != NICOL_PLANE_STOKES) in += request_.plane;
-            } else {
-                in = planes_[c].values.data() +
-                     static_cast<std::size_t>(y) * static_cast<std::size_t>(planes_[c].width);
-            }
+        for (std::size_t c = 0; c < parts_.size(); ++c) {
+            const auto [first, step] = parts_[c];
+            const float* in = first + static_cast<std::size_t>(y) * width_ * step;
             float* out = row.data() + c * components_;
-            for (std::size_t left = row.size() / (channels * components_); left > 0; --left) {
+            for (std::size_t x = 0; x < width_; ++x) {
                 std::copy_n(in, components_, out);
                 in += step;
-                out += channels * components_;
+                out += parts_.size() * components_;
             }
         }
     }
 
     [[nodiscard]] const std::uint32_t* instances(int y) const {
-        return aovs_->instances.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(aovs_->width);
+        return aovs_->instances.data() + static_cast<std::size_t>(y) * width_;
     }
 
 private:
-    Request request_;
+    // Of one channel: its first number, and how many lie between those of one pixel and the next.
+    struct Part {
+        const float* first;
+        std::size_t step;
+    };
+
+    Part part(Framebuffer& from, nicol_plane plane, int channel) {
+        switch (plane) {
+            case NICOL_PLANE_DOLP:
+                return {made_.emplace_back(dolp(from.image(), channel)).values.data(), 1};
+            case NICOL_PLANE_AOLP:
+                return {made_.emplace_back(aolp(from.image(), channel)).values.data(), 1};
+            case NICOL_PLANE_DEPTH:
+                return {aovs_->depth.data(), 1};
+            case NICOL_PLANE_NORMAL:
+                return {aovs_->normals.data(), 3};
+            case NICOL_PLANE_POSITION:
+                return {aovs_->positions.data(), 3};
+            case NICOL_PLANE_INSTANCE:
+                return {nullptr, 1};  // no floats
+            case NICOL_PLANE_VARIANCE: {
+                const std::size_t floats = 4 * width_ * static_cast<std::size_t>(from.height());
+                return {aovs_->variance.data() + static_cast<std::size_t>(channel) * floats, 4};
+            }
+            default: {
+                const float* const stokes = from.image().at(channel, 0, 0).data();
+                return {plane == NICOL_PLANE_STOKES ? stokes : stokes + plane, 4};
+            }
+        }
+    }
+
     std::size_t components_;
-    const StokesImage* image_ = nullptr;
+    std::size_t width_;
     const Aovs* aovs_ = nullptr;
-    std::vector<Plane> planes_;  // a channel each
+    std::vector<Plane> made_;  // whose numbers parts_ may point to, which stay in place
+    std::vector<Part> parts_;  // a channel each
 };
 
 void read(Framebuffer& from, const nicol_plane_buffer& to) {

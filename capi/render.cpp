@@ -131,10 +131,11 @@ int components_from(nicol_components given) {
 }
 
 static_assert(NICOL_AOV_DEPTH == aov_depth && NICOL_AOV_NORMAL == aov_normals &&
-              NICOL_AOV_POSITION == aov_positions && NICOL_AOV_INSTANCE == aov_instances);
+              NICOL_AOV_POSITION == aov_positions && NICOL_AOV_INSTANCE == aov_instances &&
+              NICOL_AOV_VARIANCE == aov_variance);
 
 std::uint32_t aovs_from(std::uint32_t given) {
-    if ((given & ~NICOL_AOV_ALL) != 0) {
+    if ((given & ~(NICOL_AOV_ALL | NICOL_AOV_VARIANCE)) != 0) {
         refuse("aovs is " + std::to_string(given) + "; it must be a sum of NICOL_AOV_...");
     }
     return given;

@@ -628,12 +628,15 @@ typedef uint32_t nicol_executor;
 #define NICOL_OPTIMISATION_ALL 127u
 
 /* AOVs that a render makes beside the image, by any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION and
- * _INSTANCE. They are of the first surface on the ray through a pixel's centre. */
+ * _INSTANCE. They are of the first surface on the ray through a pixel's centre. NICOL_AOV_ALL: these four. */
 #define NICOL_AOV_DEPTH 1u
 #define NICOL_AOV_NORMAL 2u
 #define NICOL_AOV_POSITION 4u
 #define NICOL_AOV_INSTANCE 8u
 #define NICOL_AOV_ALL 15u
+/* The noise of the image, by the reference method with 2 samples or more alone; others refuse it. See
+ * NICOL_PLANE_VARIANCE. */
+#define NICOL_AOV_VARIANCE 16u
 
 /* Stokes components that an image has; the others are 0. */
 typedef uint32_t nicol_components;
@@ -825,8 +828,8 @@ typedef uint32_t nicol_plane;
 #define NICOL_PLANE_DOLP 5   /* degree of linear polarization; 0 where s0 <= 0 */
 /* Angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right. */
 #define NICOL_PLANE_AOLP 6
-/* The following exist only if the last render into the framebuffer made them (NICOL_AOV_...), and have no
- * colour channels. */
+/* The following exist only if the last render into the framebuffer made them (NICOL_AOV_...), and but for the
+ * last have no colour channels. */
 #define NICOL_PLANE_DEPTH 7 /* distance along the camera's +z; +infinity where there is no surface */
 #define NICOL_PLANE_NORMAL                                                                  \
     8 /* three numbers a pixel: the unit shading normal in the world, of a surface with two \
@@ -834,6 +837,13 @@ typedef uint32_t nicol_plane;
 #define NICOL_PLANE_POSITION 9  /* three numbers a pixel: the point in the world; 0 without a surface */
 #define NICOL_PLANE_INSTANCE 10 /* a uint32_t a pixel: the instance's id, or NICOL_NO_INSTANCE */
 #define NICOL_NO_INSTANCE 0xffffffffu
+/* Four floats a pixel and colour channel: the variance of each Stokes component of the pixel over seeds,
+ * whose square root is its standard error; in framebuffers of luminance that of the luminance. It is
+ * estimated from the means of four groups of the pixel's samples (as many as there are samples below four),
+ * so that it is itself noisy, as a chi-square of 3 degrees of freedom is. On average it is an upper bound,
+ * since all samples of a pixel together are spread better than those of a group: 1 to 2 times the variance on
+ * most surfaces and 3 times at outlines under smooth light, where measured. At most the largest float. */
+#define NICOL_PLANE_VARIANCE 11
 
 /* Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
  * byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
@@ -874,7 +884,8 @@ NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffe
  *   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
  *   1             Y (which is s0) and S0.Y to S3.Y
  *   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
- * and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned). */
+ * and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned) and, of each Stokes
+ * channel, variance.S0.R ... variance.S3.B. */
 /* clang-format on */
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 

@@ -17,7 +17,7 @@ public:
     Comparison(const SceneSource& source, std::uint32_t size, std::uint32_t samples, bool shadows,
                int converged = 0);
 
-    [[nodiscard]] StokesErrors noise() const { return truth_.noise(); }
+    [[nodiscard]] const Truth& truth() const { return truth_; }
     struct Measured {
         StokesErrors errors;
         StokesErrors cut;  ///< of truncation alone; zero where there is no converged image

@@ -37,9 +37,12 @@ Report bench_error(const Options& options) {
     Report report(columns(options));
     for (const bool shadows : {true, false}) {
         const Comparison comparison(source, size, samples, shadows, options.converged);
-        const StokesErrors noise = comparison.noise();
-        report.add(shadows ? "reference, its noise" : "reference, its noise, no shadows",
-                   std::vector<double>(noise.begin(), noise.end()));
+        const auto add_noise = [&](const std::string& what, const StokesErrors& noise) {
+            report.add(shadows ? what : what + ", no shadows",
+                       std::vector<double>(noise.begin(), noise.end()));
+        };
+        add_noise("reference, its noise", comparison.truth().noise());
+        add_noise("reference, its noise by its variance", comparison.truth().estimated_noise());
         for (int order = first; order <= last; ++order) {
             comparison.add(report, {.low = order});
             if (memory.at(order) <= options.memory)

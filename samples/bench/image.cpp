@@ -28,14 +28,14 @@ StokesErrors relative_roots(const Truth& truth, Term term) {
 
 }  // namespace
 
-Image read_image(nicol_framebuffer framebuffer) {
+Image read_image(nicol_framebuffer framebuffer, nicol_plane plane) {
     Image image;
     check(nicol_framebuffer_get_size(framebuffer, &image.width, &image.height, &image.channels));
-    const std::size_t plane = std::size_t{4} * image.width * image.height;
-    image.stokes.resize(plane * image.channels);
+    const std::size_t floats = std::size_t{4} * image.width * image.height;
+    image.stokes.resize(floats * image.channels);
     for (std::uint32_t c = 0; c < image.channels; ++c) {
-        check(nicol_framebuffer_read(framebuffer, NICOL_PLANE_STOKES, c, image.stokes.data() + c * plane, 0,
-                                     plane * sizeof(float)));
+        check(nicol_framebuffer_read(framebuffer, plane, c, image.stokes.data() + c * floats, 0,
+                                     floats * sizeof(float)));
     }
     return image;
 }
@@ -81,4 +81,8 @@ StokesErrors Truth::noise() const {
         const double difference = double{first.stokes[i]} - double{second.stokes[i]};
         return difference * difference / 2;
     });
+}
+
+StokesErrors Truth::estimated_noise() const {
+    return relative_roots(*this, [&](std::size_t i) { return double{variance.stokes[i]}; });
 }

@@ -15,7 +15,8 @@ struct Image {
     std::vector<float> stokes;  ///< [channel][row][column][4]
 };
 
-Image read_image(nicol_framebuffer framebuffer);
+/// `plane`: one of four floats a pixel.
+Image read_image(nicol_framebuffer framebuffer, nicol_plane plane = NICOL_PLANE_STOKES);
 
 /// Means over squares of `side` pixels.
 Image reduced(const Image& image, std::uint32_t side);
@@ -35,10 +36,13 @@ struct Truth {
     Image first;
     Image second;
     Mask mask;
+    Image variance{};  ///< of the first, as the reference method estimates it
 
     /// Of an image, without the noise of the truth: E[(x - a)(x - b)] is the squared error where a and b are
     /// unbiased and independent. 0 where noise makes it negative.
     [[nodiscard]] StokesErrors errors(const Image& image) const;
     /// Standard deviation of the noise of one of the two.
     [[nodiscard]] StokesErrors noise() const;
+    /// The same by the variance of the first alone: an upper bound.
+    [[nodiscard]] StokesErrors estimated_noise() const;
 };

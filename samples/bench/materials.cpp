@@ -100,7 +100,7 @@ Report bench_materials(const Options& given) {
         const auto& name = material;  // which a lambda can capture
         write_scene(options.scene, bsdf);
         const SceneSource source(options);
-        const Comparison comparison(source, size, std::max(samples / share, 1U), false);
+        const Comparison comparison(source, size, std::max(samples / share, 2U), false);
         const auto add = [&](const std::string& what, const StokesErrors& e) {
             report.add(std::string(name) + ": " + what, {e[0], e[1], e[2]});
             return e;
@@ -108,7 +108,7 @@ Report bench_materials(const Options& given) {
         const auto measured = [&](const std::string& what, const Recipe& recipe) {
             return add(what, comparison.errors(recipe));
         };
-        add("reference, its noise", comparison.noise());
+        add("reference, its noise", comparison.truth().noise());
         const auto full = [&](int order) { measured("0.." + std::to_string(order), {.low = order}); };
         const auto beyond = [&](High high, int top) {
             const Recipe recipe{.low = low, .high = high, .top = top};

@@ -45,7 +45,7 @@ void assign(const std::string& name, const std::string& value, Options& options)
     } else if (name == "--size") {
         options.size = number(name, value, std::uint32_t{8}, std::uint32_t{4096}, "8 to 4096");
     } else if (name == "--samples") {
-        options.samples = number(name, value, 1, 1 << 20, "1 to 1048576");
+        options.samples = number(name, value, 2, 1 << 20, "2 to 1048576");
     } else if (name == "--orders") {
         parse_orders(value, options);
     } else if (name == "--converged") {

@@ -39,8 +39,11 @@ Truth make_truth(const SceneSource& source, std::uint32_t size, std::uint32_t sa
     const Stage stage(source);
     const Framebuffer framebuffer = stage.framebuffer(size, size);
     Truth truth;
-    stage.render(reference_options(samples, 1, shadows), framebuffer.get());
+    nicol_render_options noisy = reference_options(samples, 1, shadows);
+    noisy.aovs = NICOL_AOV_VARIANCE;
+    stage.render(noisy, framebuffer.get());
     truth.first = read_image(framebuffer.get());
+    truth.variance = read_image(framebuffer.get(), NICOL_PLANE_VARIANCE);
     stage.render(reference_options(samples, 2, shadows), framebuffer.get());
     truth.second = read_image(framebuffer.get());
     truth.mask = eroded(wholly_covered(source, size), size, size);

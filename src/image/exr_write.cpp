@@ -62,23 +62,29 @@ std::vector<std::string> exr_colours(const StokesImage& image) {
     return colours;
 }
 
-void insert_aovs(const Aovs& aovs, Imf::Header& header, Imf::FrameBuffer& buffer) {
-    const auto insert = [&]<class Number>(const char* name, const std::vector<Number>& plane,
-                                          std::size_t component, std::size_t components) {
+void insert_aovs(const Aovs& aovs, const std::vector<std::string>& colours, Imf::Header& header,
+                 Imf::FrameBuffer& buffer) {
+    // Every so many numbers from the plane's `first`.
+    const auto insert = [&]<class Number>(const std::string& name, const std::vector<Number>& plane,
+                                          std::size_t first, std::size_t components) {
         if (plane.empty()) return;
         constexpr Imf::PixelType type = std::is_same_v<Number, float> ? Imf::FLOAT : Imf::UINT;
         header.channels().insert(name, Imf::Channel(type));
         const std::size_t pixel_bytes = components * sizeof(Number);
-        buffer.insert(name, Imf::Slice(type, writable(plane.data() + component), pixel_bytes,
+        buffer.insert(name, Imf::Slice(type, writable(plane.data() + first), pixel_bytes,
                                        static_cast<std::size_t>(aovs.width) * pixel_bytes));
     };
     insert("Z", aovs.depth, 0, 1);
     insert("id", aovs.instances, 0, 1);
     static constexpr std::array axes{"X", "Y", "Z"};
     for (std::size_t i = 0; i < 3; ++i) {
-        insert((std::string("N.") + axes[i]).c_str(), aovs.normals, i, 3);
-        insert((std::string("P.") + axes[i]).c_str(), aovs.positions, i, 3);
+        insert(std::string("N.") + axes[i], aovs.normals, i, 3);
+        insert(std::string("P.") + axes[i], aovs.positions, i, 3);
     }
+    const std::size_t floats = aovs.variance.size() / colours.size();
+    for (std::size_t c = 0; c < colours.size(); ++c)
+        for (std::size_t p = 0; p < 4; ++p)
+            insert("variance." + exr_channel(p, colours[c]), aovs.variance, c * floats + p, 4);
 }
 
 }  // namespace
@@ -97,9 +103,9 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
 
     if (options.aovs != nullptr) {
         options.aovs->check("write_exr: aovs");
-        if (options.aovs->width != image.width || options.aovs->height != image.height)
+        if (!options.aovs->fit(image.width, image.height, image.channels))
             throw Error(ErrorCode::invalid_argument,
-                        "write_exr: aovs must have the image's width and height");
+                        "write_exr: aovs must have the image's width, height and channels");
     }
 
     Imf::Header header(image.width, image.height);
@@ -134,7 +140,7 @@ void write_exr(const std::filesystem::path& path, const StokesImage& image, cons
                 insert(exr_channel(p, colour), c, p);
     }
 
-    if (options.aovs != nullptr) insert_aovs(*options.aovs, header, buffer);
+    if (options.aovs != nullptr) insert_aovs(*options.aovs, colours, header, buffer);
 
     AtomicFile file(path);
     try {

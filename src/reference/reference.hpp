@@ -17,6 +17,8 @@ struct ReferenceOptions {
     /// and one into the surface's lobe. Powers of two are stratified best.
     int samples = 256;
     bool shadows = true;  ///< whether surfaces hide the environment from each other
+    /// The image has one channel, the luminance of three.
+    bool luminance = false;
     /// The same seed gives the same image whatever the number of threads; another one gives other noise.
     std::uint64_t seed = 0;
     int threads = 0;         ///< 0: one a core, which is also the most

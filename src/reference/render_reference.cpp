@@ -8,15 +8,18 @@
 #include <algorithm>
 #include <atomic>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <new>
 #include <string>
 #include <thread>
 #include <utility>
 
 #include "error.hpp"
+#include "image/color.hpp"
 #include "progress.hpp"
 #include "reference/camera_rays.hpp"
 #include "reference/low_discrepancy.hpp"
+#include "reference/pixel_estimate.hpp"
 #include "worker_count.hpp"
 
 namespace nicol {
@@ -32,10 +35,19 @@ void check(const ReferenceOptions& options) {
                                                      "; it must lie in 1 to " +
                                                      std::to_string(kMaxReferenceSamples));
     }
+    if ((options.aovs & aov_variance) != 0 && options.samples < 2) {
+        throw Error(ErrorCode::invalid_argument, "samples is 1; the variance among aovs takes 2 or more");
+    }
     if (options.threads < 0) {
         throw Error(ErrorCode::invalid_argument,
                     "threads is " + std::to_string(options.threads) + "; it must be 0 (one a core) or more");
     }
+}
+
+Stokes luminance(std::span<const Stokes> rgb) {
+    Stokes sum(0.0);
+    for (std::size_t c = 0; c < rgb.size(); ++c) sum += static_cast<double>(kLuminance[c]) * rgb[c];
+    return sum;
 }
 
 /// Counts samples on all threads; the thread that made it passes the count on.
@@ -73,19 +85,18 @@ public:
 
     void trace(const tbb::blocked_range2d<int>& tile) {
         DirectLight::Workspace workspace;
-        std::vector<Stokes> sum(static_cast<std::size_t>(image_.channels));
+        PixelEstimate estimate(options_.samples, image_.channels);
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-                std::ranges::fill(sum, Stokes(0.0));
-                if (!sample_pixel(x, y, sum, workspace)) return;
+                if (!sample_pixel(x, y, estimate, workspace)) return;
                 for (int c = 0; c < image_.channels; ++c) {
-                    const Stokes mean =
-                        sum[static_cast<std::size_t>(c)] / static_cast<double>(options_.samples);
+                    const Stokes mean = estimate.mean(c);
                     const auto pixel = image_.at(c, y, x);
                     for (std::size_t p = 0; p < 4; ++p)
                         pixel[p] = static_cast<float>(mean[static_cast<glm::length_t>(p)]);
                 }
-                if (aovs_.mask() != 0) record_aovs(x, y);
+                if (!aovs_.variance.empty()) record_variance(x, y, estimate);
+                if ((aovs_.mask() & ~std::uint32_t{aov_variance}) != 0) record_surface(x, y);
             }
         }
         shadow_rays_ += workspace.shadow_rays;
@@ -95,31 +106,61 @@ public:
 
 private:
     /// False where the render has been stopped.
-    bool sample_pixel(int x, int y, std::span<Stokes> sum, DirectLight::Workspace& workspace) {
+    bool sample_pixel(int x, int y, PixelEstimate& estimate, DirectLight::Workspace& workspace) {
         // Every pixel has points of its own, so neither tiles nor threads show.
         const std::uint64_t pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
         const LowDiscrepancy points(mixed(mixed(options_.seed, 0), pixel));
-        for (int first = 0; first < options_.samples; first += kSamplesPerReport) {
-            const int last = std::min(first + kSamplesPerReport, options_.samples);
-            for (int i = first; i < last; ++i) {
-                const auto index = static_cast<std::uint32_t>(i);
-                const glm::dvec2 position = points.point(index, 0);
-                const Ray ray = rays_.through(x + position.x, y + position.y);
-                light_.add(ray, rays_.frame(ray), points.point(index, 1), points.point(index, 2), sum,
-                           workspace);
+        std::vector<Stokes> sum(static_cast<std::size_t>(light_.channels()), Stokes(0.0));
+        for (int group = 0; group < estimate.groups(); ++group) {
+            const int end = estimate.first(group + 1);
+            for (int first = estimate.first(group); first < end; first += kSamplesPerReport) {
+                const int last = std::min(first + kSamplesPerReport, end);
+                for (int i = first; i < last; ++i) add_sample(x, y, points, i, sum, workspace);
+                if (group_.is_group_execution_cancelled()) return false;
+                progress_.add(static_cast<std::uint64_t>(last - first));
             }
-            if (group_.is_group_execution_cancelled()) return false;
-            progress_.add(static_cast<std::uint64_t>(last - first));
+            if (options_.luminance) {
+                const Stokes grey[] = {luminance(sum)};
+                estimate.record(group, grey);
+            } else {
+                estimate.record(group, sum);
+            }
         }
         return true;
     }
 
-    void record_aovs(int x, int y) {
+    void add_sample(int x, int y, const LowDiscrepancy& points, int i, std::span<Stokes> sum,
+                    DirectLight::Workspace& workspace) const {
+        const auto index = static_cast<std::uint32_t>(i);
+        const glm::dvec2 position = points.point(index, 0);
+        const Ray ray = rays_.through(x + position.x, y + position.y);
+        light_.add(ray, rays_.frame(ray), points.point(index, 1), points.point(index, 2), sum, workspace);
+    }
+
+    [[nodiscard]] std::size_t pixel_at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(aovs_.width) +
+               static_cast<std::size_t>(x);
+    }
+
+    void record_variance(int x, int y, const PixelEstimate& estimate) {
+        // Light of 1e30 has a variance that no float holds.
+        constexpr double most = std::numeric_limits<float>::max();
+        const std::size_t pixels = pixel_at(0, aovs_.height);
+        for (int c = 0; c < image_.channels; ++c) {
+            const Stokes variance = estimate.variance(c);
+            const std::size_t at = 4 * (static_cast<std::size_t>(c) * pixels + pixel_at(x, y));
+            for (std::size_t p = 0; p < 4; ++p) {
+                const double value = variance[static_cast<glm::length_t>(p)];
+                aovs_.variance[at + p] = static_cast<float>(std::min(value, most));
+            }
+        }
+    }
+
+    void record_surface(int x, int y) {
         const std::optional<DirectLight::Surfel> surfel =
             light_.first_surface(rays_.through(x + 0.5, y + 0.5));
         if (!surfel) return;
-        const auto pixel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(aovs_.width) + static_cast<std::size_t>(x);
+        const std::size_t pixel = pixel_at(x, y);
         if (!aovs_.depth.empty()) {
             aovs_.depth[pixel] = static_cast<float>(glm::dot(view_.forward, surfel->position - view_.eye));
         }
@@ -147,8 +188,11 @@ StokesImage render(const Scene& scene, const Projection& projection, int width, 
                    Aovs& aovs) {
     const Stopwatch build;
     const DirectLight light(scene, strategy, options.shadows);
-    StokesImage image(width, height, light.channels());
-    aovs = Aovs(width, height, options.aovs);
+    if (options.luminance && light.channels() != 3) {
+        throw Error(ErrorCode::invalid_argument, "the luminance is that of three channels");
+    }
+    StokesImage image(width, height, options.luminance ? 1 : light.channels());
+    aovs = Aovs(width, height, options.aovs, image.channels);
     statistics.triangles = light.triangles();
     statistics.build_ms = build.milliseconds();
 

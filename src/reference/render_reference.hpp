@@ -16,9 +16,10 @@ namespace nicol {
 /// normal of M(towards light, towards viewer) L(towards light) cos, L being the environment, where no
 /// triangle is in the way if shadows are asked for; 0 where the viewer is behind that normal, unless the
 /// material is two-sided. Elsewhere it is the environment itself. `projection` must have been made for this
-/// width and height. Throws Error(invalid_argument) for options or sizes out of range, Error(out_of_memory),
-/// Error(cancelled), and what the environment and the materials throw. `aovs`, where not null, gets the
-/// AOVs of the options, by the rays through the pixels' centres.
+/// width and height. Throws Error(invalid_argument) for options or sizes out of range, the variance of a
+/// single sample among them, Error(out_of_memory), Error(cancelled), and what the environment and the
+/// materials throw. `aovs`, where not null, gets the AOVs of the options: the variance as PixelEstimate has
+/// it, the others by the rays through the pixels' centres.
 [[nodiscard]] StokesImage render_reference(const Scene& scene, const Projection& projection, int width,
                                            int height, const ReferenceOptions& options,
                                            ReferenceStatistics& statistics,

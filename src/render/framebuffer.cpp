@@ -112,9 +112,8 @@ void Framebuffer::drew_aovs(std::uint32_t mask, std::shared_ptr<gl::RenderTarget
 void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs aovs) {
     image.check("Framebuffer::show: the image");
     aovs.check("Framebuffer::show: the AOVs");
-    const bool same_size = aovs.width == width_ && aovs.height == height_;
     if (image.width != width_ || image.height != height_ || image.channels != channels_ ||
-        (aovs.mask() != 0 && !same_size)) {
+        !aovs.fit(width_, height_, channels_)) {
         throw Error(ErrorCode::invalid_argument,
                     "Framebuffer::show: the image must have the framebuffer's size and channels");
     }

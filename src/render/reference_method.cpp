@@ -17,6 +17,7 @@ void render_by_reference(const Scene& scene, const Camera& camera, const RenderO
     StokesImage image = render_reference(scene, project(camera, width, height), width, height,
                                          {.samples = options.samples,
                                           .shadows = options.shadows,
+                                          .luminance = target.channels() < scene.channels(),
                                           .seed = options.seed,
                                           .threads = threads,
                                           .aovs = options.aovs,

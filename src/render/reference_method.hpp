@@ -8,7 +8,8 @@
 
 namespace nicol {
 
-/// Traces an image of the framebuffer's size, on `threads` threads (0: one a core), and puts it there. Throws
+/// Traces an image of the framebuffer's size, on `threads` threads (0: one a core), and puts it there; the
+/// luminance of three channels in a framebuffer of one. Throws
 /// what render_reference() throws; the framebuffer then holds what it held.
 void render_by_reference(const Scene& scene, const Camera& camera, const RenderOptions& options, int threads,
                          Framebuffer& target);

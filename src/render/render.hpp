@@ -59,7 +59,8 @@ enum Skip : std::uint32_t {
     skip_all = 127,
 };
 
-/// The reference method uses shadows, aovs, samples, seed and progress alone.
+/// The reference method uses shadows, aovs, samples, seed and progress alone, and it alone makes
+/// aov_variance.
 struct RenderOptions {
     Method method = Method::factored;
     Executor executor = Executor::automatic;

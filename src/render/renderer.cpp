@@ -33,6 +33,9 @@ void check(const RenderOptions& options) {
     if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
         refuse("tolerance is " + std::to_string(options.tolerance) + "; it must be finite and not negative");
     }
+    if ((options.aovs & aov_variance) != 0) {
+        refuse("aovs asks for the variance, which the reference method alone makes: others have no noise");
+    }
     if (options.components != 1 && options.components != 3 && options.components != 4) {
         refuse("components is " + std::to_string(options.components) + "; it must be 1, 3 or 4");
     }
@@ -94,7 +97,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     }
     check(options);
     memory_limit_.check(scene, options);
-    if (!grey) return render_channels(scene, camera, options, target);
+    if (!grey || options.method == Method::reference) return render_into(scene, camera, options, target);
 
     // Lights and materials of three channels multiply before the luminance is taken, so the image is drawn in
     // three channels first.
@@ -102,7 +105,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
         colours_.reset();
         colours_ = std::make_unique<Framebuffer>(context_, target.width(), target.height(), 3);
     }
-    render_channels(scene, camera, options, *colours_);
+    render_into(scene, camera, options, *colours_);
     const StokesImage& image = colours_->image();
     const Aovs& aovs = colours_->aovs();
     const Stopwatch watch;
@@ -112,8 +115,8 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     target.statistics().draw_ms += statistics.observe_ms + watch.milliseconds();
 }
 
-void Renderer::render_channels(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                               Framebuffer& target) {
+void Renderer::render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                           Framebuffer& target) {
     if ((options.disabled_optimisations & skip_unchanged) != 0 || content_ != target.content()) {
         rendering_.reset();
     }

@@ -37,9 +37,9 @@ public:
     void render(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
 
 private:
-    // Into a framebuffer of the scene's channels.
-    void render_channels(const Scene& scene, const Camera& camera, const RenderOptions& options,
-                         Framebuffer& target);
+    // Into a framebuffer of the scene's channels, by the reference method also of their luminance.
+    void render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
+                     Framebuffer& target);
     void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
     // Whether compute shaders are the executor.
     [[nodiscard]] bool on_device(const RenderOptions& options) const;
@@ -48,7 +48,7 @@ private:
     std::shared_ptr<gl::Context> context_;
     int threads_;
     MemoryLimit memory_limit_;
-    std::unique_ptr<Framebuffer> colours_;  // of three channels, where the target is of luminance
+    std::unique_ptr<Framebuffer> colours_;  // of three channels, for drawing where the target is of luminance
     Workers workers_;
     Pipeline pipeline_;
     VertexBuffers buffers_;

@@ -221,7 +221,9 @@ inline std::vector<float> read_plane(nicol_framebuffer framebuffer, nicol_plane 
                                      std::uint32_t channel = 0) {
     std::uint32_t width = 0, height = 0, channels = 0;
     OK(nicol_framebuffer_get_size(framebuffer, &width, &height, &channels));
-    std::vector<float> pixels(std::size_t{width} * height * (plane == NICOL_PLANE_STOKES ? 4 : 1), -99.0F);
+    std::vector<float> pixels(
+        std::size_t{width} * height * (plane == NICOL_PLANE_STOKES || plane == NICOL_PLANE_VARIANCE ? 4 : 1),
+        -99.0F);
     OK(nicol_framebuffer_read(framebuffer, plane, channel, pixels.data(), 0, pixels.size() * sizeof(float)));
     return pixels;
 }

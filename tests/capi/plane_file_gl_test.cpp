@@ -55,3 +55,27 @@ STAGE_TEST_CASE("planes of surfaces in an image are those that are read, and lea
     }
     CHECK(nicol::read_exr(full).data == nicol::read_exr(bare).data);
 }
+
+STAGE_TEST_CASE("the variance is in an image by channel and component, and leaves the others as they are") {
+    const TemporaryFolder folder;
+    const std::string file = folder.file("variance.exr");
+    const Owned grey(framebuffer_of(stage.context, 24, 16, 1));
+    const nicol_render_options options = with_variance();
+    OK(stage.try_render(options));
+    OK(nicol_render(stage.scene, &stage.camera, &options, grey));
+    for (const auto& [framebuffer, colours] :
+         {std::pair<nicol_framebuffer, std::string>(stage.framebuffer, "RGB"), {grey, "Y"}}) {
+        OK(nicol_framebuffer_write_exr(framebuffer, file.c_str()));
+        for (std::uint32_t c = 0; c < colours.size(); ++c) {
+            const std::vector<float> variance = read_plane(framebuffer, NICOL_PLANE_VARIANCE, c);
+            for (std::size_t p = 0; p < 4; ++p) {
+                const std::string name = "variance.S" + std::to_string(p) + "." + colours[c];
+                const std::vector<float> stored = channel<float>(file, name.c_str());
+                for (std::size_t i = 0; i < stored.size(); ++i) CHECK(stored[i] == variance[4 * i + p]);
+            }
+        }
+        CHECK(nicol::read_exr(file).channels == static_cast<int>(colours.size()));
+        CHECK(channel<float>(file, ("S0." + colours.substr(0, 1)).c_str()) ==
+              read_plane(framebuffer, NICOL_PLANE_S0, 0));
+    }
+}

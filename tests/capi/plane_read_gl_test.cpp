@@ -42,7 +42,7 @@ nicol_plane_buffer buffer(nicol_plane plane, nicol_format format, std::uint32_t 
 }
 
 std::size_t components_of(nicol_plane plane) {
-    if (plane == NICOL_PLANE_STOKES) return 4;
+    if (plane == NICOL_PLANE_STOKES || plane == NICOL_PLANE_VARIANCE) return 4;
     return plane == NICOL_PLANE_NORMAL || plane == NICOL_PLANE_POSITION ? 3 : 1;
 }
 
@@ -94,8 +94,10 @@ TEST_CASE("half precision is the nearest number, ties to even, infinite beyond i
 }
 
 STAGE_TEST_CASE("all channels are interleaved, in both formats, with and without a stride") {
-    stage.render();
-    for (nicol_plane plane = NICOL_PLANE_S0; plane <= NICOL_PLANE_AOLP; ++plane) {
+    OK(stage.try_render(with_variance()));
+    for (const nicol_plane plane :
+         {NICOL_PLANE_S0, NICOL_PLANE_S1, NICOL_PLANE_S2, NICOL_PLANE_S3, NICOL_PLANE_STOKES,
+          NICOL_PLANE_DOLP, NICOL_PLANE_AOLP, NICOL_PLANE_VARIANCE}) {
         CAPTURE(plane);
         const std::size_t n = components_of(plane), row = 24 * 3 * n;
         std::vector<float> channels[3];

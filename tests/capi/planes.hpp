@@ -31,6 +31,15 @@ struct Surfaces {
           instance(read_surface<std::uint32_t>(framebuffer, NICOL_PLANE_INSTANCE, 1)) {}
 };
 
+/// The reference method with little work, and its variance.
+inline nicol_render_options with_variance() {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.method = NICOL_METHOD_REFERENCE;
+    options.samples = 2;
+    options.aovs = NICOL_AOV_VARIANCE;
+    return options;
+}
+
 /// Every method that makes planes, with little work besides.
 inline std::vector<nicol_render_options> every_method() {
     std::vector<nicol_render_options> all;

@@ -191,6 +191,31 @@ STAGE_TEST_CASE("planes follow the mask of the last render, and nothing else is 
     CHECK(statistics_of(stage.framebuffer).texture_bytes == bare.texture_bytes);
 }
 
+STAGE_TEST_CASE(
+    "the variance is there after a render that asked for it, also of the luminance, and of no other") {
+    const Owned grey(framebuffer_of(stage.context, 24, 16, 1));
+    nicol_render_options options = with_variance();
+    std::vector<float> pixels(24 * 16 * 4);
+    const auto read = [&](nicol_framebuffer from) {
+        return nicol_framebuffer_read(from, NICOL_PLANE_VARIANCE, 0, pixels.data(), 0, 4 * pixels.size());
+    };
+    for (const nicol_framebuffer framebuffer :
+         {nicol_framebuffer(stage.framebuffer), nicol_framebuffer(grey)}) {
+        options.aovs = NICOL_AOV_VARIANCE;
+        OK(nicol_render(stage.scene, &stage.camera, &options, framebuffer));
+        OK(read(framebuffer));
+        CHECK(*std::ranges::min_element(pixels) >= 0);
+        CHECK(*std::ranges::max_element(pixels) > 0);
+        // The same again: nothing runs, the plane stays.
+        OK(nicol_render(stage.scene, &stage.camera, &options, framebuffer));
+        CHECK(statistics_of(framebuffer).camera_rays == 0);
+        OK(read(framebuffer));
+        options.aovs = NICOL_AOV_DEPTH;
+        OK(nicol_render(stage.scene, &stage.camera, &options, framebuffer));
+        REFUSES(read(framebuffer), "NICOL_PLANE_VARIANCE is not there");
+    }
+}
+
 STAGE_TEST_CASE("a render that is stopped leaves the planes of the one before") {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     options.aovs = NICOL_AOV_DEPTH;

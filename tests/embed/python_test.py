@@ -161,6 +161,12 @@ class CallTest(unittest.TestCase):
         self.assertEqual(framebuffer.plane(nicol.PLANE_INSTANCE)[0, 0], nicol.NO_INSTANCE)
         self.assertAlmostEqual(float(framebuffer.plane(nicol.PLANE_NORMAL)[16, 16, 2]), 1, places=2)
         self.assertEqual(tuple(framebuffer.plane(channel=nicol.ALL_CHANNELS).shape), (32, 32, 1, 4))
+        options = nicol.RenderOptions(method=nicol.METHOD_REFERENCE, samples=2, aovs=nicol.AOV_VARIANCE)
+        nicol.render(self.scene, camera(), options, framebuffer)
+        variance = framebuffer.plane(nicol.PLANE_VARIANCE, channel=nicol.ALL_CHANNELS)
+        self.assertEqual(tuple(variance.shape), (32, 32, 1, 4))
+        self.assertEqual(float(variance[0, 0, 0, 0]), 0)
+        nicol.render(self.scene, camera(), None, framebuffer)
         half = planes_of(framebuffer, array.array("H", bytes(2 * 1024)), plane=nicol.PLANE_S0, format=nicol.FORMAT_FLOAT16)
         self.assertEqual(half[0], 0x4000)
         with self.assertRaises(TypeError):

@@ -78,7 +78,9 @@ def check_error(folder, scene):
             assert high < low, (suffix, component, low, high)
             assert high < 0.1, (suffix, component, high)
     assert rows["factored 2 + split to 32"]["s0"] < rows["factored 2"]["s0"]
-    assert all(row["s0"] > 0 for name, row in rows.items() if name.startswith("reference"))
+    for suffix in ("", ", no shadows"):
+        noise, estimate = (rows[name + suffix]["s0"] for name in ("reference, its noise", "reference, its noise by its variance"))
+        assert 0 < 0.8 * noise < estimate < 2 * noise, (suffix, noise, estimate)
 
 
 def check_converged(folder, scene):

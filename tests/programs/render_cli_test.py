@@ -241,6 +241,8 @@ class Success(RenderTest):
             for method in ("factored", "reference"):
                 self.assert_succeeds("good.xml", "-o", "out/a.exr", "--aovs", names, "--method", method, "--samples=1")
                 self.assertEqual(self.image_channels(), bare | more)
+        self.assert_succeeds("good.xml", "-o", "out/a.exr", "--aovs=variance", "--method=reference", "--samples=2")
+        self.assertEqual(self.image_channels(), bare | {"variance." + name for name in bare if name[0] == "S"})
 
     def test_devices(self):
         listed = self.assert_succeeds("--list-devices").stdout.splitlines()
@@ -333,7 +335,9 @@ class CommandLine(RenderTest):
             (["--tolerance", "'-0.1'"], "--tolerance -0.1"),
             (["tolerance", "factored"], "--tolerance 0.1 --method dense"),
             (["--components", "'s4'", "s0, linear, all"], "--components s4"),
-            (["--aovs", "'edges'", "depth, normals, positions, ids"], "--aovs depth,edges"),
+            (["--aovs", "'edges'", "depth, normals, positions, ids, variance"], "--aovs depth,edges"),
+            (["variance", "reference"], "--aovs variance"),
+            (["variance", "samples is 1"], "--aovs variance --method reference --samples 1"),
             (["--aovs", "''"], "--aovs depth,"),
             (["--device", "0"], "--device 0"),
             (["--device", "1025"], "--device 1025"),

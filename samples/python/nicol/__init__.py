@@ -25,7 +25,7 @@ class Framebuffer(_abi.Framebuffer):
 
     def plane(self, plane=_abi.PLANE_STOKES, channel=0, out=None):
         """One plane as an array (height, width), with three numbers a pixel of normals and positions, four of Stokes
-        vectors: a numpy array, without numpy a memoryview. channel ALL_CHANNELS: (height, width, channels) and so on.
+        vectors and their variance: a numpy array, without numpy a memoryview. channel ALL_CHANNELS: (height, width, channels) and so on.
         Numbers are 32-bit floats, of PLANE_INSTANCE unsigned integers. The library writes straight into `out` where it
         is given, which may be of 16-bit floats, and a part of a larger array as long as its rows are in one piece."""
         width, height, channels = self.get_size()
@@ -55,7 +55,7 @@ class Framebuffer(_abi.Framebuffer):
         return out
 
 
-_COMPONENTS = {_abi.PLANE_STOKES: (4,), _abi.PLANE_NORMAL: (3,), _abi.PLANE_POSITION: (3,)}
+_COMPONENTS = {_abi.PLANE_STOKES: (4,), _abi.PLANE_NORMAL: (3,), _abi.PLANE_POSITION: (3,), _abi.PLANE_VARIANCE: (4,)}
 _FORMATS = {"f": _abi.FORMAT_FLOAT32, "e": _abi.FORMAT_FLOAT16, "I": _abi.FORMAT_UINT32}
 
 

@@ -71,6 +71,7 @@ AOV_NORMAL = 2
 AOV_POSITION = 4
 AOV_INSTANCE = 8
 AOV_ALL = 15
+AOV_VARIANCE = 16
 COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
 COMPONENTS_LINEAR = 3
@@ -91,6 +92,7 @@ PLANE_NORMAL = 8
 PLANE_POSITION = 9
 PLANE_INSTANCE = 10
 NO_INSTANCE = 4294967295
+PLANE_VARIANCE = 11
 FORMAT_AUTOMATIC = 0
 FORMAT_FLOAT32 = 1
 FORMAT_FLOAT16 = 2
@@ -979,7 +981,8 @@ class Framebuffer(Handle):
           3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
           1             Y (which is s0) and S0.Y to S3.Y
           2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
-        and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z and id (32-bit unsigned)."""
+        and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned) and, of each Stokes
+        channel, variance.S0.R ... variance.S3.B."""
         check(_framebuffer_write_exr(self, text(path)))
 
     def write_png(self, observation, path):
@@ -1402,6 +1405,7 @@ __all__ = [
     "AOV_INSTANCE",
     "AOV_NORMAL",
     "AOV_POSITION",
+    "AOV_VARIANCE",
     "BACKEND_AUTOMATIC",
     "BACKEND_EGL",
     "BACKEND_HOST",
@@ -1515,6 +1519,7 @@ __all__ = [
     "PLANE_S2",
     "PLANE_S3",
     "PLANE_STOKES",
+    "PLANE_VARIANCE",
     "PROJECTION_ORTHOGRAPHIC",
     "PROJECTION_PERSPECTIVE",
     "PSH_BAND_SIZE",
