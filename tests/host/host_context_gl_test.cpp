@@ -66,9 +66,10 @@ TEST_CASE("a context of an older OpenGL is refused") {
     const Application application;
     nicol_host access = host();
     access.get_proc_address = [](void*, const char* name) -> void* {
-        using GetString = const char* (*)(GLenum);
+        using GetString = const GLubyte* (*)(GLenum);
         const GetString older = [](GLenum what) {
-            return what == GL_VERSION ? "4.4 (Core Profile) of another driver" : "another driver";
+            return reinterpret_cast<const GLubyte*>(
+                what == GL_VERSION ? "4.4 (Core Profile) of another driver" : "another driver");
         };
         return std::string(name) == "glGetString" ? reinterpret_cast<void*>(older)
                                                   : proc_address(nullptr, name);
