@@ -149,7 +149,7 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
                             .shade = &shade,
                             .response = &method.tables()->at(range.material),
                             .light = &light_,
-                            .of_range = false,
+                            .first_row = 0,
                             .rotation = &rotation,
                             .unoccluded = &unoccluded,
                             .high_orders = nullptr});
@@ -172,7 +172,7 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
                             .shade = &shades[i],
                             .response = runs[i].response.get(),
                             .light = &outgoing_[i],
-                            .of_range = true,
+                            .first_row = runs[i].first,
                             .rotation = &rotations[i],
                             .unoccluded = nullptr,
                             .high_orders = nullptr});

@@ -82,6 +82,34 @@ std::size_t PixelShading::run(std::size_t first, std::size_t last,
 void PixelShading::shade(std::span<const Pixel> pixels, Batch& batch,
                          std::span<const std::span<glm::vec4>> out) const {
     const PixelSurface& surface = surfaces_[pixels.front().surface];
+    const std::size_t count = pixels.size();
+    find_points(pixels, batch);
+    find_light(surface, pixels, batch);
+
+    batch.stokes.resize(out.size() * kBatch);
+    std::vector<std::span<glm::vec4>> stokes;
+    for (std::size_t c = 0; c < out.size(); ++c)
+        stokes.push_back(std::span(batch.stokes).subspan(c * kBatch, count));
+    const std::span positions = std::span(batch.positions).first(count);
+    const std::span normals = std::span(batch.normals).first(count);
+    const std::span chosen = std::span(kAll).first(count);
+    surface.shade->run(*surface.response, batch.light, input_.view, positions, normals, chosen, 0, count,
+                       stokes);
+    if (surface.high_orders != nullptr) {
+        HighOrderShadows shadows;
+        if (!fractions_.empty()) {
+            find_fractions(pixels, batch);
+            shadows.fractions = std::span(batch.fractions).first(count);
+        }
+        surface.high_orders->run(input_.view, positions, normals, chosen, shadows, 0, count, stokes);
+    }
+    for (std::size_t c = 0; c < out.size(); ++c) {
+        if (input_.physical) make_physical(stokes[c]);
+        for (std::size_t i = 0; i < count; ++i) out[c][pixels[i].index] = stokes[c][i];
+    }
+}
+
+void PixelShading::find_points(std::span<const Pixel> pixels, Batch& batch) const {
     const WorldGeometry& geometry = input_.geometry;
     const auto width = static_cast<std::size_t>(input_.hits.width());
     const glm::dvec2 size(input_.hits.width(), input_.hits.height());
@@ -103,40 +131,21 @@ void PixelShading::shade(std::span<const Pixel> pixels, Batch& batch,
         std::ranges::copy(found.positions, batch.positions.begin() + static_cast<std::ptrdiff_t>(begin));
         std::ranges::copy(found.normals, batch.normals.begin() + static_cast<std::ptrdiff_t>(begin));
     }
-    light(surface, pixels, batch);
+}
 
-    const std::size_t channels = out.size();
-    batch.stokes.resize(channels * kBatch);
-    std::vector<std::span<glm::vec4>> stokes;
-    for (std::size_t c = 0; c < channels; ++c)
-        stokes.push_back(std::span(batch.stokes).subspan(c * kBatch, pixels.size()));
-    const std::span positions = std::span(batch.positions).first(pixels.size());
-    const std::span normals = std::span(batch.normals).first(pixels.size());
-    const std::span chosen = std::span(kAll).first(pixels.size());
-    surface.shade->run(*surface.response, batch.light, input_.view, positions, normals, chosen, 0,
-                       pixels.size(), stokes);
-    if (surface.high_orders != nullptr) {
-        HighOrderShadows shadows;
-        if (!fractions_.empty()) {
-            for (std::size_t i = 0; i < pixels.size(); ++i) {
-                const glm::uvec3& corners = geometry.triangles[pixels[i].triangle];
-                const std::array<Lanes, 3>& weights = batch.surfaces[i / kLanes].weights;
-                const std::size_t lane = i % kLanes;
-                batch.fractions[i] = weights[0][lane] * fractions_[corners.x] +
-                                     weights[1][lane] * fractions_[corners.y] +
-                                     weights[2][lane] * fractions_[corners.z];
-            }
-            shadows.fractions = std::span(batch.fractions).first(pixels.size());
-        }
-        surface.high_orders->run(input_.view, positions, normals, chosen, shadows, 0, pixels.size(), stokes);
-    }
-    for (std::size_t c = 0; c < channels; ++c) {
-        if (input_.physical) make_physical(stokes[c]);
-        for (std::size_t i = 0; i < pixels.size(); ++i) out[c][pixels[i].index] = stokes[c][i];
+void PixelShading::find_fractions(std::span<const Pixel> pixels, Batch& batch) const {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const glm::uvec3& corners = input_.geometry.triangles[pixels[i].triangle];
+        const std::array<Lanes, 3>& weights = batch.surfaces[i / kLanes].weights;
+        const std::size_t lane = i % kLanes;
+        batch.fractions[i] = weights[0][lane] * fractions_[corners.x] +
+                             weights[1][lane] * fractions_[corners.y] +
+                             weights[2][lane] * fractions_[corners.z];
     }
 }
 
-void PixelShading::light(const PixelSurface& surface, std::span<const Pixel> pixels, Batch& batch) const {
+void PixelShading::find_light(const PixelSurface& surface, std::span<const Pixel> pixels,
+                              Batch& batch) const {
     const LightLayout& layout = surface.shade->layout();
     const std::span normals = std::span(batch.normals).first(pixels.size());
     const std::size_t blocks = (pixels.size() + kLanes - 1) / kLanes;
@@ -147,7 +156,6 @@ void PixelShading::light(const PixelSurface& surface, std::span<const Pixel> pix
     }
     const VertexLight& from = *surface.light;
     batch.light.resize(layout, from.channels(), kBatch);
-    const std::size_t first = surface.of_range ? surface.first : 0;
     for (std::size_t block = 0; block < blocks; ++block) {
         std::array<std::array<const float*, kLanes>, 3> rows;
         for (std::size_t i = 0; i < kLanes; ++i) {
@@ -155,7 +163,7 @@ void PixelShading::light(const PixelSurface& surface, std::span<const Pixel> pix
             const glm::uvec3& corners =
                 input_.geometry.triangles[pixels[pixel < pixels.size() ? pixel : block * kLanes].triangle];
             for (glm::length_t k = 0; k < 3; ++k)
-                rows[static_cast<std::size_t>(k)][i] = from.row(corners[k] - first);
+                rows[static_cast<std::size_t>(k)][i] = from.row(corners[k] - surface.first_row);
         }
         to_lanes_weighted(rows, batch.surfaces[block].weights, from.row_size(),
                           batch.light.block(block, 0).data());

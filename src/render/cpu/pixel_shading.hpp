@@ -23,8 +23,8 @@ struct PixelSurface {
     std::size_t last;
     const Shade* shade;
     const ResponseTable* response;
-    const VertexLight* light;  ///< rows, from vertex `first` on if of_range
-    bool of_range;
+    const VertexLight* light;       ///< as rows
+    std::size_t first_row;          ///< the vertex that its first row is of
     const FrameRotation* rotation;  ///< of the light
     const Relight* unoccluded;      ///< for pixels between unoccluded vertices, or null
     const HighOrder* high_orders;   ///< or null
@@ -52,8 +52,11 @@ private:
     struct Batch;
 
     void collect(std::size_t first, std::size_t last, std::vector<Pixel>& out) const;
+    // Pixels of one group, at most as many as a batch has room for.
     void shade(std::span<const Pixel> pixels, Batch& batch, std::span<const std::span<glm::vec4>> out) const;
-    void light(const PixelSurface& surface, std::span<const Pixel> pixels, Batch& batch) const;
+    void find_points(std::span<const Pixel> pixels, Batch& batch) const;
+    void find_light(const PixelSurface& surface, std::span<const Pixel> pixels, Batch& batch) const;
+    void find_fractions(std::span<const Pixel> pixels, Batch& batch) const;
 
     const PixelInput& input_;
     std::span<const PixelSurface> surfaces_;
