@@ -168,7 +168,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
         if (options.shade_at == ShadeAt::pixels) {
             pixels_.resize(target.width(), target.height(), target.channels());
             executor.store(pixels_);
-            pixels.emplace(hits_, pixels_);
+            pixels.emplace(Painter::ShadedPixels{hits_, pixels_});
         } else {
             executor.store(buffers_, high_orders != nullptr);
         }
