@@ -38,7 +38,7 @@ void VertexLight::to_rows(std::size_t block) {
     std::ranges::copy(lanes, copy.begin());
     float* to = lanes.front().value.data();
     for (std::size_t i = 0; i < kLanes; ++i)
-        for (std::size_t k = 0; k < copy.size(); ++k) *to++ = copy[k][i];
+        for (const Lanes& number : copy) *to++ = number[i];
 }
 
 Relight::Relight(const LightLayout& layout, const PshVector& light)

@@ -39,8 +39,8 @@ public:
 
     /// The numbers of each channel.
     [[nodiscard]] std::vector<Lanes*> channels_of(std::size_t block) {
-        std::vector<Lanes*> out;
-        for (int c = 0; c < channels_; ++c) out.push_back(data_.data() + offset(block, c));
+        std::vector<Lanes*> out(static_cast<std::size_t>(channels_));
+        for (std::size_t c = 0; c < out.size(); ++c) out[c] = data_.data() + offset(block, 0) + c * size_;
         return out;
     }
     /// Leaves the numbers of each vertex of a block one after the other, in the same memory.

@@ -120,8 +120,9 @@ void PixelShading::find_points(std::span<const Pixel> pixels, Batch& batch) cons
         for (std::size_t i = 0; i < count; ++i) {
             const Pixel& pixel = pixels[begin + i];
             triangles[i] = geometry.triangles[pixel.triangle];
-            const glm::dvec2 centre(static_cast<double>(pixel.index % width) + 0.5,
-                                    static_cast<double>(pixel.index / width) + 0.5);
+            const std::size_t column = pixel.index % width;
+            const std::size_t row = pixel.index / width;
+            const glm::dvec2 centre = glm::dvec2(column, row) + 0.5;
             at[i] = glm::vec2((2.0 * centre.x / size.x - 1.0) * input_.projection.half_width,
                               (1.0 - 2.0 * centre.y / size.y) * input_.projection.half_height);
         }
