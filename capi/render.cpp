@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "assets.hpp"
 #include "handles.hpp"
 
 using namespace nicol;
@@ -54,69 +55,27 @@ Method method_from(nicol_method given) {
     }
 }
 
-Executor executor_from(nicol_executor given) {
-    switch (given) {
-        case NICOL_EXECUTOR_AUTOMATIC:
-            return Executor::automatic;
-        case NICOL_EXECUTOR_CPU:
-            return Executor::cpu;
-        case NICOL_EXECUTOR_COMPUTE:
-            return Executor::compute;
-        default:
-            refuse("executor is " + std::to_string(given) + "; it must be one of NICOL_EXECUTOR_...");
-    }
+// An enumeration whose values are the constants 0 to `last` of the interface.
+template <class Enumeration>
+Enumeration value_from(std::uint32_t given, Enumeration last, const char* name, const char* constants) {
+    require_constant(given, static_cast<std::uint32_t>(last), name, constants);
+    return static_cast<Enumeration>(given);
 }
 
-HighOrders high_orders_from(nicol_high_orders given) {
-    switch (given) {
-        case NICOL_HIGH_ORDERS_SPLIT:
-            return HighOrders::split;
-        case NICOL_HIGH_ORDERS_CONVOLUTION:
-            return HighOrders::convolution;
-        case NICOL_HIGH_ORDERS_NONE:
-            return HighOrders::none;
-        default:
-            refuse("high_orders is " + std::to_string(given) + "; it must be one of NICOL_HIGH_ORDERS_...");
-    }
+template <class Enumeration>
+constexpr bool are(Enumeration first, std::uint32_t a, Enumeration second, std::uint32_t b, Enumeration third,
+                   std::uint32_t c) {
+    return static_cast<std::uint32_t>(first) == a && static_cast<std::uint32_t>(second) == b &&
+           static_cast<std::uint32_t>(third) == c;
 }
-
-HighOrdersAt high_orders_at_from(nicol_high_orders_at given) {
-    switch (given) {
-        case NICOL_HIGH_ORDERS_AT_AUTOMATIC:
-            return HighOrdersAt::automatic;
-        case NICOL_HIGH_ORDERS_AT_VERTICES:
-            return HighOrdersAt::vertices;
-        case NICOL_HIGH_ORDERS_AT_PIXELS:
-            return HighOrdersAt::pixels;
-        default:
-            refuse("high_orders_at is " + std::to_string(given) +
-                   "; it must be one of NICOL_HIGH_ORDERS_AT_...");
-    }
-}
-
-nicol_high_orders_at high_orders_at_of(HighOrdersAt where) {
-    switch (where) {
-        case HighOrdersAt::vertices:
-            return NICOL_HIGH_ORDERS_AT_VERTICES;
-        case HighOrdersAt::pixels:
-            return NICOL_HIGH_ORDERS_AT_PIXELS;
-        default:
-            return NICOL_HIGH_ORDERS_AT_AUTOMATIC;
-    }
-}
-
-ShadeAt shade_at_from(nicol_shade_at given) {
-    switch (given) {
-        case NICOL_SHADE_AT_AUTOMATIC:
-            return ShadeAt::automatic;
-        case NICOL_SHADE_AT_VERTICES:
-            return ShadeAt::vertices;
-        case NICOL_SHADE_AT_PIXELS:
-            return ShadeAt::pixels;
-        default:
-            refuse("shade_at is " + std::to_string(given) + "; it must be one of NICOL_SHADE_AT_...");
-    }
-}
+static_assert(are(Executor::automatic, NICOL_EXECUTOR_AUTOMATIC, Executor::cpu, NICOL_EXECUTOR_CPU,
+                  Executor::compute, NICOL_EXECUTOR_COMPUTE));
+static_assert(are(HighOrders::split, NICOL_HIGH_ORDERS_SPLIT, HighOrders::convolution,
+                  NICOL_HIGH_ORDERS_CONVOLUTION, HighOrders::none, NICOL_HIGH_ORDERS_NONE));
+static_assert(are(HighOrdersAt::automatic, NICOL_HIGH_ORDERS_AT_AUTOMATIC, HighOrdersAt::vertices,
+                  NICOL_HIGH_ORDERS_AT_VERTICES, HighOrdersAt::pixels, NICOL_HIGH_ORDERS_AT_PIXELS));
+static_assert(are(ShadeAt::automatic, NICOL_SHADE_AT_AUTOMATIC, ShadeAt::vertices, NICOL_SHADE_AT_VERTICES,
+                  ShadeAt::pixels, NICOL_SHADE_AT_PIXELS));
 
 int components_from(nicol_components given) {
     switch (given) {
@@ -144,15 +103,17 @@ std::uint32_t aovs_from(std::uint32_t given) {
 RenderOptions options_from(const nicol_render_options& given) {
     RenderOptions options;
     options.method = method_from(given.method);
-    options.executor = executor_from(given.executor);
+    options.executor = value_from(given.executor, Executor::compute, "executor", "NICOL_EXECUTOR_...");
     options.shadows = switch_from(given.shadows, "shadows");
     options.bake_directions = int_from(given.bake_directions, "bake_directions");
     options.order_low = int_from(given.order_low, "order_low");
     options.order_high = std::max(int_from(given.order_high, "order_high"), options.order_low);
-    options.high_orders = high_orders_from(given.high_orders);
+    options.high_orders =
+        value_from(given.high_orders, HighOrders::none, "high_orders", "NICOL_HIGH_ORDERS_...");
     options.high_order_shadows = switch_from(given.high_order_shadows, "high_order_shadows");
-    options.high_orders_at = high_orders_at_from(given.high_orders_at);
-    options.shade_at = shade_at_from(given.shade_at);
+    options.high_orders_at =
+        value_from(given.high_orders_at, HighOrdersAt::pixels, "high_orders_at", "NICOL_HIGH_ORDERS_AT_...");
+    options.shade_at = value_from(given.shade_at, ShadeAt::pixels, "shade_at", "NICOL_SHADE_AT_...");
     options.dering = given.dering;
     options.physical = switch_from(given.physical, "physical");
     options.tolerance = given.tolerance;
@@ -327,7 +288,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.shadow_rays = s.shadow_rays;
         out.trace_ms = s.trace_ms;
         out.compute = s.compute ? 1 : 0;
-        out.high_orders_at = high_orders_at_of(s.high_orders_at);
+        out.high_orders_at = static_cast<nicol_high_orders_at>(s.high_orders_at);
         out.order_low = static_cast<uint32_t>(s.order_low);
         out.predicted_error = s.predicted_error;
         out.lights_projected = s.lights_projected;

@@ -42,6 +42,10 @@ template <class Number>
     }
 }
 
+[[gnu::always_inline]] inline Vector3<float> in_floats(const Vector3<double>& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
 template <class A, class B, class Number>
 [[gnu::always_inline]] inline void dot(const Vector3<A>& a, const Vector3<B>& b, Number& out) {
     out = a.x * b.x + a.y * b.y + a.z * b.z;

@@ -11,8 +11,8 @@ CameraRays::CameraRays(const Projection& projection, int width, int height)
 
 Ray CameraRays::through(double x, double y) const {
     const Viewpoint& view = projection_.view;
-    const glm::dvec3 across = (2 * x / width_ - 1) * projection_.half_width * view.right +
-                              (1 - 2 * y / height_) * projection_.half_height * view.up;
+    const glm::dvec2 at = on_image_plane(projection_, width_, height_, x, y);
+    const glm::dvec3 across = at.x * view.right + at.y * view.up;
     Ray ray;
     ray.origin = view.orthographic ? view.eye + across : view.eye;
     ray.direction = view.orthographic ? view.forward : glm::normalize(view.forward + across);

@@ -19,7 +19,7 @@ public:
 
 private:
     Projection projection_;
-    double width_, height_;
+    int width_, height_;
 };
 
 }  // namespace nicol

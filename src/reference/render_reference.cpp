@@ -86,9 +86,10 @@ public:
     void trace(const tbb::blocked_range2d<int>& tile) {
         DirectLight::Workspace workspace;
         PixelEstimate estimate(options_.samples, image_.channels);
+        std::vector<Stokes> sum(static_cast<std::size_t>(light_.channels()));
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-                if (!sample_pixel(x, y, estimate, workspace)) return;
+                if (!sample_pixel(x, y, sum, estimate, workspace)) return;
                 for (int c = 0; c < image_.channels; ++c) {
                     const Stokes mean = estimate.mean(c);
                     const auto pixel = image_.at(c, y, x);
@@ -106,11 +107,12 @@ public:
 
 private:
     /// False where the render has been stopped.
-    bool sample_pixel(int x, int y, PixelEstimate& estimate, DirectLight::Workspace& workspace) {
+    bool sample_pixel(int x, int y, std::span<Stokes> sum, PixelEstimate& estimate,
+                      DirectLight::Workspace& workspace) {
         // Every pixel has points of its own, so neither tiles nor threads show.
         const std::uint64_t pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
         const LowDiscrepancy points(mixed(mixed(options_.seed, 0), pixel));
-        std::vector<Stokes> sum(static_cast<std::size_t>(light_.channels()), Stokes(0.0));
+        std::ranges::fill(sum, Stokes(0.0));
         for (int group = 0; group < estimate.groups(); ++group) {
             const int end = estimate.first(group + 1);
             for (int first = estimate.first(group); first < end; first += kSamplesPerReport) {

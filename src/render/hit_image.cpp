@@ -44,12 +44,4 @@ std::optional<Hit> HitImage::of(const glm::vec4& texel) {
     return Hit{.triangle = high << 16 | low, .front = texel.z != 0};
 }
 
-void PixelImage::resize(int width, int height, int channels) {
-    sizing_.run(width, height, channels, [&] {
-        channels_.clear();
-        for (int c = 0; c < channels; ++c)
-            channels_.emplace_back(context_, gl::TextureDescription{.width = width, .height = height});
-    });
-}
-
 }  // namespace nicol

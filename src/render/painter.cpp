@@ -24,6 +24,15 @@ gl::TextureDescription equirect(const EquirectImage& image) {
             .wrap_y = gl::Wrap::clamp};
 }
 
+// A background of all components covers what the surfaces leave.
+void clear(gl::RenderTarget& image, bool background, int components) {
+    if (background && components == 4) {
+        image.clear_depth();
+    } else {
+        image.clear();
+    }
+}
+
 }  // namespace
 
 std::vector<Painter::Batch> Painter::batches_by_side(const WorldGeometry& geometry) {
@@ -102,11 +111,7 @@ void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_or
         surface.set("to_light", to_light);
         surface.set("physical", high_orders.physical ? 1 : 0);
     }
-    if (scene.environment() && components == 4) {
-        image.clear_depth();
-    } else {
-        image.clear();
-    }
+    clear(image, scene.environment() != nullptr, components);
     for (const Batch& batch : batches_) {
         if (high_orders.textures != nullptr) {
             HighOrderTextures::bind(surface, high_orders.textures->part(batch.material), group);
@@ -121,11 +126,7 @@ void Painter::draw_pixels(const ShadedPixels& pixels, int components, bool backg
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         const int channels = group_size(target.channels(), g);
         gl::RenderTarget& image = target.groups()[g];
-        if (background && components == 4) {
-            image.clear_depth();
-        } else {
-            image.clear();
-        }
+        clear(image, background, components);
         gl::Program& shown = program("fullscreen.vert", "pixels.frag", channels, {});
         pixels.hits.texture().bind(0);
         for (int c = 0; c < channels; ++c)

@@ -14,6 +14,7 @@
 #include "render/framebuffer.hpp"
 #include "render/high_order_textures.hpp"
 #include "render/hit_image.hpp"
+#include "render/pixel_image.hpp"
 #include "render/scene_geometry.hpp"
 #include "render/vertex_buffers.hpp"
 #include "scene/projection.hpp"

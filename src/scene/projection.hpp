@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
 #include "polarization/viewpoint.hpp"
 #include "scene/camera.hpp"
@@ -15,6 +16,13 @@ struct Projection {
     double half_width;  ///< of the image at unit distance (perspective), or in the world (orthographic)
     double half_height;
 };
+
+/// Where a point of an image of width x height pixels, (0, 0) its upper left corner, is on the image plane:
+/// in units of right and up, at unit distance (perspective), or in the world's (orthographic).
+[[nodiscard]] inline glm::dvec2 on_image_plane(const Projection& projection, int width, int height, double x,
+                                               double y) {
+    return {(2 * x / width - 1) * projection.half_width, (1 - 2 * y / height) * projection.half_height};
+}
 
 /// Throws Error(invalid_argument) naming the member of the camera that is out of range, or `to_world` where
 /// it is not finite, not affine, mirrors, or is not orthogonal.

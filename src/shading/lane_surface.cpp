@@ -11,7 +11,7 @@ namespace {
 
 // A ray from the eye, or beside it where all rays are parallel.
 struct Rays {
-    Vector3<float> forward, up, right;
+    Vector3<float> backward, up, right;
     float perspective;  // 1, or 0 for an orthographic camera
     Lanes x, y;
 };
@@ -27,10 +27,6 @@ struct Points {
     LaneVectors offset;  // from the first corner
     LaneVectors normal;
 };
-
-Vector3<float> in_floats(const glm::dvec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
 
 void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
     lanes.x[i] = v.x;
@@ -56,8 +52,8 @@ void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
         const Vector3<float> aside{x * rays.right.x + y * rays.up.x, x * rays.right.y + y * rays.up.y,
                                    x * rays.right.z + y * rays.up.z};
         const float near = rays.perspective;
-        const Vector3<float> direction{rays.forward.x + near * aside.x, rays.forward.y + near * aside.y,
-                                       rays.forward.z + near * aside.z};
+        const Vector3<float> direction{near * aside.x - rays.backward.x, near * aside.y - rays.backward.y,
+                                       near * aside.z - rays.backward.z};
         const Vector3<float> first = lane(triangles.first, i);
         const Vector3<float> begin{(1 - near) * aside.x - first.x, (1 - near) * aside.y - first.y,
                                    (1 - near) * aside.z - first.z};
@@ -100,10 +96,11 @@ void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
 void find_surface(const Viewpoint& view, std::span<const glm::vec3> positions,
                   std::span<const glm::vec3> normals, std::span<const Corners> triangles,
                   std::span<const glm::vec2> at, LaneSurface& out) {
-    Rays rays{.forward = in_floats(view.forward),
-              .up = in_floats(view.up),
-              .right = in_floats(view.right),
-              .perspective = view.orthographic ? 0.0F : 1.0F,
+    const CameraAxes camera = view.axes();
+    Rays rays{.backward = in_floats(camera.backward),
+              .up = in_floats(camera.up),
+              .right = in_floats(camera.right),
+              .perspective = static_cast<float>(camera.perspective),
               .x = {},
               .y = {}};
     Triangles gathered;

@@ -33,10 +33,6 @@ struct ViewAngles {
     return {from.x.value[i], from.y.value[i], from.z.value[i]};
 }
 
-[[gnu::always_inline]] inline Vector3<float> in_floats(const Vector3<double>& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 // Double precision where a difference or the direction of something tiny is at stake, in loops of their own,
 // which vectorise.
 [[gnu::always_inline]] inline void find_view(const CameraAxes& camera, const LanePoints& position,

@@ -2,13 +2,14 @@
 // Lights that differ from place to place, between the world's axes and surfaces' frames.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
 
 #include "harmonics/light_layout.hpp"
-#include "simd/lanes.hpp"
 #include "transfer/lane_rotation.hpp"
 #include "transfer/light_fields.hpp"
+#include "transfer/vertex_light.hpp"
 
 namespace nicol {
 
@@ -19,16 +20,15 @@ class FrameRotation {
 public:
     explicit FrameRotation(const LightLayout& layout);
 
-    /// Rotates each channel's numbers where they are. `normals`: at most kLanes unit vectors, one a lane.
-    void into_frames(std::span<const glm::vec3> normals, std::span<Lanes* const> channels) const;
-    void into_world(std::span<const glm::vec3> normals, std::span<Lanes* const> channels) const;
+    /// Rotates a block of `light` where it is. `normals`: at most kLanes unit vectors, one a lane.
+    void into_frames(std::span<const glm::vec3> normals, VertexLight& light, std::size_t block) const;
+    void into_world(std::span<const glm::vec3> normals, VertexLight& light, std::size_t block) const;
 
 private:
     template <class Rotate>
     void rotate(const LightFields& from, const LightFields& to, std::span<const glm::vec3> normals,
-                std::span<Lanes* const> channels, const Rotate& one_part) const;
+                VertexLight& light, std::size_t block, const Rotate& one_part) const;
 
-    int order_;
     LaneRotation rotation_;
     LightFields in_world_;
     LightFields in_frame_;

@@ -270,9 +270,10 @@ LaneRotation::LaneRotation(int order) : order_(order) {
     }
 }
 
-LaneRotation::Work LaneRotation::work() const {
+LaneRotation::Work& LaneRotation::work_of_thread() const {
+    thread_local Work work;
     const auto count = static_cast<std::size_t>(order_) + 1;
-    Work work;
+    if (work.azimuth_.cosine.size() == count) return work;
     for (Work::Phases* phases : {&work.azimuth_, &work.zenith_}) {
         phases->cosine.resize(count);
         phases->sine.resize(count);

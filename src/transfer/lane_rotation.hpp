@@ -48,7 +48,8 @@ public:
         std::vector<Lanes> fields_;
         std::vector<Lanes> scratch_;
     };
-    [[nodiscard]] Work work() const;
+    /// An object that belongs to the calling thread.
+    [[nodiscard]] Work& work_of_thread() const;
 
     /// At most kLanes unit normals; the other lanes repeat the first.
     void set_normals(std::span<const glm::vec3> normals, Work& work) const;

@@ -76,10 +76,7 @@ void Relight::run_part(std::size_t p, LaneRotation::Work& work, std::size_t bloc
 
 void Relight::run(std::span<const glm::vec3> normals, std::size_t first, std::size_t last,
                   VertexLight& out) const {
-    thread_local LaneRotation::Work work;
-    thread_local int order = -1;  // that it is for
-    if (order != order_) work = rotation_.work();
-    order = order_;
+    LaneRotation::Work& work = rotation_.work_of_thread();
     for (std::size_t block = first; block < last; ++block) {
         const std::size_t begin = block * kLanes;
         rotation_.set_normals(normals.subspan(begin, std::min(kLanes, normals.size() - begin)), work);

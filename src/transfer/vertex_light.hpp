@@ -37,12 +37,6 @@ public:
         return {data_.data() + offset(block, channel), size_};
     }
 
-    /// The numbers of each channel.
-    [[nodiscard]] std::vector<Lanes*> channels_of(std::size_t block) {
-        std::vector<Lanes*> out(static_cast<std::size_t>(channels_));
-        for (std::size_t c = 0; c < out.size(); ++c) out[c] = data_.data() + offset(block, 0) + c * size_;
-        return out;
-    }
     /// Leaves the numbers of each vertex of a block one after the other, in the same memory.
     void to_rows(std::size_t block);
     /// [channel][number], after to_rows() of its block.

@@ -8,6 +8,7 @@
 #include "render/factored_method.hpp"
 #include "render/high_orders.hpp"
 #include "render/hit_image.hpp"
+#include "render/pixel_image.hpp"
 #include "render/vertex_buffers.hpp"
 #include "shading/physical_range.hpp"
 #include "shading/shade.hpp"
@@ -34,7 +35,7 @@ void leave_for_pixels(const FrameRotation& back, std::span<const glm::vec3> norm
                       std::size_t last, VertexLight& light) {
     for (std::size_t block = first; block < last; ++block) {
         const std::size_t v = block * kLanes;
-        back.into_world(normals.subspan(v, std::min(kLanes, normals.size() - v)), light.channels_of(block));
+        back.into_world(normals.subspan(v, std::min(kLanes, normals.size() - v)), light, block);
         light.to_rows(block);
     }
 }

@@ -112,7 +112,6 @@ void PixelShading::shade(std::span<const Pixel> pixels, Batch& batch,
 void PixelShading::find_points(std::span<const Pixel> pixels, Batch& batch) const {
     const WorldGeometry& geometry = input_.geometry;
     const auto width = static_cast<std::size_t>(input_.hits.width());
-    const glm::dvec2 size(input_.hits.width(), input_.hits.height());
     for (std::size_t begin = 0; begin < pixels.size(); begin += kLanes) {
         const std::size_t count = std::min(kLanes, pixels.size() - begin);
         std::array<Corners, kLanes> triangles;
@@ -122,9 +121,9 @@ void PixelShading::find_points(std::span<const Pixel> pixels, Batch& batch) cons
             triangles[i] = geometry.triangles[pixel.triangle];
             const std::size_t column = pixel.index % width;
             const std::size_t row = pixel.index / width;
-            const glm::dvec2 centre = glm::dvec2(column, row) + 0.5;
-            at[i] = glm::vec2((2.0 * centre.x / size.x - 1.0) * input_.projection.half_width,
-                              (1.0 - 2.0 * centre.y / size.y) * input_.projection.half_height);
+            at[i] =
+                glm::vec2(on_image_plane(input_.projection, input_.hits.width(), input_.hits.height(),
+                                         static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5));
         }
         LaneSurface& found = batch.surfaces[begin / kLanes];
         find_surface(input_.view, geometry.positions, geometry.normals, std::span(triangles).first(count),
@@ -169,8 +168,8 @@ void PixelShading::find_light(const PixelSurface& surface, std::span<const Pixel
         to_lanes_weighted(rows, batch.surfaces[block].weights, from.row_size(),
                           batch.light.block(block, 0).data());
         surface.rotation->into_frames(
-            normals.subspan(block * kLanes, std::min(kLanes, pixels.size() - block * kLanes)),
-            batch.light.channels_of(block));
+            normals.subspan(block * kLanes, std::min(kLanes, pixels.size() - block * kLanes)), batch.light,
+            block);
     }
 }
 
