@@ -100,14 +100,27 @@ std::uint32_t aovs_from(std::uint32_t given) {
     return given;
 }
 
+// Where one of the orders is given, the other is its default, moved where it does not fit.
+void read_orders(const nicol_render_options& given, RenderOptions& options) {
+    const bool low = given.order_low != NICOL_ORDER_AUTOMATIC;
+    const bool high = given.order_high != NICOL_ORDER_AUTOMATIC;
+    options.choose_orders = !low && !high;
+    if (high) options.order_high = int_from(given.order_high, "order_high");
+    if (low) {
+        options.order_low = int_from(given.order_low, "order_low");
+        options.order_high = std::max(options.order_high, options.order_low);
+    } else {
+        options.order_low = std::min(options.order_low, options.order_high);
+    }
+}
+
 RenderOptions options_from(const nicol_render_options& given) {
     RenderOptions options;
     options.method = method_from(given.method);
     options.executor = value_from(given.executor, Executor::compute, "executor", "NICOL_EXECUTOR_...");
     options.shadows = switch_from(given.shadows, "shadows");
     options.bake_directions = int_from(given.bake_directions, "bake_directions");
-    options.order_low = int_from(given.order_low, "order_low");
-    options.order_high = std::max(int_from(given.order_high, "order_high"), options.order_low);
+    read_orders(given, options);
     options.high_orders =
         value_from(given.high_orders, HighOrders::none, "high_orders", "NICOL_HIGH_ORDERS_...");
     options.high_order_shadows = switch_from(given.high_order_shadows, "high_order_shadows");

@@ -109,6 +109,7 @@ typedef struct nicol_framebuffer_impl* nicol_framebuffer; /* the Stokes image of
 
 #define NICOL_MAX_CHANNELS 16
 #define NICOL_MAX_ORDER 32
+#define NICOL_ORDER_AUTOMATIC 0xffffffffu /* orders are chosen, see nicol_render_options */
 #define NICOL_MAX_SIZE 16384
 
 /* One value a colour channel. count 0: not given, the default of where it is used; 1: the same in every
@@ -170,7 +171,7 @@ typedef struct nicol_context_options {
      * visibility_bytes and transfer_bytes, and the OpenGL buffers of its vertices without compute shaders'
      * work space; by the reference method, its triangles. An upper bound is computed before a render bakes or
      * allocates; if it exceeds the limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY, and the message
-     * has both numbers. With a tolerance, the bound is for the orders in the options. Default NICOL_NO_LIMIT
+     * has both numbers. Where orders are automatic, the bound is for 4 and 9. Default NICOL_NO_LIMIT
      */
     uint64_t memory_limit;
     /* Limits of each call that loads from files, 1 or more, or NICOL_NO_LIMIT; beyond them it fails with
@@ -649,19 +650,20 @@ typedef struct nicol_render_options {
     nicol_method method;
     /* Options of the factored and the dense method; the reference method uses samples, seed, `shadows` and
      * NICOL_OPTIMISATION_UNCHANGED only. */
-    uint32_t order_low;  /* light up to this order is shaded with the material's full response; default 4, at
-                            most NICOL_MAX_ORDER */
-    uint32_t order_high; /* light of the orders above order_low, up to this one, is rendered by high_orders;
-                            default 9, at most 64. At order_low or below there are none */
+    uint32_t order_low; /* light up to this order is shaded with the material's full response; at most
+                           NICOL_MAX_ORDER. NICOL_ORDER_AUTOMATIC, the default: see tolerance */
+    uint32_t
+        order_high; /* light of the orders above order_low, up to this one, is rendered by high_orders; at
+                       most 64. At order_low or below there are none. NICOL_ORDER_AUTOMATIC, the default */
     nicol_high_orders high_orders; /* default split */
     uint32_t shadows;         /* whether surfaces shadow each other and themselves: 1, the default, or 0 */
     uint32_t bake_directions; /* directions of rays at each vertex; 256 to 65536, default 2048. More take more
                                  time and memory to bake and leave less noise in the shadows */
-    uint32_t physical;        /* 1: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0 and no
-                                 more polarized than s0, which truncated light may violate: at vertices, or at pixels
-                                 if these are shaded or high orders are looked up there; 0: no */
-    double dering;            /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
-                                 1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
+    uint32_t physical; /* 1, the default: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0
+                          and no more polarized than s0, which truncated light may violate: at vertices, or at
+                          pixels if these are shaded or high orders are looked up there; 0: no */
+    double dering;     /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
+                          1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
     nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
                                          reference method trace */
     void* progress_user;
@@ -671,10 +673,13 @@ typedef struct nicol_render_options {
     uint64_t seed;                       /* reference: equal seeds give equal images, whatever the threads */
     nicol_executor executor;             /* default automatic */
     nicol_high_orders_at high_orders_at; /* default automatic */
-    double tolerance; /* above 0: the largest predicted error of omitted orders, as RMSE of s0, s1 and s2
-                         relative to the RMS of s0; it chooses order_low and order_high, whose fields are
-                         ignored. Only for the factored method with high orders split or none. 0, the default:
-                         orders as given; finite, not negative */
+    /* Where both orders are automatic: the largest predicted error of the orders left out, as RMSE of s0, s1
+     * and s2 relative to the RMS of s0; the fastest orders that keep it are taken, order_low up to 16. Errors
+     * are mostly a half to a third of the prediction, and that of the DoLP, as the mean over pixels, is no
+     * larger than it. Where what vertices keep would exceed 1 GiB, or the context's memory_limit, orders
+     * are as high as fits. The dense method and convolution have no prediction: automatic orders are 4 and 9
+     * there, and where tolerance is 0, or one of the orders is given. Default 0.03; finite, not negative */
+    double tolerance;
     nicol_components components; /* default all */
     uint32_t
         disabled_optimisations;  /* sum of NICOL_OPTIMISATION_... to disable, in order to measure what they
@@ -687,7 +692,8 @@ typedef struct nicol_render_options {
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
-    { sizeof(nicol_render_options), 0, 4, 9, 0, 1, 2048, 0, 0, 0, 0, 256, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0 }
+    { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, 2048, 1, 0, 0, 0, 256, 0, 0, 0, \
+      0, 0.03, 0, 0, 1, 0, 0, 0 }
 /* clang-format on */
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
@@ -793,7 +799,7 @@ typedef struct nicol_statistics {
     double trace_ms;                /* reference: tracing rays */
     uint32_t compute;               /* 1: compute shaders relight and shade, 0: threads do */
     nicol_high_orders_at high_orders_at; /* where they were looked up; 0: there were none */
-    uint32_t order_low;             /* of the light that was rendered, as the option or as a tolerance chose */
+    uint32_t order_low;             /* of the light that was rendered, as the option says or as was chosen */
     uint32_t reserved;              /* 0 */
     double predicted_error;         /* where a tolerance was given: of the orders left out; may exceed it where no orders
                                        reach it. Interpolation between vertices is not in it */

@@ -8,15 +8,14 @@ sh samples/setup.sh
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 cmake --build build --target nicol-render
 
-# Highlights on the snail are sharper than the default orders can hold; grooves are dark enough for ringing to show, which
-# --dering and --physical take away. What each vertex can see does not depend on the light: the cache keeps it for all images.
+# What each vertex can see does not depend on the light: the cache keeps it for all images.
 for scene in snail_hdr snail_sky; do
     for angle in 0 120; do
         folder=out/demo/${scene}_$angle
         mkdir -p "$folder"
         echo "rendering samples/assets/$scene.xml, light rotated by $angle degrees"
-        build/bin/nicol-render samples/assets/$scene.xml -D light_angle=$angle --order-low 16 --order-high 32 \
-            --dering 0.0001 --physical --cache build/cache -o "$folder/stokes.exr" --images "$folder" --stats "$folder/stats.json"
+        build/bin/nicol-render samples/assets/$scene.xml -D light_angle=$angle --cache build/cache \
+            -o "$folder/stokes.exr" --images "$folder" --stats "$folder/stats.json"
     done
 done
 

@@ -3,8 +3,8 @@
 
 std::string Recipe::name() const {
     std::string text = method == NICOL_METHOD_DENSE ? "dense " : "factored ";
-    text += std::to_string(low);
-    if (high != High::none) {
+    text = defaults ? "by default" : text + std::to_string(low);
+    if (!defaults && high != High::none) {
         text += high == High::convolution ? " + convolution to " : " + split to ";
         text += std::to_string(top);
         if (at == NICOL_HIGH_ORDERS_AT_PIXELS) text += ", high orders at pixels";
@@ -15,16 +15,21 @@ std::string Recipe::name() const {
 
 nicol_render_options Recipe::options() const {
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
+    wanted.shade_at = shade_at;
+    wanted.shadows = shadows ? 1 : 0;
+    if (defaults) return wanted;
     wanted.method = method;
-    wanted.order_low = static_cast<std::uint32_t>(low);
-    wanted.order_high = static_cast<std::uint32_t>(high == High::none ? low : top);
+    if (tolerance > 0) {
+        wanted.tolerance = tolerance;
+    } else {
+        wanted.order_low = static_cast<std::uint32_t>(low);
+        wanted.order_high = static_cast<std::uint32_t>(high == High::none ? low : top);
+    }
+    wanted.physical = 0;  // as computed, so that nothing is covered up
     wanted.high_orders = high == High::none          ? NICOL_HIGH_ORDERS_NONE
                          : high == High::convolution ? NICOL_HIGH_ORDERS_CONVOLUTION
                                                      : NICOL_HIGH_ORDERS_SPLIT;
-    wanted.tolerance = tolerance;
     wanted.high_orders_at = at;
-    wanted.shade_at = shade_at;
-    wanted.shadows = shadows ? 1 : 0;
     wanted.bake_directions = directions;
     return wanted;
 }

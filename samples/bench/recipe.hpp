@@ -10,6 +10,7 @@
 enum class High { none, convolution, split };
 
 struct Recipe {
+    bool defaults = false;  ///< the library's, but for shadows and where it shades
     nicol_method method = NICOL_METHOD_FACTORED;
     int low = 4;
     High high = High::none;

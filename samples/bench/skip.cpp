@@ -119,8 +119,9 @@ public:
         nicol_framebuffer framebuffer = nullptr;
         check(nicol_framebuffer_create(context, size, size, kChannels, &framebuffer));
         framebuffer_.reset(framebuffer);
+        options_.order_low = use.order_low.value_or(4);
+        options_.order_high = 9;
         if (use.order_low) {
-            options_.order_low = *use.order_low;
             options_.high_orders = NICOL_HIGH_ORDERS_NONE;
         }
         options_.disabled_optimisations = enabled ? 0 : use.optimisation;

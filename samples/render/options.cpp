@@ -21,22 +21,25 @@ const char* const usage =
     "      --method NAME        factored or dense, in real time, or reference, by rays: slow and noisy\n"
     "      --executor NAME      where relight and shade run: cpu (threads), compute (shaders) or automatic,\n"
     "                           which is compute where OpenGL does not run on the CPU; default automatic\n"
-    "      --order-low N        order of the light taken with its full angular detail, 0 to 32; default 4\n"
-    "      --order-high N       order of the light taken at all, --order-low to 64; default 9\n"
+    "      --order-low N        order of the light taken with its full angular detail, 0 to 32;\n"
+    "                           default: see --tolerance\n"
+    "      --order-high N       order of the light taken at all, --order-low to 64; default: see\n"
+    "                           --tolerance\n"
     "      --high-orders NAME   how orders above --order-low are taken: split, convolution or none;\n"
     "                           default split\n"
     "      --high-orders-at NAME  where they are looked up: vertices, pixels or automatic, which is pixels\n"
     "                           where OpenGL does not run on the CPU; default automatic\n"
     "      --shade-at NAME      where light becomes a Stokes vector: vertices (automatic, the default) or\n"
     "                           pixels, for coarse meshes\n"
-    "      --tolerance E        chooses the orders: those left out may change s0, s1 and s2 by E, as the\n"
-    "                           predicted relative RMSE; without it orders are as given\n"
+    "      --tolerance E        where no order is given: those left out may change s0, s1 and s2 by E, as "
+    "the\n"
+    "                           predicted relative RMSE, for which orders are chosen; default 0.03\n"
     "      --components NAME    what the image holds: s0, linear (s0, s1, s2) or all; default all\n"
     "      --no-shadows         computes no shadows\n"
     "      --bake-directions N  directions that shadows are traced in from each vertex, 256 to 65536;\n"
     "                           default 2048\n"
     "      --dering X           weakens high orders of the light against ringing; default 0, 0.001 helps\n"
-    "      --physical           moves what truncation made unphysical to the nearest Stokes vector\n"
+    "      --no-physical        leaves s0 < 0 and DoLP > 1, which truncation may cause, as they are\n"
     "      --samples N          of the reference method, camera rays a pixel, 1 to 1048576; default 256\n"
     "      --seed N             of the reference method, gives other noise; default 0\n"
     "      --cache DIR          keeps tables of materials and bakes of shadows there between runs;\n"
@@ -235,8 +238,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.bake_directions = parse_count(name, value(), 256, 65536);
         else if (name == "--dering")
             options.dering = parse_strength(name, value());
-        else if (name == "--physical" && !attached)
-            options.physical = true;
+        else if (name == "--no-physical" && !attached)
+            options.physical = false;
         else if (name == "--samples")
             options.samples = parse_count(name, value(), 1, 1048576);
         else if (name == "--seed")
@@ -266,10 +269,10 @@ Options parse_options(int argc, const char* const* argv) {
     }
     if (options.scene.empty()) throw Failure("no scene given; usage: nicol-render SCENE.xml -o OUT.exr");
     if (options.output.empty()) throw Failure("no output given; add -o OUT.exr");
-    const nicol_render_options defaults = NICOL_RENDER_OPTIONS_INIT;
-    const std::uint32_t low = options.order_low.value_or(defaults.order_low);
-    if (options.order_high && *options.order_high < low)
+    if (options.order_low && options.order_high && *options.order_high < *options.order_low)
         throw Failure("--order-high: " + std::to_string(*options.order_high) +
-                      " is below --order-low, which is " + std::to_string(low));
+                      " is below --order-low, which is " + std::to_string(*options.order_low));
+    if (options.tolerance && (options.order_low || options.order_high))
+        throw Failure("--tolerance chooses the orders; they cannot be given too");
     return options;
 }

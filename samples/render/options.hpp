@@ -28,10 +28,10 @@ struct Options {
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
     nicol_high_orders_at high_orders_at = NICOL_HIGH_ORDERS_AT_AUTOMATIC;
     nicol_shade_at shade_at = NICOL_SHADE_AT_AUTOMATIC;
-    double tolerance = 0;
+    std::optional<double> tolerance;
     nicol_components components = NICOL_COMPONENTS_ALL;
     bool shadows = true;
-    bool physical = false;
+    bool physical = true;
     double dering = 0;
     std::optional<std::uint32_t> bake_directions;
     std::optional<std::uint32_t> samples;                            ///< of the reference method

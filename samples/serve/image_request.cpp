@@ -121,11 +121,9 @@ void read_orders(const Reader& reader, View& view) {
     if (view.tolerance > 0 && (view.order_low >= 0 || view.order_high >= 0))
         refuse_parameter(reader.row("tolerance"),
                          "A tolerance chooses the orders; they cannot be given too.");
-    constexpr std::int32_t default_low = 4;
-    const std::int32_t low = view.order_low < 0 ? default_low : view.order_low;
-    if (view.order_high >= 0 && view.order_high < low)
+    if (view.order_high >= 0 && view.order_high < view.order_low)
         refuse_parameter(reader.row("order_high"),
-                         "The value is below order_low, which is " + std::to_string(low) + ".");
+                         "The value is below order_low, which is " + std::to_string(view.order_low) + ".");
 }
 
 void read_observer(const Reader& reader, const SceneInfo& info, ImageRequest& request) {

@@ -39,7 +39,7 @@ struct View {
     double light = 0,
            light_tilt = 0;  ///< degrees about the vertical, then about azimuth 90's horizontal axis
     std::int32_t order_low = -1, order_high = -1;  ///< -1: the library's default
-    double tolerance = 0;                          ///< 0: none
+    double tolerance = 0;                          ///< 0: the library's default
 
     bool operator==(const View&) const = default;
 };

@@ -125,7 +125,7 @@ void Stage::draw(const View& view, const Progress& progress, ResultHead& head) {
     nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
     if (view.order_low >= 0) options.order_low = static_cast<std::uint32_t>(view.order_low);
     if (view.order_high >= 0) options.order_high = static_cast<std::uint32_t>(view.order_high);
-    options.tolerance = view.tolerance;
+    if (view.tolerance > 0) options.tolerance = view.tolerance;
     options.progress = progress.callback;
     options.progress_user = progress.user;
     check(nicol_render(scene_.get(), &camera, &options, framebuffer_.get()));

@@ -12,7 +12,7 @@
 
 namespace nicol {
 
-/// Bytes at most, as Statistics counts them. Where a tolerance chooses the orders, those of the options are
+/// Bytes at most, as Statistics counts them. Where orders are chosen, those of the options are
 /// assumed.
 struct MemoryEstimate {
     std::uint64_t visibility = 0;
@@ -33,6 +33,7 @@ public:
 
     explicit MemoryLimit(std::uint64_t bytes = kNone) : bytes_(bytes) {}
 
+    [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }
     /// Throws Error(out_of_memory) with both numbers where the estimate exceeds the limit. Estimates again
     /// only where something that the estimate depends on has changed since the last call.
     void check(const Scene& scene, const RenderOptions& options);

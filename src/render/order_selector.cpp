@@ -8,6 +8,7 @@
 
 #include "harmonics/energy.hpp"
 #include "render/light_projection.hpp"
+#include "render/memory_estimate.hpp"
 #include "specular/split_fit.hpp"
 
 namespace nicol {
@@ -47,7 +48,7 @@ std::size_t parts_of(LightKind kind) {
 }  // namespace
 
 OrderSelector::Orders OrderSelector::choose(const Scene& scene, const SurfaceState& surfaces,
-                                            double tolerance, bool split) {
+                                            const RenderOptions& options, std::uint64_t memory_limit) {
     measuring_.run(scene.environment(), surfaces.materials, surfaces.versions, [&] {
         choosing_.reset();
         missed_.clear();
@@ -55,13 +56,29 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const SurfaceSta
         mean_square_ = 0;
         if (scene.environment()) measure(scene, surfaces);
     });
-    choosing_.run(tolerance, split, [&] { chosen_ = cheapest(tolerance, split); });
+    limiting_.run(scene.geometry_version(), scene.environment(), options.shadows, options.high_order_shadows,
+                  options.bake_directions, options.high_orders, memory_limit,
+                  [&] { highest_low_ = highest_low(scene, options, memory_limit); });
+    const bool split = options.high_orders == HighOrders::split;
+    choosing_.run(options.tolerance, split, highest_low_,
+                  [&] { chosen_ = cheapest(options.tolerance, split); });
     return chosen_;
+}
+
+int OrderSelector::highest_low(const Scene& scene, RenderOptions options, std::uint64_t memory_limit) {
+    const int least = options.order_low;
+    for (int low = kHighestLow; low > least; --low) {
+        options.order_low = low;
+        options.order_high = kOrder;
+        const MemoryEstimate estimate = estimate_memory(scene, options);
+        if (estimate.transfer <= kMostBytes && estimate.total() <= memory_limit) return low;
+    }
+    return least;
 }
 
 OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
     std::vector<Orders> candidates;
-    for (int low = 0; low <= kHighestLow; ++low) {
+    for (int low = 0; low <= highest_low_; ++low) {
         candidates.push_back({.low = low, .high = low});
         for (const int high : kSplitOrders)
             if (split && low >= kLowestSplit && high > low) candidates.push_back({.low = low, .high = high});
@@ -85,6 +102,16 @@ void OrderSelector::measure(const Scene& scene, const SurfaceState& surfaces) {
     if (surfaces.visibility != nullptr)
         visible.emplace(*surfaces.visibility, *surfaces.directions, geometry.normals);
     const double fraction = visible ? visible->fraction() : 1;
+    constexpr std::size_t size = kOrder + 1;
+    std::array<std::vector<double>, 2> couplings;  // spin 0, spin 2
+    for (std::size_t k = 0; k < couplings.size(); ++k) {
+        if (visible) {
+            couplings[k] = visible->coupling(kOrder, k == 1 ? 2 : 0);
+        } else {
+            couplings[k].resize(size * size);
+            for (std::size_t l = 0; l < size; ++l) couplings[k][l * size + l] = 1;
+        }
+    }
 
     std::map<MaterialPtr, std::size_t> vertices;
     for (const VertexRange& range : geometry.ranges) vertices[range.material] += range.last - range.first;
@@ -93,24 +120,36 @@ void OrderSelector::measure(const Scene& scene, const SurfaceState& surfaces) {
             shares_.emplace_back(Share{.material = material,
                                        .power = ResponsePower(*material, kOrder, kind_, scene.channels()),
                                        .all = {},
-                                       .seen = {}});
-        share.all.fill(Spectrum(kOrder + 1));
-        share.seen.fill(Spectrum(kOrder + 1));
-        const auto weight = static_cast<double>(count);
-        for (std::size_t part = 0; part < parts_of(kind_); ++part) {
-            for (std::size_t output = 0; output < kOutputs; ++output) {
-                for (int c = 0; c < scene.channels(); ++c) {
-                    const Spectrum& power = share.power.of(c, output, part);
-                    const Spectrum shadowed = visible ? visible->shadowed(power, part == 1 ? 2 : 0) : power;
-                    const std::vector<double> energy = energies(light, light.channels() == 1 ? 0 : c)[part];
-                    for (std::size_t l = 0; l < energy.size(); ++l) {
-                        share.all[output][l] += weight * energy[l] * shadowed[l];
-                        share.seen[output][l] += weight * energy[l] * fraction * power[l];
-                    }
-                }
+                                       .seen = {},
+                                       .left = {}});
+        share.all.fill(Spectrum(size));
+        share.seen.fill(Spectrum(size));
+        for (int c = 0; c < scene.channels(); ++c) {
+            auto of_light = energies(light, light.channels() == 1 ? 0 : c);
+            for (std::size_t part = 0; part < parts_of(kind_); ++part) {
+                for (double& energy : of_light[part]) energy *= static_cast<double>(count);
+                for (std::size_t output = 0; output < kOutputs; ++output)
+                    add_part(of_light[part], share.power.of(c, output, part), couplings[part == 1 ? 1 : 0],
+                             fraction, output, share);
             }
         }
         for (const double value : share.all[0]) mean_square_ += value;
+    }
+}
+
+void OrderSelector::add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,
+                             double fraction, std::size_t output, Share& share) {
+    const std::size_t size = power.size();
+    for (std::size_t l = 0; l < light.size(); ++l) {
+        const std::span row = coupling.subspan(l * size, size);
+        // Of responses above each order, from the last down.
+        double above = 0;
+        for (std::size_t from = size; from-- > 0;) {
+            if (from >= l && from <= kHighestLow) share.left[output][from] += light[l] * above;
+            above += row[from] * power[from];
+        }
+        share.all[output][l] += light[l] * above;
+        share.seen[output][l] += light[l] * fraction * power[l];
     }
 }
 
@@ -120,6 +159,7 @@ double OrderSelector::error(int low, int high) {
     for (std::size_t i = 0; i < shares_.size(); ++i) {
         const Share& share = shares_[i];
         for (std::size_t output = 0; output < kOutputs; ++output) {
+            sum[output] += share.left[output][static_cast<std::size_t>(low)];
             for (int l = low + 1; l <= kOrder; ++l) {
                 const auto k = static_cast<std::size_t>(l);
                 const double all = share.all[output][k];

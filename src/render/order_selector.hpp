@@ -4,10 +4,12 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <tuple>
 #include <vector>
 
 #include "material/response_power.hpp"
+#include "render/render.hpp"
 #include "render/surface_state.hpp"
 #include "scene/scene.hpp"
 #include "versioned.hpp"
@@ -31,9 +33,13 @@ public:
         double error = 0;  ///< of s0, or of s1 and s2 where that is more; relative to the RMS of s0
     };
 
-    /// The fastest orders for the factored method with a predicted error of at most `tolerance`, or where
-    /// there are none those of the least error. split: whether there may be high orders in that form.
-    Orders choose(const Scene& scene, const SurfaceState& surfaces, double tolerance, bool split);
+    /// The fastest orders for the factored method with a predicted error of at most the options' tolerance,
+    /// or where there are none those of the least error; high ones where they are split. A low order above
+    /// that of the options needs no more than memory_limit bytes in all, nor than kMostBytes of transfer.
+    Orders choose(const Scene& scene, const SurfaceState& surfaces, const RenderOptions& options,
+                  std::uint64_t memory_limit);
+
+    static constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 
 private:
     static constexpr std::size_t kOutputs = ResponsePower::kOutputs;
@@ -45,10 +51,18 @@ private:
         ResponsePower power;
         std::array<Spectrum, kOutputs> all;
         std::array<Spectrum, kOutputs> seen;  // without what shadows move here from other orders
+        // By low order, of light up to it: what shadows leave to responses above it.
+        std::array<std::array<double, kHighestLow + 1>, kOutputs> left;
     };
 
     [[nodiscard]] Orders cheapest(double tolerance, bool split);
+    [[nodiscard]] static int highest_low(const Scene& scene, RenderOptions options,
+                                         std::uint64_t memory_limit);
     void measure(const Scene& scene, const SurfaceState& surfaces);
+    // Adds what a part of the light has, its energies by order, reflected with these energies; `coupling`:
+    // VisibilityPower's.
+    static void add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,
+                         double fraction, std::size_t output, Share& share);
     double error(int low, int high);
     const std::array<double, kOutputs>& missed(std::size_t share, int low, int high);
 
@@ -56,8 +70,11 @@ private:
     LightKind kind_ = LightKind::unpolarized;
     std::vector<Share> shares_;
     double mean_square_ = 0;  // of s0
+    // Geometry, light, the options that matter for memory, and its limit.
+    Stage<Version, EnvironmentPtr, bool, bool, int, HighOrders, std::uint64_t> limiting_;
+    int highest_low_ = kHighestLow;
     std::map<std::tuple<std::size_t, int, int>, std::array<double, kOutputs>> missed_;
-    Stage<double, bool> choosing_;
+    Stage<double, bool, int> choosing_;
     Orders chosen_;
 };
 

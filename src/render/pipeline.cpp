@@ -83,11 +83,13 @@ TransferMethod& Pipeline::method_for(Method method) {
 
 RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run) {
     RenderOptions chosen = options;
-    if (!(options.tolerance > 0)) return chosen;
+    const bool predicted =
+        options.method == Method::factored && options.high_orders != HighOrders::convolution;
+    if (!options.choose_orders || !predicted || !(options.tolerance > 0)) return chosen;
     const Stopwatch watch;
     run.workers.run([&] {
-        const OrderSelector::Orders orders = selector_.choose(
-            scene, visibility_.state(surfaces_), options.tolerance, options.high_orders == HighOrders::split);
+        const OrderSelector::Orders orders =
+            selector_.choose(scene, visibility_.state(surfaces_), options, run.memory_limit);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
         run.statistics.predicted_error = orders.error;
@@ -101,8 +103,7 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     const Stopwatch watch;
     const bool high_orders = distant.high > distant.low;
     const bool physical = options.physical && !at_pixels_;  // else it comes once all orders are there
-    // Where all are moved into the physical range, all are shaded, so that none is counted again.
-    if (physical || (options.disabled_optimisations & skip_unchanged) != 0) shading_.reset();
+    if ((options.disabled_optimisations & skip_unchanged) != 0) shading_.reset();
     shading_.update(input, executor.version(), options.method, input.view, input.light_version,
                     distant.version, high_orders ? options.high_orders : HighOrders::none, at_pixels_,
                     high_orders && !high_orders_.visibility()->empty(), physical, input.channels,

@@ -72,10 +72,12 @@ struct RenderOptions {
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;
     ShadeAt shade_at = ShadeAt::automatic;  ///< pixels: high orders too, whatever high_orders_at says
     bool high_order_shadows = true;         ///< with shadows: times the visible fraction of the lobe
-    /// Above 0: the largest relative RMSE of s0, s1 and s2 (over the RMS of s0) that the orders left out may
-    /// be predicted to cause; order_low and order_high are then chosen for it. Only with Method::factored and
-    /// HighOrders::split or none. 0: order_low and order_high as given.
-    double tolerance = 0;
+    /// order_low and order_high are chosen for the tolerance instead, where it is above 0 and the error is
+    /// predicted: with Method::factored and HighOrders::split or none.
+    bool choose_orders = false;
+    /// The largest relative RMSE of s0, s1 and s2 (over the RMS of s0) that the orders left out may be
+    /// predicted to cause.
+    double tolerance = 0.03;
     /// Against ringing: all components of the light's order l times 1 / (1 + dering (l (l + 1))^2), the
     /// window that trades the least smoothing for the least curvature (Sloan 2017). 0 and up; 0: off. 1e-4 to
     /// 1e-2 are of use.
@@ -101,9 +103,9 @@ struct RenderOptions {
     bool operator==(const RenderOptions& o) const {
         const auto values = [](const RenderOptions& a) {
             return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.order_low, a.order_high,
-                            a.high_orders, a.high_orders_at, a.shade_at, a.high_order_shadows, a.tolerance,
-                            a.dering, a.physical, a.components, a.aovs, a.samples, a.seed,
-                            a.disabled_optimisations);
+                            a.high_orders, a.high_orders_at, a.shade_at, a.high_order_shadows,
+                            a.choose_orders, a.tolerance, a.dering, a.physical, a.components, a.aovs,
+                            a.samples, a.seed, a.disabled_optimisations);
         };
         return values(*this) == values(o);
     }
@@ -113,7 +115,7 @@ struct RenderOptions {
 struct Statistics {
     int order_low = 0;                                      ///< of the light that was rendered
     int order = 0;                                          ///< the highest of it
-    double predicted_error = 0;                             ///< where a tolerance was given
+    double predicted_error = 0;                             ///< where orders were chosen
     bool compute = false;                                   ///< compute shaders made it
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;  ///< automatic: there were none
     std::uint64_t vertices = 0;

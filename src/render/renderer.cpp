@@ -43,12 +43,6 @@ void check(const RenderOptions& options) {
         refuse("disabled_optimisations is " + std::to_string(options.disabled_optimisations) +
                "; it must be a sum of skips");
     }
-    if (options.tolerance > 0 &&
-        (options.method != Method::factored || options.high_orders == HighOrders::convolution)) {
-        refuse(
-            "a tolerance is for the factored method with high orders split or left out: the error of others "
-            "is not predicted");
-    }
 }
 
 }  // namespace
@@ -146,7 +140,10 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
         // Look-ups at pixels are slow where the processor rasterises.
         chosen.high_orders_at = context_->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
     }
-    RenderRun run{.workers = workers_, .progress = progress, .statistics = statistics};
+    RenderRun run{.workers = workers_,
+                  .progress = progress,
+                  .statistics = statistics,
+                  .memory_limit = memory_limit_.bytes()};
     const auto draw_hits = [&]() -> const HitImage& {
         context_->run([&] {
             const SceneGeometry& surfaces = pipeline_.surfaces();

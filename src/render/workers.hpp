@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 #include "progress.hpp"
 #include "render/render.hpp"
@@ -69,6 +71,8 @@ struct RenderRun {
     Workers& workers;
     Progress& progress;
     Statistics& statistics;
+    /// Bytes that a scene may take, where orders are chosen.
+    std::uint64_t memory_limit = std::numeric_limits<std::uint64_t>::max();
 };
 
 }  // namespace nicol

@@ -43,8 +43,7 @@ VisibilityPower::VisibilityPower(const Visibility& visibility, const DirectionSe
     if (all > 0) fraction_ = seen / all;
 }
 
-std::vector<double> VisibilityPower::shadowed(std::span<const double> response, int spin) const {
-    const int order = static_cast<int>(response.size()) - 1;
+std::vector<double> VisibilityPower::coupling(int order, int spin) const {
     // The last orders together, so that where one of them happens to vanish does not count.
     constexpr int tail = 8;
     double edge = 0;
@@ -53,16 +52,16 @@ std::vector<double> VisibilityPower::shadowed(std::span<const double> response, 
     const auto energy = [&](int l) {
         return l <= kOrder ? energy_[static_cast<std::size_t>(l)] : edge / (static_cast<double>(l) * l);
     };
-    std::vector<double> out(response.size());
+    const auto size = static_cast<std::size_t>(order) + 1;
+    std::vector<double> out(size * size);
     for (int to = spin; to <= order; ++to) {
         for (int from = spin; from <= order; ++from) {
-            const double given = response[static_cast<std::size_t>(from)];
-            if (given == 0) continue;
             const Wigner3jRun run = wigner_3j_run(from, to, spin, -spin);
             double sum = 0;
             for (std::size_t i = 0; i < run.value.size(); ++i)
                 sum += energy(run.first_l1 + static_cast<int>(i)) * run.value[i] * run.value[i];
-            out[static_cast<std::size_t>(to)] += (2 * to + 1) / (4 * pi) * sum * given;
+            out[static_cast<std::size_t>(to) * size + static_cast<std::size_t>(from)] =
+                (2 * to + 1) / (4 * pi) * sum;
         }
     }
     return out;

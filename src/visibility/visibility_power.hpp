@@ -24,9 +24,10 @@ public:
     /// The visible part of the directions above the horizon, mean over the vertices.
     [[nodiscard]] double fraction() const noexcept { return fraction_; }
 
-    /// Energy by order of a response of this spin (0 or 2) and these energies times the visibility, as the
-    /// mean over all rotations between both. As many orders as `response` has; what goes beyond is left out.
-    [[nodiscard]] std::vector<double> shadowed(std::span<const double> response, int spin) const;
+    /// What a response of this spin (0 or 2) has after it is multiplied by the visibility, as the mean over
+    /// all rotations between both: its energy in order `to` is the sum over `from` of the energy before it in
+    /// that order times coupling[to (order + 1) + from].
+    [[nodiscard]] std::vector<double> coupling(int order, int spin) const;
 
 private:
     double fraction_ = 1;

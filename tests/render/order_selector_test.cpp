@@ -2,6 +2,7 @@
 // Orders that are chosen for an error, and the error they then have.
 #include "render/order_selector.hpp"
 
+#include "render/memory_estimate.hpp"
 #include "render/scenes.hpp"
 #include "test.hpp"
 
@@ -54,7 +55,8 @@ public:
     /// Vertices count as much as they cover of an image.
     Result run(double tolerance, HighOrders form) {
         const RenderOptions all{.shadows = shadows_, .order_low = truth, .order_high = truth};
-        const RenderOptions chosen{.shadows = shadows_, .high_orders = form, .tolerance = tolerance};
+        const RenderOptions chosen{
+            .shadows = shadows_, .high_orders = form, .choose_orders = true, .tolerance = tolerance};
         Result result;
         std::array<double, 3> error{};
         double scale = 0;
@@ -148,8 +150,20 @@ TEST_CASE("a tolerance that cannot be reached is reported, and the least error t
                                   .versions = {.geometry = surfaces.version()},
                                   .materials = surfaces.material_version(),
                                   .change = {}};
-    const auto orders = selector.choose(scene, unshadowed, 1e-9, false);
+    RenderOptions options{.high_orders = HighOrders::none, .tolerance = 1e-9};
+    constexpr std::uint64_t all_memory = MemoryLimit::kNone;
+    const auto orders = selector.choose(scene, unshadowed, options, all_memory);
     CHECK(orders.error > 1e-9);
     CHECK(orders.low == OrderSelector::kHighestLow);
-    CHECK(selector.choose(scene, unshadowed, 1e-9, true).error < orders.error);
+    options.high_orders = HighOrders::split;
+    CHECK(selector.choose(scene, unshadowed, options, all_memory).error < orders.error);
+    // As far as memory goes, but never below what the options have.
+    RenderOptions fitting = options;
+    fitting.order_low = 8;
+    const std::uint64_t bytes = estimate_memory(scene, fitting).total();
+    fitting.order_low = selector.choose(scene, unshadowed, options, bytes).low;
+    CHECK(fitting.order_low > 4);
+    CHECK(fitting.order_low < OrderSelector::kHighestLow);
+    CHECK(estimate_memory(scene, fitting).total() <= bytes);
+    CHECK(selector.choose(scene, unshadowed, options, 1).low == 4);
 }

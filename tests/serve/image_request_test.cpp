@@ -125,7 +125,6 @@ TEST_CASE("what lies outside its range is refused by name and range") {
         {"order_low=17", "order_low", "whole numbers from 0 to 16"},
         {"order_low=1.5", "order_low", "whole numbers from 0 to 16"},
         {"order_low=9&order_high=8", "order_high", "whole numbers from 0 to 16"},
-        {"order_high=3", "order_high", "whole numbers"},
         {"tolerance=0", "tolerance", "0.0001 to 1"},
         {"tolerance=0.1&order_low=2", "tolerance", "0.0001 to 1"},
         {"observer=S0", "observer", "s0, s1, s2, s3, dolp, aolp, polarizer"},

@@ -31,6 +31,7 @@ LOG_NOTICE = 1
 LOG_WARNING = 2
 MAX_CHANNELS = 16
 MAX_ORDER = 32
+ORDER_AUTOMATIC = 4294967295
 MAX_SIZE = 16384
 NO_LIMIT = 18446744073709551615
 BACKEND_AUTOMATIC = 0
@@ -417,11 +418,13 @@ class RenderOptions(Struct):
         ("reserved_end", c_uint32),
     ]
     _defaults_ = {
-        "order_low": 4,
-        "order_high": 9,
+        "order_low": 4294967295,
+        "order_high": 4294967295,
         "shadows": 1,
         "bake_directions": 2048,
+        "physical": 1,
         "samples": 256,
+        "tolerance": 0.03,
         "high_order_shadows": 1,
     }
 
@@ -1507,6 +1510,7 @@ __all__ = [
     "OPTIMISATION_RESPONSE_ROWS",
     "OPTIMISATION_UNCHANGED",
     "OPTIMISATION_UNOCCLUDED",
+    "ORDER_AUTOMATIC",
     "Observation",
     "PLANE_AOLP",
     "PLANE_DEPTH",

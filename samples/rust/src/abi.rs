@@ -28,6 +28,7 @@ pub const NICOL_LOG_NOTICE: u32 = 1;
 pub const NICOL_LOG_WARNING: u32 = 2;
 pub const NICOL_MAX_CHANNELS: u32 = 16;
 pub const NICOL_MAX_ORDER: u32 = 32;
+pub const NICOL_ORDER_AUTOMATIC: u32 = 4294967295;
 pub const NICOL_MAX_SIZE: u32 = 16384;
 pub const NICOL_NO_LIMIT: u64 = 18446744073709551615;
 pub const NICOL_BACKEND_AUTOMATIC: u32 = 0;
@@ -758,11 +759,13 @@ impl Default for nicol_render_options {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
         made.struct_size = size_of::<Self>() as u32;
-        made.order_low = 4;
-        made.order_high = 9;
+        made.order_low = 4294967295;
+        made.order_high = 4294967295;
         made.shadows = 1;
         made.bake_directions = 2048;
+        made.physical = 1;
         made.samples = 256;
+        made.tolerance = 0.03;
         made.high_order_shadows = 1;
         made
     }

@@ -250,9 +250,12 @@ void CpuExecutor::add_high_orders(const HighOrderTransfer& high_orders, const Sh
     }
 }
 
-std::uint64_t CpuExecutor::make_physical(const ShadeInput& /*input*/) {
+std::uint64_t CpuExecutor::make_physical(const ShadeInput& input) {
     std::uint64_t moved = 0;
-    for (auto& channel : stokes_) moved += nicol::make_physical(channel);
+    for (auto& channel : stokes_) {
+        for (std::size_t v = 0; v < channel.size(); ++v)
+            if (input.chosen[v] != 0) moved += nicol::make_physical(std::span(channel).subspan(v, 1));
+    }
     return moved;
 }
 
