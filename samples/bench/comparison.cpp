@@ -18,7 +18,10 @@ Comparison::Comparison(const SceneSource& source, std::uint32_t size, std::uint3
 Comparison::Measured Comparison::measure(Recipe recipe) const {
     recipe.shadows = shadows_;
     const Image made = reduced_image(stage_, recipe, framebuffer_.get());
-    Measured measured{.errors = truth_.errors(made), .cut = {}, .statistics = NICOL_STATISTICS_INIT};
+    Measured measured{.errors = truth_.errors(made),
+                      .dolp = truth_.dolp_error(made),
+                      .cut = {},
+                      .statistics = NICOL_STATISTICS_INIT};
     if (converged_) measured.cut = converged_->errors(made);
     check(nicol_framebuffer_get_statistics(framebuffer_.get(), &measured.statistics));
     return measured;
@@ -28,6 +31,7 @@ void Comparison::add(Report& report, Recipe recipe) const {
     recipe.shadows = shadows_;
     const Measured measured = measure(recipe);
     std::vector<double> values(measured.errors.begin(), measured.errors.end());
+    values.insert(values.end(), {measured.dolp.mean, measured.dolp.streaks, measured.dolp.negative});
     if (converged_) values.insert(values.end(), measured.cut.begin(), measured.cut.end() - 1);
     report.add(recipe.name(), values);
 }

@@ -20,14 +20,15 @@ public:
     [[nodiscard]] const Truth& truth() const { return truth_; }
     struct Measured {
         StokesErrors errors;
+        Truth::DolpError dolp;
         StokesErrors cut;  ///< of truncation alone; zero where there is no converged image
         nicol_statistics statistics;
     };
     /// The recipe's `shadows` is replaced by this comparison's.
     [[nodiscard]] Measured measure(Recipe recipe) const;
     [[nodiscard]] StokesErrors errors(const Recipe& recipe) const { return measure(recipe).errors; }
-    /// A row named after the recipe: s0 to s3, then, if there is a converged image, the truncation errors of
-    /// s0 to s2.
+    /// A row named after the recipe: s0 to s3, those of the DoLP, then, if there is a converged image, the
+    /// truncation errors of s0 to s2.
     void add(Report& report, Recipe recipe) const;
     [[nodiscard]] std::ptrdiff_t pixels() const;
 

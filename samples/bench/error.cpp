@@ -2,6 +2,7 @@
 #include "error.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ void add_high_orders(Report& report, const Comparison& comparison, int low) {
 }
 
 std::vector<std::string> columns(const Options& options) {
-    std::vector<std::string> names{"relative RMSE", "s0", "s1", "s2", "s3"};
+    std::vector<std::string> names{"relative RMSE", "s0",      "s1",    "s2", "s3",
+                                   "DoLP, mean",    "streaks", "s0 < 0"};
     if (options.converged > 0) names.insert(names.end(), {"cut s0", "cut s1", "cut s2"});
     return names;
 }
@@ -38,11 +40,14 @@ Report bench_error(const Options& options) {
     for (const bool shadows : {true, false}) {
         const Comparison comparison(source, size, samples, shadows, options.converged);
         const auto add_noise = [&](const std::string& what, const StokesErrors& noise) {
-            report.add(shadows ? what : what + ", no shadows",
-                       std::vector<double>(noise.begin(), noise.end()));
+            std::vector<double> values(noise.begin(), noise.end());
+            values.resize(columns(options).size() - 1, std::numeric_limits<double>::quiet_NaN());
+            report.add(shadows ? what : what + ", no shadows", values);
         };
         add_noise("reference, its noise", comparison.truth().noise());
         add_noise("reference, its noise by its variance", comparison.truth().estimated_noise());
+        comparison.add(report, {.defaults = true});
+        comparison.add(report, {.defaults = true, .shade_at = NICOL_SHADE_AT_PIXELS});
         for (int order = first; order <= last; ++order) {
             comparison.add(report, {.low = order});
             if (memory.at(order) <= options.memory)
@@ -54,6 +59,10 @@ Report bench_error(const Options& options) {
                         std::to_string(size) +
                         "; relative to the RMS of s0; the noise of the reference, of " +
                         std::to_string(samples) + " samples twice, is taken out of the errors.");
+            report.note(
+                "DoLP: the mean absolute error; streaks: the part of the pixels with a DoLP 0.1 above the "
+                "largest "
+                "true one. By default orders are chosen and Stokes vectors are physical.");
         }
     }
     if (options.converged > 0) {

@@ -86,3 +86,28 @@ StokesErrors Truth::noise() const {
 StokesErrors Truth::estimated_noise() const {
     return relative_roots(*this, [&](std::size_t i) { return double{variance.stokes[i]}; });
 }
+
+Truth::DolpError Truth::dolp_error(const Image& image) const {
+    const auto dolp = [](double s0, double s1, double s2) { return s0 > 0 ? std::hypot(s1, s2) / s0 : 0; };
+    DolpError error;
+    double largest = 0;
+    double count = 0;
+    std::vector<double> made;
+    for (std::size_t i = 0; i < image.stokes.size(); i += 4) {
+        if (!mask[i / 4 % mask.size()]) continue;
+        const auto mean = [&](std::size_t p) {
+            return (double{first.stokes[i + p]} + double{second.stokes[i + p]}) / 2;
+        };
+        const double expected = dolp(mean(0), mean(1), mean(2));
+        made.push_back(dolp(image.stokes[i], image.stokes[i + 1], image.stokes[i + 2]));
+        largest = std::max(largest, expected);
+        error.mean += std::abs(made.back() - expected);
+        if (image.stokes[i] < 0) error.negative += 1;
+        count += 1;
+    }
+    error.mean /= count;
+    error.negative /= count;
+    error.streaks =
+        static_cast<double>(std::ranges::count_if(made, [&](double d) { return d > largest + 0.1; })) / count;
+    return error;
+}

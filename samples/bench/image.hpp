@@ -45,4 +45,13 @@ struct Truth {
     [[nodiscard]] StokesErrors noise() const;
     /// The same by the variance of the first alone: an upper bound.
     [[nodiscard]] StokesErrors estimated_noise() const;
+
+    /// Of the degree of linear polarization, over the masked pixels and all channels. The truth's is of the
+    /// mean of both images.
+    struct DolpError {
+        double mean = 0;      ///< absolute
+        double streaks = 0;   ///< part that is polarized by 0.1 more than the largest true one
+        double negative = 0;  ///< part with s0 < 0
+    };
+    [[nodiscard]] DolpError dolp_error(const Image& image) const;
 };

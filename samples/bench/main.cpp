@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bake.hpp"
+#include "coarse.hpp"
 #include "error.hpp"
 #include "frame.hpp"
 #include "harmonics.hpp"
@@ -41,6 +42,11 @@ const Command commands[] = {
      {"--light", "--backend", "--cache", "--size", "--samples", "--orders", "--csv", "--json"},
      "distance of each form of the high orders from the reference method on spheres of\n"
      "              smooth and rough plastic, gold and, where NICOL_TEST_DATA has it, measured gold"},
+    {"coarse",
+     bench_coarse,
+     {"--light", "--backend", "--cache", "--size", "--samples", "--orders", "--csv", "--json"},
+     "errors of a mesh of few triangles at vertices and at pixels, beside each triangle split in\n"
+     "              sixteen, under lamps and in the forest"},
     {"frame",
      bench_frame,
      {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--orders", "--memory", "--seconds",

@@ -103,6 +103,13 @@ def check_materials(folder, scene):
     assert gold["0..9"] < gold["0..3"] < gold["0..2"], gold
 
 
+def check_coarse(folder, scene):
+    rows = table(folder, "coarse", "--size", 24, "--samples", 16, "--orders", "3-9", "--cache", folder / "cache")
+    for component in ("s0", "s2"):
+        at = {where: rows[f"lamps, 1440 vertices, shaded at {where}"][component] for where in ("vertices", "pixels")}
+        assert at["pixels"] < 0.75 * at["vertices"], (component, at)
+
+
 def check_pareto(folder, scene):
     plot = folder / "plot.svg"
     rows = table(folder, "pareto", scene, "--size", 48, "--samples", 16, "--orders", "2-3", "--seconds", 0.001,
@@ -163,5 +170,5 @@ with tempfile.TemporaryDirectory() as name:
     small.write_text(SCENE)
     (home / "ball.obj").write_text(grid_obj(20, 30, ball))
     (home / "floor.obj").write_text(grid_obj(14, 14, floor))
-    for check in (check_arguments, check_error, check_converged, check_materials, check_pareto, check_times):
+    for check in (check_arguments, check_error, check_converged, check_materials, check_coarse, check_pareto, check_times):
         check(home, small)
