@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "geometry/edge_bisection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace nicol {
+
+EdgeBisection::EdgeBisection(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles)
+    : positions_(positions.begin(), positions.end()),
+      places_(positions.size()),
+      triangles_(triangles.begin(), triangles.end()),
+      sources_(triangles.size()) {
+    std::iota(sources_.begin(), sources_.end(), 0U);
+    std::vector<std::uint32_t> sorted(positions.size());
+    std::iota(sorted.begin(), sorted.end(), 0U);
+    const auto coordinates = [&](std::uint32_t v) {
+        return std::array{positions_[v].x, positions_[v].y, positions_[v].z};
+    };
+    std::ranges::sort(sorted, {}, coordinates);
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        if (i > 0 && coordinates(sorted[i]) != coordinates(sorted[i - 1])) ++place_count_;
+        places_[sorted[i]] = place_count_;
+    }
+    ++place_count_;
+}
+
+EdgeBisection::Edge EdgeBisection::edge(std::uint32_t a, std::uint32_t b) const {
+    return pair_key(places_[a], places_[b]);
+}
+
+EdgeBisection::Extent EdgeBisection::extent(std::uint32_t a, std::uint32_t b) const {
+    const glm::dvec3 along = glm::dvec3(positions_[a]) - glm::dvec3(positions_[b]);
+    return {.squared = glm::dot(along, along), .edge = edge(a, b)};
+}
+
+EdgeBisection::Edge EdgeBisection::longest(const glm::uvec3& t) const {
+    return std::max({extent(t.x, t.y), extent(t.y, t.z), extent(t.z, t.x)}).edge;
+}
+
+void EdgeBisection::close(Edges& edges) const {
+    // Only a triangle with two places that are ends of such edges can have one.
+    std::vector<std::uint8_t> ends(place_count_, 0);
+    const auto mark = [&](Edge edge) { ends[edge >> 32] = ends[edge & 0xFFFFFFFFU] = 1; };
+    for (const Edge edge : edges) mark(edge);
+    for (bool more = true; more;) {
+        more = false;
+        for (const glm::uvec3& t : triangles_) {
+            if (ends[places_[t.x]] + ends[places_[t.y]] + ends[places_[t.z]] < 2) continue;
+            if (!edges.contains(edge(t.x, t.y)) && !edges.contains(edge(t.y, t.z)) &&
+                !edges.contains(edge(t.z, t.x))) {
+                continue;
+            }
+            const Edge first = longest(t);
+            if (!edges.insert(first).second) continue;
+            mark(first);
+            more = true;
+        }
+    }
+}
+
+std::size_t EdgeBisection::cost(const Edges& edges) const {
+    std::unordered_set<std::uint64_t> pairs;
+    for (const glm::uvec3& t : triangles_) {
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k];
+            const std::uint32_t b = t[(k + 1) % 3];
+            if (edges.contains(edge(a, b))) pairs.insert(pair_key(a, b));
+        }
+    }
+    return pairs.size();
+}
+
+std::uint32_t EdgeBisection::middle(std::uint32_t a, std::uint32_t b) {
+    const auto vertex = static_cast<std::uint32_t>(positions_.size());
+    const auto [found, is_new] = middles_.try_emplace(pair_key(a, b), vertex);
+    if (is_new) {
+        const auto place = middle_places_.try_emplace(edge(a, b), place_count_);
+        if (place.second) ++place_count_;
+        places_.push_back(place.first->second);
+        // Halves first, for coordinates whose sum is out of range.
+        positions_.push_back(0.5F * positions_[a] + 0.5F * positions_[b]);
+        parents_.emplace_back(a, b);
+    }
+    return found->second;
+}
+
+void EdgeBisection::cut(const glm::uvec3& t, std::uint32_t source, const Edges& edges,
+                        std::span<WantedLength> points) {
+    std::optional<Extent> longest;
+    glm::length_t at = 0;
+    for (glm::length_t k = 0; k < 3; ++k) {
+        const Extent side = extent(t[k], t[(k + 1) % 3]);
+        if (!edges.contains(side.edge) || (longest && side < *longest)) continue;
+        longest = side;
+        at = k;
+    }
+    if (!longest) {
+        for (WantedLength& point : points) point.triangle = static_cast<std::uint32_t>(triangles_.size());
+        triangles_.push_back(t);
+        sources_.push_back(source);
+        return;
+    }
+    const glm::length_t next = (at + 1) % 3;
+    const std::uint32_t vertex = middle(t[at], t[next]);
+    const auto far = std::ranges::partition(
+        points, [&](const WantedLength& point) { return point.weights[at] > point.weights[next]; });
+    const auto half = [&](glm::length_t replaced, std::span<WantedLength> inside) {
+        // In the half that lost this corner the middle has twice its weight.
+        const glm::length_t kept = replaced == at ? next : at;
+        for (WantedLength& point : inside) {
+            point.weights[kept] -= point.weights[replaced];
+            point.weights[replaced] *= 2;
+        }
+        glm::uvec3 part = t;
+        part[replaced] = vertex;
+        cut(part, source, edges, inside);
+    };
+    half(next, {points.begin(), far.begin()});
+    half(at, {far.begin(), points.end()});
+}
+
+void EdgeBisection::split(const Edges& edges, std::vector<WantedLength>& points) {
+    const std::vector<glm::uvec3> triangles = std::exchange(triangles_, {});
+    const std::vector<std::uint32_t> sources = std::exchange(sources_, {});
+    std::ranges::stable_sort(points, {}, &WantedLength::triangle);
+    auto first = points.begin();
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const auto last =
+            std::find_if(first, points.end(), [i](const WantedLength& p) { return p.triangle != i; });
+        cut(triangles[i], sources[i], edges, {first, last});
+        first = last;
+    }
+    middles_.clear();
+    middle_places_.clear();
+}
+
+}  // namespace nicol
