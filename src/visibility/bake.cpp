@@ -5,9 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -17,19 +15,15 @@
 #include "arguments.hpp"
 #include "geometry/ray_scene.hpp"
 #include "progress.hpp"
-#include "simd/dispatch.hpp"
 #include "visibility/bake_origins.hpp"
 #include "visibility/bundle_cones.hpp"
+#include "visibility/vertex_rays.hpp"
 
 namespace nicol {
 namespace {
 
 // Rays between two calls of the progress callback.
 constexpr std::size_t kRaysAtATime = std::size_t{1} << 21;
-
-// Below this sine of elevation a ray could meet the plane that it starts from: far away the plane is known to
-// a few units in the last place of its distance. Hardly any direction lies there, and it counts as free.
-constexpr float kGrazing = 0x1p-17F;
 
 std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
     std::vector<glm::vec3> out;
@@ -46,54 +40,6 @@ std::vector<glm::vec3> unit_normals(std::span<const glm::vec3> normals) {
         out.emplace_back(normal / length);
     }
     return out;
-}
-
-// Bit i is set where direction i of the bundle stands higher than `least` over the plane of the normal.
-[[gnu::always_inline]] inline std::uint16_t above(const RayBundle& bundle, const glm::vec3& normal,
-                                                  float least) {
-    std::array<std::uint16_t, RayBundle::kRays> bit{};
-    for (std::size_t i = 0; i < RayBundle::kRays; ++i) {
-        const float sine = normal.x * bundle.x[i] + normal.y * bundle.y[i] + normal.z * bundle.z[i];
-        bit[i] = sine > least ? static_cast<std::uint16_t>(1U << i) : std::uint16_t{0};
-    }
-    std::uint16_t all = 0;
-    for (std::size_t i = 0; i < RayBundle::kRays; ++i) all = static_cast<std::uint16_t>(all | bit[i]);
-    return all;
-}
-
-// What a former bake says of one vertex: its bits, and which bundles of directions to trace again.
-struct Former {
-    std::span<const std::uint64_t> bits;
-    std::span<const std::uint8_t> disturbed;
-};
-
-// Fills the bits of one vertex; returns the number of rays.
-std::uint64_t trace_vertex(const RayScene& scene, const DirectionSet& directions, const glm::vec3& origin,
-                           const glm::vec3& normal, std::size_t vertex, const std::optional<Former>& former,
-                           Visibility& visibility) {
-    const std::span<std::uint64_t> words = visibility.at(vertex);
-    const std::size_t last = directions.bundles().size() - 1;
-    const std::size_t rest = directions.size() - last * RayBundle::kRays;
-    std::uint64_t rays = 0;
-    bool unoccluded = true;
-    for (std::size_t b = 0; b <= last; ++b) {
-        const RayBundle& bundle = directions.bundles()[b];
-        const unsigned real = b < last || rest == RayBundle::kRays ? 0xFFFFU : (1U << rest) - 1;
-        const auto up = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, 0.0F) & real);
-        if (up == 0) continue;
-        std::uint16_t blocked = 0;
-        if (former && former->disturbed[b] == 0) {
-            blocked = static_cast<std::uint16_t>(up & ~(former->bits[b / 4] >> (16 * (b % 4))));
-        } else {
-            const auto needed = static_cast<std::uint16_t>(dispatch<above>(bundle, normal, kGrazing) & real);
-            if (needed != 0) blocked = scene.occluded(origin, bundle, needed);
-            rays += static_cast<std::uint64_t>(std::popcount(needed));
-        }
-        unoccluded = unoccluded && blocked == 0;
-        words[b / 4] |= static_cast<std::uint64_t>(up & ~blocked) << (16 * (b % 4));
-    }
-    visibility.set_unoccluded(vertex, unoccluded);
-    return rays;
 }
 
 // Where each vertex was in the list of a former bake, or none.
@@ -156,7 +102,7 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
             std::uint64_t tracing_vertices = 0;
             std::vector<std::uint8_t> disturbed(directions.bundles().size());
             for (std::size_t v = range.begin(); v < range.end(); ++v) {
-                std::optional<Former> known;
+                std::optional<FormerBits> known;
                 if (former != nullptr && before[v] != kNone) {
                     std::ranges::fill(disturbed, std::uint8_t{0});
                     for (const Ball& ball : former->disturbances) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/bake_cache.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -17,21 +19,23 @@ namespace {
 constexpr std::string_view kMagic("NICOLVIS", 8);
 // Raise it whenever the same geometry and directions give other bits.
 constexpr std::uint32_t kVersion = 1;
+// Likewise for refinements.
+constexpr std::string_view kRefinementMagic("NICOLREF", 8);
+constexpr std::uint32_t kRefinementVersion = 1;
 
 template <class T>
 std::string hash_of(std::span<const T> numbers) {
     return ContentHash().add(bytes_of(numbers)).text();
 }
 
-std::string key_of(const BakeGeometry& geometry, const DirectionSet& directions) {
-    return Key("visibility")
+Key key_of(const char* what, const BakeGeometry& geometry, const DirectionSet& directions) {
+    return Key(what)
         .add("vertices", static_cast<double>(geometry.positions.size()))
         .add("triangles", static_cast<double>(geometry.triangles.size()))
         .add("positions", hash_of(geometry.positions))
         .add("normals", hash_of(geometry.normals))
         .add("corners", hash_of(geometry.triangles))
-        .add("directions", hash_of(directions.directions()))
-        .text();
+        .add("directions", hash_of(directions.directions()));
 }
 
 // What the file holds, if it can be used.
@@ -50,13 +54,70 @@ std::optional<Visibility> read(const CacheFile& file, std::size_t directions, st
     return std::nullopt;
 }
 
+// The content of a file: how many vertices were added and triangles there are, then the arrays one after the
+// other.
+using Counts = std::array<std::uint64_t, 2>;
+
+// Calls part(array) for each array of a refinement but those of the visibility.
+template <class Part>
+void for_each_array(auto& refinement, Part&& part) {
+    part(std::span(refinement.parents));
+    part(std::span(refinement.triangles));
+    part(std::span(refinement.sources));
+}
+
+std::optional<Refinement> decode(std::span<const unsigned char> bytes, const Visibility& given) {
+    Counts counts{};
+    if (bytes.size() < sizeof counts) return std::nullopt;
+    std::memcpy(counts.data(), bytes.data(), sizeof counts);
+    const std::size_t words = given.bits().size() / given.vertices();
+    const std::uint64_t each = sizeof(glm::uvec2) + words * sizeof(std::uint64_t) + 1;
+    const std::uint64_t of_triangle = sizeof(glm::uvec3) + sizeof(std::uint32_t);
+    bytes = bytes.subspan(sizeof counts);
+    if (counts[0] > bytes.size() || counts[1] > bytes.size() ||
+        bytes.size() != counts[0] * each + counts[1] * of_triangle) {
+        return std::nullopt;
+    }
+    const auto take = [&bytes](auto to) {
+        const std::span<unsigned char> part = writable_bytes_of(to);
+        std::ranges::copy(bytes.first(part.size()), part.begin());
+        bytes = bytes.subspan(part.size());
+    };
+    Refinement out;
+    out.parents.resize(counts[0]);
+    out.triangles.resize(counts[1]);
+    out.sources.resize(counts[1]);
+    for_each_array(out, take);
+    const std::size_t vertices = given.vertices() + counts[0];
+    std::vector<std::uint64_t> bits(words * vertices);
+    std::vector<std::uint8_t> open(vertices);
+    std::ranges::copy(given.bits(), bits.begin());
+    std::ranges::copy(given.unoccluded(), open.begin());
+    take(std::span(bits).last(counts[0] * words));
+    take(std::span(open).last(counts[0]));
+    out.visibility = Visibility(given.directions(), std::move(bits), std::move(open));
+    return out;
+}
+
+std::string write(const CacheFile& file, const Refinement& refinement, const Visibility& given) {
+    const Counts counts{refinement.parents.size(), refinement.triangles.size()};
+    std::vector<std::span<const unsigned char>> parts{bytes_of(std::span<const std::uint64_t>(counts))};
+    for_each_array(refinement, [&parts](auto array) { parts.push_back(bytes_of(array)); });
+    if (!refinement.parents.empty()) {
+        parts.push_back(bytes_of(refinement.visibility.bits().subspan(given.bits().size())));
+        parts.push_back(bytes_of(refinement.visibility.unoccluded().subspan(given.vertices())));
+    }
+    return file.write(parts);
+}
+
 }  // namespace
 
 Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& directions,
                         const std::filesystem::path& folder, const CacheNotice& notice,
                         const BakeProgress& progress, BakeStatistics* statistics) {
     if (folder.empty()) return bake(geometry, directions, progress, statistics);
-    const CacheFile file(folder, kMagic, kVersion, key_of(geometry, directions), ".visibility");
+    const CacheFile file(folder, kMagic, kVersion, key_of("visibility", geometry, directions).text(),
+                         ".visibility");
     if (std::optional<Visibility> kept = read(file, directions.size(), geometry.positions.size(), notice)) {
         if (statistics != nullptr) *statistics = {.unoccluded = kept->unoccluded_count(), .from_cache = true};
         return std::move(*kept);
@@ -66,6 +127,31 @@ Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& direct
         file.write(std::array{bytes_of(visibility.bits()), bytes_of(visibility.unoccluded())});
     if (!failure.empty() && notice) notice(failure);
     return visibility;
+}
+
+Refinement load_or_refine(const BakeGeometry& geometry, const DirectionSet& directions,
+                          const Visibility& visibility, const RefineOptions& options,
+                          const std::filesystem::path& folder, const CacheNotice& notice,
+                          const BakeProgress& progress, BakeStatistics& statistics) {
+    if (folder.empty() || visibility.unoccluded_count() == visibility.vertices())
+        return refine(geometry, directions, visibility, options, progress, statistics);
+    const CacheFile file(folder, kRefinementMagic, kRefinementVersion,
+                         key_of("refinement", geometry, directions)
+                             .add("tolerance", options.tolerance)
+                             .add("max_vertices", static_cast<double>(options.max_vertices))
+                             .text(),
+                         ".refinement");
+    std::vector<unsigned char> bytes;
+    const CacheFile::Outcome outcome = file.read(bytes, std::uint64_t{1} << 40);
+    if (outcome.state == CacheFile::State::complete) {
+        if (std::optional<Refinement> kept = decode(bytes, visibility)) return std::move(*kept);
+    } else if (outcome.state == CacheFile::State::unfit && notice) {
+        notice(file.path().string() + ": " + outcome.reason + "; triangles are refined anew");
+    }
+    Refinement refinement = refine(geometry, directions, visibility, options, progress, statistics);
+    const std::string failure = write(file, refinement, visibility);
+    if (!failure.empty() && notice) notice(failure);
+    return refinement;
 }
 
 }  // namespace nicol

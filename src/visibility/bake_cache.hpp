@@ -6,6 +6,7 @@
 
 #include "material/response_cache.hpp"
 #include "visibility/bake.hpp"
+#include "visibility/refine.hpp"
 
 namespace nicol {
 
@@ -20,5 +21,12 @@ namespace nicol {
                                       const std::filesystem::path& folder, const CacheNotice& notice = {},
                                       const BakeProgress& progress = {},
                                       BakeStatistics* statistics = nullptr);
+
+/// refine() in the same way, in a file of its own; `visibility` is load_or_bake()'s. Nothing is kept where
+/// nothing is occluded.
+[[nodiscard]] Refinement load_or_refine(const BakeGeometry& geometry, const DirectionSet& directions,
+                                        const Visibility& visibility, const RefineOptions& options,
+                                        const std::filesystem::path& folder, const CacheNotice& notice,
+                                        const BakeProgress& progress, BakeStatistics& statistics);
 
 }  // namespace nicol

@@ -50,6 +50,9 @@ public:
     void set_unoccluded(std::size_t vertex, bool value) { unoccluded_[vertex] = value ? 1 : 0; }
     [[nodiscard]] std::size_t unoccluded_count() const;
 
+    /// Of these vertices, in this order.
+    [[nodiscard]] Visibility selected(std::span<const std::uint32_t> vertices) const;
+
     [[nodiscard]] std::size_t bytes() const noexcept {
         return bits_.size() * sizeof(std::uint64_t) + unoccluded_.size();
     }

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+#include "visibility/refine.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+
+#include "geometry/edge_bisection.hpp"
+#include "geometry/ray_scene.hpp"
+#include "progress.hpp"
+#include "visibility/bake_origins.hpp"
+#include "visibility/vertex_rays.hpp"
+
+namespace nicol {
+namespace {
+
+// Each round halves edges, so that floats end before the rounds do.
+constexpr int kRounds = 32;
+// Vertices, and blocked rays of each, that are followed to where they land.
+constexpr std::size_t kFollowedVertices = 4096;
+constexpr std::size_t kFollowedRays = 16;
+// Edges stay this many times longer than rays start beside the surface, and this part of the shadowed extent.
+constexpr double kOffsets = 64;
+constexpr double kShortest = 1.0 / 256;
+
+glm::vec3 unit(const glm::vec3& v) {
+    return {glm::normalize(glm::dvec3(v))};
+}
+
+class Refiner {
+public:
+    Refiner(const BakeGeometry& geometry, const DirectionSet& directions, const Visibility& baked,
+            const RefineOptions& options, const BakeProgress& progress)
+        : geometry_(geometry),
+          directions_(directions),
+          baked_(baked),
+          options_(options),
+          progress_(progress),
+          surface_{.positions = geometry.positions, .triangles = geometry.triangles},
+          scene_({&surface_, 1}),
+          mesh_(geometry.positions, geometry.triangles),
+          normals_(geometry.normals.begin(), geometry.normals.end()) {
+        std::vector<glm::vec3> units;
+        for (const glm::vec3& normal : normals_) units.push_back(unit(normal));
+        shifts_ = bake_origins(geometry, units);
+        for (std::size_t v = 0; v < shifts_.size(); ++v) shifts_[v] -= geometry.positions[v];
+        hidden_.resize(normals_.size());
+        tbb::parallel_for(std::size_t{0}, normals_.size(),
+                          [&](std::size_t v) { hidden_[v] = hidden(baked_, v, units[v]); });
+        rows_.resize(normals_.size());
+        for (std::size_t v = 0; v < rows_.size(); ++v) rows_[v] = v;
+        shortest_ = kOffsets * scene_.offset();
+    }
+
+    void run() {
+        follow_blocked_rays();
+        shortest_ = std::max(shortest_, kShortest * shadowed_extent());
+        for (int round = 0; round < kRounds && split(wrong_edges()); ++round) {
+        }
+    }
+
+    [[nodiscard]] Refinement result(BakeStatistics& statistics) {
+        const std::size_t words = baked_.at(0).size();
+        std::vector<std::uint64_t> bits(baked_.bits().begin(), baked_.bits().end());
+        std::vector<std::uint8_t> open(baked_.unoccluded().begin(), baked_.unoccluded().end());
+        for (std::size_t v = baked_.vertices(); v < rows_.size(); ++v) {
+            const std::size_t row = rows_[v] - baked_.vertices();
+            const auto first = bits_.begin() + static_cast<std::ptrdiff_t>(row * words);
+            bits.insert(bits.end(), first, first + static_cast<std::ptrdiff_t>(words));
+            open.push_back(open_[row]);
+        }
+        statistics.rays += rays_;
+        statistics.vertices += open_.size();
+        return {.parents = mesh_.parents(),
+                .triangles = mesh_.triangles(),
+                .sources = mesh_.sources(),
+                .visibility = Visibility(directions_.size(), std::move(bits), std::move(open))};
+    }
+
+private:
+    struct Wrong {
+        double weight;
+        EdgeBisection::Edge edge;
+        auto operator<=>(const Wrong&) const = default;
+    };
+
+    // Irradiance that is hidden, and its first moment, where that of a free surface is 1.
+    [[nodiscard]] glm::vec4 hidden(const Visibility& visibility, std::size_t vertex,
+                                   const glm::vec3& normal) const {
+        glm::vec4 sum(0);
+        if (visibility.unoccluded(vertex)) return sum;
+        for (std::size_t i = 0; i < directions_.size(); ++i) {
+            const glm::vec3& direction = directions_.directions()[i];
+            const float cosine = glm::dot(normal, direction);
+            if (cosine > 0 && !visibility.seen(vertex, i)) {
+                sum +=
+                    directions_.weights()[i] * cosine * glm::vec4(1, direction.x, direction.y, direction.z);
+            }
+        }
+        return sum / std::numbers::pi_v<float>;
+    }
+
+    // Of a difference of two hidden(): the irradiance's or the moment's.
+    static double size(const glm::vec4& difference) {
+        return static_cast<double>(std::max(
+            std::abs(difference.x), glm::length(glm::vec3(difference.y, difference.z, difference.w))));
+    }
+
+    [[nodiscard]] double length(std::uint32_t a, std::uint32_t b) const {
+        return glm::distance(glm::dvec3(mesh_.positions()[a]), glm::dvec3(mesh_.positions()[b]));
+    }
+
+    [[nodiscard]] bool occluded(std::uint32_t v) const { return hidden_[rows_[v]].x > 0; }
+
+    // The square root of the area where shadows are.
+    [[nodiscard]] double shadowed_extent() const {
+        double area = 0;
+        for (const glm::uvec3& t : mesh_.triangles()) {
+            if (!occluded(t.x) && !occluded(t.y) && !occluded(t.z)) continue;
+            const glm::dvec3 a(mesh_.positions()[t.x]);
+            area += glm::length(glm::cross(glm::dvec3(mesh_.positions()[t.y]) - a,
+                                           glm::dvec3(mesh_.positions()[t.z]) - a)) /
+                    2;
+        }
+        return std::sqrt(area);
+    }
+
+    // A point in the middle of two vertices: how its normal and the start of its rays follow from theirs.
+    [[nodiscard]] glm::vec3 middle_normal(std::uint32_t a, std::uint32_t b) const {
+        const glm::vec3 mean = 0.5F * normals_[a] + 0.5F * normals_[b];
+        return glm::dot(mean, mean) > 1e-12F ? mean : normals_[a];
+    }
+    [[nodiscard]] glm::vec3 middle_shift(std::uint32_t a, std::uint32_t b) const {
+        const glm::vec3 normal = unit(middle_normal(a, b));
+        const glm::vec3 mean = 0.5F * shifts_[a] + 0.5F * shifts_[b];
+        const float along =
+            std::max(glm::dot(shifts_[a], unit(normals_[a])), glm::dot(shifts_[b], unit(normals_[b])));
+        return mean + (along - glm::dot(mean, normal)) * normal;
+    }
+
+    // Traces the middles of pairs of vertices that have not been traced yet.
+    void trace(const std::vector<glm::uvec2>& pairs) {
+        std::vector<glm::uvec2> fresh;
+        for (const glm::uvec2& pair : pairs) {
+            const std::size_t row = hidden_.size() + fresh.size();
+            if (middles_.try_emplace(pair_key(pair.x, pair.y), row).second) fresh.push_back(pair);
+        }
+        if (progress_) progress_(1);
+        Visibility seen(directions_.size(), fresh.size());
+        std::vector<glm::vec4> hides(fresh.size());
+        std::atomic<std::uint64_t> rays = 0;
+        tbb::parallel_for(std::size_t{0}, fresh.size(), [&](std::size_t i) {
+            const auto [a, b] = std::pair(fresh[i].x, fresh[i].y);
+            const glm::vec3 normal = unit(middle_normal(a, b));
+            const glm::vec3 place = 0.5F * mesh_.positions()[a] + 0.5F * mesh_.positions()[b];
+            rays += trace_vertex(scene_, directions_, place + middle_shift(a, b), normal, i, {}, seen);
+            hides[i] = hidden(seen, i, normal);
+        });
+        rays_ += rays;
+        hidden_.insert(hidden_.end(), hides.begin(), hides.end());
+        bits_.insert(bits_.end(), seen.bits().begin(), seen.bits().end());
+        open_.insert(open_.end(), seen.unoccluded().begin(), seen.unoccluded().end());
+    }
+
+    [[nodiscard]] std::size_t row_of_middle(std::uint32_t a, std::uint32_t b) const {
+        return middles_.at(pair_key(a, b));
+    }
+
+    // Edges along which interpolation errs by more than the tolerance. Where what is hidden changes one way
+    // from end to end, it errs by half of the change at most: only then is the middle traced.
+    [[nodiscard]] std::vector<Wrong> wrong_edges() {
+        std::vector<glm::uvec2> pairs;
+        for (const glm::uvec3& t : mesh_.triangles()) {
+            for (glm::length_t k = 0; k < 3; ++k) {
+                const std::uint32_t a = t[k];
+                const std::uint32_t b = t[(k + 1) % 3];
+                if (!occluded(a) && !occluded(b)) continue;
+                const double change = size(hidden_[rows_[a]] - hidden_[rows_[b]]);
+                if (change > 2 * options_.tolerance && length(a, b) > shortest_) pairs.emplace_back(a, b);
+            }
+        }
+        trace(pairs);
+        std::vector<Wrong> wrong;
+        for (const glm::uvec2& pair : pairs) {
+            const auto [a, b] = std::pair(pair.x, pair.y);
+            const glm::vec4 mean = 0.5F * (hidden_[rows_[a]] + hidden_[rows_[b]]);
+            const double error = size(hidden_[row_of_middle(a, b)] - mean);
+            if (error > options_.tolerance) {
+                wrong.push_back({.weight = error * length(a, b) * length(a, b), .edge = mesh_.edge(a, b)});
+            }
+        }
+        return wrong;
+    }
+
+    // Splits as many of these edges as the bound on vertices allows, heaviest first. Returns whether any.
+    bool split(std::vector<Wrong> wrong) {
+        const std::size_t vertices = mesh_.positions().size();
+        if (vertices >= options_.max_vertices) return false;
+        const std::size_t room = options_.max_vertices - vertices;
+        std::ranges::sort(wrong, std::greater());
+        EdgeBisection::Edges edges;
+        for (std::size_t count = std::min(wrong.size(), room); count > 0; count /= 2) {
+            edges.clear();
+            for (std::size_t i = 0; i < count; ++i) edges.insert(wrong[i].edge);
+            mesh_.close(edges);
+            if (mesh_.cost(edges) <= room) break;
+            edges.clear();
+        }
+        if (edges.empty()) return false;
+        mesh_.split(edges, wanted_);
+        const std::span added = std::span(mesh_.parents()).subspan(vertices - baked_.vertices());
+        trace({added.begin(), added.end()});
+        for (const glm::uvec2& parents : added) {
+            const auto [a, b] = std::pair(parents.x, parents.y);
+            rows_.push_back(row_of_middle(a, b));
+            shifts_.push_back(middle_shift(a, b));
+            normals_.push_back(middle_normal(a, b));
+        }
+        return true;
+    }
+
+    // Makes large triangles small where blocked rays land.
+    void follow_blocked_rays() {
+        find_wanted_lengths();
+        for (int round = 0; round < kRounds; ++round) {
+            std::unordered_map<EdgeBisection::Edge, double> longest;
+            for (const WantedLength& wanted : wanted_) {
+                const glm::uvec3& t = mesh_.triangles()[wanted.triangle];
+                const double here = std::max({length(t.x, t.y), length(t.y, t.z), length(t.z, t.x)});
+                const double least = std::max(static_cast<double>(wanted.length), shortest_);
+                if (!(here > least)) continue;
+                double& weight = longest[mesh_.longest(t)];
+                weight = std::max(weight, here * here * here / least);
+            }
+            std::vector<Wrong> wrong;
+            for (const auto& [edge, weight] : longest) wrong.push_back({.weight = weight, .edge = edge});
+            if (!split(std::move(wrong))) break;
+        }
+        wanted_.clear();
+    }
+
+    // What a blocked ray meets is as close to what blocks it as the ray is long.
+    void find_wanted_lengths() {
+        std::vector<float> around(baked_.vertices(), 0);
+        for (const glm::uvec3& t : geometry_.triangles) {
+            for (glm::length_t k = 0; k < 3; ++k) {
+                const auto edge = static_cast<float>(length(t[k], t[(k + 1) % 3]));
+                around[t[k]] = std::max(around[t[k]], edge);
+                around[t[(k + 1) % 3]] = std::max(around[t[(k + 1) % 3]], edge);
+            }
+        }
+        std::vector<std::uint32_t> from;
+        for (std::uint32_t v = 0; v < baked_.vertices(); ++v) {
+            if (occluded(v)) from.push_back(v);
+        }
+        const std::size_t count = std::min(from.size(), kFollowedVertices);
+        std::vector<WantedLength> found(count * kFollowedRays,
+                                        WantedLength{.triangle = 0, .weights{}, .length = 0});
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+            const std::uint32_t v = from[i * from.size() / count];
+            const glm::dvec3 origin = glm::dvec3(geometry_.positions[v]) + glm::dvec3(shifts_[v]);
+            std::vector<std::size_t> blocked;
+            for (std::size_t d = 0; d < directions_.size(); ++d) {
+                const bool up = glm::dot(geometry_.normals[v], directions_.directions()[d]) > 0;
+                if (up && !baked_.seen(v, d)) blocked.push_back(d);
+            }
+            const std::size_t rays = std::min(blocked.size(), kFollowedRays);
+            for (std::size_t r = 0; r < rays; ++r) {
+                const std::size_t d = blocked[r * blocked.size() / rays];
+                const auto hit = scene_.intersect(
+                    {.origin = origin, .direction = glm::dvec3(directions_.directions()[d])});
+                if (!hit) continue;
+                found[i * kFollowedRays + r] = {
+                    .triangle = hit->triangle,
+                    .weights = glm::vec3(1 - hit->b1 - hit->b2, hit->b1, hit->b2),
+                    .length = std::max(static_cast<float>(hit->distance), around[v])};
+            }
+        });
+        std::erase_if(found, [](const WantedLength& wanted) { return wanted.length == 0; });
+        wanted_ = std::move(found);
+        rays_ += wanted_.size();
+    }
+
+    const BakeGeometry& geometry_;
+    const DirectionSet& directions_;
+    const Visibility& baked_;
+    const RefineOptions& options_;
+    const BakeProgress& progress_;
+    const RaySurface surface_;
+    const RayScene scene_;
+    EdgeBisection mesh_;
+    std::vector<WantedLength> wanted_;
+    // Of vertices.
+    std::vector<glm::vec3> normals_;  // interpolated, of any length
+    std::vector<glm::vec3> shifts_;   // to the start of their rays
+    std::vector<std::size_t> rows_;   // below
+    // Of traced points: all given vertices, then middles of edges, whether these are split or not.
+    std::vector<glm::vec4> hidden_;
+    // Of middles alone, as in Visibility.
+    std::vector<std::uint64_t> bits_;
+    std::vector<std::uint8_t> open_;
+    std::unordered_map<std::uint64_t, std::size_t> middles_;  // row of a pair's middle
+    std::uint64_t rays_ = 0;
+    double shortest_ = 0;
+};
+
+}  // namespace
+
+Refinement refine(const BakeGeometry& geometry, const DirectionSet& directions, const Visibility& visibility,
+                  const RefineOptions& options, const BakeProgress& progress, BakeStatistics& statistics) {
+    if (visibility.unoccluded_count() == visibility.vertices() ||
+        visibility.vertices() >= options.max_vertices) {
+        return {};
+    }
+    const Stopwatch watch;
+    Refiner refiner(geometry, directions, visibility, options, progress);
+    refiner.run();
+    Refinement out = refiner.result(statistics);
+    statistics.milliseconds += watch.milliseconds();
+    if (out.parents.empty()) return {};
+    return out;
+}
+
+}  // namespace nicol

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Vertices where shadows change.
+#include "visibility/refine.hpp"
+
+#include "geometry/mesh.hpp"
+#include "test.hpp"
+
+using namespace nicol;
+
+namespace {
+
+void append(Mesh& to, const Mesh& mesh, float scale, const glm::vec3& offset) {
+    const auto first = static_cast<std::uint32_t>(to.positions.size());
+    for (const glm::vec3& p : mesh.positions) to.positions.push_back(scale * p + offset);
+    to.normals.insert(to.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    for (const glm::uvec3& t : mesh.triangles) to.triangles.push_back(t + first);
+}
+
+/// A floor of two triangles as wide as given each way, and a cube of half its width 0.2 that stands on it,
+/// away from all of the floor's edges.
+Mesh cube_on_floor(float half) {
+    Mesh mesh;
+    append(mesh, make_rectangle(1), half, {0, 0, 0});
+    append(mesh, make_cube(2), 0.2F, {0.4512F, -0.4031F, 0.2F});
+    return mesh;
+}
+
+const DirectionSet& directions() {
+    static const DirectionSet set(512);
+    return set;
+}
+
+BakeGeometry geometry_of(const Mesh& mesh) {
+    return {mesh.positions, mesh.normals, mesh.triangles};
+}
+
+struct Refined {
+    Visibility baked;
+    Refinement refinement;
+    BakeStatistics statistics;
+};
+
+Refined refine(const Mesh& mesh, const RefineOptions& options) {
+    Refined out;
+    out.baked = bake(geometry_of(mesh), directions(), {}, &out.statistics);
+    out.refinement = refine(geometry_of(mesh), directions(), out.baked, options, {}, out.statistics);
+    return out;
+}
+
+/// The cosine-weighted part of the hemisphere about +z that is seen.
+double seen_from(const Visibility& visibility, std::size_t vertex) {
+    double sum = 0;
+    for (std::size_t i = 0; i < directions().size(); ++i) {
+        if (visibility.seen(vertex, i))
+            sum += static_cast<double>(directions().weights()[i] * directions().directions()[i].z) / pi;
+    }
+    return sum;
+}
+
+struct Surface {
+    std::vector<glm::vec3> positions;
+    const Refinement& refinement;
+
+    Surface(const Mesh& mesh, const Refinement& from) : positions(mesh.positions), refinement(from) {
+        for (const glm::uvec2& p : from.parents)
+            positions.push_back(0.5F * positions[p.x] + 0.5F * positions[p.y]);
+    }
+
+    /// What is seen from a point of the floor, interpolated.
+    double seen(double x, double y) const {
+        for (std::size_t i = 0; i < refinement.triangles.size(); ++i) {
+            if (refinement.sources[i] > 1) break;
+            const glm::uvec3& t = refinement.triangles[i];
+            const glm::dvec2 a(positions[t.x]);
+            const glm::dvec2 u = glm::dvec2(positions[t.y]) - a;
+            const glm::dvec2 v = glm::dvec2(positions[t.z]) - a;
+            const glm::dvec2 p = glm::dvec2(x, y) - a;
+            const double whole = u.x * v.y - u.y * v.x;
+            const double b = (p.x * v.y - p.y * v.x) / whole;
+            const double c = (u.x * p.y - u.y * p.x) / whole;
+            if (b < -1e-6 || c < -1e-6 || b + c > 1 + 1e-6) continue;
+            return (1 - b - c) * seen_from(refinement.visibility, t.x) +
+                   b * seen_from(refinement.visibility, t.y) + c * seen_from(refinement.visibility, t.z);
+        }
+        FAIL("no triangle there");
+        return 0;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("interpolation meets what rays find between vertices, on floors of any size") {
+    for (const float half : {1.0F, 30.0F}) {
+        const Mesh mesh = cube_on_floor(half);
+        const Refined refined = refine(mesh, {.tolerance = 0.02, .max_vertices = 20000});
+        const Surface surface(mesh, refined.refinement);
+        CAPTURES(half, surface.positions.size());
+        CHECK(surface.positions.size() < 4000);
+        // Points beside the cube, of a floor that is fine there.
+        Mesh probes = mesh;
+        constexpr int across = 12;
+        append(probes, make_rectangle(across), 0.5F, {0.4512F, -0.4031F, 0});
+        const Visibility truth = bake(geometry_of(probes), directions());
+        double sum = 0;
+        int count = 0;
+        for (std::size_t v = mesh.positions.size(); v < probes.positions.size(); ++v) {
+            const glm::vec3 p = probes.positions[v];
+            if (std::max(std::abs(p.x - 0.4512F), std::abs(p.y + 0.4031F)) < 0.22F) continue;
+            const double error =
+                surface.seen(static_cast<double>(p.x), static_cast<double>(p.y)) - seen_from(truth, v);
+            sum += error * error;
+            ++count;
+        }
+        CHECK(count > 100);
+        CHECK(std::sqrt(sum / count) < 0.02);
+    }
+}
+
+TEST_CASE("added vertices see what a bake of the refined mesh finds") {
+    const Mesh mesh = cube_on_floor(1);
+    const Refined refined = refine(mesh, {.tolerance = 0.03, .max_vertices = 20000});
+    const Surface surface(mesh, refined.refinement);
+    const Mesh fine{.positions = surface.positions,
+                    .normals =
+                        [&] {
+                            std::vector<glm::vec3> normals = mesh.normals;
+                            for (const glm::uvec2& p : refined.refinement.parents)
+                                normals.push_back(0.5F * normals[p.x] + 0.5F * normals[p.y]);
+                            return normals;
+                        }(),
+                    .triangles = refined.refinement.triangles};
+    const Visibility baked = bake(geometry_of(fine), directions());
+    REQUIRE(baked.vertices() == refined.refinement.visibility.vertices());
+    std::size_t differing = 0;
+    std::size_t bits = 0;
+    for (std::size_t v = 0; v < baked.vertices(); ++v) {
+        for (std::size_t i = 0; i < directions().size(); ++i) {
+            differing += baked.seen(v, i) != refined.refinement.visibility.seen(v, i) ? 1 : 0;
+            bits += baked.seen(v, i) ? 1 : 0;
+        }
+    }
+    // Rays start beside their vertices by rounding, and in other directions.
+    CHECK(static_cast<double>(differing) < 2e-3 * static_cast<double>(bits));
+}
+
+TEST_CASE("vertices are bounded, counted and the same every time") {
+    const Mesh mesh = cube_on_floor(1);
+    const std::size_t given = mesh.positions.size();
+    std::size_t last = 0;
+    for (const std::size_t most : {given, given + 1, given + 20, given + 200, given + 20000}) {
+        const Refined refined = refine(mesh, {.tolerance = 0.02, .max_vertices = most});
+        const std::size_t added = refined.refinement.parents.size();
+        CAPTURES(most, added);
+        CHECK(given + added <= most);
+        CHECK(added >= last);
+        CHECK((added > 0) == (most > given));
+        last = added;
+        CHECK(refined.statistics.vertices >= given + added);
+        const Refined again = refine(mesh, {.tolerance = 0.02, .max_vertices = most});
+        CHECK(again.refinement.triangles == refined.refinement.triangles);
+        CHECK(std::ranges::equal(again.refinement.visibility.bits(), refined.refinement.visibility.bits()));
+    }
+    CHECK(last > 200);
+    CHECK(refine(mesh, {.tolerance = 1, .max_vertices = 20000}).refinement.parents.size() < last);
+}
+
+TEST_CASE("nothing is added where nothing is hidden, and no ray is traced") {
+    const Refined refined = refine(make_cube(3), {.tolerance = 1e-3, .max_vertices = 20000});
+    CHECK(refined.refinement.parents.empty());
+    CHECK(refined.statistics.vertices == refined.baked.vertices());
+}
+
+TEST_CASE("any triangles come to an end") {
+    // Many at an edge, slivers, none of any extent, vertices in one place, far away and tiny.
+    Mesh bad = cube_on_floor(1e3F);
+    append(bad, make_rectangle(1), 1e-6F, {0, 0, 1e-6F});
+    append(bad, make_rectangle(1), 1, {0, 0, 0});
+    bad.positions.insert(bad.positions.end(), {{0, 0, 0.1F}, {1, 0, 0.1F}, {1, 1e-6F, 0.1F}});
+    bad.normals.insert(bad.normals.end(), {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}});
+    const auto last = static_cast<std::uint32_t>(bad.positions.size());
+    bad.triangles.insert(
+        bad.triangles.end(),
+        {{last - 3, last - 2, last - 1}, {0, 1, last - 1}, {0, 1, last - 2}, {2, 2, 3}, {1, 1, 1}});
+    const Refined refined = refine(bad, {.tolerance = 1e-4, .max_vertices = 3000});
+    CHECK(refined.refinement.visibility.vertices() <= 3000);
+    CHECK(refined.refinement.visibility.vertices() > 1000);
+}
