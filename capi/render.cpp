@@ -127,6 +127,8 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.high_orders_at =
         value_from(given.high_orders_at, HighOrdersAt::pixels, "high_orders_at", "NICOL_HIGH_ORDERS_AT_...");
     options.shade_at = value_from(given.shade_at, ShadeAt::pixels, "shade_at", "NICOL_SHADE_AT_...");
+    options.refine_tolerance = given.refine_tolerance;
+    options.max_vertices = given.max_vertices;
     options.dering = given.dering;
     options.physical = switch_from(given.physical, "physical");
     options.tolerance = given.tolerance;
@@ -311,6 +313,7 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.vertices_relit = s.vertices_relit;
         out.vertices_shaded = s.vertices_shaded;
         out.pixels_shaded = s.pixels_shaded;
+        out.vertices_added = s.vertices_added;
         write_struct(statistics, out, "statistics");
     });
 }

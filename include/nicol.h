@@ -689,11 +689,16 @@ typedef struct nicol_render_options {
     uint32_t aovs;               /* sum of NICOL_AOV_... to make. 0: none */
     nicol_shade_at shade_at;     /* default automatic. With pixels high_orders_at has no effect */
     uint32_t reserved_end;       /* 0 */
+    double refine_tolerance; /* the bake splits triangles where shadows change faster than the mesh is fine,
+                                until what interpolation errs by in the hidden part of an even light is at
+                                most this part of all of it; 0: none is split. 0 to 1, default 0.02 */
+    uint64_t max_vertices;   /* that splitting may lead to; 0, the default: 65536, or four times as many as
+                                there were where that is more. A memory_limit lowers it */
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, 2048, 1, 0, 0, 0, 256, 0, 0, 0, \
-      0, 0.03, 0, 0, 1, 0, 0, 0 }
+      0, 0.03, 0, 0, 1, 0, 0, 0, 0.02, 0 }
 /* clang-format on */
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
@@ -772,7 +777,7 @@ typedef struct nicol_statistics {
     uint32_t struct_size;
     uint32_t order;                 /* highest order of the light that was rendered: order_high, or less where the light
                                        has no more, but at least order_low; 0 by the reference method */
-    uint64_t vertices;              /* of all instances */
+    uint64_t vertices;              /* of all instances, vertices_added among them */
     uint64_t triangles;             /* likewise */
     double project_ms;              /* light and materials to coefficients, tables and lobes */
     double bake_ms;                 /* visibility at the vertices, and the dense method's matrices; of the
@@ -811,12 +816,13 @@ typedef struct nicol_statistics {
     uint64_t vertices_relit;        /* into whose frames light was brought */
     uint64_t vertices_shaded;       /* whose Stokes vectors were computed */
     uint64_t pixels_shaded;         /* likewise */
+    uint64_t vertices_added;        /* where the bake split triangles; as they are, recomputed or not */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                               \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                            \
     }
 
 /* All zeros before the first render. */

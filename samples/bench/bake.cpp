@@ -26,7 +26,7 @@ double megabytes(std::uint64_t bytes) {
 Report bench_bake(const Options& options) {
     constexpr int repetitions = 3;
     Report report({"directions a vertex", "million rays/s", "bake ms", "of it rays ms", "from cache ms",
-                   "visibility MB", "vertices", "unoccluded"});
+                   "visibility MB", "vertices", "of them added", "unoccluded"});
     for (const std::uint32_t directions : {512U, 2048U, 8192U}) {
         std::vector<double> whole, traced, cached;
         nicol_statistics last = NICOL_STATISTICS_INIT;
@@ -41,7 +41,7 @@ Report bench_bake(const Options& options) {
         report.add(std::to_string(directions),
                    {static_cast<double>(last.bake_rays) / trace_ms * 1e-3, median(whole), trace_ms,
                     median(cached), megabytes(last.visibility_bytes), static_cast<double>(last.vertices),
-                    static_cast<double>(last.vertices_unoccluded)});
+                    static_cast<double>(last.vertices_added), static_cast<double>(last.vertices_unoccluded)});
     }
     report.note("Medians of " + std::to_string(repetitions) +
                 " bakes; each is then loaded from its cache by another context.");

@@ -195,6 +195,8 @@ typedef struct nicol_render_options {
     uint32_t aovs;
     nicol_shade_at shade_at;
     uint32_t reserved_end;
+    double refine_tolerance;
+    uint64_t max_vertices;
 } nicol_render_options;
 typedef struct nicol_job_impl* nicol_job;
 typedef uint32_t nicol_job_state;
@@ -245,6 +247,7 @@ typedef struct nicol_statistics {
     uint64_t vertices_relit;
     uint64_t vertices_shaded;
     uint64_t pixels_shaded;
+    uint64_t vertices_added;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;
@@ -697,7 +700,7 @@ return {
         camera = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, fov = 45, near_clip = 0.01, far_clip = 10000 } },
         instance = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } } },
         scene_file = { true, {} },
-        render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, bake_directions = 2048, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1 } },
+        render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, bake_directions = 2048, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1, refine_tolerance = 0.02 } },
         job_status = { true, {} },
         statistics = { true, {} },
         plane_buffer = { true, {} },

@@ -69,6 +69,8 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.aovs = options.aovs;
     wanted.shadows = options.shadows ? 1 : 0;
     wanted.bake_directions = options.bake_directions.value_or(wanted.bake_directions);
+    wanted.refine_tolerance = options.refine_tolerance.value_or(wanted.refine_tolerance);
+    wanted.max_vertices = options.max_vertices;
     wanted.dering = options.dering;
     wanted.physical = options.physical ? 1 : 0;
     wanted.samples = options.samples.value_or(wanted.samples);

@@ -38,6 +38,10 @@ const char* const usage =
     "      --no-shadows         computes no shadows\n"
     "      --bake-directions N  directions that shadows are traced in from each vertex, 256 to 65536;\n"
     "                           default 2048\n"
+    "      --refine-tolerance E triangles are split where interpolated shadows err by more than this part "
+    "of\n"
+    "                           the light; 0: none is split, 0.01 to 0.1 are of use; default 0.02\n"
+    "      --max-vertices N     that splitting may lead to; default 65536, or four times the scene's\n"
     "      --dering X           weakens high orders of the light against ringing; default 0, 0.001 helps\n"
     "      --no-physical        leaves s0 < 0 and DoLP > 1, which truncation may cause, as they are\n"
     "      --samples N          of the reference method, camera rays a pixel, 1 to 1048576; default 256\n"
@@ -236,6 +240,10 @@ Options parse_options(int argc, const char* const* argv) {
             options.shadows = false;
         else if (name == "--bake-directions")
             options.bake_directions = parse_count(name, value(), 256, 65536);
+        else if (name == "--refine-tolerance")
+            options.refine_tolerance = parse_strength(name, value());
+        else if (name == "--max-vertices")
+            options.max_vertices = parse_number(name, value());
         else if (name == "--dering")
             options.dering = parse_strength(name, value());
         else if (name == "--no-physical" && !attached)

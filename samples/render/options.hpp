@@ -34,6 +34,8 @@ struct Options {
     bool physical = true;
     double dering = 0;
     std::optional<std::uint32_t> bake_directions;
+    std::optional<double> refine_tolerance;
+    std::uint32_t max_vertices = 0;                                  ///< 0: the library's default
     std::optional<std::uint32_t> samples;                            ///< of the reference method
     std::uint64_t seed = 0;                                          ///< likewise
     nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< no more than its limits of a load

@@ -72,6 +72,7 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
          << "  \"order\": " << s.order << ",\n"
          << "  \"predicted_error\": " << s.predicted_error << ",\n"
          << "  \"vertices\": " << s.vertices << ",\n"
+         << "  \"vertices_added\": " << s.vertices_added << ",\n"
          << "  \"triangles\": " << s.triangles << ",\n"
          << "  \"pixels_shaded\": " << s.pixels_shaded << ",\n"
          << "  \"milliseconds\": {\n"

@@ -70,10 +70,10 @@ void flip_normals(Mesh& mesh);
 
 /// The square [-1, 1]^2 at z = 0 with normal +z as `cells` x `cells` squares of two triangles. Throws
 /// Error(invalid_argument) unless 1 <= cells <= 1024.
-[[nodiscard]] Mesh make_rectangle(int cells = 64);
+[[nodiscard]] Mesh make_rectangle(int cells = 1);
 
 /// The cube [-1, 1]^3 with hard edges and outward normals, each side as make_rectangle(cells).
 /// Throws Error(invalid_argument) unless 1 <= cells <= 1024.
-[[nodiscard]] Mesh make_cube(int cells = 32);
+[[nodiscard]] Mesh make_cube(int cells = 1);
 
 }  // namespace nicol

@@ -120,17 +120,29 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
 }
 
 void MemoryLimit::check(const Scene& scene, const RenderOptions& options) {
+    vertices_ = size_of(scene).vertices;
     if (bytes_ == kNone) return;
     checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), options.method,
                   options.order_low, options.order_high, options.high_orders, options.shadows,
                   options.high_order_shadows, options.bake_directions, [&] {
-                      const std::uint64_t needed = estimate_memory(scene, options).total();
+                      estimate_ = estimate_memory(scene, options);
+                      const std::uint64_t needed = estimate_.total();
                       if (needed <= bytes_) return;
                       throw Error(ErrorCode::out_of_memory,
                                   "the scene needs up to " + std::to_string(needed) +
                                       " bytes at run time; the context's memory_limit is " +
                                       std::to_string(bytes_));
                   });
+}
+
+std::uint64_t MemoryLimit::max_vertices(const RenderOptions& options) const {
+    const std::uint64_t wanted =
+        options.max_vertices != 0 ? options.max_vertices : std::max<std::uint64_t>(4 * vertices_, 65536);
+    if (bytes_ == kNone || estimate_.total() == 0) return wanted;
+    // All of it grows with the vertices; the bake of those that were given stays for the next change.
+    const double times =
+        static_cast<double>(bytes_ - estimate_.visibility) / static_cast<double>(estimate_.total());
+    return std::min(wanted, static_cast<std::uint64_t>(times * static_cast<double>(vertices_)));
 }
 
 }  // namespace nicol

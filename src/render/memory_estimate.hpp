@@ -12,8 +12,8 @@
 
 namespace nicol {
 
-/// Bytes at most, as Statistics counts them. Where orders are chosen, those of the options are
-/// assumed.
+/// Bytes at most where no vertices are added, as Statistics counts them. Where orders are chosen, those of
+/// the options are assumed.
 struct MemoryEstimate {
     std::uint64_t visibility = 0;
     std::uint64_t transfer = 0;
@@ -38,8 +38,14 @@ public:
     /// only where something that the estimate depends on has changed since the last call.
     void check(const Scene& scene, const RenderOptions& options);
 
+    /// How many vertices the scene that was last checked may be refined to: as the option says, or where that
+    /// leaves it open 65536 or four times as many as there are; but no more than fit beside their bake.
+    [[nodiscard]] std::uint64_t max_vertices(const RenderOptions& options) const;
+
 private:
     std::uint64_t bytes_;
+    std::uint64_t vertices_ = 0;
+    MemoryEstimate estimate_;
     // Geometry, channels, components of the light, and the options that matter.
     Stage<Version, int, LightKind, Method, int, int, HighOrders, bool, bool, int> checking_;
 };

@@ -68,7 +68,7 @@ std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& ge
 
 Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)), aovs_(context_) {}
 
-void Painter::draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuffers& buffers,
+void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
                    const HighOrdersOfPixels& high_orders, const ShadedPixels* pixels, const Wanted& wanted,
                    const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();

@@ -15,7 +15,7 @@
 #include "render/high_order_textures.hpp"
 #include "render/hit_image.hpp"
 #include "render/pixel_image.hpp"
-#include "render/scene_geometry.hpp"
+#include "render/refined_surfaces.hpp"
 #include "render/vertex_buffers.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
@@ -47,7 +47,7 @@ public:
     /// `buffers` are of `surfaces`; `projection` is of the world. `pixels`, where not null, have been shaded
     /// and are drawn instead of vertices. All memory is allocated before the
     /// framebuffer is touched.
-    void draw(const Scene& scene, const SceneGeometry& surfaces, VertexBuffers& buffers,
+    void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
               const HighOrdersOfPixels& high_orders, const ShadedPixels* pixels, const Wanted& wanted,
               const Projection& projection, Framebuffer& target);
 

@@ -23,7 +23,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     surfaces_.update(scene);
     visibility_.update(surfaces_, scene.environment() != nullptr, given, run.workers, run.progress,
                        run.statistics);
-    const SurfaceState surfaces = visibility_.state(surfaces_);
+    const SurfaceState surfaces = visibility_.state();
 
     // project. That the scene is rotated as a whole is a rotation of light and camera the other way.
     const RenderOptions options = choose_orders(scene, given, run);
@@ -89,7 +89,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
     const Stopwatch watch;
     run.workers.run([&] {
         const OrderSelector::Orders orders =
-            selector_.choose(scene, visibility_.state(surfaces_), options, run.memory_limit);
+            selector_.choose(scene, visibility_.state(), options, run.memory_limit);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
         run.statistics.predicted_error = orders.error;

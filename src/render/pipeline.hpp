@@ -40,7 +40,7 @@ public:
              RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits);
 
     /// What is drawn, in axes of its own.
-    [[nodiscard]] const SceneGeometry& surfaces() const noexcept { return surfaces_; }
+    [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return visibility_.surfaces(); }
     /// The high orders that pixels add after the last run(); null: none.
     [[nodiscard]] const HighOrderTransfer* pixel_high_orders() const noexcept {
         return at_pixels_ ? &high_orders_ : nullptr;

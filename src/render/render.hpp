@@ -66,8 +66,14 @@ struct RenderOptions {
     Executor executor = Executor::automatic;
     bool shadows = true;         ///< surfaces hide the environment from each other
     int bake_directions = 2048;  ///< that shadows are traced in from every vertex, 256..65536
-    int order_low = 4;           ///< 0..kMaxRenderOrder: light up to here with its full angular detail
-    int order_high = 9;          ///< order_low..64: light up to here at all
+    /// The bake splits triangles where shadows change faster than the mesh is fine, until interpolation errs
+    /// by no more than this part of the unshadowed irradiance. 0 to 1; 0: no triangle is split.
+    double refine_tolerance = 0.02;
+    /// That splitting may lead to, in all; 0: 65536 or four times as many as there were, whichever is more.
+    /// A memory limit lowers it.
+    std::uint64_t max_vertices = 0;
+    int order_low = 4;   ///< 0..kMaxRenderOrder: light up to here with its full angular detail
+    int order_high = 9;  ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;
     ShadeAt shade_at = ShadeAt::automatic;  ///< pixels: high orders too, whatever high_orders_at says
@@ -102,10 +108,10 @@ struct RenderOptions {
     /// All but the callback.
     bool operator==(const RenderOptions& o) const {
         const auto values = [](const RenderOptions& a) {
-            return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.order_low, a.order_high,
-                            a.high_orders, a.high_orders_at, a.shade_at, a.high_order_shadows,
-                            a.choose_orders, a.tolerance, a.dering, a.physical, a.components, a.aovs,
-                            a.samples, a.seed, a.disabled_optimisations);
+            return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.refine_tolerance,
+                            a.max_vertices, a.order_low, a.order_high, a.high_orders, a.high_orders_at,
+                            a.shade_at, a.high_order_shadows, a.choose_orders, a.tolerance, a.dering,
+                            a.physical, a.components, a.aovs, a.samples, a.seed, a.disabled_optimisations);
         };
         return values(*this) == values(o);
     }
@@ -120,6 +126,7 @@ struct Statistics {
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;  ///< automatic: there were none
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
+    std::uint64_t vertices_added = 0;  ///< of these vertices, by refinement
     double project_ms = 0;
     double bake_ms = 0;
     double relight_ms = 0;

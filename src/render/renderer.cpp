@@ -27,6 +27,9 @@ void check(const RenderOptions& options) {
         refuse("bake_directions is " + std::to_string(options.bake_directions) + "; it must lie in " +
                std::to_string(DirectionSet::kFewest) + " to " + std::to_string(DirectionSet::kMost));
     }
+    if (!(options.refine_tolerance >= 0 && options.refine_tolerance <= 1)) {
+        refuse("refine_tolerance is " + std::to_string(options.refine_tolerance) + "; it must lie in 0 to 1");
+    }
     if (!(options.dering >= 0 && std::isfinite(options.dering))) {
         refuse("dering is " + std::to_string(options.dering) + "; it must be finite and not negative");
     }
@@ -136,6 +139,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     RenderExecutor& executor = executor_for(options);
     statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
+    chosen.max_vertices = memory_limit_.max_vertices(options);
     if (chosen.high_orders_at == HighOrdersAt::automatic) {
         // Look-ups at pixels are slow where the processor rasterises.
         chosen.high_orders_at = context_->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
@@ -146,7 +150,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
                   .memory_limit = memory_limit_.bytes()};
     const auto draw_hits = [&]() -> const HitImage& {
         context_->run([&] {
-            const SceneGeometry& surfaces = pipeline_.surfaces();
+            const RefinedSurfaces& surfaces = pipeline_.surfaces();
             buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
             hits_.draw(surfaces.geometry(), buffers_, projection.world_to_clip * surfaces.to_world(),
                        target.width(), target.height());
@@ -158,7 +162,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
 
     const Stopwatch watch;
     context_->run([&] {
-        const SceneGeometry& surfaces = pipeline_.surfaces();
+        const RefinedSurfaces& surfaces = pipeline_.surfaces();
         buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
         const HighOrderTransfer* const high_orders = pipeline_.pixel_high_orders();
         std::optional<Painter::ShadedPixels> pixels;

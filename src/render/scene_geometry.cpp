@@ -50,13 +50,6 @@ bool near(const glm::dmat4& a, const glm::dmat4& b, const Ball& ball, double shi
            offset <= kRotationTolerance * static_cast<double>(ball.radius) + of_floats * shift;
 }
 
-std::vector<std::uint8_t> same(const std::vector<glm::vec3>& before, const std::vector<glm::vec3>& after) {
-    std::vector<std::uint8_t> out(after.size(), 0);
-    const std::size_t both = std::min(before.size(), after.size());
-    for (std::size_t i = 0; i < both; ++i) out[i] = before[i] == after[i] ? 1 : 0;
-    return out;
-}
-
 void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::vector<glm::uvec3>& triangles) {
     const auto offset = static_cast<std::uint32_t>(first);
     for (const glm::uvec3& t : mesh.triangles) {
@@ -135,7 +128,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
 
 void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     WorldGeometry next;
-    Change change{.before = version_, .kept = {}, .disturbances = {}, .same_normals = {}, .same_places = {}};
+    Change change{.before = version_, .kept = {}, .disturbances = {}};
     std::vector<glm::uvec3> two_sided;
     std::vector<char> stays(pieces_.size(), 0);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -155,8 +148,8 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
                 to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(former.first),
                           from.begin() + static_cast<std::ptrdiff_t>(former.last));
             };
-            copy(geometry_.positions, next.positions);
-            copy(geometry_.normals, next.normals);
+            copy(geometry_->positions, next.positions);
+            copy(geometry_->normals, next.normals);
             change.kept.push_back({.first = piece.first, .last = piece.last, .before = former.first});
         } else {
             const Mesh in_place = placed(mesh, piece.placement, piece.id);
@@ -185,10 +178,8 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
     next.one_sided = next.triangles.size();
     next.triangles.insert(next.triangles.end(), two_sided.begin(), two_sided.end());
 
-    change.same_normals = same(geometry_.normals, next.normals);
-    change.same_places = same(geometry_.positions, next.positions);
-    if (geometry_.ranges != next.ranges) material_version_ = new_version();
-    geometry_ = std::move(next);
+    if (geometry_->ranges != next.ranges) material_version_ = new_version();
+    geometry_ = std::make_shared<WorldGeometry>(std::move(next));
     pieces_ = std::move(pieces);
     change_ = std::move(change);
     version_ = new_version();
@@ -196,7 +187,7 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
 
 void SceneGeometry::set_materials(const Scene& scene) {
     bool changed = false;
-    for (VertexRange& range : geometry_.ranges) {
+    for (VertexRange& range : geometry_->ranges) {
         const MaterialPtr& material = scene.at(range.instance).material;
         if (range.material == material) continue;
         range.material = material;

@@ -25,7 +25,9 @@ public:
     /// vertices; the next call then starts from nothing.
     void update(const Scene& scene);
 
-    [[nodiscard]] const WorldGeometry& geometry() const noexcept { return geometry_; }
+    [[nodiscard]] const WorldGeometry& geometry() const noexcept { return *geometry_; }
+    /// Its ranges get other materials in place; for other vertices or triangles there is a new object.
+    [[nodiscard]] std::shared_ptr<const WorldGeometry> shared_geometry() const noexcept { return geometry_; }
     /// Of vertices and triangles.
     [[nodiscard]] Version version() const noexcept { return version_; }
     /// Of the ranges and their materials.
@@ -41,9 +43,6 @@ public:
         Version before = 0;              ///< 0: there was none
         std::vector<VertexRun> kept;     ///< vertices of instances that have not moved
         std::vector<Ball> disturbances;  ///< all other triangles of both versions lie in these
-        /// 1 for vertices of this version that had the same normal, or place, under the same number.
-        std::vector<std::uint8_t> same_normals;
-        std::vector<std::uint8_t> same_places;
     };
     [[nodiscard]] const Change& change() const noexcept { return change_; }
 
@@ -66,7 +65,7 @@ private:
     void build(const Scene& scene, std::vector<Piece>& pieces);
     void set_materials(const Scene& scene);
 
-    WorldGeometry geometry_;
+    std::shared_ptr<WorldGeometry> geometry_ = std::make_shared<WorldGeometry>();
     std::vector<Piece> pieces_;
     glm::dmat4 to_world_{1.0};
     glm::dmat3 own_axes_{1.0};

@@ -8,6 +8,21 @@
 #include "visibility/bake_cache.hpp"
 
 namespace nicol {
+namespace {
+
+BakeGeometry bake_geometry(const SceneGeometry& surfaces) {
+    const WorldGeometry& world = surfaces.geometry();
+    return {.positions = world.positions, .normals = world.normals, .triangles = world.triangles};
+}
+
+void count_bake(const BakeStatistics& baked, const Stopwatch& watch, Statistics& statistics) {
+    statistics.bake_rays += baked.rays;
+    statistics.bake_trace_ms += baked.milliseconds;
+    statistics.vertices_traced += baked.vertices;
+    statistics.bake_ms += watch.milliseconds();
+}
+
+}  // namespace
 
 void SceneVisibility::set_cache(std::filesystem::path folder, CacheNotice notice) {
     folder_ = std::move(folder);
@@ -17,82 +32,111 @@ void SceneVisibility::set_cache(std::filesystem::path folder, CacheNotice notice
 void SceneVisibility::update(const SceneGeometry& surfaces, bool lit, const RenderOptions& options,
                              Workers& workers, Progress& progress, Statistics& statistics) {
     const SurfaceVersions former = versions_;
-    const bool had_bake = former.visibility == visibility_.version();
-    const bool follows = former.geometry != surfaces.version() && former.geometry != 0 &&
-                         former.geometry == surfaces.change().before;
-    if (follows) same_field_ = surfaces.change().same_normals;
-    const bool carried =
-        options.shadows && lit && bake(surfaces, follows, options, workers, progress, statistics);
+    const std::shared_ptr<const Visibility> visible_before = *visible_;
+    const bool had_bake = former.visibility == visible_.version();
+    const bool carried = options.shadows && lit && bake(surfaces, options, workers, progress, statistics);
+    const bool baked = options.shadows && baked_geometry_ == surfaces.version();
+    if (baked) refine(surfaces, options, workers, progress, statistics);
+    surfaces_.update(surfaces, baked ? refined_ : nullptr);
 
-    const std::size_t unoccluded = visibility_->unoccluded_count();
-    const bool shadowed =
-        options.shadows && baked_ == surfaces.version() && unoccluded < visibility_->vertices();
-    versions_ = {.geometry = surfaces.version(), .visibility = shadowed ? visibility_.version() : 0};
-    statistics.vertices_unoccluded = shadowed ? unoccluded : surfaces.geometry().positions.size();
-    statistics.visibility_bytes = options.shadows ? visibility_->bytes() : 0;
+    const std::size_t vertices = surfaces_.geometry().positions.size();
+    const std::size_t unoccluded = baked ? (*visible_)->unoccluded_count() : vertices;
+    const bool shadowed = unoccluded < vertices;
+    versions_ = {.geometry = surfaces_.version(), .visibility = shadowed ? visible_.version() : 0};
+    statistics.vertices_unoccluded = unoccluded;
+    statistics.vertices_added = vertices - surfaces.geometry().positions.size();
+    if (baked) {
+        statistics.visibility_bytes = (*visible_)->bytes();
+        if (*baked_ != *visible_) statistics.visibility_bytes += (*baked_)->bytes();
+    }
     if (versions_ == former) return;
+    before_.reset();
+    if (former.geometry == 0 || former.geometry != surfaces_.change().before) return;
     // Shadows that were not there before, or no longer are, change everything.
-    const bool comparable = shadowed ? had_bake && carried : former.visibility == 0;
-    before_ = follows && comparable ? std::optional(former) : std::nullopt;
+    if (shadowed ? !(had_bake && carried) : former.visibility != 0) return;
+    before_ = former;
+    same_field_ = surfaces_.change().same_normals;
+    const std::size_t both = shadowed ? std::min(vertices, visible_before->vertices()) : 0;
+    for (std::size_t v = 0; v < both; ++v) {
+        if (same_field_[v] != 0 && !std::ranges::equal((*visible_)->at(v), visible_before->at(v)))
+            same_field_[v] = 0;
+    }
 }
 
-SurfaceState SceneVisibility::state(const SceneGeometry& surfaces) const {
+SurfaceState SceneVisibility::state() const {
     const bool shadowed = versions_.visibility != 0;
     std::optional<SurfaceChange> change;
     if (before_) {
         change = {
-            .before = *before_, .same_field = same_field_, .same_places = surfaces.change().same_places};
+            .before = *before_, .same_field = same_field_, .same_places = surfaces_.change().same_places};
     }
-    return {.geometry = surfaces.geometry(),
-            .visibility = shadowed ? &*visibility_ : nullptr,
+    return {.geometry = surfaces_.geometry(),
+            .visibility = shadowed ? visible_->get() : nullptr,
             .directions = shadowed ? &*directions_ : nullptr,
             .versions = versions_,
-            .materials = surfaces.material_version(),
+            .materials = surfaces_.material_version(),
             .change = change};
 }
 
-bool SceneVisibility::bake(const SceneGeometry& surfaces, bool narrow, const RenderOptions& options,
-                           Workers& workers, Progress& progress, Statistics& statistics) {
+bool SceneVisibility::bake(const SceneGeometry& surfaces, const RenderOptions& options, Workers& workers,
+                           Progress& progress, Statistics& statistics) {
     const int count = options.bake_directions;
     const glm::dmat3& axes = surfaces.own_axes();
-    const bool shadow_all = (options.disabled_optimisations & skip_unoccluded) != 0;
     const SceneGeometry::Change& change = surfaces.change();
-    const bool carry =
-        !shadow_all && !change.kept.empty() && baking_.is_current(change.before, count, axes, false);
-    const bool ran = baking_.run(surfaces.version(), count, axes, shadow_all, [&] {
+    const bool carry = !change.kept.empty() && baking_.is_current(change.before, count, axes);
+    const bool ran = baking_.run(surfaces.version(), count, axes, [&] {
         const Stopwatch watch;
-        baked_ = 0;
+        baked_geometry_ = 0;
         spreading_.run(count, [&] { lattice_.emplace(count); });
         rotating_.run(count, axes, [&] { directions_ = lattice_->rotated(axes); });
-        const WorldGeometry& world = surfaces.geometry();
-        const BakeGeometry geometry{
-            .positions = world.positions, .normals = world.normals, .triangles = world.triangles};
         const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
         BakeStatistics baked;
         workers.run([&] {
+            const BakeGeometry geometry = bake_geometry(surfaces);
+            Visibility visibility;
             if (carry) {
                 const FormerBake former{
-                    .visibility = *visibility_, .kept = change.kept, .disturbances = change.disturbances};
-                Visibility visibility = nicol::bake(geometry, *directions_, report, &baked, &former);
-                for (std::size_t v = 0; narrow && v < same_field_.size(); ++v) {
-                    if (same_field_[v] != 0 && !std::ranges::equal(visibility.at(v), visibility_->at(v)))
-                        same_field_[v] = 0;
-                }
-                visibility_.change() = std::move(visibility);
+                    .visibility = **baked_, .kept = change.kept, .disturbances = change.disturbances};
+                visibility = nicol::bake(geometry, *directions_, report, &baked, &former);
             } else {
-                visibility_.change() = load_or_bake(geometry, *directions_, folder_, notice_, report, &baked);
+                visibility = load_or_bake(geometry, *directions_, folder_, notice_, report, &baked);
             }
+            baked_.change() = std::make_shared<const Visibility>(std::move(visibility));
         });
-        for (std::size_t v = 0; shadow_all && v < visibility_->vertices(); ++v) {
-            visibility_.change().set_unoccluded(v, false);
-        }
-        baked_ = surfaces.version();
-        statistics.bake_rays += baked.rays;
-        statistics.bake_trace_ms += baked.milliseconds;
-        statistics.vertices_traced += baked.vertices;
-        statistics.bake_ms += watch.milliseconds();
+        baked_geometry_ = surfaces.version();
+        count_bake(baked, watch, statistics);
     });
     return ran && carry;
+}
+
+void SceneVisibility::refine(const SceneGeometry& surfaces, const RenderOptions& options, Workers& workers,
+                             Progress& progress, Statistics& statistics) {
+    const bool shadow_all = (options.disabled_optimisations & skip_unoccluded) != 0;
+    refining_.run(baked_.version(), options.refine_tolerance, options.max_vertices, shadow_all, [&] {
+        const Stopwatch watch;
+        const auto report = [&progress](double fraction) { progress.report("bake", fraction); };
+        BakeStatistics baked;
+        refined_.reset();
+        std::shared_ptr<const Visibility> visible = *baked_;
+        workers.run([&] {
+            if (!(options.refine_tolerance > 0)) return;
+            const Refinement refinement =
+                load_or_refine(bake_geometry(surfaces), *directions_, *visible,
+                               {.tolerance = options.refine_tolerance, .max_vertices = options.max_vertices},
+                               folder_, notice_, report, baked);
+            if (refinement.parents.empty()) return;
+            RefinedGeometry split = refined(surfaces.geometry(), refinement);
+            refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
+            visible = std::make_shared<const Visibility>(std::move(split.visibility));
+        });
+        if (shadow_all) {
+            Visibility all = *visible;
+            for (std::size_t v = 0; v < all.vertices(); ++v) all.set_unoccluded(v, false);
+            visible = std::make_shared<const Visibility>(std::move(all));
+        }
+        visible_.change() = std::move(visible);
+        count_bake(baked, watch, statistics);
+    });
 }
 
 }  // namespace nicol

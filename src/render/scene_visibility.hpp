@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// bake: the visibility of the environment at a scene's vertices, and the vertices at which a change keeps it.
+// bake: vertices where shadows need them, what of the environment each sees, and where a change keeps that.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <glm/mat3x3.hpp>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "material/response_cache.hpp"
+#include "render/refined_surfaces.hpp"
 #include "render/render.hpp"
 #include "render/scene_geometry.hpp"
 #include "render/surface_state.hpp"
@@ -23,19 +25,21 @@ public:
     /// Where to keep bakes; an empty folder: nowhere.
     void set_cache(std::filesystem::path folder, CacheNotice notice);
 
-    /// Bakes the surfaces, unless nothing casts shadows or `lit` is false, as far as changes make it
-    /// necessary. Adds its times and counts to `statistics`.
+    /// Bakes and refines the surfaces, unless nothing casts shadows or `lit` is false, as far as changes make
+    /// it necessary. Adds its times and counts to `statistics`.
     void update(const SceneGeometry& surfaces, bool lit, const RenderOptions& options, Workers& workers,
                 Progress& progress, Statistics& statistics);
 
-    /// The surfaces of the last update(); they must not have changed since.
-    [[nodiscard]] SurfaceState state(const SceneGeometry& surfaces) const;
+    /// Of the last update().
+    [[nodiscard]] SurfaceState state() const;
+    [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return surfaces_; }
 
 private:
-    /// Returns whether the former bake was carried over. Then, if `narrow`, same_field_ keeps only vertices
-    /// of unchanged visibility.
-    bool bake(const SceneGeometry& surfaces, bool narrow, const RenderOptions& options, Workers& workers,
+    /// Of the surfaces as they are. Returns whether the former bake was carried over.
+    bool bake(const SceneGeometry& surfaces, const RenderOptions& options, Workers& workers,
               Progress& progress, Statistics& statistics);
+    void refine(const SceneGeometry& surfaces, const RenderOptions& options, Workers& workers,
+                Progress& progress, Statistics& statistics);
 
     std::filesystem::path folder_;
     CacheNotice notice_;
@@ -43,10 +47,15 @@ private:
     std::optional<DirectionSet> lattice_;
     Stage<int, glm::dmat3> rotating_;
     std::optional<DirectionSet> directions_;  // the lattice along the surfaces' own axes
-    // Geometry, number of directions, their axes, whether unoccluded vertices count as occluded.
-    Stage<Version, int, glm::dmat3, bool> baking_;
-    Versioned<Visibility> visibility_;
-    Version baked_ = 0;  // the geometry that visibility_ belongs to
+    // Geometry, number of directions, their axes.
+    Stage<Version, int, glm::dmat3> baking_;
+    Versioned<std::shared_ptr<const Visibility>> baked_;
+    Version baked_geometry_ = 0;  // that it belongs to
+    // Bake, tolerance, bound, whether unoccluded vertices count as occluded.
+    Stage<Version, double, std::uint64_t, bool> refining_;
+    std::shared_ptr<WorldGeometry> refined_;                // null: nothing was split
+    Versioned<std::shared_ptr<const Visibility>> visible_;  // from surfaces_
+    RefinedSurfaces surfaces_;
 
     SurfaceVersions versions_;
     std::optional<SurfaceVersions> before_;  // that the vertices below are compared with

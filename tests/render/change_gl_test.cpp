@@ -17,6 +17,7 @@ RenderOptions by(Method method) {
     return {.method = method,
             .executor = Executor::cpu,
             .bake_directions = 256,
+            .refine_tolerance = 0,
             .order_low = 2,
             .order_high = 5,
             .high_orders_at = HighOrdersAt::vertices};

@@ -416,6 +416,8 @@ class RenderOptions(Struct):
         ("aovs", c_uint32),
         ("shade_at", c_uint32),
         ("reserved_end", c_uint32),
+        ("refine_tolerance", c_double),
+        ("max_vertices", c_uint64),
     ]
     _defaults_ = {
         "order_low": 4294967295,
@@ -426,6 +428,7 @@ class RenderOptions(Struct):
         "samples": 256,
         "tolerance": 0.03,
         "high_order_shadows": 1,
+        "refine_tolerance": 0.02,
     }
 
 
@@ -481,6 +484,7 @@ class Statistics(Struct):
         ("vertices_relit", c_uint64),
         ("vertices_shaded", c_uint64),
         ("pixels_shaded", c_uint64),
+        ("vertices_added", c_uint64),
     ]
 
 

@@ -753,6 +753,8 @@ pub struct nicol_render_options {
     pub aovs: u32,
     pub shade_at: nicol_shade_at,
     pub reserved_end: u32,
+    pub refine_tolerance: f64,
+    pub max_vertices: u64,
 }
 impl Default for nicol_render_options {
     fn default() -> Self {
@@ -767,11 +769,12 @@ impl Default for nicol_render_options {
         made.samples = 256;
         made.tolerance = 0.03;
         made.high_order_shadows = 1;
+        made.refine_tolerance = 0.02;
         made
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 112);
+    assert!(size_of::<nicol_render_options>() == 128);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -795,6 +798,8 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, aovs) == 100);
     assert!(offset_of!(nicol_render_options, shade_at) == 104);
     assert!(offset_of!(nicol_render_options, reserved_end) == 108);
+    assert!(offset_of!(nicol_render_options, refine_tolerance) == 112);
+    assert!(offset_of!(nicol_render_options, max_vertices) == 120);
 };
 
 #[repr(C)]
@@ -879,6 +884,7 @@ pub struct nicol_statistics {
     pub vertices_relit: u64,
     pub vertices_shaded: u64,
     pub pixels_shaded: u64,
+    pub vertices_added: u64,
 }
 impl Default for nicol_statistics {
     fn default() -> Self {
@@ -889,7 +895,7 @@ impl Default for nicol_statistics {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 280);
+    assert!(size_of::<nicol_statistics>() == 288);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -928,6 +934,7 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, vertices_relit) == 256);
     assert!(offset_of!(nicol_statistics, vertices_shaded) == 264);
     assert!(offset_of!(nicol_statistics, pixels_shaded) == 272);
+    assert!(offset_of!(nicol_statistics, vertices_added) == 280);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;

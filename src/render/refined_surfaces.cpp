@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "render/refined_surfaces.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <utility>
+
+namespace nicol {
+namespace {
+
+std::vector<std::uint8_t> same(const std::vector<glm::vec3>& before, const std::vector<glm::vec3>& after) {
+    std::vector<std::uint8_t> out(after.size(), 0);
+    const std::size_t both = std::min(before.size(), after.size());
+    for (std::size_t i = 0; i < both; ++i) out[i] = before[i] == after[i] ? 1 : 0;
+    return out;
+}
+
+}  // namespace
+
+RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinement) {
+    // As the refinement numbers them: those given, then those added.
+    std::vector<glm::vec3> positions = geometry.positions;
+    std::vector<glm::vec3> normals = geometry.normals;
+    std::vector<std::uint32_t> range_of(positions.size());
+    for (std::uint32_t r = 0; r < geometry.ranges.size(); ++r) {
+        const VertexRange& range = geometry.ranges[r];
+        std::fill(range_of.begin() + static_cast<std::ptrdiff_t>(range.first),
+                  range_of.begin() + static_cast<std::ptrdiff_t>(range.last), r);
+    }
+    for (const glm::uvec2& parents : refinement.parents) {
+        positions.push_back(0.5F * positions[parents.x] + 0.5F * positions[parents.y]);
+        const glm::vec3 normal = 0.5F * normals[parents.x] + 0.5F * normals[parents.y];
+        normals.push_back(glm::dot(normal, normal) > 1e-12F ? normal : normals[parents.x]);
+        range_of.push_back(range_of[parents.x]);
+    }
+    for (std::size_t v = geometry.normals.size(); v < normals.size(); ++v)
+        normals[v] = glm::normalize(normals[v]);
+
+    std::vector<std::uint32_t> order(positions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t v) { return range_of[v]; });
+    std::vector<std::uint32_t> number(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) number[order[i]] = i;
+
+    WorldGeometry out;
+    for (const std::uint32_t v : order) {
+        out.positions.push_back(positions[v]);
+        out.normals.push_back(normals[v]);
+    }
+    for (const glm::uvec3& t : refinement.triangles)
+        out.triangles.emplace_back(number[t.x], number[t.y], number[t.z]);
+    const auto two_sided = std::ranges::lower_bound(refinement.sources, geometry.one_sided);
+    out.one_sided = static_cast<std::size_t>(two_sided - refinement.sources.begin());
+    std::size_t first = 0;
+    for (std::uint32_t r = 0; r < geometry.ranges.size(); ++r) {
+        VertexRange range = geometry.ranges[r];
+        range.first = first;
+        while (first < order.size() && range_of[order[first]] == r) ++first;
+        range.last = first;
+        out.ranges.push_back(std::move(range));
+    }
+    return {.geometry = std::move(out), .visibility = refinement.visibility.selected(order)};
+}
+
+void RefinedSurfaces::update(const SceneGeometry& surfaces, const std::shared_ptr<WorldGeometry>& refined) {
+    to_world_ = surfaces.to_world();
+    for (std::size_t r = 0; refined && r < refined->ranges.size(); ++r)
+        refined->ranges[r].material = surfaces.geometry().ranges[r].material;
+    const std::shared_ptr<const WorldGeometry> next = refined ? refined : surfaces.shared_geometry();
+    if (next != geometry_) {
+        change_ = {.before = version_,
+                   .same_normals = same(geometry_->normals, next->normals),
+                   .same_places = same(geometry_->positions, next->positions)};
+        geometry_ = next;
+        version_ = new_version();
+    }
+    if (ranges_ != geometry_->ranges) {
+        ranges_ = geometry_->ranges;
+        material_version_ = new_version();
+    }
+}
+
+}  // namespace nicol
