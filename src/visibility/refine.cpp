@@ -26,9 +26,12 @@ constexpr int kRounds = 32;
 // Vertices, and blocked rays of each, that are followed to where they land.
 constexpr std::size_t kFollowedVertices = 4096;
 constexpr std::size_t kFollowedRays = 16;
-// Edges stay this many times longer than rays start beside the surface, and this part of the shadowed extent.
+// Edges stay this many times longer than rays start beside the surface.
 constexpr double kOffsets = 64;
+// Parts of the shadowed region's extent: edges that are not split, and edges shorter than which may err by
+// more, in proportion: there is less area at them.
 constexpr double kShortest = 1.0 / 256;
+constexpr double kShort = 1.0 / 32;
 
 glm::vec3 unit(const glm::vec3& v) {
     return {glm::normalize(glm::dvec3(v))};
@@ -61,7 +64,9 @@ public:
 
     void run() {
         follow_blocked_rays();
-        shortest_ = std::max(shortest_, kShortest * shadowed_extent());
+        const double extent = shadowed_extent();
+        shortest_ = std::max(shortest_, kShortest * extent);
+        short_ = kShort * extent;
         for (int round = 0; round < kRounds && split(wrong_edges()); ++round) {
         }
     }
@@ -118,6 +123,11 @@ private:
     }
 
     [[nodiscard]] bool occluded(std::uint32_t v) const { return hidden_[rows_[v]].x > 0; }
+
+    // Whether an edge errs by too much.
+    [[nodiscard]] bool wrong(double error, double length) const {
+        return length > shortest_ && error * std::min(length, short_) > options_.tolerance * short_;
+    }
 
     // The square root of the area where shadows are.
     [[nodiscard]] double shadowed_extent() const {
@@ -183,20 +193,20 @@ private:
                 const std::uint32_t b = t[(k + 1) % 3];
                 if (!occluded(a) && !occluded(b)) continue;
                 const double change = size(hidden_[rows_[a]] - hidden_[rows_[b]]);
-                if (change > 2 * options_.tolerance && length(a, b) > shortest_) pairs.emplace_back(a, b);
+                if (wrong(change / 2, length(a, b))) pairs.emplace_back(a, b);
             }
         }
         trace(pairs);
-        std::vector<Wrong> wrong;
+        std::vector<Wrong> found;
         for (const glm::uvec2& pair : pairs) {
             const auto [a, b] = std::pair(pair.x, pair.y);
             const glm::vec4 mean = 0.5F * (hidden_[rows_[a]] + hidden_[rows_[b]]);
             const double error = size(hidden_[row_of_middle(a, b)] - mean);
-            if (error > options_.tolerance) {
-                wrong.push_back({.weight = error * length(a, b) * length(a, b), .edge = mesh_.edge(a, b)});
+            if (wrong(error, length(a, b))) {
+                found.push_back({.weight = error * length(a, b) * length(a, b), .edge = mesh_.edge(a, b)});
             }
         }
-        return wrong;
+        return found;
     }
 
     // Splits as many of these edges as the bound on vertices allows, heaviest first. Returns whether any.
@@ -309,6 +319,7 @@ private:
     std::unordered_map<std::uint64_t, std::size_t> middles_;  // row of a pair's middle
     std::uint64_t rays_ = 0;
     double shortest_ = 0;
+    double short_ = 0;
 };
 
 }  // namespace
