@@ -604,7 +604,10 @@ typedef uint32_t nicol_high_orders_at;
 
 /* Where light becomes the Stokes vector of an image. */
 typedef uint32_t nicol_shade_at;
-#define NICOL_SHADE_AT_AUTOMATIC 0 /* vertices */
+/* Pixels, where Stokes vectors between vertices are predicted to err by more than the tolerance: where
+ * normals or view directions change much across triangles, for the lobes of the materials. Compute shaders:
+ * vertices. */
+#define NICOL_SHADE_AT_AUTOMATIC 0
 /* Stokes vectors are interpolated across triangles: fast, and right where triangles cover few pixels. */
 #define NICOL_SHADE_AT_VERTICES 1
 /* The light that arrives is interpolated, in the world's axes; normal, view angle, response and high orders

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] Version version() const noexcept { return version_; }
     /// Whether shade() and specular() leave out vertices that are not chosen.
     [[nodiscard]] virtual bool can_choose() const noexcept = 0;
+    /// Whether there is shade_pixels().
+    [[nodiscard]] virtual bool has_pixels() const noexcept = 0;
 
     /// relight: the light of at least the vertices with current[v] == 0, in their own frames, times their
     /// visibility; for pixels in the geometry's axes. Returns the number of those vertices.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/matrix.hpp>
 
+#include "render/interpolation_error.hpp"
 #include "render/rigid_motion.hpp"
 
 namespace nicol {
@@ -17,7 +18,6 @@ void Pipeline::set_cache(const std::filesystem::path& folder, const CacheNotice&
 void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderOptions& given,
                    RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits) {
     TransferMethod& method = method_for(given.method);
-    const bool pixels = given.shade_at == ShadeAt::pixels;
 
     // bake, first half: the orders below may depend on it.
     surfaces_.update(scene);
@@ -31,13 +31,17 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(scene, options, light_to_geometry, run.statistics);
+    pixels_ =
+        options.shade_at == ShadeAt::pixels ||
+        (options.shade_at == ShadeAt::automatic && executor.has_pixels() &&
+         interpolation_error(surfaces.geometry, projection.view, light_.last_order()) > options.tolerance);
     const TransferInput input{
         surfaces,
         light_.layout(),
         *light_.rotated(),
         light_.rotated().version(),
         scene.channels(),
-        pixels,
+        pixels_,
         (options.disabled_optimisations & skip_response_rows) != 0 ? std::size_t{4} : std::size_t{1},
         static_cast<std::size_t>(options.components)};
     const DistantLight distant{.coefficients = *light_.distant(),
@@ -46,7 +50,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
                                .high = light_.last_order(),
                                .polarized = input.layout.kind() != LightKind::unpolarized};
     const bool high_orders = distant.high > distant.low;
-    at_pixels_ = high_orders && !pixels && options.high_orders_at == HighOrdersAt::pixels;
+    at_pixels_ = high_orders && !pixels_ && options.high_orders_at == HighOrdersAt::pixels;
     method.project(input, run);
     if (high_orders) high_orders_.project(input, distant, options.high_orders, run);
 
@@ -65,7 +69,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     method.relight(input, executor, run);
 
     const ShadeInput shaded{input, projection.view, {}, light_to_geometry};
-    if (pixels) {
+    if (pixels_) {
         shade_pixels(shaded, projection, options, high_orders, executor, run, draw_hits);
     } else {
         shade(shaded, projection, options, distant, executor, run);

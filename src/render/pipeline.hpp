@@ -32,7 +32,7 @@ public:
     /// Which triangles of surfaces() are at the pixels of an image.
     using DrawHits = std::function<const HitImage&()>;
 
-    /// Shades every vertex that can be seen, or with ShadeAt::pixels every pixel that shows a surface;
+    /// Shades every vertex that can be seen, or every pixel that shows a surface;
     /// `executor` keeps the results. High orders are at vertices where `options` leaves that open. Adds times
     /// and counts to the statistics. `projection`: of the world. After an exception the next call computes
     /// what was not completed.
@@ -41,6 +41,8 @@ public:
 
     /// What is drawn, in axes of its own.
     [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return visibility_.surfaces(); }
+    /// Whether the last run() shaded pixels.
+    [[nodiscard]] bool shaded_pixels() const noexcept { return pixels_; }
     /// The high orders that pixels add after the last run(); null: none.
     [[nodiscard]] const HighOrderTransfer* pixel_high_orders() const noexcept {
         return at_pixels_ ? &high_orders_ : nullptr;
@@ -66,6 +68,7 @@ private:
     FactoredMethod factored_;
     DenseMethod dense_;
     HighOrderTransfer high_orders_;
+    bool pixels_ = false;
     bool at_pixels_ = false;
 
     // Executor, method, view, light of low and high orders, form of the high orders, at pixels, with shadows,

@@ -35,7 +35,7 @@ enum class HighOrdersAt {
 
 /// Where light becomes a Stokes vector.
 enum class ShadeAt {
-    automatic,  ///< vertices
+    automatic,  ///< pixels where the executor has them and interpolation is predicted to miss the tolerance
     vertices,   ///< Stokes vectors are interpolated: the fastest, right where triangles cover few pixels
     pixels,     ///< incident light is interpolated; normal, view and material are those of the pixel
 };
@@ -76,8 +76,8 @@ struct RenderOptions {
     int order_high = 9;  ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
     HighOrdersAt high_orders_at = HighOrdersAt::automatic;
-    ShadeAt shade_at = ShadeAt::automatic;  ///< pixels: high orders too, whatever high_orders_at says
-    bool high_order_shadows = true;         ///< with shadows: times the visible fraction of the lobe
+    ShadeAt shade_at = ShadeAt::vertices;  ///< pixels: high orders too, whatever high_orders_at says
+    bool high_order_shadows = true;        ///< with shadows: times the visible fraction of the lobe
     /// order_low and order_high are chosen for the tolerance instead, where it is above 0 and the error is
     /// predicted: with Method::factored and HighOrders::split or none.
     bool choose_orders = false;

@@ -166,7 +166,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
         buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
         const HighOrderTransfer* const high_orders = pipeline_.pixel_high_orders();
         std::optional<Painter::ShadedPixels> pixels;
-        if (options.shade_at == ShadeAt::pixels) {
+        if (pipeline_.shaded_pixels()) {
             pixels_.resize(target.width(), target.height(), target.channels());
             executor.store(pixels_);
             pixels.emplace(Painter::ShadedPixels{hits_, pixels_});
