@@ -20,6 +20,7 @@ std::vector<nicol_render_options> many_options() {
                 for_all({NICOL_HIGH_ORDERS_SPLIT, NICOL_HIGH_ORDERS_NONE}, {1U, 0U},
                         [&](nicol_high_orders high, std::uint32_t shadows) {
                             nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+                            options.refine_tolerance = 0;  // what it adds is bounded by the limit
                             options.method = method;
                             options.executor = NICOL_EXECUTOR_CPU;
                             options.order_low = order;

@@ -277,6 +277,8 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"high_orders", [](auto& o) { o.high_orders = 3; }},
          {"high_orders_at", [](auto& o) { o.high_orders_at = 3; }},
          {"shade_at", [](auto& o) { o.shade_at = 3; }},
+         {"refine_tolerance", [](auto& o) { o.refine_tolerance = -1e-9; }},
+         {"refine_tolerance", [](auto& o) { o.refine_tolerance = not_a_number; }},
          {"reserved_end", [](auto& o) { o.reserved_end = 1; }},
          {"shadows", [](auto& o) { o.shadows = 2; }},
          {"high_order_shadows", [](auto& o) { o.high_order_shadows = 2; }},

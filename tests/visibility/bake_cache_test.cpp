@@ -43,6 +43,23 @@ test::CacheUse<Visibility> bake_with(const Mesh& mesh, const DirectionSet& direc
     return {std::move(visibility), !statistics.from_cache, notices};
 }
 
+bool same(const Refinement& a, const Refinement& b) {
+    return a.parents == b.parents && a.triangles == b.triangles && a.sources == b.sources &&
+           same(a.visibility, b.visibility);
+}
+
+test::CacheUse<Refinement> refine_with(const Mesh& mesh, const DirectionSet& directions, double tolerance,
+                                       const std::filesystem::path& folder) {
+    const BakeGeometry geometry{mesh.positions, mesh.normals, mesh.triangles};
+    std::vector<std::string> notices;
+    BakeStatistics statistics;
+    Refinement refinement = load_or_refine(
+        geometry, directions, bake(geometry, directions), {.tolerance = tolerance, .max_vertices = 500},
+        folder, [&](const std::string& notice) { notices.push_back(notice); }, {}, statistics);
+    CHECK(refinement.parents.size() > 20);
+    return {std::move(refinement), statistics.rays > 0, notices};
+}
+
 const DirectionSet& few() {
     static const DirectionSet set(300);
     return set;
@@ -52,7 +69,17 @@ const DirectionSet& few() {
 
 TEST_CASE("what was baked comes back from the cache as it was, and files that cannot be used are notices") {
     test::check_cache([](const std::filesystem::path& folder) { return bake_with(scene(), few(), folder); },
-                      same);
+                      [](const Visibility& a, const Visibility& b) { return same(a, b); });
+}
+
+TEST_CASE("so does what was refined, of each tolerance in a file of its own") {
+    test::check_cache(
+        [](const std::filesystem::path& folder) { return refine_with(scene(), few(), 0.02, folder); },
+        [](const Refinement& a, const Refinement& b) { return same(a, b); });
+    const TemporaryFolder scratch;
+    CHECK(refine_with(scene(), few(), 0.02, scratch.path()).computed);
+    CHECK(refine_with(scene(), few(), 0.03, scratch.path()).computed);
+    CHECK(!refine_with(scene(), few(), 0.02, scratch.path()).computed);
 }
 
 TEST_CASE("another geometry or other directions have a file of their own") {
