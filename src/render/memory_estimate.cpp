@@ -65,8 +65,7 @@ std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
         const auto matrices = static_cast<std::uint64_t>(instance.material->channels());
         const std::uint64_t vertices =
             instance.mesh->positions.size() * (instance.material->twosided() ? 2 : 1);
-        bytes += vertices * (rows * matrices * columns * sizeof(float) + 1) +
-                 blocks(vertices) * kBlock * rows * channels * sizeof(float);
+        bytes += vertices * (rows * (matrices * columns + channels) * sizeof(float) + 1);
     }
     return bytes;
 }
