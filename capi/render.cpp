@@ -24,6 +24,7 @@ Camera camera_from(const nicol_camera& given) {
     camera.fov = given.fov;
     camera.near_clip = given.near_clip;
     camera.far_clip = given.far_clip;
+    camera.jitter = {given.jitter[0], given.jitter[1]};
     return camera;
 }
 
@@ -133,6 +134,7 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.physical = switch_from(given.physical, "physical");
     options.tolerance = given.tolerance;
     options.components = components_from(given.components);
+    options.pixel_samples = given.pixel_samples == 0 ? 1 : int_from(given.pixel_samples, "pixel_samples");
     options.aovs = aovs_from(given.aovs);
     options.disabled_optimisations = given.disabled_optimisations;
     options.samples = int_from(given.samples, "samples");
@@ -150,7 +152,6 @@ struct RenderCall {
 RenderCall read_render_call(const nicol_camera* camera, const nicol_render_options* options) {
     const auto given = read_options(options, nicol_render_options NICOL_RENDER_OPTIONS_INIT);
     if (given.reserved != 0) refuse("options->reserved must be 0");
-    if (given.reserved_end != 0) refuse("options->reserved_end must be 0");
     return {camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera")), options_from(given)};
 }
 

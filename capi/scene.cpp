@@ -216,6 +216,8 @@ nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera) {
         out.fov = from.fov;
         out.near_clip = from.near_clip;
         out.far_clip = from.far_clip;
+        out.jitter[0] = from.jitter.x;
+        out.jitter[1] = from.jitter.y;
         write_struct(camera, out, "camera");
     });
 }

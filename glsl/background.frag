@@ -14,14 +14,31 @@ layout(binding = 0) uniform sampler2D environment;
 
 uniform mat3 camera;        // columns: right, up, forward in the world
 uniform vec2 half_size;     // of the image at unit distance
+uniform vec2 shift;         // of the image on that plane, in these
 uniform bool orthographic;  // all pixels share the direction `forward`
 uniform mat3 to_light;      // world directions to the environment's axes, y up
 uniform float scale;
 
+// SHADED: surfaces that were shaded elsewhere, times the fraction of the pixel that they cover, which is the first
+// component of `coverage`.
+#ifdef SHADED
+layout(binding = 4) uniform sampler2D shaded[CHANNELS];
+layout(binding = 8) uniform sampler2D coverage;
+#endif
+
 const float PI = 3.14159265358979;
 
 void main() {
-    vec2 at = orthographic ? vec2(0.0) : vec2(2.0 * uv.x - 1.0, 1.0 - 2.0 * uv.y) * half_size;
+#ifdef SHADED
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    float uncovered = 1.0 - texelFetch(coverage, texel, 0).x;
+    for (int i = 0; i < CHANNELS; ++i) pixel[i] = texelFetch(shaded[i], texel, 0);
+    if (uncovered == 0.0) return;
+#define SHOW(i, stokes) pixel[i] += uncovered * (stokes)
+#else
+#define SHOW(i, stokes) pixel[i] = stokes
+#endif
+    vec2 at = orthographic ? vec2(0.0) : (vec2(2.0 * uv.x - 1.0, 1.0 - 2.0 * uv.y) + shift) * half_size;
     vec3 ray = normalize(camera * vec3(at, 1.0));
     vec3 d = to_light * ray;
 
@@ -45,10 +62,10 @@ void main() {
     float sin2 = 2.0 * c * s;
     for (int i = 0; i < CHANNELS; ++i) {
         vec4 stokes = scale * textureLod(environment[i], texcoord, 0.0);
-        pixel[i] = vec4(stokes.x, cos2 * stokes.y + sin2 * stokes.z, cos2 * stokes.z - sin2 * stokes.y, stokes.w);
+        SHOW(i, vec4(stokes.x, cos2 * stokes.y + sin2 * stokes.z, cos2 * stokes.z - sin2 * stokes.y, stokes.w));
     }
 #else
     vec4 radiance = scale * textureLod(environment, texcoord, 0.0);
-    for (int i = 0; i < CHANNELS; ++i) pixel[i] = vec4(radiance[i], 0.0, 0.0, 0.0);
+    for (int i = 0; i < CHANNELS; ++i) SHOW(i, vec4(radiance[i], 0.0, 0.0, 0.0));
 #endif
 }

@@ -493,10 +493,13 @@ typedef struct nicol_camera {
     double fov; /* perspective: the horizontal field of view in degrees; above 0, default 45, below 180 */
     double near_clip; /* distance along +z, in the scene's units; above 0, default 0.01 */
     double far_clip;  /* above near_clip, default 10000 */
+    double jitter[2]; /* pixels to the right and down, -0.5 to 0.5 each, default 0: what is that far from a
+                         pixel's centre is at its centre. Images of different jitter, averaged, are
+                         anti-aliased */
 } nicol_camera;
 /* clang-format off */
 #define NICOL_CAMERA_INIT \
-    { sizeof(nicol_camera), 0, NICOL_IDENTITY_4X4, 45, 0.01, 10000 }
+    { sizeof(nicol_camera), 0, NICOL_IDENTITY_4X4, 45, 0.01, 10000, { 0, 0 } }
 /* clang-format on */
 
 /* A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view. */
@@ -632,7 +635,8 @@ typedef uint32_t nicol_executor;
 #define NICOL_OPTIMISATION_ALL 127u
 
 /* AOVs that a render makes beside the image, by any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION and
- * _INSTANCE. They are of the first surface on the ray through a pixel's centre. NICOL_AOV_ALL: these four. */
+ * _INSTANCE. They are of the first surface on the ray through a pixel's centre or, with pixel_samples, of the
+ * nearest of those that the samples show. NICOL_AOV_ALL: these four. */
 #define NICOL_AOV_DEPTH 1u
 #define NICOL_AOV_NORMAL 2u
 #define NICOL_AOV_POSITION 4u
@@ -691,7 +695,11 @@ typedef struct nicol_render_options {
                                     1, the default, or 0: unshadowed highlights */
     uint32_t aovs;               /* sum of NICOL_AOV_... to make. 0: none */
     nicol_shade_at shade_at;     /* default automatic. With pixels high_orders_at has no effect */
-    uint32_t reserved_end;       /* 0 */
+    uint32_t pixel_samples;      /* real-time methods: samples of a pixel, 1, 4 or 8; 0, the default, is 1. A
+                                    pixel is the mean of surfaces and environment by the number of samples
+                                    that show them; AOVs are of the nearest sample. With shade_at vertices the
+                                    scene is drawn once a sample; pixels shade each surface once a pixel, at
+                                    the mean of its samples */
     double refine_tolerance; /* the bake splits triangles where shadows change faster than the mesh is fine,
                                 until what interpolation errs by in the hidden part of an even light is at
                                 most this part of all of it; 0: none is split. 0 to 1, default 0.02 */

@@ -6,6 +6,7 @@
 
 #include "dense_memory.hpp"
 #include "frame_times.hpp"
+#include "silhouette.hpp"
 
 namespace {
 
@@ -38,6 +39,34 @@ void compare(Report& report, const FrameTimes& dense, const FrameTimes& factored
         times("dense / factored, " + what + ", bytes of vertices", dense.transfer_mb / factored.transfer_mb));
 }
 
+// Of a recipe of several samples with the same of one.
+void compare_samples(Report& report, const std::vector<Recipe>& list,
+                     const std::vector<FrameTimes>& medians) {
+    for (std::size_t i = 1; i < list.size(); ++i) {
+        if (list[i].samples == 1) continue;
+        Recipe one = list[i];
+        one.samples = 1;
+        for (std::size_t k = 0; k < list.size(); ++k)
+            if (list[k].name() == one.name())
+                report.note(times(list[i].name() + " / 1, frame, camera only",
+                                  medians[i + 1].camera / medians[k + 1].camera));
+    }
+}
+
+void compare_silhouettes(Report& report, const SceneSource& source, int low) {
+    constexpr std::uint32_t size = 512;
+    for (const nicol_shade_at where : {NICOL_SHADE_AT_VERTICES, NICOL_SHADE_AT_PIXELS}) {
+        const Recipe one{.low = low, .shade_at = where};
+        Recipe four = one;
+        four.samples = 4;
+        Recipe eight = one;
+        eight.samples = 8;
+        const std::vector<double> errors = silhouette_errors(source, std::vector{one, four, eight}, size);
+        report.note(times("error at outlines, " + four.name() + " / 1", errors[1] / errors[0]));
+        report.note(times("error at outlines, " + eight.name() + " / 1", errors[2] / errors[0]));
+    }
+}
+
 bool at_pixels(const Recipe& recipe) {
     return recipe.at == NICOL_HIGH_ORDERS_AT_PIXELS || recipe.shade_at == NICOL_SHADE_AT_PIXELS;
 }
@@ -47,7 +76,8 @@ void compare_pixels(Report& report, const std::vector<Recipe>& list, const std::
     for (std::size_t p = 0; p < list.size(); ++p) {
         if (!at_pixels(list[p])) continue;
         for (std::size_t v = 0; v < list.size(); ++v) {
-            if (at_pixels(list[v]) || list[v].method != list[p].method || list[v].high != list[p].high ||
+            if (at_pixels(list[v]) || list[v].samples != list[p].samples ||
+                list[v].method != list[p].method || list[v].high != list[p].high ||
                 list[v].low != list[p].low)
                 continue;
             report.note(times(list[p].name() + " / at vertices, frame, camera only",
@@ -71,6 +101,8 @@ std::vector<Recipe> recipes(const Options& options, const DenseMemory& memory) {
     list.push_back({.low = top});
     for (const High high : {High::none, High::split})
         list.push_back({.low = low, .high = high, .top = top, .shade_at = NICOL_SHADE_AT_PIXELS});
+    for (const nicol_shade_at where : {NICOL_SHADE_AT_VERTICES, NICOL_SHADE_AT_PIXELS})
+        list.push_back({.low = low, .shade_at = where, .samples = 4});
     return list;
 }
 
@@ -100,6 +132,8 @@ Report bench_frame(const Options& options) {
             compare(report, medians[i + 1], medians[i], list[i - 1].name().substr(9));
     }
     compare_pixels(report, list, medians);
+    compare_samples(report, list, medians);
+    compare_silhouettes(report, source, low.low);
     const FrameTimes& full = medians[list.size() + 1];
     const FrameTimes& plain = medians[list.size() + 2];
     add_rows(report, low.name() + ", polarized sky on plastic", full, floor);

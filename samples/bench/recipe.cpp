@@ -10,12 +10,14 @@ std::string Recipe::name() const {
         if (at == NICOL_HIGH_ORDERS_AT_PIXELS) text += ", high orders at pixels";
     }
     if (shade_at == NICOL_SHADE_AT_PIXELS) text += ", at pixels";
+    if (samples > 1) text += ", " + std::to_string(samples) + " samples";
     return shadows ? text : text + ", no shadows";
 }
 
 nicol_render_options Recipe::options() const {
     nicol_render_options wanted = NICOL_RENDER_OPTIONS_INIT;
     wanted.shade_at = shade_at;
+    wanted.pixel_samples = samples;
     wanted.shadows = shadows ? 1 : 0;
     if (defaults) return wanted;
     wanted.method = method;

@@ -95,6 +95,11 @@ void Stage::orbit(double degrees) {
     rotate_about_vertical(degrees, camera_.to_world);
 }
 
+void Stage::jitter(double right, double down) {
+    camera_.jitter[0] = right;
+    camera_.jitter[1] = down;
+}
+
 void Stage::rotate_light(double degrees) {
     rotate_about_vertical(degrees, light_to_world_);
     check(nicol_scene_set_environment(scene_.get(), light_.get(), light_to_world_, light_scale_));

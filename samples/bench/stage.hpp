@@ -45,6 +45,8 @@ public:
     [[nodiscard]] Framebuffer framebuffer(std::uint32_t width, std::uint32_t height) const;
     /// Rotates the camera about the world's vertical axis by `degrees` more.
     void orbit(double degrees);
+    /// Of the camera, in pixels.
+    void jitter(double right, double down);
     /// False in darkness.
     [[nodiscard]] bool has_light() const { return light_ != nullptr; }
     /// Rotates the light about the world's vertical axis by `degrees` more.

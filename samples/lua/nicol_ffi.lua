@@ -150,6 +150,7 @@ typedef struct nicol_camera {
     double fov;
     double near_clip;
     double far_clip;
+    double jitter[2];
 } nicol_camera;
 typedef struct nicol_instance {
     uint32_t struct_size;
@@ -194,7 +195,7 @@ typedef struct nicol_render_options {
     uint32_t high_order_shadows;
     uint32_t aovs;
     nicol_shade_at shade_at;
-    uint32_t reserved_end;
+    uint32_t pixel_samples;
     double refine_tolerance;
     uint64_t max_vertices;
 } nicol_render_options;

@@ -343,6 +343,7 @@ export const types = [
       ["fov", "double", 0, 45],
       ["near_clip", "double", 0, 0.01],
       ["far_clip", "double", 0, 10000],
+      ["jitter", "double", 2],
     ],
   },
   {
@@ -402,7 +403,7 @@ export const types = [
       ["high_order_shadows", "uint32_t", 0, 1],
       ["aovs", "uint32_t", 0],
       ["shade_at", "nicol_shade_at", 0],
-      ["reserved_end", "uint32_t", 0],
+      ["pixel_samples", "uint32_t", 0],
       ["refine_tolerance", "double", 0, 0.02],
       ["max_vertices", "uint64_t", 0],
     ],

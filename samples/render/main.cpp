@@ -64,6 +64,7 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.high_orders = options.high_orders;
     wanted.high_orders_at = options.high_orders_at;
     wanted.shade_at = options.shade_at;
+    wanted.pixel_samples = options.pixel_samples;
     wanted.tolerance = options.tolerance.value_or(wanted.tolerance);
     wanted.components = options.components;
     wanted.aovs = options.aovs;

@@ -31,9 +31,10 @@ const char* const usage =
     "                           where OpenGL does not run on the CPU; default automatic\n"
     "      --shade-at NAME      where light becomes a Stokes vector: vertices, pixels (for coarse meshes)\n"
     "                           or automatic, by the predicted error; default automatic\n"
-    "      --tolerance E        where no order is given: those left out may change s0, s1 and s2 by E, as "
-    "the\n"
-    "                           predicted relative RMSE, for which orders are chosen; default 0.03\n"
+    "      --pixel-samples N    samples of a pixel by the methods in real time, 1, 4 or 8, against jagged\n"
+    "                           outlines; default 1\n"
+    "      --tolerance E        where no order is given, orders are chosen for which the predicted relative\n"
+    "                           RMSE of s0, s1 and s2 is at most E; default 0.03\n"
     "      --components NAME    what the image holds: s0, linear (s0, s1, s2) or all; default all\n"
     "      --no-shadows         computes no shadows\n"
     "      --bake-directions N  directions that shadows are traced in from each vertex, 256 to 65536;\n"
@@ -232,6 +233,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.high_orders_at = parse_high_orders_at(value());
         else if (name == "--shade-at")
             options.shade_at = parse_shade_at(value());
+        else if (name == "--pixel-samples")
+            options.pixel_samples = parse_count(name, value(), 1, 8);
         else if (name == "--tolerance")
             options.tolerance = parse_strength(name, value());
         else if (name == "--components")

@@ -74,6 +74,10 @@ void draw_fullscreen(RenderTarget& target, const Program& program, const DrawSta
     target.context()->state().check("drawing with " + program.label());
 }
 
+void texture_barrier(Context& context) {
+    functions(context, "texture_barrier").TextureBarrier();
+}
+
 void dispatch(const Program& program, unsigned x, unsigned y, unsigned z) {
     const GladGLContext& gl = functions(*program.context(), "dispatch");
     if (!program.is_compute()) refuse("dispatch: " + program.label() + " is not a compute program");

@@ -35,6 +35,9 @@ void draw(RenderTarget& target, const Program& program, const VertexArray& verti
 /// vertices by gl_VertexID, no attributes.
 void draw_fullscreen(RenderTarget& target, const Program& program,
                      const DrawState& state = {DepthTest::off, false, Cull::none});
+/// What was drawn before can be read by a later fragment shader, even by one that draws into the same target:
+/// each invocation its own texel.
+void texture_barrier(Context& context);
 /// Runs x * y * z work groups; what they wrote is visible to everything after.
 void dispatch(const Program& program, unsigned x, unsigned y = 1, unsigned z = 1);
 

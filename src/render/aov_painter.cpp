@@ -82,19 +82,23 @@ void AovPainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
     }
 }
 
-void AovPainter::draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target) {
+void AovPainter::draw(const Projection& projection, const glm::dmat4& to_world,
+                      std::span<const glm::dvec2> samples, Framebuffer& target) {
     if (mask_ != 0) {
         const AovLayout layout(mask_);
         gl::Program& program = programs_.at(mask_);
-        program.set("to_clip", glm::mat4(projection.world_to_clip * to_world));
         if (program.uses("to_world")) program.set("to_world", glm::mat4(to_world));
         set_view_uniforms(program, projection.view);
         for (int i = 0; i < layout.attachments(); ++i) attachments_->clear_colour(i, layout.background(i));
         attachments_->clear_depth();
-        for (const Batch& batch : batches_) {
-            if (layout.instances >= 0) program.set("instance", batch.instance);
-            gl::draw(*attachments_, program, *vertices_, batch.first, batch.last - batch.first,
-                     {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
+        // The depth test goes on from sample to sample and keeps the nearest.
+        for (const glm::dvec2& sample : samples) {
+            program.set("to_clip", glm::mat4(jittered(projection, sample).world_to_clip * to_world));
+            for (const Batch& batch : batches_) {
+                if (layout.instances >= 0) program.set("instance", batch.instance);
+                gl::draw(*attachments_, program, *vertices_, batch.first, batch.last - batch.first,
+                         {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
+            }
         }
     }
     target.drew_aovs(mask_, std::move(attachments_));

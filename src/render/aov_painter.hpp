@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "gl/draw.hpp"
@@ -25,9 +26,10 @@ public:
     /// Allocates all that draw() needs; the framebuffer keeps its content. `mask`: bits of AovBit.
     void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t mask,
                  Framebuffer& target);
-    /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the
-    /// geometry.
-    void draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target);
+    /// Draws what was prepared: of the nearest of a pixel's samples. `projection` is of the world, to which
+    /// the rigid motion `to_world` takes the geometry.
+    void draw(const Projection& projection, const glm::dmat4& to_world, std::span<const glm::dvec2> samples,
+              Framebuffer& target);
 
 private:
     // Consecutive triangles of one side of one instance.

@@ -19,12 +19,13 @@ std::size_t find_visible(const WorldGeometry& geometry, const Projection& projec
     std::vector<std::uint8_t> outside(vertices);
     visible.resize(vertices);
     const glm::mat4 clip(projection.world_to_clip);
+    const glm::vec2 side = 1.0F + glm::vec2(projection.pixel) / 2.0F;
     tbb::parallel_for(Range(0, vertices, grain), [&](const Range& range) {
         for (std::size_t v = range.begin(); v < range.end(); ++v) {
             const glm::vec4 p = clip * glm::vec4(geometry.positions[v], 1);
-            outside[v] =
-                static_cast<std::uint8_t>((p.x < -p.w ? 1 : 0) | (p.x > p.w ? 2 : 0) | (p.y < -p.w ? 4 : 0) |
-                                          (p.y > p.w ? 8 : 0) | (p.z < -p.w ? 16 : 0) | (p.z > p.w ? 32 : 0));
+            outside[v] = static_cast<std::uint8_t>(
+                (p.x < -side.x * p.w ? 1 : 0) | (p.x > side.x * p.w ? 2 : 0) | (p.y < -side.y * p.w ? 4 : 0) |
+                (p.y > side.y * p.w ? 8 : 0) | (p.z < -p.w ? 16 : 0) | (p.z > p.w ? 32 : 0));
             visible[v] = 0;
         }
     });

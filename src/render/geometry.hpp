@@ -35,9 +35,9 @@ struct WorldGeometry {
     }
 };
 
-/// 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one side of the view;
-/// the others cannot reach the image. Resizes `visible`; returns how many are 0. Runs on the calling
-/// thread's TBB arena.
+/// 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one side of the view by
+/// half a pixel, as far as samples are from centres; the others cannot reach the image. Resizes `visible`;
+/// returns how many are 0. Runs on the calling thread's TBB arena.
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
                          std::vector<std::uint8_t>& visible);
 

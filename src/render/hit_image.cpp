@@ -6,8 +6,8 @@
 
 namespace nicol {
 
-void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const glm::dmat4& to_clip,
-                    int width, int height) {
+void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const Projection& projection,
+                    int width, int height, std::span<const glm::dvec2> offsets) {
     if (!program_) program_ = gl::Program::graphics(context_, "hits.vert", "hits.frag", {});
     if (!target_ || target_->width() != width || target_->height() != height) {
         target_.reset();
@@ -19,6 +19,21 @@ void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const
         const gl::Attribute positions[] = {{.location = 0, .components = 3, .buffer = buffers.positions()}};
         vertices_.emplace(context_, positions, buffers.indices());
     });
+    offsets_ = offsets;
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    for (std::size_t s = 0; s < kMostPixelSamples; ++s) {
+        std::vector<glm::vec4>& texels = texels_[s];
+        if (s >= offsets.size()) {
+            texels = {};
+            continue;
+        }
+        texels.resize(pixels);
+        draw_sample(geometry, jittered(projection, offsets[s]).world_to_clip);
+        target_->read(0, std::span(&texels.front().x, 4 * pixels));
+    }
+}
+
+void HitImage::draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_clip) {
     target_->clear();
     if (!vertices_) return;
     program_->set("to_clip", glm::mat4(to_clip));
@@ -32,12 +47,8 @@ void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const
     draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
 }
 
-void HitImage::read(std::vector<glm::vec4>& texels) const {
-    texels.resize(static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()));
-    context_->run([&] { target_->read(0, std::span(&texels.front().x, 4 * texels.size())); });
-}
-
-std::optional<Hit> HitImage::of(const glm::vec4& texel) {
+std::optional<Hit> HitImage::at(std::size_t sample, std::size_t pixel) const {
+    const glm::vec4& texel = texels_[sample][pixel];
     if (texel.y == 0) return std::nullopt;
     const auto low = static_cast<std::uint32_t>(texel.x);
     const auto high = static_cast<std::uint32_t>(texel.y) - 1;

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
-// draw, where pixels are shaded: which triangle is at each pixel's centre.
+// draw, where pixels are shaded: which triangle is at each sample of a pixel.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "gl/draw.hpp"
 #include "gl/program.hpp"
 #include "gl/render_target.hpp"
+#include "render/sample_pattern.hpp"
 #include "render/vertex_buffers.hpp"
+#include "scene/projection.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -26,26 +31,29 @@ class HitImage {
 public:
     explicit HitImage(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// `buffers` are of `geometry`. Inside run() of the context.
-    void draw(const WorldGeometry& geometry, VertexBuffers& buffers, const glm::dmat4& to_clip, int width,
-              int height);
+    /// `buffers` are of `geometry`, and the projection of its axes. `offsets`: of the samples, as
+    /// sample_pattern() has them. Inside run() of the context.
+    void draw(const WorldGeometry& geometry, VertexBuffers& buffers, const Projection& projection, int width,
+              int height, std::span<const glm::dvec2> offsets);
 
-    /// Of the last draw(): for shaders, texels that read() copies and of() decodes.
-    [[nodiscard]] const gl::Texture2D& texture() const { return target_->colour(0); }
-    /// Row by row. Throws what run() of the context does.
-    void read(std::vector<glm::vec4>& texels) const;
-    /// Nothing where no surface is.
-    [[nodiscard]] static std::optional<Hit> of(const glm::vec4& texel);
+    /// Of the last draw().
+    [[nodiscard]] std::span<const glm::dvec2> offsets() const { return offsets_; }
+    /// Nothing where no surface is. `pixel`: row by row.
+    [[nodiscard]] std::optional<Hit> at(std::size_t sample, std::size_t pixel) const;
 
     [[nodiscard]] int width() const { return target_->width(); }
     [[nodiscard]] int height() const { return target_->height(); }
 
 private:
+    void draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_clip);
+
     std::shared_ptr<gl::Context> context_;
     std::optional<gl::Program> program_;
     std::optional<gl::RenderTarget> target_;
     std::optional<gl::VertexArray> vertices_;
     Stage<Version> binding_;
+    std::span<const glm::dvec2> offsets_;
+    std::array<std::vector<glm::vec4>, kMostPixelSamples> texels_;  // by sample
 };
 
 }  // namespace nicol

@@ -69,7 +69,7 @@ std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& ge
 Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)), aovs_(context_) {}
 
 void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-                   const HighOrdersOfPixels& high_orders, const ShadedPixels* pixels, const Wanted& wanted,
+                   const HighOrdersOfPixels& high_orders, PixelImage* pixels, const Wanted& wanted,
                    const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();
     const bool by_material = high_orders.textures != nullptr;
@@ -80,31 +80,73 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
                    [&] { upload_environment(scene.environment().get(), channels); });
     aovs_.prepare(surfaces.geometry(), buffers, wanted.aovs, target);
 
-    if (pixels != nullptr) {
-        draw_pixels(*pixels, wanted.components, scene.environment() != nullptr, target);
-    } else {
-        const Projection of_surfaces = in_axes(projection, surfaces.to_world());
-        const glm::mat3 to_light(glm::transpose(scene.light_rotation()) * glm::dmat3(surfaces.to_world()));
-        for (std::size_t g = 0; g < groups_.size(); ++g)
-            draw_surface(scene, high_orders, wanted.components, of_surfaces, to_light, g, target);
+    prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
+
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+        if (pixels != nullptr) {
+            draw_pixels(*pixels, scene, wanted.components, projection, g, target);
+        } else {
+            draw_samples(scene, surfaces, high_orders, wanted, projection, g, target);
+        }
     }
-    if (scene.environment()) draw_background(scene, wanted.components, projection, target);
-    aovs_.draw(projection, surfaces.to_world(), target);
+    aovs_.draw(projection, surfaces.to_world(), wanted.samples, target);
     gl::finish(*context_);
+}
+
+void Painter::prepare_sample(bool several, const Framebuffer& target) {
+    if (!several) {
+        sample_.reset();
+        return;
+    }
+    const int colours = std::min(Framebuffer::kGroup, target.channels());
+    if (sample_ && sample_->width() == target.width() && sample_->height() == target.height() &&
+        sample_->colours() == colours)
+        return;
+    sample_.reset();
+    sample_.emplace(context_, gl::RenderTargetDescription{
+                                  .width = target.width(), .height = target.height(), .colours = colours});
+}
+
+void Painter::draw_samples(const Scene& scene, const SceneGeometry& surfaces,
+                           const HighOrdersOfPixels& high_orders, const Wanted& wanted,
+                           const Projection& projection, std::size_t group, Framebuffer& target) {
+    const glm::mat3 to_light(glm::transpose(scene.light_rotation()) * glm::dmat3(surfaces.to_world()));
+    const int channels = group_size(target.channels(), group);
+    gl::RenderTarget& image = target.groups()[group];
+    gl::RenderTarget& drawn = sample_ ? *sample_ : image;
+    for (std::size_t s = 0; s < wanted.samples.size(); ++s) {
+        const Projection moved = jittered(projection, wanted.samples[s]);
+        draw_surface(scene, high_orders, wanted.components, in_axes(moved, surfaces.to_world()), to_light,
+                     group, channels, drawn);
+        // The environment is as smooth as its image is: a pixel has that of its centre.
+        if (scene.environment())
+            draw_background(scene, wanted.components, projection, false, group, channels, drawn);
+        if (sample_) add_sample(s, wanted, channels, image);
+    }
+}
+
+void Painter::add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image) {
+    gl::Program& mean = program("fullscreen.vert", "mean.frag", channels, {});
+    mean.set("weight", 1.0F / static_cast<float>(wanted.samples.size()));
+    mean.set("first", sample == 0 ? 1 : 0);
+    for (int c = 0; c < channels; ++c) {
+        sample_->colour(c).bind(static_cast<unsigned>(c));
+        image.colour(c).bind(static_cast<unsigned>(Framebuffer::kGroup + c));
+    }
+    gl::texture_barrier(*context_);
+    gl::draw_fullscreen(image, mean, {.depth_test = gl::DepthTest::off, .depth_write = false});
 }
 
 void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
                            const Projection& projection, const glm::mat3& to_light, std::size_t group,
-                           Framebuffer& target) {
-    gl::RenderTarget& image = target.groups()[group];
+                           int channels, gl::RenderTarget& image) {
     std::set<std::string> features;
     if (high_orders.textures != nullptr) {
         features.insert("HIGH_ORDERS");
         if (high_orders.textures->polarized()) features.insert("HIGH_ORDER_POLARIZED");
         if (high_orders.shadowed) features.insert("SHADOWED");
     }
-    gl::Program& surface =
-        program("surface.vert", "surface.frag", group_size(target.channels(), group), features);
+    gl::Program& surface = program("surface.vert", "surface.frag", channels, features);
     surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
     if (high_orders.textures != nullptr) {
         set_view_uniforms(surface, projection.view);
@@ -122,18 +164,27 @@ void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_or
     }
 }
 
-void Painter::draw_pixels(const ShadedPixels& pixels, int components, bool background, Framebuffer& target) {
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-        const int channels = group_size(target.channels(), g);
-        gl::RenderTarget& image = target.groups()[g];
-        clear(image, background, components);
-        gl::Program& shown = program("fullscreen.vert", "pixels.frag", channels, {});
-        pixels.hits.texture().bind(0);
-        for (int c = 0; c < channels; ++c)
-            pixels.stokes.channel(static_cast<int>(g) * Framebuffer::kGroup + c)
-                .bind(static_cast<unsigned>(1 + c));
-        gl::draw_fullscreen(image, shown, {.depth_test = gl::DepthTest::less, .components = components});
+void Painter::draw_pixels(PixelImage& pixels, const Scene& scene, int components,
+                          const Projection& projection, std::size_t group, Framebuffer& target) {
+    const int channels = group_size(target.channels(), group);
+    gl::RenderTarget& image = target.groups()[group];
+    if (components < 4) image.clear();
+    bind_pixels(pixels, group, channels);
+    if (scene.environment()) {
+        draw_background(scene, components, projection, true, group, channels, image);
+    } else {
+        gl::draw_fullscreen(
+            image, program("fullscreen.vert", "pixels.frag", channels, {}),
+            {.depth_test = gl::DepthTest::off, .depth_write = false, .components = components});
     }
+}
+
+void Painter::bind_pixels(PixelImage& pixels, std::size_t group, int channels) {
+    constexpr unsigned first = Framebuffer::kGroup;
+    for (int c = 0; c < channels; ++c)
+        pixels.channel(static_cast<int>(group) * Framebuffer::kGroup + c)
+            .bind(first + static_cast<unsigned>(c));
+    pixels.coverage().bind(first + Framebuffer::kGroup);
 }
 
 gl::Program& Painter::program(const char* vertex, const char* fragment, int channels,
@@ -202,25 +253,25 @@ void Painter::upload_environment(const Environment* environment, int channels) {
     }
 }
 
-void Painter::draw_background(const Scene& scene, int components, const Projection& projection,
-                              Framebuffer& target) {
-    const bool polarized = scene.environment()->polarized();
+void Painter::draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
+                              std::size_t group, int channels, gl::RenderTarget& image) {
     const Viewpoint& view = projection.view;
-    for (std::size_t g = 0; g < groups_.size(); ++g) {
-        gl::Program& sky = program("fullscreen.vert", "background.frag", group_size(target.channels(), g),
-                                   polarized ? std::set<std::string>{"POLARIZED"} : std::set<std::string>{});
-        sky.set("camera", glm::mat3(view.right, view.up, view.forward));
-        sky.set("half_size", glm::vec2(projection.half_width, projection.half_height));
-        sky.set("orthographic", view.orthographic ? 1 : 0);
-        sky.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
-        sky.set("scale", static_cast<float>(scene.light_scale()));
-        for (std::size_t i = 0; i < groups_[g].environment.size(); ++i) {
-            groups_[g].environment[i].bind(static_cast<unsigned>(i));
-        }
-        gl::draw_fullscreen(
-            target.groups()[g], sky,
-            {.depth_test = gl::DepthTest::less_equal, .depth_write = false, .components = components});
-    }
+    std::set<std::string> features;
+    if (scene.environment()->polarized()) features.insert("POLARIZED");
+    if (shaded) features.insert("SHADED");
+    gl::Program& sky = program("fullscreen.vert", "background.frag", channels, features);
+    sky.set("camera", glm::mat3(view.right, view.up, view.forward));
+    sky.set("half_size", glm::vec2(projection.half_width, projection.half_height));
+    sky.set("shift", glm::vec2(projection.shift));
+    sky.set("orthographic", view.orthographic ? 1 : 0);
+    sky.set("to_light", glm::mat3(glm::transpose(scene.light_rotation())));
+    sky.set("scale", static_cast<float>(scene.light_scale()));
+    const std::vector<gl::Texture2D>& environment = groups_[group].environment;
+    for (std::size_t i = 0; i < environment.size(); ++i) environment[i].bind(static_cast<unsigned>(i));
+    gl::draw_fullscreen(image, sky,
+                        {.depth_test = shaded ? gl::DepthTest::off : gl::DepthTest::less_equal,
+                         .depth_write = false,
+                         .components = components});
 }
 
 }  // namespace nicol

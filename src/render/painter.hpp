@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,9 @@
 #include "render/aov_painter.hpp"
 #include "render/framebuffer.hpp"
 #include "render/high_order_textures.hpp"
-#include "render/hit_image.hpp"
 #include "render/pixel_image.hpp"
 #include "render/refined_surfaces.hpp"
+#include "render/sample_pattern.hpp"
 #include "render/vertex_buffers.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
@@ -34,21 +35,18 @@ public:
         bool physical = false;                        ///< sums are moved into the physical range
     };
 
-    struct ShadedPixels {
-        const HitImage& hits;
-        PixelImage& stokes;
-    };
-
     struct Wanted {
         int components = 4;      ///< Stokes components that are drawn; the others are 0
         std::uint32_t aovs = 0;  ///< bits of AovBit
+        std::span<const glm::dvec2> samples = sample_pattern(1);  ///< of a pixel
     };
 
     /// `buffers` are of `surfaces`; `projection` is of the world. `pixels`, where not null, have been shaded
-    /// and are drawn instead of vertices. All memory is allocated before the
-    /// framebuffer is touched.
+    /// and are drawn instead of vertices. With several samples vertices are drawn as often, and averaged: of
+    /// few drivers can all multisample 32-bit floats, and where the processor does, it is no faster. All
+    /// memory is allocated before the framebuffer is touched.
     void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-              const HighOrdersOfPixels& high_orders, const ShadedPixels* pixels, const Wanted& wanted,
+              const HighOrdersOfPixels& high_orders, PixelImage* pixels, const Wanted& wanted,
               const Projection& projection, Framebuffer& target);
 
 private:
@@ -75,11 +73,20 @@ private:
     // `projection` and `to_light` are of the surfaces' axes.
     void draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
                       const Projection& projection, const glm::mat3& to_light, std::size_t group,
-                      Framebuffer& target);
-    void draw_pixels(const ShadedPixels& pixels, int components, bool background, Framebuffer& target);
+                      int channels, gl::RenderTarget& image);
+    void prepare_sample(bool several, const Framebuffer& target);
+    void draw_samples(const Scene& scene, const SceneGeometry& surfaces,
+                      const HighOrdersOfPixels& high_orders, const Wanted& wanted,
+                      const Projection& projection, std::size_t group, Framebuffer& target);
+    // Adds what was drawn to the mean of the samples, which `image` becomes.
+    void add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image);
+    void draw_pixels(PixelImage& pixels, const Scene& scene, int components, const Projection& projection,
+                     std::size_t group, Framebuffer& target);
     void upload_environment(const Environment* environment, int channels);
-    void draw_background(const Scene& scene, int components, const Projection& projection,
-                         Framebuffer& target);
+    // Behind what `image` has or, with `shaded`, around the pixels that are bound.
+    void draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
+                         std::size_t group, int channels, gl::RenderTarget& image);
+    static void bind_pixels(PixelImage& pixels, std::size_t group, int channels);
 
     std::shared_ptr<gl::Context> context_;
     std::map<std::tuple<std::string, int, std::set<std::string>>, gl::Program> programs_;
@@ -87,7 +94,8 @@ private:
     std::vector<Batch> batches_;
     // Buffers, materials where batches are by material, channels, whether batches are, fractions.
     Stage<Version, Version, int, bool, bool> binding_;
-    Stage<EnvironmentPtr, int> uploading_;  // environment, channels
+    Stage<EnvironmentPtr, int> uploading_;    // environment, channels
+    std::optional<gl::RenderTarget> sample_;  // one sample of every pixel, where there are several
     AovPainter aovs_;
 };
 

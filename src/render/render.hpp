@@ -93,6 +93,9 @@ struct RenderOptions {
     bool physical = false;
     /// Stokes components that the image has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;
+    /// Of the real-time methods: samples of a pixel, 1, 4 or 8. Surfaces and the environment behind them are
+    /// averaged by the number of samples that show them.
+    int pixel_samples = 1;
     /// AOVs to make beside the image, bits of AovBit (image/aovs.hpp).
     std::uint32_t aovs = 0;
     /// Optimisations to disable, to measure what they save.
@@ -111,7 +114,8 @@ struct RenderOptions {
             return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.refine_tolerance,
                             a.max_vertices, a.order_low, a.order_high, a.high_orders, a.high_orders_at,
                             a.shade_at, a.high_order_shadows, a.choose_orders, a.tolerance, a.dering,
-                            a.physical, a.components, a.aovs, a.samples, a.seed, a.disabled_optimisations);
+                            a.physical, a.components, a.pixel_samples, a.aovs, a.samples, a.seed,
+                            a.disabled_optimisations);
         };
         return values(*this) == values(o);
     }

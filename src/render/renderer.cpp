@@ -9,6 +9,8 @@
 #include "error.hpp"
 #include "image/observer.hpp"
 #include "render/reference_method.hpp"
+#include "render/rigid_motion.hpp"
+#include "render/sample_pattern.hpp"
 
 namespace nicol {
 namespace {
@@ -42,10 +44,26 @@ void check(const RenderOptions& options) {
     if (options.components != 1 && options.components != 3 && options.components != 4) {
         refuse("components is " + std::to_string(options.components) + "; it must be 1, 3 or 4");
     }
+    if (sample_pattern(options.pixel_samples).empty()) {
+        refuse("pixel_samples is " + std::to_string(options.pixel_samples) + "; it must be 1, 4 or 8");
+    }
     if ((options.disabled_optimisations & ~std::uint32_t{skip_all}) != 0) {
         refuse("disabled_optimisations is " + std::to_string(options.disabled_optimisations) +
                "; it must be a sum of skips");
     }
+}
+
+// Which triangle each sample shows is kept while pixels are shaded.
+void check_size(const RenderOptions& options, const Framebuffer& target) {
+    constexpr std::uint64_t most = std::uint64_t{1} << 27;
+    if (options.method == Method::reference || options.shade_at == ShadeAt::vertices) return;
+    const std::uint64_t samples = static_cast<std::uint64_t>(options.pixel_samples) *
+                                  static_cast<std::uint64_t>(target.width()) *
+                                  static_cast<std::uint64_t>(target.height());
+    if (samples <= most) return;
+    refuse("pixel_samples is " + std::to_string(options.pixel_samples) + ": " + std::to_string(samples) +
+           " samples of " + std::to_string(target.width()) + " x " + std::to_string(target.height()) +
+           " pixels are more than the " + std::to_string(most) + " that shading at pixels can keep");
 }
 
 }  // namespace
@@ -93,6 +111,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
                "; they must agree, or be 1 and 3 for the luminance");
     }
     check(options);
+    check_size(options, target);
     memory_limit_.check(scene, options);
     if (!grey || options.method == Method::reference) return render_into(scene, camera, options, target);
 
@@ -152,8 +171,8 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
         context_->run([&] {
             const RefinedSurfaces& surfaces = pipeline_.surfaces();
             buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
-            hits_.draw(surfaces.geometry(), buffers_, projection.world_to_clip * surfaces.to_world(),
-                       target.width(), target.height());
+            hits_.draw(surfaces.geometry(), buffers_, in_axes(projection, surfaces.to_world()),
+                       target.width(), target.height(), sample_pattern(options.pixel_samples));
         });
         return hits_;
     };
@@ -165,11 +184,10 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
         const RefinedSurfaces& surfaces = pipeline_.surfaces();
         buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
         const HighOrderTransfer* const high_orders = pipeline_.pixel_high_orders();
-        std::optional<Painter::ShadedPixels> pixels;
-        if (pipeline_.shaded_pixels()) {
+        const bool at_pixels = pipeline_.shaded_pixels();
+        if (at_pixels) {
             pixels_.resize(target.width(), target.height(), target.channels());
             executor.store(pixels_);
-            pixels.emplace(Painter::ShadedPixels{hits_, pixels_});
         } else {
             executor.store(buffers_, high_orders != nullptr);
         }
@@ -178,7 +196,10 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
                       {.textures = high_orders != nullptr ? &textures_ : nullptr,
                        .shadowed = high_orders != nullptr && !high_orders->visibility()->empty(),
                        .physical = options.physical},
-                      pixels ? &*pixels : nullptr, {.components = options.components, .aovs = options.aovs},
+                      at_pixels ? &pixels_ : nullptr,
+                      {.components = options.components,
+                       .aovs = options.aovs,
+                       .samples = sample_pattern(options.pixel_samples)},
                       projection, target);
     });
     statistics.draw_ms += watch.milliseconds();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace nicol {
@@ -16,6 +17,9 @@ struct Camera {
     double fov = 45;  ///< perspective: horizontal, degrees, in (0, 180)
     double near_clip = 1e-2;
     double far_clip = 1e4;
+    /// Pixels, right and down, -0.5 to 0.5 each: what is that far from the centre of an image's pixel without
+    /// jitter is at the centre with it. For averaging over frames.
+    glm::dvec2 jitter{0.0};
 
     bool operator==(const Camera&) const = default;
 };

@@ -53,6 +53,17 @@ glm::dmat4 look_at(const glm::dvec3& origin, const glm::dvec3& target, const glm
     return {glm::dvec4(x, 0), glm::dvec4(glm::cross(z, x), 0), glm::dvec4(z, 0), glm::dvec4(origin, 1)};
 }
 
+Projection jittered(Projection projection, const glm::dvec2& pixels) {
+    const glm::dvec2 shift = pixels * projection.pixel * glm::dvec2(1, -1);
+    projection.shift += shift;
+    for (int column = 0; column < 4; ++column) {
+        glm::dvec4& m = projection.world_to_clip[column];
+        m.x -= shift.x * m.w;
+        m.y -= shift.y * m.w;
+    }
+    return projection;
+}
+
 Projection project(const Camera& camera, int width, int height) {
     check_axes(camera.to_world);
     const double near = camera.near_clip;
@@ -60,6 +71,10 @@ Projection project(const Camera& camera, int width, int height) {
     if (!(near > 0 && far > near && std::isfinite(far))) {
         refuse_camera("near_clip is " + std::to_string(near) + " and far_clip " + std::to_string(far) +
                       "; they must satisfy 0 < near_clip < far_clip");
+    }
+    if (!(std::abs(camera.jitter.x) <= 0.5 && std::abs(camera.jitter.y) <= 0.5)) {
+        refuse_camera("jitter is " + std::to_string(camera.jitter.x) + " " + std::to_string(camera.jitter.y) +
+                      "; each must lie in -0.5 to 0.5");
     }
     const glm::dmat3 axes(camera.to_world);
     const double aspect = static_cast<double>(width) / height;
@@ -98,7 +113,8 @@ Projection project(const Camera& camera, int width, int height) {
         clip[2][3] = -1;
     }
     p.world_to_clip = clip * world_to_eye;
-    return p;
+    p.pixel = {2.0 / width, 2.0 / height};
+    return jittered(p, camera.jitter);
 }
 
 }  // namespace nicol

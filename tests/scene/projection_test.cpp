@@ -53,6 +53,25 @@ TEST_CASE("an orthographic camera's half width is the length of its x axis") {
     CHECK(p.view.towards({7, 8, 9}) == glm::dvec3(0, 0, 1));
 }
 
+TEST_CASE("jitter moves an image by a part of a pixel, the plane of its rays as what is drawn") {
+    for (const bool orthographic : {false, true}) {
+        Camera camera;
+        camera.orthographic = orthographic;
+        camera.to_world = look_at({1, 2, 3}, {2, 2, -4}, {0, 1, 0});
+        const Projection still = project(camera, 40, 20);
+        camera.jitter = {0.5, -0.25};
+        const Projection moved = project(camera, 40, 20);
+        const glm::dvec2 centre = on_image_plane(moved, 40, 20, 7.5, 3.5);
+        CHECK(glm::distance(centre, on_image_plane(still, 40, 20, 8, 3.25)) < 1e-12);
+        const Viewpoint& view = moved.view;
+        const glm::dvec3 image =
+            in_image(moved, view.eye + 5.0 * view.forward +
+                                (orthographic ? 1.0 : 5.0) * (centre.x * view.right + centre.y * view.up));
+        CHECK(image.x == Approx(2 * 7.5 / 40 - 1));
+        CHECK(image.y == Approx(1 - 2 * 3.5 / 20));
+    }
+}
+
 TEST_CASE("cameras out of range are refused by the name of the member") {
     const auto refused = [](const char* part, auto change) {
         Camera camera;
@@ -67,5 +86,7 @@ TEST_CASE("cameras out of range are refused by the name of the member") {
     refused("mirrors", [](Camera& c) { c.to_world[0] = -c.to_world[0]; });
     refused("without length", [](Camera& c) { c.to_world[2] = {0, 0, 0, 0}; });
     refused("finite", [](Camera& c) { c.to_world[3].x = HUGE_VAL; });
+    refused("jitter", [](Camera& c) { c.jitter.x = 0.51; });
+    refused("jitter", [](Camera& c) { c.jitter.y = std::nan(""); });
     refused("last row", [](Camera& c) { c.to_world[3].w = 2; });
 }

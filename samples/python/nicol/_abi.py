@@ -353,6 +353,7 @@ class Camera(Struct):
         ("fov", c_double),
         ("near_clip", c_double),
         ("far_clip", c_double),
+        ("jitter", c_double * 2),
     ]
     _defaults_ = {
         "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
@@ -415,7 +416,7 @@ class RenderOptions(Struct):
         ("high_order_shadows", c_uint32),
         ("aovs", c_uint32),
         ("shade_at", c_uint32),
-        ("reserved_end", c_uint32),
+        ("pixel_samples", c_uint32),
         ("refine_tolerance", c_double),
         ("max_vertices", c_uint64),
     ]

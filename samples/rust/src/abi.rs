@@ -645,6 +645,7 @@ pub struct nicol_camera {
     pub fov: f64,
     pub near_clip: f64,
     pub far_clip: f64,
+    pub jitter: [f64; 2],
 }
 impl Default for nicol_camera {
     fn default() -> Self {
@@ -659,13 +660,14 @@ impl Default for nicol_camera {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_camera>() == 160);
+    assert!(size_of::<nicol_camera>() == 176);
     assert!(offset_of!(nicol_camera, struct_size) == 0);
     assert!(offset_of!(nicol_camera, projection) == 4);
     assert!(offset_of!(nicol_camera, to_world) == 8);
     assert!(offset_of!(nicol_camera, fov) == 136);
     assert!(offset_of!(nicol_camera, near_clip) == 144);
     assert!(offset_of!(nicol_camera, far_clip) == 152);
+    assert!(offset_of!(nicol_camera, jitter) == 160);
 };
 
 #[repr(C)]
@@ -752,7 +754,7 @@ pub struct nicol_render_options {
     pub high_order_shadows: u32,
     pub aovs: u32,
     pub shade_at: nicol_shade_at,
-    pub reserved_end: u32,
+    pub pixel_samples: u32,
     pub refine_tolerance: f64,
     pub max_vertices: u64,
 }
@@ -797,7 +799,7 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, high_order_shadows) == 96);
     assert!(offset_of!(nicol_render_options, aovs) == 100);
     assert!(offset_of!(nicol_render_options, shade_at) == 104);
-    assert!(offset_of!(nicol_render_options, reserved_end) == 108);
+    assert!(offset_of!(nicol_render_options, pixel_samples) == 108);
     assert!(offset_of!(nicol_render_options, refine_tolerance) == 112);
     assert!(offset_of!(nicol_render_options, max_vertices) == 120);
 };

@@ -44,8 +44,8 @@ private:
     VertexLight light_;                  // of the factored method
     std::vector<VertexLight> outgoing_;  // of the dense method, one for each of its runs
     VertexStokes stokes_;
-    std::vector<glm::vec4> hits_;                 // of the last image that was shaded at pixels
-    std::vector<std::vector<glm::vec4>> pixels_;  // its Stokes vectors, by channel
+    std::vector<std::vector<glm::vec4>> pixels_;  // of the last image that was shaded at pixels, by channel
+    std::vector<glm::vec4> coverage_;             // of its pixels, as a PixelImage has it
     /// Of the lobe about the mirror direction and of the hemisphere; empty where nothing casts shadows.
     std::vector<glm::vec2> fractions_;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
 #include <tuple>
 
 #include "render/hit_image.hpp"
@@ -23,6 +24,11 @@ constexpr std::array<std::uint8_t, kBatch> kAll = [] {
     return all;
 }();
 
+bool share_corner(const glm::uvec3& a, const glm::uvec3& b) {
+    const auto in_b = [&b](std::uint32_t v) { return v == b.x || v == b.y || v == b.z; };
+    return in_b(a.x) || in_b(a.y) || in_b(a.z);
+}
+
 }  // namespace
 
 struct PixelShading::Batch {
@@ -34,41 +40,89 @@ struct PixelShading::Batch {
     std::vector<glm::vec4> stokes;
 };
 
-PixelShading::PixelShading(const PixelInput& input, std::span<const PixelSurface> surfaces,
-                           std::span<const glm::vec2> fractions, std::span<const glm::vec4> hits)
-    : input_(input), surfaces_(surfaces), fractions_(fractions), hits_(hits) {}
+// Samples of one smooth surface in one pixel.
+struct PixelShading::Patch {
+    std::array<std::uint32_t, kMostPixelSamples> triangles;
+    std::array<glm::vec2, kMostPixelSamples> at;  // from the pixel's centre
+    std::size_t samples = 0;
+};
 
-void PixelShading::collect(std::size_t first, std::size_t last, std::vector<Pixel>& out) const {
+PixelShading::PixelShading(const PixelInput& input, std::span<const PixelSurface> surfaces,
+                           std::span<const glm::vec2> fractions)
+    : input_(input), surfaces_(surfaces), fractions_(fractions) {}
+
+void PixelShading::collect(std::size_t first, std::size_t last, std::vector<Pixel>& out,
+                           std::span<glm::vec4> coverage) const {
     out.clear();
-    const WorldGeometry& geometry = input_.geometry;
+    const std::span offsets = input_.hits.offsets();
+    const std::span triangles(input_.geometry.triangles);
+    const float weight = 1.0F / static_cast<float>(offsets.size());
+    std::array<Patch, kMostPixelSamples> patches;
     std::size_t surface = 0;
     for (std::size_t i = first; i < last; ++i) {
-        const std::optional<Hit> hit = HitImage::of(hits_[i]);
-        if (!hit || !hit->front) continue;
-        const glm::uvec3& corners = geometry.triangles[hit->triangle];
-        if (corners.x < surfaces_[surface].first || corners.x >= surfaces_[surface].last) {
-            const auto found = std::ranges::upper_bound(surfaces_, corners.x, {}, &PixelSurface::last);
-            surface = static_cast<std::size_t>(found - surfaces_.begin());
+        std::size_t count = 0;
+        std::size_t covered = 0;
+        for (std::size_t s = 0; s < offsets.size(); ++s) {
+            const std::optional<Hit> hit = input_.hits.at(s, i);
+            if (!hit) continue;
+            ++covered;
+            if (!hit->front) continue;
+            const auto same = [&](const Patch& patch) {
+                const std::uint32_t other = patch.triangles[patch.samples - 1];
+                return other == hit->triangle || share_corner(triangles[other], triangles[hit->triangle]);
+            };
+            const auto known = std::span(patches).first(count);
+            const auto found = std::ranges::find_if(known, same);
+            Patch& patch = found != known.end() ? *found : patches[count++];
+            if (found == known.end()) patch.samples = 0;
+            patch.triangles[patch.samples] = hit->triangle;
+            patch.at[patch.samples++] = glm::vec2(offsets[s]);
         }
-        const bool occluded = input_.visibility != nullptr && !(input_.visibility->unoccluded(corners.x) &&
-                                                                input_.visibility->unoccluded(corners.y) &&
-                                                                input_.visibility->unoccluded(corners.z));
-        out.push_back({.surface = static_cast<std::uint32_t>(surface),
-                       .occluded = occluded ? 1U : 0U,
-                       .triangle = hit->triangle,
-                       .index = static_cast<std::uint32_t>(i)});
+        coverage[i].x = weight * static_cast<float>(covered);
+        for (const Patch& patch : std::span(patches).first(count)) add(patch, i, surface, out);
     }
     if (!std::ranges::is_sorted(out, {}, &Pixel::group)) std::ranges::stable_sort(out, {}, &Pixel::group);
 }
 
-std::size_t PixelShading::run(std::size_t first, std::size_t last,
-                              std::span<const std::span<glm::vec4>> out) const {
+// `surface`: of the patch before, which is often the same.
+void PixelShading::add(const Patch& patch, std::size_t index, std::size_t& surface,
+                       std::vector<Pixel>& out) const {
+    glm::vec2 mean(0);
+    for (const glm::vec2& at : std::span(patch.at).first(patch.samples)) mean += at;
+    mean /= static_cast<float>(patch.samples);
+    // The mean may lie between triangles; the nearest sample's then stands for all.
+    std::size_t nearest = 0;
+    for (std::size_t s = 1; s < patch.samples; ++s) {
+        const glm::vec2 d = patch.at[s] - mean;
+        const glm::vec2 least = patch.at[nearest] - mean;
+        if (glm::dot(d, d) < glm::dot(least, least)) nearest = s;
+    }
+    const std::uint32_t triangle = patch.triangles[nearest];
+    const glm::uvec3& corners = input_.geometry.triangles[triangle];
+    if (corners.x < surfaces_[surface].first || corners.x >= surfaces_[surface].last) {
+        const auto found = std::ranges::upper_bound(surfaces_, corners.x, {}, &PixelSurface::last);
+        surface = static_cast<std::size_t>(found - surfaces_.begin());
+    }
+    const bool occluded = input_.visibility != nullptr && !(input_.visibility->unoccluded(corners.x) &&
+                                                            input_.visibility->unoccluded(corners.y) &&
+                                                            input_.visibility->unoccluded(corners.z));
+    out.push_back(
+        {.surface = static_cast<std::uint32_t>(surface),
+         .occluded = occluded ? 1U : 0U,
+         .triangle = triangle,
+         .index = static_cast<std::uint32_t>(index),
+         .weight = static_cast<float>(patch.samples) / static_cast<float>(input_.hits.offsets().size()),
+         .at = mean});
+}
+
+std::size_t PixelShading::run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out,
+                              std::span<glm::vec4> coverage) const {
     // Backs of surfaces are black.
     for (const std::span<glm::vec4> channel : out)
         std::ranges::fill(channel.subspan(first, last - first), glm::vec4(0));
     thread_local std::vector<Pixel> pixels;
     thread_local Batch batch;
-    collect(first, last, pixels);
+    collect(first, last, pixels, coverage);
     for (std::size_t begin = 0; begin < pixels.size();) {
         std::size_t end = begin;
         while (end < pixels.size() && end - begin < kBatch && pixels[end].group() == pixels[begin].group())
@@ -105,7 +159,7 @@ void PixelShading::shade(std::span<const Pixel> pixels, Batch& batch,
     }
     for (std::size_t c = 0; c < out.size(); ++c) {
         if (input_.physical) make_physical(stokes[c]);
-        for (std::size_t i = 0; i < count; ++i) out[c][pixels[i].index] = stokes[c][i];
+        for (std::size_t i = 0; i < count; ++i) out[c][pixels[i].index] += pixels[i].weight * stokes[c][i];
     }
 }
 
@@ -123,7 +177,8 @@ void PixelShading::find_points(std::span<const Pixel> pixels, Batch& batch) cons
             const std::size_t row = pixel.index / width;
             at[i] =
                 glm::vec2(on_image_plane(input_.projection, input_.hits.width(), input_.hits.height(),
-                                         static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5));
+                                         static_cast<double>(column) + 0.5 + static_cast<double>(pixel.at.x),
+                                         static_cast<double>(row) + 0.5 + static_cast<double>(pixel.at.y)));
         }
         LaneSurface& found = batch.surfaces[begin / kLanes];
         find_surface(input_.view, geometry.positions, geometry.normals, std::span(triangles).first(count),

@@ -35,23 +35,32 @@ class PixelShading {
 public:
     /// `surfaces`: by vertices, ascending. `fractions`: of the vertices' lobes of high orders, or empty.
     PixelShading(const PixelInput& input, std::span<const PixelSurface> surfaces,
-                 std::span<const glm::vec2> fractions, std::span<const glm::vec4> hits);
+                 std::span<const glm::vec2> fractions);
 
-    /// Writes channel c's Stokes vector to out[c][pixel] for first <= pixel < last. Returns how many were
-    /// shaded.
-    std::size_t run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
+    /// For first <= pixel < last writes to out[c][pixel] channel c's Stokes vectors, each times the fraction
+    /// of the samples that it is of, and to the first component of coverage[pixel] the fraction of those with
+    /// a surface. Samples of triangles that share a corner are of one smooth surface, which is shaded once,
+    /// at their mean. Returns how many Stokes vectors were computed.
+    std::size_t run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out,
+                    std::span<glm::vec4> coverage) const;
 
 private:
+    // A pixel, or the part of it that shows one surface.
     struct Pixel {
         std::uint32_t surface;
         std::uint32_t occluded;  // 1 where a corner is, which sorts them apart
         std::uint32_t triangle;
         std::uint32_t index;
+        float weight;  // the fraction of the pixel's samples
+        glm::vec2 at;  // their mean from the pixel's centre, in pixels
         [[nodiscard]] std::uint64_t group() const { return std::uint64_t{2} * surface + occluded; }
     };
     struct Batch;
+    struct Patch;
 
-    void collect(std::size_t first, std::size_t last, std::vector<Pixel>& out) const;
+    void collect(std::size_t first, std::size_t last, std::vector<Pixel>& out,
+                 std::span<glm::vec4> coverage) const;
+    void add(const Patch& patch, std::size_t index, std::size_t& surface, std::vector<Pixel>& out) const;
     // Pixels of one group, at most as many as a batch has room for.
     void shade(std::span<const Pixel> pixels, Batch& batch, std::span<const std::span<glm::vec4>> out) const;
     void find_points(std::span<const Pixel> pixels, Batch& batch) const;
@@ -61,7 +70,6 @@ private:
     const PixelInput& input_;
     std::span<const PixelSurface> surfaces_;
     std::span<const glm::vec2> fractions_;
-    std::span<const glm::vec4> hits_;
 };
 
 }  // namespace nicol
