@@ -211,15 +211,14 @@ GL_TEST_CASE("an image of several samples is that of a fresh start, whatever was
     Studio render(context);
     const Scene scene = sphere_on_plate();
     for (const ShadeAt where : kPlaces)
-        for (const int components : {4, 1})
-            for (const int samples : {4, 1, 8}) {
-                CAPTURES(where, components, samples);
-                RenderOptions options = with(samples, where);
-                options.components = components;
-                const StokesImage image = render(scene, options);
-                CHECK(rms(minus(image, Studio(context)(scene, options))) < 1e-5 * rms(image));
-                if (components == 1) CHECK(image.at(0, 24, 32)[1] == 0);
-            }
+        for (const int samples : {4, 1, 8}) {
+            CAPTURES(where, samples);
+            RenderOptions options = with(samples, where);
+            options.components = samples == 8 ? 1 : 4;
+            const StokesImage image = render(scene, options);
+            CHECK(rms(minus(image, Studio(context)(scene, options))) < 1e-5 * rms(image));
+            if (options.components == 1) CHECK(image.at(0, 24, 32)[1] == 0);
+        }
 }
 
 GL_TEST_CASE("other numbers of samples are refused") {
