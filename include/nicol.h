@@ -464,7 +464,7 @@ typedef struct nicol_mesh_data {
 
 /* OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
-/* Copies the arrays. Shading and shadows are per vertex: finer meshes show more detail. */
+/* Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,
                                          nicol_mesh* mesh);
 /* The unit sphere, finely enough divided for per-vertex shading. */

@@ -42,9 +42,8 @@ public:
     };
 
     /// `buffers` are of `surfaces`; `projection` is of the world. `pixels`, where not null, have been shaded
-    /// and are drawn instead of vertices. With several samples vertices are drawn as often, and averaged: of
-    /// few drivers can all multisample 32-bit floats, and where the processor does, it is no faster. All
-    /// memory is allocated before the framebuffer is touched.
+    /// and are drawn instead of vertices. With several samples vertices are drawn as often, and averaged:
+    /// that gives every driver the same samples. All memory is allocated before the framebuffer is touched.
     void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
               const HighOrdersOfPixels& high_orders, PixelImage* pixels, const Wanted& wanted,
               const Projection& projection, Framebuffer& target);

@@ -806,7 +806,7 @@ class Mesh(Handle):
 
     @classmethod
     def create(cls, context, data):
-        """Copies the arrays. Shading and shadows are per vertex: finer meshes show more detail."""
+        """Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance."""
         mesh = cls()
         check(_mesh_create(context, byref(data) if data is not None else None, byref(mesh)))
         return mesh

@@ -1385,7 +1385,7 @@ extern "C" {
     pub fn nicol_material_release(material: nicol_material) -> nicol_result;
     /// OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face.
     pub fn nicol_mesh_load(context: nicol_context, path: *const c_char, mesh: *mut nicol_mesh) -> nicol_result;
-    /// Copies the arrays. Shading and shadows are per vertex: finer meshes show more detail.
+    /// Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance.
     pub fn nicol_mesh_create(context: nicol_context, data: *const nicol_mesh_data, mesh: *mut nicol_mesh) -> nicol_result;
     /// The unit sphere, finely enough divided for per-vertex shading.
     pub fn nicol_mesh_create_sphere(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
