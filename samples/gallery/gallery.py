@@ -17,7 +17,6 @@ sys.path.insert(0, os.path.join(SAMPLES, "python"))
 import nicol  # noqa: E402
 import numpy as np  # noqa: E402
 
-OPTIONS = {"order_low": 16, "order_high": 32, "dering": 0.0001, "physical": 1}  # those of samples/demo.sh
 GAP = 4
 
 
@@ -30,9 +29,42 @@ def render(context, scene_file, width, height, light_angle=0, view=None):
             camera.look_at(view[0], view[1], (0, 1, 0))
             camera.fov = view[2]
         with nicol.Framebuffer.create(context, 2 * width, 2 * height, 3) as framebuffer:
-            nicol.render(scene, camera, nicol.RenderOptions(**OPTIONS), framebuffer)
+            nicol.render(scene, camera, nicol.RenderOptions(), framebuffer)
             stokes = np.stack([framebuffer.plane(nicol.PLANE_STOKES, channel=c) for c in range(3)], axis=2)
     return stokes.reshape(height, 2, width, 2, 3, 4).mean(axis=(1, 3))
+
+
+def torus(context, rows, columns):
+    """A torus with waves, of rows x columns vertices."""
+    u, v = np.meshgrid(2 * np.pi * np.arange(rows) / rows, 2 * np.pi * np.arange(columns) / columns, indexing="ij")
+    tube = 0.42 + 0.06 * np.sin(5 * u) * np.cos(3 * v)
+    ring = 1 + tube * np.cos(v)
+    places = np.stack([ring * np.cos(u), tube * np.sin(v), ring * np.sin(u)], -1).reshape(-1, 3)
+    r, c = (i.ravel() for i in np.indices((rows, columns)))
+    at = lambda row, column: row % rows * columns + column % columns  # noqa: E731
+    corners = [at(r, c), at(r, c + 1), at(r + 1, c + 1), at(r, c), at(r + 1, c + 1), at(r + 1, c)]
+    return nicol.Mesh.create(context, nicol.mesh_data(places, np.stack(corners, -1).reshape(-1, 3)))
+
+
+def render_torus(context, size, **options):
+    """Stokes vectors as of render(), of 260 vertices in the forest."""
+    red = nicol.Spectrum(count=3, values=[0.4, 0.06, 0.03])
+    with (
+        nicol.Scene.create(context) as scene,
+        torus(context, 20, 13) as mesh,
+        nicol.Material.create_pplastic(
+            context, nicol.Pplastic(diffuse_reflectance=red, distribution=nicol.DISTRIBUTION_GGX, alpha=0.15)
+        ) as material,
+        nicol.Environment.load(context, os.path.join(SAMPLES, "assets", "forest_blurred.exr")) as light,
+        nicol.Framebuffer.create(context, 2 * size, 2 * size, 3) as framebuffer,
+    ):
+        scene.add_instance(nicol.Instance(mesh=mesh, material=material))
+        scene.set_environment(light, None, 2)
+        camera = nicol.Camera(fov=38)
+        camera.look_at((1.5, 3, 3), (0, 0, 0), (0, 1, 0))
+        nicol.render(scene, camera, nicol.RenderOptions(**options), framebuffer)
+        stokes = np.stack([framebuffer.plane(nicol.PLANE_STOKES, channel=c) for c in range(3)], axis=2)
+    return stokes.reshape(size, 2, size, 2, 3, 4).mean(axis=(1, 3))
 
 
 def tone_mapped(radiance):
@@ -108,6 +140,13 @@ def main():
         stokes = render(context, "snail_hdr.xml", 320, 320, 0, view)
         images = [s0(stokes), polarizer(stokes, 0), polarizer(stokes, 90), dolp(stokes), aolp(stokes, 34)]
         write_png(os.path.join(folder, "strip.png"), sheet([images]))
+
+        coarse = [
+            render_torus(context, 256, shade_at=nicol.SHADE_AT_VERTICES),
+            render_torus(context, 256, shade_at=nicol.SHADE_AT_PIXELS),
+            render_torus(context, 256, method=nicol.METHOD_REFERENCE, samples=256),
+        ]
+        write_png(os.path.join(folder, "coarse.png"), sheet([list(map(s0, coarse)), list(map(dolp, coarse))]))
 
         rows = []
         for scene_file in ("snail_hdr.xml", "snail_sky.xml"):

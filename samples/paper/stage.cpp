@@ -149,6 +149,9 @@ void Stage::render(nicol_scene scene, View view, double degrees_beside, const Re
     options.order_high = recipe.order_high;
     options.bake_directions = bake_directions_;
     options.shadows = recipe.shadows ? 1 : 0;
+    // The paper's vertices, and what it computes at them.
+    options.shade_at = NICOL_SHADE_AT_VERTICES;
+    options.refine_tolerance = 0;
     options.high_orders = recipe.high_orders;
     options.physical = recipe.physical ? 1 : 0;
     options.samples = recipe.samples;

@@ -94,6 +94,8 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     if (shadows) {
         const auto directions = static_cast<std::uint64_t>(std::max(options.bake_directions, 0));
         estimate.visibility = size.vertices * ((directions + 63) / 64 * sizeof(std::uint64_t) + 1);
+        // Shadows of unoccluded vertices, too, are a second set of bits.
+        if ((options.disabled_optimisations & skip_unoccluded) != 0) estimate.visibility *= 2;
     }
     estimate.transfer = in_world + size.vertices * (1 + channels * sizeof(glm::vec4));
     estimate.buffers = in_world + size.vertices * channels * sizeof(glm::vec4);
@@ -124,7 +126,7 @@ void MemoryLimit::check(const Scene& scene, const RenderOptions& options) {
     if (bytes_ == kNone) return;
     checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), options.method,
                   options.order_low, options.order_high, options.high_orders, options.shadows,
-                  options.high_order_shadows, options.bake_directions, [&] {
+                  options.high_order_shadows, options.bake_directions, options.disabled_optimisations, [&] {
                       estimate_ = estimate_memory(scene, options);
                       const std::uint64_t needed = estimate_.total();
                       if (needed <= bytes_) return;

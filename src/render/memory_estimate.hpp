@@ -47,7 +47,7 @@ private:
     std::uint64_t vertices_ = 0;
     MemoryEstimate estimate_;
     // Geometry, channels, components of the light, and the options that matter.
-    Stage<Version, int, LightKind, Method, int, int, HighOrders, bool, bool, int> checking_;
+    Stage<Version, int, LightKind, Method, int, int, HighOrders, bool, bool, int, std::uint32_t> checking_;
 };
 
 }  // namespace nicol

@@ -107,7 +107,7 @@ void Painter::prepare_sample(bool several, const Framebuffer& target) {
                                   .width = target.width(), .height = target.height(), .colours = colours});
 }
 
-void Painter::draw_samples(const Scene& scene, const SceneGeometry& surfaces,
+void Painter::draw_samples(const Scene& scene, const RefinedSurfaces& surfaces,
                            const HighOrdersOfPixels& high_orders, const Wanted& wanted,
                            const Projection& projection, std::size_t group, Framebuffer& target) {
     const glm::mat3 to_light(glm::transpose(scene.light_rotation()) * glm::dmat3(surfaces.to_world()));

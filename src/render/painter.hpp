@@ -74,7 +74,7 @@ private:
                       const Projection& projection, const glm::mat3& to_light, std::size_t group,
                       int channels, gl::RenderTarget& image);
     void prepare_sample(bool several, const Framebuffer& target);
-    void draw_samples(const Scene& scene, const SceneGeometry& surfaces,
+    void draw_samples(const Scene& scene, const RefinedSurfaces& surfaces,
                       const HighOrdersOfPixels& high_orders, const Wanted& wanted,
                       const Projection& projection, std::size_t group, Framebuffer& target);
     // Adds what was drawn to the mean of the samples, which `image` becomes.

@@ -84,7 +84,7 @@ std::vector<float> points(nicol_context context, std::uint32_t order, nicol_meth
     const Owned mesh(touching_plates(context));
     const Owned scene(simple_scene(context, environment, mesh, material));
     const Owned framebuffer(framebuffer_of(context, 1, 1, 2));
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.method = method;
     options.order_low = options.order_high = order;
     options.samples = samples;

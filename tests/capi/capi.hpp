@@ -265,6 +265,16 @@ inline void check_luminance(const std::vector<float>& y, const std::vector<float
     }
 }
 
+/// What most tests are not about: orders that need no prediction, at vertices, as computed.
+inline nicol_render_options plain_options() {
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.order_low = 4;
+    options.order_high = 9;
+    options.shade_at = NICOL_SHADE_AT_VERTICES;
+    options.physical = 0;
+    return options;
+}
+
 /// A scene file, what it asks for, and a framebuffer for that.
 struct LoadedScene {
     Owned<nicol_scene> scene;
@@ -280,8 +290,7 @@ struct LoadedScene {
         OK(nicol_scene_get_channels(scene, &channels));
         OK(nicol_framebuffer_create(context, width, height, channels, &framebuffer));
     }
-    [[nodiscard]] std::vector<float> image(
-        const nicol_render_options& options = NICOL_RENDER_OPTIONS_INIT) const {
+    [[nodiscard]] std::vector<float> image(const nicol_render_options& options = plain_options()) const {
         OK(nicol_render(scene, &camera, &options, framebuffer));
         return read_all(framebuffer);
     }
@@ -311,10 +320,9 @@ struct Stage {
     [[nodiscard]] nicol_result try_render(const nicol_render_options& options) const {
         return nicol_render(scene, &camera, &options, framebuffer);
     }
-    void render() const { OK(nicol_render(scene, &camera, nullptr, framebuffer)); }
+    void render() const { OK(try_render(plain_options())); }
     /// Rendered and read.
-    [[nodiscard]] std::vector<float> image(
-        const nicol_render_options& options = NICOL_RENDER_OPTIONS_INIT) const {
+    [[nodiscard]] std::vector<float> image(const nicol_render_options& options = plain_options()) const {
         OK(try_render(options));
         return read_all(framebuffer);
     }

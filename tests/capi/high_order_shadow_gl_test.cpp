@@ -60,7 +60,7 @@ Values image(nicol_context context, nicol_scene scene, const nicol_render_option
 
 Values real_time(nicol_context context, nicol_scene scene, std::uint32_t high, std::uint32_t shadows,
                  std::uint32_t high_order_shadows = 1) {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.high_order_shadows = high_order_shadows;
     options.order_low = 4;
     options.order_high = high;

@@ -10,7 +10,7 @@ using namespace capi_test;
 
 STAGE_TEST_CASE("a job makes the image that a render makes") {
     for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        nicol_render_options options = plain_options();
         options.method = method;
         options.samples = 4;
         const std::vector<float> image = stage.image(options);

@@ -32,7 +32,7 @@ private:
 
 // Every render with these traces anew.
 inline nicol_render_options traced() {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.method = NICOL_METHOD_REFERENCE;
     options.samples = 2;
     options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;

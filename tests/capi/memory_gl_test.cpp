@@ -19,7 +19,7 @@ std::vector<nicol_render_options> many_options() {
                 if (method == NICOL_METHOD_DENSE && order > 4) return;
                 for_all({NICOL_HIGH_ORDERS_SPLIT, NICOL_HIGH_ORDERS_NONE}, {1U, 0U},
                         [&](nicol_high_orders high, std::uint32_t shadows) {
-                            nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+                            nicol_render_options options = plain_options();
                             options.refine_tolerance = 0;  // what it adds is bounded by the limit
                             options.method = method;
                             options.executor = NICOL_EXECUTOR_CPU;
@@ -35,13 +35,33 @@ std::vector<nicol_render_options> many_options() {
     return all;
 }
 
-// Two rectangles that hide the light from each other, under light of three unlike channels, so that nothing
+// From -1 to 1 in x and y, of so many cells a side that rounding to blocks of vertices hardly counts.
+nicol_mesh fine_square(nicol_context context) {
+    constexpr std::uint32_t cells = 16;
+    std::vector<float> positions;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < (cells + 1) * (cells + 1); ++i) {
+        const std::uint32_t row = i / (cells + 1), column = i % (cells + 1);
+        const auto place = [](std::uint32_t k) { return 2 * static_cast<float>(k) / cells - 1; };
+        positions.insert(positions.end(), {place(column), place(row), 0});
+        if (row == cells || column == cells) continue;
+        indices.insert(indices.end(), {i, i + 1, i + cells + 2, i, i + cells + 2, i + cells + 1});
+    }
+    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
+    data.vertex_count = static_cast<std::uint32_t>(positions.size() / 3);
+    data.triangle_count = static_cast<std::uint32_t>(indices.size() / 3);
+    data.positions = positions.data();
+    data.indices = indices.data();
+    return make(nicol_mesh_create, context, &data);
+}
+
+// Two squares that hide the light from each other, under light of three unlike channels, so that nothing
 // can be left out.
 struct Cleft {
     nicol_context context;
     Owned<nicol_environment> light;
     Owned<nicol_material> material;
-    Owned<nicol_mesh> mesh{rectangle(context)};
+    Owned<nicol_mesh> mesh{fine_square(context)};
     Owned<nicol_framebuffer> framebuffer{framebuffer_of(context, 8, 8, 3)};
 
     explicit Cleft(nicol_context owner) : context(owner) {
@@ -100,7 +120,7 @@ TEST_CASE("predictions are never too low, and not far too high") {
 TEST_CASE("a limit refuses what exceeds it and nothing else") {
     for (const nicol_backend backend : every_backend) {
         std::uint64_t needed = 0;
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        nicol_render_options options = plain_options();
         {
             const Owned context(limited_context(backend, 1000));
             {
@@ -119,7 +139,7 @@ TEST_CASE("a limit refuses what exceeds it and nothing else") {
                 FAILS(nicol_job_wait(job, NICOL_WAIT_FOREVER), NICOL_ERROR_OUT_OF_MEMORY, "memory_limit");
             }
         }
-        options = NICOL_RENDER_OPTIONS_INIT;
+        options = plain_options();
         for (const bool enough : {true, false}) {
             const Owned context(limited_context(backend, enough ? needed : needed - 1));
             {

@@ -54,7 +54,7 @@ struct Studio {
     Owned<nicol_context> context{make_context(NICOL_BACKEND_AUTOMATIC)};
     Owned<nicol_environment> environment{clear_sky(context, {1, 1, 1})};
     Owned<nicol_material> material;
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
 
     Studio() {
         nicol_pplastic plastic = NICOL_PPLASTIC_INIT;

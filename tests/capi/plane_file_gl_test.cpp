@@ -37,7 +37,7 @@ STAGE_TEST_CASE("planes of surfaces in an image are those that are read, and lea
     const std::string bare = folder.file("bare.exr"), full = folder.file("full.exr");
     stage.render();
     OK(nicol_framebuffer_write_exr(stage.framebuffer, bare.c_str()));
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.aovs = NICOL_AOV_ALL;
     OK(stage.try_render(options));
     OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));

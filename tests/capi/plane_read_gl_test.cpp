@@ -137,7 +137,7 @@ STAGE_TEST_CASE("all channels are interleaved, in both formats, with and without
 }
 
 STAGE_TEST_CASE("planes of surfaces come in their formats") {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.aovs = NICOL_AOV_ALL;
     OK(stage.try_render(options));
     for (const nicol_plane plane : {NICOL_PLANE_DEPTH, NICOL_PLANE_NORMAL, NICOL_PLANE_POSITION}) {

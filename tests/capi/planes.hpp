@@ -33,7 +33,7 @@ struct Surfaces {
 
 /// The reference method with little work, and its variance.
 inline nicol_render_options with_variance() {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.method = NICOL_METHOD_REFERENCE;
     options.samples = 2;
     options.aovs = NICOL_AOV_VARIANCE;
@@ -44,7 +44,7 @@ inline nicol_render_options with_variance() {
 inline std::vector<nicol_render_options> every_method() {
     std::vector<nicol_render_options> all;
     for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        nicol_render_options options = plain_options();
         options.method = method;
         options.order_low = 1;
         options.order_high = 1;

@@ -160,7 +160,7 @@ STAGE_TEST_CASE("planes follow the mask of the last render, and nothing else is 
                   {NICOL_AOV_NORMAL, NICOL_PLANE_NORMAL},
                   {NICOL_AOV_POSITION, NICOL_PLANE_POSITION},
                   {NICOL_AOV_INSTANCE, NICOL_PLANE_INSTANCE}};
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     const std::vector<float> image = stage.image();
     const nicol_statistics bare = statistics_of(stage.framebuffer);
     std::vector<std::uint32_t> pixels(24 * 16 * 3);
@@ -217,7 +217,7 @@ STAGE_TEST_CASE(
 }
 
 STAGE_TEST_CASE("a render that is stopped leaves the planes of the one before") {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.aovs = NICOL_AOV_DEPTH;
     OK(stage.try_render(options));
     const std::vector<float> depth = read_surface<float>(stage.framebuffer, NICOL_PLANE_DEPTH, 1);

@@ -7,7 +7,7 @@ using namespace capi_test;
 namespace {
 
 nicol_render_options reference(std::uint32_t samples) {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.method = NICOL_METHOD_REFERENCE;
     options.samples = samples;
     return options;

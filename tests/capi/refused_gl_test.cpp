@@ -221,7 +221,7 @@ STAGE_TEST_CASE("scenes refuse transforms, instances and lights that do not fit,
 
 STAGE_TEST_CASE("light is refused where an image could not hold it, and the image stays finite") {
     const std::vector<float> before = stage.image();
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.samples = 4;
     for (const nicol_method method : {NICOL_METHOD_FACTORED, NICOL_METHOD_DENSE, NICOL_METHOD_REFERENCE}) {
         CAPTURE(method);
@@ -236,7 +236,7 @@ STAGE_TEST_CASE("light is refused where an image could not hold it, and the imag
         CHECK(std::isfinite(largest(stage.image())));
     }
     OK(nicol_scene_set_environment(stage.scene, stage.environment, nullptr, 1));
-    options = NICOL_RENDER_OPTIONS_INIT;
+    options = plain_options();
     OK(nicol_render(stage.scene, &stage.camera, &options, stage.framebuffer));
     CHECK(stage.image() == before);
 }
@@ -303,14 +303,14 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"samples", [](auto& o) { o.samples = (1 << 20) + 1, o.method = NICOL_METHOD_REFERENCE; }},
          {"executor is 3; it must be one of NICOL_EXECUTOR_", [](auto& o) { o.executor = 3; }},
          {"executor is 4294967295", [](auto& o) { o.executor = UINT32_MAX; }}});
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.method = 77;
     FAILS(stage.try_render(options), NICOL_ERROR_UNSUPPORTED, "method");
     CHECK(read_all(stage.framebuffer) == before);
 }
 
 STAGE_TEST_CASE("planes that do not fit are refused and nothing is written") {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.aovs = NICOL_AOV_DEPTH | NICOL_AOV_INSTANCE;
     OK(stage.try_render(options));
     std::vector<std::uint32_t> pixels(24 * 16 * 12, 0xabcdef01);

@@ -12,7 +12,7 @@ namespace {
 // Stops at the first call, and remembers what it was told.
 struct Stop {
     std::vector<std::string> verbs;
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
 
     Stop() {
         options.progress = [](void* user, const char* verb, double fraction) -> std::int32_t {
@@ -73,24 +73,37 @@ CONTEXT_TEST_CASE("scenes of 1, 2, 5 and 16 channels render") {
 }
 
 STAGE_TEST_CASE("options mean what they say, and those that an older program does not have their defaults") {
-    const std::vector<float> before = stage.image();
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     // The sky of this scene has no order above 2.
-    for (const auto& [low, high, order] : std::vector<std::array<std::uint32_t, 3>>{
-             {0, 0, 0}, {0, 9, 2}, {1, 0, 1}, {1, 1, 1}, {12, 9, 12}, {2, 9, 2}, {4, 9, 4}}) {
+    for (const auto& [low, high, order] :
+         std::vector<std::array<std::uint32_t, 3>>{{0, 0, 0},
+                                                   {0, 9, 2},
+                                                   {1, 0, 1},
+                                                   {1, 1, 1},
+                                                   {12, 9, 12},
+                                                   {2, 9, 2},
+                                                   {4, 9, 4},
+                                                   {NICOL_ORDER_AUTOMATIC, 1, 1},
+                                                   {3, NICOL_ORDER_AUTOMATIC, 3},
+                                                   {NICOL_ORDER_AUTOMATIC, 9, 4}}) {
         options.order_low = low;
         options.order_high = high;
         OK(stage.try_render(options));
         CHECK(statistics_of(stage.framebuffer).order == order);
+        CHECK(statistics_of(stage.framebuffer).predicted_error == 0);
     }
-    CHECK(read_all(stage.framebuffer) == before);
+    options = NICOL_RENDER_OPTIONS_INIT;
+    const std::vector<float> before = stage.image(options);
+    CHECK(statistics_of(stage.framebuffer).order <= 2);
+    CHECK(statistics_of(stage.framebuffer).predicted_error <= 0.03);
     nicol_render_options older;  // ends after method
     std::memset(&older, 0, sizeof older);
     older.struct_size = offsetof(nicol_render_options, order_low);
     CHECK(stage.image(older) == before);
     // Every default by name.
-    options.order_low = 4;
-    options.order_high = 9;
+    options.order_low = options.order_high = NICOL_ORDER_AUTOMATIC;
+    options.tolerance = 0.03;
+    options.physical = 1;
     options.shadows = 1;
     options.bake_directions = 2048;
     options.high_orders = NICOL_HIGH_ORDERS_SPLIT;
@@ -149,7 +162,7 @@ CONTEXT_TEST_CASE("a callback that calls back gets an error and no deadlock") {
     {
         const Stage stage(context), other(second);
         Caller caller{stage, other, {}, {}};
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        nicol_render_options options = plain_options();
         options.progress_user = &caller;
         options.progress = [](void* user, const char*, double) -> std::int32_t {
             Caller& self = *static_cast<Caller*>(user);
@@ -192,7 +205,7 @@ CONTEXT_TEST_CASE("a callback that calls back gets an error and no deadlock") {
 
 CONTEXT_TEST_CASE("objects released inside a callback live until the call is over") {
     auto* stage = new Stage(context);
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.progress_user = stage;
     options.progress = [](void* user, const char*, double) -> std::int32_t {
         delete static_cast<Stage*>(user);

@@ -13,7 +13,7 @@ TEST_CASE("de-ringing removes the negative light of the demonstration") {
     OK(nicol_scene_remove_instance(loaded.scene, 0));
     add(loaded.scene, Owned(sphere(context)), material, placed(0, 1, 0));
     const Owned framebuffer(framebuffer_of(context, 200, 150, 3));
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.order_low = 9;
     options.high_orders = NICOL_HIGH_ORDERS_NONE;
     // The least s0 over the mean.

@@ -28,7 +28,8 @@ std::vector<float> fresh(const Stage& stage) {
         add(scene, mesh, material, at);
     }
     const Owned framebuffer(framebuffer_of(stage.context, 24, 16, 3));
-    OK(nicol_render(scene, &stage.camera, nullptr, framebuffer));
+    const nicol_render_options options = plain_options();
+    OK(nicol_render(scene, &stage.camera, &options, framebuffer));
     return read_all(framebuffer);
 }
 

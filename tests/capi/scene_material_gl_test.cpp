@@ -26,10 +26,11 @@ std::string scene_text(const std::string& bsdf, const std::string& emitter = sky
 }
 
 nicol_render_options options_of(nicol_method method, std::uint32_t order, std::uint32_t samples = 1) {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.method = method;
     options.order_low = options.order_high = order;
     options.samples = samples;
+    options.shade_at = NICOL_SHADE_AT_PIXELS;  // the surface is two triangles
     return options;
 }
 

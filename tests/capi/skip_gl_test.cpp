@@ -52,7 +52,7 @@ CONTEXT_TEST_CASE("skips leave the image as it is, and count") {
     for (const bool grey : {false, true}) {
         const Owned environment(plain_light(context, grey));
         const Pair pair(context, environment);
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        nicol_render_options options = plain_options();
         options.bake_directions = 512;
         const std::vector<float> skipping = pair.render(options);
         const double brightest = largest(skipping);
@@ -88,7 +88,7 @@ CONTEXT_TEST_CASE("skips leave the image as it is, and count") {
 }
 
 STAGE_TEST_CASE("components that nobody asked for are 0 and the others the same") {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     const auto render = [&](nicol_components components) {
         options.components = components;
         return stage.image(options);

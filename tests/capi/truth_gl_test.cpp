@@ -8,7 +8,7 @@ using namespace capi_test;
 namespace {
 
 nicol_render_options low_orders(std::uint32_t order, std::uint32_t shadows = 1) {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.order_low = order;
     options.high_orders = NICOL_HIGH_ORDERS_NONE;
     options.shadows = shadows;

@@ -19,7 +19,7 @@ fails("nowhere", function() return nicol.nowhere end)
 
 -- Descriptors.
 local options = nicol.render_options{ order_low = 4 }
-assert(options.struct_size == ffi.sizeof("nicol_render_options") and options.order_low == 4 and options.order_high == 9)
+assert(options.struct_size == ffi.sizeof("nicol_render_options") and options.order_low == 4 and options.order_high == nicol.ORDER_AUTOMATIC)
 fails("order_lwo", nicol.render_options, { order_lwo = 4 })
 local sky = nicol.sky{ radiance = { 0.5, 0.25, 1 }, sun_direction = { 1, 2, 3 } }
 assert(sky.radiance.count == 3 and sky.radiance.values[1] == 0.25 and sky.sun_direction[2] == 3)

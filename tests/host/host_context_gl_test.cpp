@@ -11,7 +11,7 @@ using namespace host_test;
 namespace {
 
 nicol_result try_render(const Stage& stage) {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
     options.progress = [](void* called, const char*, double) {
         *static_cast<bool*>(called) = true;

@@ -74,7 +74,7 @@ TEST_CASE("a framebuffer's textures are the Stokes vectors of its channels") {
         CHECK(format == GL_RGBA32F);
         CHECK(texels(gl, texture.name) == read_plane(show.stage.framebuffer, NICOL_PLANE_STOKES, c));
         const GLuint name = texture.name;
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        nicol_render_options options = plain_options();
         options.disabled_optimisations = NICOL_OPTIMISATION_UNCHANGED;
         OK(show.stage.try_render(options));
         OK(nicol_framebuffer_get_texture(show.stage.framebuffer, c, &texture));

@@ -19,7 +19,7 @@ struct Hosted {
 };
 
 nicol_render_options options_of(nicol_method method, nicol_executor executor) {
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.method = method;
     options.executor = executor;
     options.samples = 4;

