@@ -107,8 +107,9 @@ void EdgeBisection::cut(const glm::uvec3& t, std::uint32_t source, const Edges& 
     }
     const glm::length_t next = (at + 1) % 3;
     const std::uint32_t vertex = middle(t[at], t[next]);
-    const auto far = std::ranges::partition(
-        points, [&](const WantedLength& point) { return point.weights[at] > point.weights[next]; });
+    const auto far = std::partition(points.begin(), points.end(), [&](const WantedLength& point) {
+        return point.weights[at] > point.weights[next];
+    });
     const auto half = [&](glm::length_t replaced, std::span<WantedLength> inside) {
         // In the half that lost this corner the middle has twice its weight.
         const glm::length_t kept = replaced == at ? next : at;
@@ -120,8 +121,8 @@ void EdgeBisection::cut(const glm::uvec3& t, std::uint32_t source, const Edges& 
         part[replaced] = vertex;
         cut(part, source, edges, inside);
     };
-    half(next, {points.begin(), far.begin()});
-    half(at, {far.begin(), points.end()});
+    half(next, {points.begin(), far});
+    half(at, {far, points.end()});
 }
 
 void EdgeBisection::split(const Edges& edges, std::vector<WantedLength>& points) {

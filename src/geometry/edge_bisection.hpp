@@ -57,6 +57,7 @@ private:
     struct Extent {
         double squared;
         Edge edge;
+        // NOLINTNEXTLINE(modernize-use-nullptr): the zero is the comparison's own
         auto operator<=>(const Extent&) const = default;
     };
     [[nodiscard]] Extent extent(std::uint32_t a, std::uint32_t b) const;

@@ -47,7 +47,7 @@ double interpolation_error(const WorldGeometry& geometry, const Viewpoint& view,
         const glm::vec3& a = geometry.positions[triangle.x];
         const glm::vec3 area =
             glm::cross(geometry.positions[triangle.y] - a, geometry.positions[triangle.z] - a) * 0.5F;
-        double solid_angle = static_cast<double>(glm::dot(area, corners[0].towards_camera));
+        auto solid_angle = static_cast<double>(glm::dot(area, corners[0].towards_camera));
         if (!(solid_angle > 0)) continue;
         if (!view.orthographic) {
             const glm::dvec3 away = glm::dvec3(a) - view.eye;

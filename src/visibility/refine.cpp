@@ -93,6 +93,7 @@ private:
     struct Wrong {
         double weight;
         EdgeBisection::Edge edge;
+        // NOLINTNEXTLINE(modernize-use-nullptr): the zero is the comparison's own
         auto operator<=>(const Wrong&) const = default;
     };
 
@@ -250,6 +251,7 @@ private:
                 weight = std::max(weight, here * here * here / least);
             }
             std::vector<Wrong> wrong;
+            wrong.reserve(longest.size());
             for (const auto& [edge, weight] : longest) wrong.push_back({.weight = weight, .edge = edge});
             if (!split(std::move(wrong))) break;
         }
