@@ -48,7 +48,7 @@ def torus(context, rows, columns):
 
 def render_torus(context, size, **options):
     """Stokes vectors as of render(), of 260 vertices in the forest."""
-    red = nicol.Spectrum(count=3, values=[0.4, 0.06, 0.03])
+    red = nicol.Spectrum(count=3, values=[0.13, 0.035, 0.015] + 13 * [0])
     with (
         nicol.Scene.create(context) as scene,
         torus(context, 20, 13) as mesh,
