@@ -20,9 +20,8 @@ enum AovBit : std::uint32_t {
 /// The value of `instances` where there is no surface.
 inline constexpr std::uint32_t kNoInstance = 0xffffffff;
 
-/// Of the first surface on the ray through each pixel's centre, or of the nearest of several rays,
-/// [y][x], row 0 at the top; the variance is of
-/// the image itself. AOVs that were not requested are empty.
+/// Of the first surface on the ray through each pixel's centre, or of the nearest of several rays, [y][x],
+/// row 0 at the top; the variance is of the image itself. AOVs that were not requested are empty.
 struct Aovs {
     int width = 0;
     int height = 0;

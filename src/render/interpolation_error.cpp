@@ -21,12 +21,6 @@ double highest_order(const Material& material, int order) {
     return std::min(1 / narrowest, static_cast<double>(order));
 }
 
-struct Corner {
-    glm::vec3 normal;
-    glm::vec3 towards_camera;
-    glm::vec3 mirrored;
-};
-
 }  // namespace
 
 double interpolation_error(const WorldGeometry& geometry, const Viewpoint& view, int order) {
@@ -37,25 +31,24 @@ double interpolation_error(const WorldGeometry& geometry, const Viewpoint& view,
     double seen = 0;
     for (std::size_t i = 0; i < geometry.triangles.size(); i += step) {
         const glm::uvec3& triangle = geometry.triangles[i];
-        std::array<Corner, 3> corners;
-        for (int k = 0; k < 3; ++k) {
-            const glm::vec3 to_eye(view.towards(glm::dvec3(geometry.positions[triangle[k]])));
-            const glm::vec3& normal = geometry.normals[triangle[k]];
-            corners[static_cast<std::size_t>(k)] = {normal, to_eye,
-                                                    2 * glm::dot(normal, to_eye) * normal - to_eye};
-        }
         const glm::vec3& a = geometry.positions[triangle.x];
         const glm::vec3 area =
             glm::cross(geometry.positions[triangle.y] - a, geometry.positions[triangle.z] - a) * 0.5F;
-        auto solid_angle = static_cast<double>(glm::dot(area, corners[0].towards_camera));
+        double solid_angle = glm::dot(glm::dvec3(area), view.towards(glm::dvec3(a)));
         if (!(solid_angle > 0)) continue;
         if (!view.orthographic) {
             const glm::dvec3 away = glm::dvec3(a) - view.eye;
             solid_angle = std::min(solid_angle / glm::dot(away, away), 4.0);
         }
+        std::array<glm::vec3, 3> mirrored;
+        for (int k = 0; k < 3; ++k) {
+            const glm::vec3 to_eye(view.towards(glm::dvec3(geometry.positions[triangle[k]])));
+            const glm::vec3& normal = geometry.normals[triangle[k]];
+            mirrored[static_cast<std::size_t>(k)] = 2 * glm::dot(normal, to_eye) * normal - to_eye;
+        }
         double turned2 = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const glm::vec3 d = corners[k].mirrored - corners[(k + 1) % 3].mirrored;
+            const glm::vec3 d = mirrored[k] - mirrored[(k + 1) % 3];
             turned2 = std::max(turned2, static_cast<double>(glm::dot(d, d)));
         }
         const auto range =

@@ -51,7 +51,6 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const SurfaceSta
                                             const RenderOptions& options, std::uint64_t memory_limit) {
     measuring_.run(scene.environment(), surfaces.materials, surfaces.versions, [&] {
         choosing_.reset();
-        missed_.clear();
         shares_.clear();
         mean_square_ = 0;
         if (scene.environment()) measure(scene, surfaces);
@@ -95,9 +94,14 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
 }
 
 void OrderSelector::measure(const Scene& scene, const SurfaceState& surfaces) {
-    const PshVector light = scene.environment()->project(kOrder);
+    projecting_.run(scene.environment(), [&] {
+        const PshVector light = scene.environment()->project(kOrder);
+        light_.clear();
+        for (int c = 0; c < light.channels(); ++c) light_.push_back(energies(light, c));
+    });
     const WorldGeometry& geometry = surfaces.geometry;
     kind_ = light_kind(scene.environment().get());
+    responding_.run(kind_, scene.channels(), [&] { responses_.clear(); });
     std::optional<VisibilityPower> visible;
     if (surfaces.visibility != nullptr)
         visible.emplace(*surfaces.visibility, *surfaces.directions, geometry.normals);
@@ -115,21 +119,25 @@ void OrderSelector::measure(const Scene& scene, const SurfaceState& surfaces) {
 
     std::map<MaterialPtr, std::size_t> vertices;
     for (const VertexRange& range : geometry.ranges) vertices[range.material] += range.last - range.first;
+    std::erase_if(responses_, [&](const auto& known) { return !vertices.contains(known.first); });
     for (const auto& [material, count] : vertices) {
-        Share& share =
-            shares_.emplace_back(Share{.material = material,
-                                       .power = ResponsePower(*material, kOrder, kind_, scene.channels()),
-                                       .all = {},
-                                       .seen = {},
-                                       .left = {}});
+        auto known = responses_.find(material);
+        if (known == responses_.end()) {
+            Response response{.power = ResponsePower(*material, kOrder, kind_, scene.channels()),
+                              .missed = {}};
+            known = responses_.emplace(material, std::move(response)).first;
+        }
+        const ResponsePower& power = known->second.power;
+        Share& share = shares_.emplace_back(
+            Share{.material = material, .response = &known->second, .all = {}, .seen = {}, .left = {}});
         share.all.fill(Spectrum(size));
         share.seen.fill(Spectrum(size));
         for (int c = 0; c < scene.channels(); ++c) {
-            auto of_light = energies(light, light.channels() == 1 ? 0 : c);
+            auto of_light = light_[light_.size() == 1 ? 0 : static_cast<std::size_t>(c)];
             for (std::size_t part = 0; part < parts_of(kind_); ++part) {
                 for (double& energy : of_light[part]) energy *= static_cast<double>(count);
                 for (std::size_t output = 0; output < kOutputs; ++output)
-                    add_part(of_light[part], share.power.of(c, output, part), couplings[part == 1 ? 1 : 0],
+                    add_part(of_light[part], power.of(c, output, part), couplings[part == 1 ? 1 : 0],
                              fraction, output, share);
             }
         }
@@ -156,15 +164,14 @@ void OrderSelector::add_part(const Spectrum& light, const Spectrum& power, std::
 double OrderSelector::error(int low, int high) {
     if (!(mean_square_ > 0)) return 0;
     std::array<double, kOutputs> sum{};
-    for (std::size_t i = 0; i < shares_.size(); ++i) {
-        const Share& share = shares_[i];
+    for (const Share& share : shares_) {
         for (std::size_t output = 0; output < kOutputs; ++output) {
             sum[output] += share.left[output][static_cast<std::size_t>(low)];
             for (int l = low + 1; l <= kOrder; ++l) {
                 const auto k = static_cast<std::size_t>(l);
                 const double all = share.all[output][k];
                 const double seen = std::min(all, share.seen[output][k]);
-                sum[output] += l <= high ? all - seen + missed(i, low, high)[output] * seen : all;
+                sum[output] += l <= high ? all - seen + missed(share, low, high)[output] * seen : all;
             }
         }
     }
@@ -172,21 +179,21 @@ double OrderSelector::error(int low, int high) {
     return std::sqrt(std::max(sum[0], sum[1] / 2) / mean_square_);
 }
 
-// The part of the energy that high orders do not catch, of natural light.
-const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(std::size_t share, int low,
+// Of natural light.
+const std::array<double, OrderSelector::kOutputs>& OrderSelector::missed(const Share& share, int low,
                                                                          int high) {
-    const auto [found, fresh] = missed_.try_emplace({share, low, high});
+    const auto [found, fresh] = share.response->missed.try_emplace({low, high});
     if (!fresh) return found->second;
     constexpr std::size_t angles = 4;
-    const Share& of = shares_[share];
-    const SplitFit fit(*of.material, low, high, of.power.channels());
+    const ResponsePower& power = share.response->power;
+    const SplitFit fit(*share.material, low, high, power.channels());
     std::array<double, kOutputs> total{};
-    for (int c = 0; c < of.power.channels(); ++c) {
+    for (int c = 0; c < power.channels(); ++c) {
         for (std::size_t output = 0; output < kOutputs; ++output)
             for (std::size_t part = 0; part < parts_of(kind_); ++part)
                 for (int l = low + 1; l <= high; ++l)
                     total[output] +=
-                        SplitFit::prior(l) * of.power.of(c, output, part)[static_cast<std::size_t>(l)];
+                        SplitFit::prior(l) * power.of(c, output, part)[static_cast<std::size_t>(l)];
     }
     found->second.fill(1);
     for (const SplitStencil& stencil : kUsualStencils) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <map>
 #include <span>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "material/response_power.hpp"
@@ -45,10 +45,17 @@ private:
     static constexpr std::size_t kOutputs = ResponsePower::kOutputs;
     using Spectrum = ResponsePower::Spectrum;
 
+    // A material, whatever its light and shadows.
+    struct Response {
+        ResponsePower power;
+        // By low and high order, the part of the energy that high orders do not catch.
+        std::map<std::pair<int, int>, std::array<double, kOutputs>> missed;
+    };
+
     // What a material has in the mean square of the image's Stokes components, by order of the light.
     struct Share {
         MaterialPtr material;
-        ResponsePower power;
+        Response* response;
         std::array<Spectrum, kOutputs> all;
         std::array<Spectrum, kOutputs> seen;  // without what shadows move here from other orders
         // By low order, of light up to it: what shadows leave to responses above it.
@@ -64,16 +71,19 @@ private:
     static void add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,
                          double fraction, std::size_t output, Share& share);
     double error(int low, int high);
-    const std::array<double, kOutputs>& missed(std::size_t share, int low, int high);
+    const std::array<double, kOutputs>& missed(const Share& share, int low, int high);
 
     Stage<EnvironmentPtr, Version, SurfaceVersions> measuring_;
     LightKind kind_ = LightKind::unpolarized;
+    Stage<LightKind, int> responding_;  // kind and channels
+    std::map<MaterialPtr, Response> responses_;
+    Stage<EnvironmentPtr> projecting_;
+    std::vector<std::array<Spectrum, ResponsePower::kParts>> light_;  // energies by order, of each channel
     std::vector<Share> shares_;
     double mean_square_ = 0;  // of s0
     // Geometry, light, the options that matter for memory, and its limit.
     Stage<Version, EnvironmentPtr, bool, bool, int, HighOrders, std::uint64_t> limiting_;
     int highest_low_ = kHighestLow;
-    std::map<std::tuple<std::size_t, int, int>, std::array<double, kOutputs>> missed_;
     Stage<double, bool, int> choosing_;
     Orders chosen_;
 };

@@ -34,9 +34,8 @@ struct Refinement {
 ///
 /// Where blocked rays land close to their start, triangles are first made about as small as that is close or
 /// as the triangles around the start: what stands on the middle of a large triangle hides nothing from its
-/// corners. Shadows may jump: edges shorter than 1/32 of
-/// the shadowed region's extent may err by more, in inverse proportion, and those shorter than 1/256 are not
-/// split.
+/// corners. Shadows may jump: edges shorter than 1/32 of the shadowed region's extent may err by more, in
+/// inverse proportion, and those shorter than 1/256 are not split.
 ///
 /// `visibility` is bake()'s; added vertices are traced as its are. Where nothing is occluded nothing is done,
 /// and `parents` is empty. Adds its rays, vertices and time to `statistics`. The result depends on the
