@@ -8,8 +8,10 @@
 
 #ifdef HIGH_ORDER_POLARIZED
 const int HIGH_ORDER_LAYERS = 2 * CHANNELS;
+const int HIGH_ORDER_ELEMENTS = 42;  // of a pairing
 #else
 const int HIGH_ORDER_LAYERS = 1;
+const int HIGH_ORDER_ELEMENTS = 12;
 #endif
 
 #include "angle.glsl"
@@ -120,9 +122,11 @@ vec4 high_order_stokes(sampler2D map, HighOrderSpot at, int channel, vec3 x, vec
     return vec4(p.x, 0.5 * (dot(x, tensor * x) - dot(y, ty)), dot(x, ty), p.y);
 }
 
-// d, x and normal in the light's axes; the result in the frame with x along the s-axis.
-void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible, sampler2D factors,
-                           sampler2D central, sampler2D outer, sampler2D base, out vec4 stokes[CHANNELS]) {
+// Of the pairing whose elements are `first` and those after it. d, x and normal in the light's axes; the result in the
+// frame with x along the s-axis.
+void high_order_of_pairing(int first, vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible,
+                           sampler2D factors, sampler2D central, sampler2D outer, sampler2D base,
+                           out vec4 stokes[CHANNELS]) {
     HighOrderAngle angle = high_order_angle(factors, cosine);
     vec4 difference[CHANNELS];
     for (int i = 0; i < CHANNELS; ++i) stokes[i] = difference[i] = vec4(0.0);
@@ -138,8 +142,8 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
             at = high_order_spot(outer, direction);
         int tap = min(k, 3);
         vec4 f[8];
-        for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, 2 * tap + e);
-        for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, 12 + 6 * tap + e);
+        for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, first + 2 * tap + e);
+        for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, first + 12 + 6 * tap + e);
         for (int i = 0; i < CHANNELS; ++i) {
             vec4 s;
             if (k == 0)
@@ -154,8 +158,8 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
     }
     if (spread > 0.0) {
         vec4 f[8];
-        for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, 8 + e);
-        for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, 36 + e);
+        for (int e = 0; e < 2; ++e) f[e] = high_order_factor(factors, angle, first + 8 + e);
+        for (int e = 0; e < 6; ++e) f[2 + e] = high_order_factor(factors, angle, first + 36 + e);
         for (int i = 0; i < CHANNELS; ++i) {
             vec4 s = difference[i];
             stokes[i] += vec4(f[2][i] * s.z + f[6][i] * s.w, f[3][i] * s.z + f[7][i] * s.w,
@@ -165,20 +169,21 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
     for (int i = 0; i < CHANNELS; ++i) stokes[i] *= visible.x;
     if (visible.y > 0.0) {
         HighOrderSpot at = high_order_spot(base, -normal);
-        vec4 to_s0 = visible.y * high_order_factor(factors, angle, 10);
-        vec4 to_s1 = visible.y * high_order_factor(factors, angle, 11);
+        vec4 to_s0 = visible.y * high_order_factor(factors, angle, first + 10);
+        vec4 to_s1 = visible.y * high_order_factor(factors, angle, first + 11);
         for (int i = 0; i < CHANNELS; ++i)
             stokes[i].xy += high_order_texel(base, at, 2 * i).x * vec2(to_s0[i], to_s1[i]);
     }
 }
 #else
 // The components of the vectors of light and factors are channels.
-void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible, sampler2D factors,
-                           sampler2D central, sampler2D outer, sampler2D base, out vec4 stokes[CHANNELS]) {
+void high_order_of_pairing(int first, vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible,
+                           sampler2D factors, sampler2D central, sampler2D outer, sampler2D base,
+                           out vec4 stokes[CHANNELS]) {
     HighOrderAngle angle = high_order_angle(factors, cosine);
     vec4 light = high_order_texel(central, high_order_spot(central, d), 0);
-    vec4 s0 = light * high_order_factor(factors, angle, 0);
-    vec4 s1 = light * high_order_factor(factors, angle, 1);
+    vec4 s0 = light * high_order_factor(factors, angle, first + 0);
+    vec4 s1 = light * high_order_factor(factors, angle, first + 1);
     vec4 s2 = vec4(0.0);
     vec4 s3 = vec4(0.0);
     if (spread > 0.0) {
@@ -187,22 +192,33 @@ void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spre
         for (int k = 0; k < 4; ++k) s[k] = high_order_texel(outer, high_order_spot(outer, taps[k]), 0);
         vec4 sum = s[2] + s[3];
         vec4 difference = s[2] - s[3];
-        s0 += s[0] * high_order_factor(factors, angle, 2) + s[1] * high_order_factor(factors, angle, 4) +
-              sum * high_order_factor(factors, angle, 6);
-        s1 += s[0] * high_order_factor(factors, angle, 3) + s[1] * high_order_factor(factors, angle, 5) +
-              sum * high_order_factor(factors, angle, 7);
-        s2 = difference * high_order_factor(factors, angle, 8);
-        s3 = difference * high_order_factor(factors, angle, 9);
+        s0 += s[0] * high_order_factor(factors, angle, first + 2) + s[1] * high_order_factor(factors, angle, first + 4) +
+              sum * high_order_factor(factors, angle, first + 6);
+        s1 += s[0] * high_order_factor(factors, angle, first + 3) + s[1] * high_order_factor(factors, angle, first + 5) +
+              sum * high_order_factor(factors, angle, first + 7);
+        s2 = difference * high_order_factor(factors, angle, first + 8);
+        s3 = difference * high_order_factor(factors, angle, first + 9);
     }
     for (int i = 0; i < CHANNELS; ++i) stokes[i] = visible.x * vec4(s0[i], s1[i], s2[i], s3[i]);
     if (visible.y > 0.0) {
         light = visible.y * high_order_texel(base, high_order_spot(base, -normal), 0);
-        s0 = light * high_order_factor(factors, angle, 10);
-        s1 = light * high_order_factor(factors, angle, 11);
+        s0 = light * high_order_factor(factors, angle, first + 10);
+        s1 = light * high_order_factor(factors, angle, first + 11);
         for (int i = 0; i < CHANNELS; ++i) stokes[i].xy += vec2(s0[i], s1[i]);
     }
 }
 #endif
+
+// All pairings: the second one's (s0, s1) and (s2, s3) change places.
+void high_order_in_s_frame(vec3 d, vec3 x, vec3 normal, float cosine, float spread, vec2 visible, sampler2D factors,
+                           sampler2D central, sampler2D outer, sampler2D base, out vec4 stokes[CHANNELS]) {
+    high_order_of_pairing(0, d, x, normal, cosine, spread, visible, factors, central, outer, base, stokes);
+    if (textureSize(factors, 0).y == HIGH_ORDER_ELEMENTS) return;
+    vec4 second[CHANNELS];
+    high_order_of_pairing(HIGH_ORDER_ELEMENTS, d, x, normal, cosine, spread, visible, factors, central, outer, base,
+                          second);
+    for (int i = 0; i < CHANNELS; ++i) stokes[i] += second[i].zwxy;
+}
 
 // What a surface reflects of the light's high orders, in the frame with x along `camera_x`, a unit vector across
 // `view`. normal and view (the propagation direction of the reflected light) are unit vectors in the world. to_light

@@ -63,13 +63,13 @@ void HighOrderTextures::copy(const HighOrderTransfer& transfer, int channels) {
         if (part.outer == nullptr) part.outer = part.central;
         if (part.base == nullptr) part.base = part.central;
         for (int g = 0; g < group_count(channels); ++g) {
-            part.factors.emplace_back(
-                context_,
-                gl::TextureDescription{
-                    .width = HighOrderFactors::kAngles,
-                    .height = polarized_ ? HighOrderFactors::kElements : HighOrderFactors::kUnpolarized,
-                    .filter = gl::Filter::linear},
-                from.factors.texels(g * kGroup, group_size(channels, g), polarized_));
+            const std::vector<float> texels =
+                from.factors.texels(g * kGroup, group_size(channels, g), polarized_);
+            const gl::TextureDescription size{
+                .width = HighOrderFactors::kAngles,
+                .height = static_cast<int>(texels.size() / 4 / HighOrderFactors::kAngles),
+                .filter = gl::Filter::linear};
+            part.factors.emplace_back(context_, size, texels);
         }
         parts_.emplace(material, std::move(part));
     }

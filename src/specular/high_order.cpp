@@ -98,13 +98,12 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
     const auto sine = static_cast<float>(std::sin(factors_.spread()));
     const std::size_t components = polarized ? 4 : 1;
     const bool alike = factors_.channels() == 1 && maps_.central->channels() == 1;
-    const std::size_t step = HighOrderFactors::kElements * static_cast<std::size_t>(factors_.channels());
     // Whole squares are faster to transpose.
     constexpr std::size_t few = std::max<std::size_t>(kLanes, HighOrderFactors::kUnpolarized);
     const std::size_t used = polarized ? HighOrderFactors::kElements : few;
 
     Taps taps(4 * static_cast<std::size_t>(maps_.central->layers()));
-    std::array<Lanes, HighOrderFactors::kElements> table;
+    std::array<Lanes, std::size_t{2} * HighOrderFactors::kElements> table;  // [pairing][element]
     std::array<Lanes, 4> stokes;
     for (std::size_t begin = first / kLanes * kLanes; begin < last; begin += kLanes) {
         std::array<std::uint8_t, kLanes> shown{};
@@ -136,11 +135,12 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
         }
         for (std::size_t c = 0; c < out.size(); ++c) {
             if (c == 0 || !alike) {
-                if (c == 0 || factors_.channels() > 1) {
+                for (std::size_t pairing = 0; pairing < factors_.pairings(); ++pairing) {
+                    if (c > 0 && factors_.channels() == 1) break;
+                    const std::size_t offset = pairing * HighOrderFactors::kElements;
                     std::array<const float*, kLanes> rows;
-                    for (std::size_t i = 0; i < kLanes; ++i)
-                        rows[i] = factors_.row(angle[i], factors_.channels() > 1 ? c : 0);
-                    to_lanes_between(rows, step, fraction, used, table.data());
+                    for (std::size_t i = 0; i < kLanes; ++i) rows[i] = factors_.row(angle[i], c) + offset;
+                    to_lanes_between(rows, factors_.step(), fraction, used, &table[offset]);
                 }
                 const std::size_t own = maps_.central->channels() == 1 ? 0 : c * components;
                 reflect_taps({.central = &taps.central[own],
@@ -149,7 +149,8 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
                               .right = &taps.right[own],
                               .left = &taps.left[own],
                               .base = factors_.has_base() ? &taps.base[own] : nullptr},
-                             polarized, table.data(), mirror, dimmed[0], dimmed[1], stokes.data());
+                             polarized, table.data(), factors_.pairings(), mirror, dimmed[0], dimmed[1],
+                             stokes.data());
             }
             add_fours(stokes.data(), shown.data(), all, out[c].data() + begin);
         }

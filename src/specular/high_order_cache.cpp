@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kMagic("NICOLHO\0", 8);
 // Raise it whenever the numbers of any fit change.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 std::string key_of(const std::string& content, int l_low, int l_high, int channels) {
     return Key(content)
@@ -36,13 +36,13 @@ HighOrderFactors load_or_fit(const Material& material, int l_low, int l_high, in
     const int factor_channels = ResponseTable::channels_for(material, channels);
     const CacheFile file(folder, kMagic, kVersion, key_of(content, l_low, l_high, factor_channels), ".lobes");
     std::array<std::int32_t, 3> stencil{};  // central lobe, outer lobe, base
-    std::vector<float> data(std::size_t{HighOrderFactors::kElements} * HighOrderFactors::kAngles *
+    std::vector<float> data(material.pairings() * HighOrderFactors::kElements * HighOrderFactors::kAngles *
                             static_cast<std::size_t>(factor_channels));
     CacheFile::Outcome outcome = file.read(
         std::array{writable_bytes_of(std::span<std::int32_t>(stencil)), writable_bytes_of(std::span(data))});
     if (outcome.state == CacheFile::State::complete) {
         std::optional<HighOrderFactors> kept = HighOrderFactors::stored(
-            factor_channels, stencil[0], stencil[1], stencil[2] != 0, std::move(data));
+            factor_channels, material.pairings(), stencil[0], stencil[1], stencil[2] != 0, std::move(data));
         if (kept) return *std::move(kept);
         outcome = {CacheFile::State::unfit, "is damaged"};
     }

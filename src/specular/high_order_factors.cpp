@@ -27,10 +27,11 @@ double zenith(std::size_t angle) {
     return std::min(std::acos(static_cast<double>(angle) / (kAngleCount - 1)), pi / 2 - 1e-3);
 }
 
-// The elements in their stored order, from the factors of each tap.
-std::array<double, HighOrderFactors::kElements> elements_of(const SplitFactors& factors) {
+// The elements of a pairing in their stored order, from the factors of each tap.
+std::array<double, HighOrderFactors::kElements> elements_of(const SplitFactors& factors,
+                                                            std::size_t pairing) {
     const auto f = [&](std::size_t tap, std::size_t row, std::size_t column) {
-        return factors.of[row][4 * tap + column];
+        return factors.of[pairing == 0 ? row : row ^ 2U][4 * tap + column];
     };
     const auto even = [&](std::size_t tap, std::size_t row, std::size_t column) {
         return tap < 3 ? f(tap, row, column) : (f(3, row, column) + f(4, row, column)) / 2;
@@ -121,16 +122,19 @@ HighOrderFactors HighOrderFactors::mirror() {
     return out;
 }
 
-std::optional<HighOrderFactors> HighOrderFactors::stored(int channels, int central_lobe, int outer_lobe,
-                                                         bool has_base, std::vector<float> data) {
+std::optional<HighOrderFactors> HighOrderFactors::stored(int channels, std::size_t pairings, int central_lobe,
+                                                         int outer_lobe, bool has_base,
+                                                         std::vector<float> data) {
     constexpr int lobes = static_cast<int>(kLobeWidths.size());
-    const bool fits = channels >= 1 && central_lobe >= 0 && central_lobe <= outer_lobe &&
-                      outer_lobe < lobes &&
-                      data.size() == kElements * kAngleCount * static_cast<std::size_t>(channels) &&
-                      std::ranges::all_of(data, [](float value) { return std::isfinite(value); });
+    const bool fits =
+        channels >= 1 && (pairings == 1 || pairings == 2) && central_lobe >= 0 &&
+        central_lobe <= outer_lobe && outer_lobe < lobes &&
+        data.size() == pairings * kElements * kAngleCount * static_cast<std::size_t>(channels) &&
+        std::ranges::all_of(data, [](float value) { return std::isfinite(value); });
     if (!fits) return std::nullopt;
     HighOrderFactors out;
     out.channels_ = channels;
+    out.pairings_ = pairings;
     out.central_lobe_ = central_lobe;
     out.outer_lobe_ = outer_lobe;
     out.spread_ = kLobeWidths[static_cast<std::size_t>(outer_lobe)];
@@ -140,7 +144,7 @@ std::optional<HighOrderFactors> HighOrderFactors::stored(int channels, int centr
 }
 
 HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_high, int channels)
-    : channels_(ResponseTable::channels_for(material, channels)) {
+    : channels_(ResponseTable::channels_for(material, channels)), pairings_(material.pairings()) {
     if (l_low < 0 || l_high <= l_low || l_high > kMaxOrder) {
         throw Error(ErrorCode::invalid_argument,
                     "high orders from " + std::to_string(l_low) + " to " + std::to_string(l_high) +
@@ -153,25 +157,31 @@ HighOrderFactors::HighOrderFactors(const Material& material, int l_low, int l_hi
     spread_ = stencil.spread;
     has_base_ = stencil.base;
     const auto count = static_cast<std::size_t>(channels_);
-    data_.resize(kElements * kAngleCount * count);
+    data_.resize(pairings_ * kElements * kAngleCount * count);
     tbb::parallel_for(std::size_t{0}, kAngleCount, [&](std::size_t angle) {
         const std::vector<SplitFactors> factors = fit.at(zenith(angle), stencil);
         for (std::size_t c = 0; c < count; ++c) {
-            const auto elements = elements_of(factors[c]);
-            float* to = &data_[(angle * count + c) * elements.size()];
-            for (std::size_t i = 0; i < elements.size(); ++i) to[i] = static_cast<float>(elements[i]);
+            float* to = &data_[(angle * count + c) * pairings_ * kElements];
+            for (std::size_t pairing = 0; pairing < pairings_; ++pairing)
+                for (const double element : elements_of(factors[c], pairing))
+                    *to++ = static_cast<float>(element);
         }
     });
 }
 
 std::vector<float> HighOrderFactors::texels(int first_channel, int count, bool polarized) const {
     const auto elements = static_cast<std::size_t>(polarized ? kElements : kUnpolarized);
-    std::vector<float> out(4 * elements * kAngleCount);
+    std::vector<float> out(4 * pairings_ * elements * kAngleCount);
     for (std::size_t angle = 0; angle < kAngleCount; ++angle) {
         for (int i = 0; i < count; ++i) {
             const float* from = row(angle, channels_ == 1 ? 0 : static_cast<std::size_t>(first_channel + i));
-            for (std::size_t e = 0; e < elements; ++e)
-                out[4 * (e * kAngleCount + angle) + static_cast<std::size_t>(i)] = from[e];
+            for (std::size_t pairing = 0; pairing < pairings_; ++pairing) {
+                for (std::size_t e = 0; e < elements; ++e) {
+                    const std::size_t line = pairing * elements + e;
+                    out[4 * (line * kAngleCount + angle) + static_cast<std::size_t>(i)] =
+                        from[pairing * kElements + e];
+                }
+            }
         }
     }
     return out;

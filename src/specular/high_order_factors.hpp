@@ -25,8 +25,9 @@ inline constexpr std::array<double, 4> kLobeWidths{0.0, 0.05, 0.1, 0.2};
 /// is at -n in light filtered by cosine_gains(). With S the Stokes vectors at the taps, outgoing light is
 ///     F_central S_d + F_up S_up + F_down S_down + F_sum (S_right + S_left) + F_difference (S_right - S_left)
 ///     + F_base S_-n.
-/// Mirror symmetry leaves eight elements each (the last: s0 to s0 and s1); of materials without it, the part
-/// that has it is taken.
+/// Mirror symmetry leaves eight elements each (the last: s0 to s0 and s1). A material without it is the sum
+/// of two that have it, of which the second one's outgoing (s0, s1) and (s2, s3) change places: its second
+/// pairing.
 class HighOrderFactors {
 public:
     /// Cosines of the zenith angle, evenly from 0 to 1. In between, factors are linear.
@@ -48,12 +49,14 @@ public:
     HighOrderFactors(const Material& material, int l_low, int l_high, int channels);
 
     /// From what the members below gave of another; nothing where that cannot be.
-    [[nodiscard]] static std::optional<HighOrderFactors> stored(int channels, int central_lobe,
-                                                                int outer_lobe, bool has_base,
-                                                                std::vector<float> data);
+    [[nodiscard]] static std::optional<HighOrderFactors> stored(int channels, std::size_t pairings,
+                                                                int central_lobe, int outer_lobe,
+                                                                bool has_base, std::vector<float> data);
 
     /// 1 where all channels have the same factors.
     [[nodiscard]] int channels() const noexcept { return channels_; }
+    /// 1 of mirror symmetric materials, else 2.
+    [[nodiscard]] std::size_t pairings() const noexcept { return pairings_; }
     /// Positions in kLobeWidths of the lobes for the central tap and for the four outer ones.
     [[nodiscard]] int central_lobe() const noexcept { return central_lobe_; }
     [[nodiscard]] int outer_lobe() const noexcept { return outer_lobe_; }
@@ -62,14 +65,17 @@ public:
     /// Whether there is a tap at -n.
     [[nodiscard]] bool has_base() const noexcept { return has_base_; }
 
-    /// [angle][channel][element]
+    /// [angle][channel][pairing][element]
     [[nodiscard]] std::span<const float> data() const noexcept { return data_; }
-    /// For a texture that is kAngles wide: [element][angle][4], the first `count` channels (1..4) from
-    /// `first_channel` on in the components; the elements of unpolarized light, or all.
+    /// For a texture that is kAngles wide: [pairing][element][angle][4], the first `count` channels (1..4)
+    /// from `first_channel` on in the components; the elements of unpolarized light, or all.
     [[nodiscard]] std::vector<float> texels(int first_channel, int count, bool polarized) const;
-    /// The elements of an angle and channel; those of the next angle are kElements * channels() further.
+    /// The elements [pairing][element] of an angle and channel; those of the next angle are step() further.
     [[nodiscard]] const float* row(std::size_t angle, std::size_t channel) const {
-        return &data_[(angle * static_cast<std::size_t>(channels_) + channel) * kElements];
+        return &data_[angle * step() + channel * pairings_ * kElements];
+    }
+    [[nodiscard]] std::size_t step() const noexcept {
+        return static_cast<std::size_t>(channels_) * pairings_ * kElements;
     }
     /// Where the cosine of a zenith angle lies: the angle below, and the weight of the next one.
     struct Position {
@@ -88,6 +94,7 @@ private:
     HighOrderFactors() = default;
 
     int channels_ = 1;
+    std::size_t pairings_ = 1;
     int central_lobe_ = 0;
     int outer_lobe_ = 0;
     double spread_ = 0;

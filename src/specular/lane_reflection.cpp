@@ -42,13 +42,13 @@ template <bool Polarized>
     }
 }
 
+// What a mirror-symmetric factor makes of the light at the taps, in the s-frame.
 template <bool Polarized>
-[[gnu::always_inline]] inline void reflect(const ChannelTaps& taps, const Lanes* f, const LaneMirror& mirror,
-                                           const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
+[[gnu::always_inline]] inline void add_taps(const ChannelTaps& taps, const Lanes* f, const Lanes& lobe,
+                                            const Lanes& hemisphere, LaneVector* sum) {
     constexpr int components = Polarized ? 4 : 1;
     LaneVector s[4];
     LaneVector difference[4];
-    LaneVector sum[4] = {};
     const auto take = [&](const Lanes* from) {
         for (int p = 0; p < components; ++p) s[p] = at(from + p);
     };
@@ -66,11 +66,24 @@ template <bool Polarized>
         add_even<Polarized>(f + 6, f + kRest + 18, s, sum);
         add_odd<Polarized>(f + 8, f + kRest + 24, difference, sum);
     }
-    for (LaneVector& component : sum) component *= at(&lobe);
+    for (int p = 0; p < 4; ++p) sum[p] *= at(&lobe);
     if (taps.base != nullptr) {
         const LaneVector base = at(&hemisphere) * at(taps.base);
         sum[0] += base * at(f + 10);
         sum[1] += base * at(f + 11);
+    }
+}
+
+template <bool Polarized>
+[[gnu::always_inline]] inline void reflect(const ChannelTaps& taps, const Lanes* f, std::size_t pairings,
+                                           const LaneMirror& mirror, const Lanes& lobe,
+                                           const Lanes& hemisphere, Lanes* stokes) {
+    LaneVector sum[4] = {};
+    add_taps<Polarized>(taps, f, lobe, hemisphere, sum);
+    if (pairings > 1) {
+        LaneVector second[4] = {};
+        add_taps<Polarized>(taps, f + HighOrderFactors::kElements, lobe, hemisphere, second);
+        for (int p = 0; p < 4; ++p) sum[p] += second[p ^ 2];
     }
     const LaneVector c = at(&mirror.frame_cosine);
     const LaneVector sine = at(&mirror.frame_sine);
@@ -82,12 +95,12 @@ template <bool Polarized>
 
 }  // namespace
 
-void reflect_taps(const ChannelTaps& taps, bool polarized, const Lanes* factors, const LaneMirror& mirror,
-                  const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
+void reflect_taps(const ChannelTaps& taps, bool polarized, const Lanes* factors, std::size_t pairings,
+                  const LaneMirror& mirror, const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes) {
     if (polarized) {
-        dispatch<reflect<true>>(taps, factors, mirror, lobe, hemisphere, stokes);
+        dispatch<reflect<true>>(taps, factors, pairings, mirror, lobe, hemisphere, stokes);
     } else {
-        dispatch<reflect<false>>(taps, factors, mirror, lobe, hemisphere, stokes);
+        dispatch<reflect<false>>(taps, factors, pairings, mirror, lobe, hemisphere, stokes);
     }
 }
 

@@ -18,9 +18,9 @@ struct ChannelTaps {
     const Lanes* base;  ///< null where there is none
 };
 
-/// Stokes vectors in the camera's frame field. factors: [element]. lobe and hemisphere: the visible
+/// Stokes vectors in the camera's frame field. factors: [pairing][element]. lobe and hemisphere: the visible
 /// fractions.
-void reflect_taps(const ChannelTaps& taps, bool polarized, const Lanes* factors, const LaneMirror& mirror,
-                  const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes);
+void reflect_taps(const ChannelTaps& taps, bool polarized, const Lanes* factors, std::size_t pairings,
+                  const LaneMirror& mirror, const Lanes& lobe, const Lanes& hemisphere, Lanes* stokes);
 
 }  // namespace nicol

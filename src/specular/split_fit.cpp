@@ -59,21 +59,6 @@ void add_other_side(std::array<SplitVector, 4>& moments) {
     }
 }
 
-// The mean of the matrices for light from one direction and of those that the mirror images of materials
-// have, which are their own where they are symmetric; the viewer is at azimuth 0.
-void evaluate_symmetric(const Material& material, const glm::dvec3& light, const glm::dvec3& viewer,
-                        std::span<Mueller> muellers, std::span<Mueller> mirrored) {
-    material.evaluate_terms(light, viewer, muellers);
-    if (material.mirror_symmetric()) return;
-    material.evaluate_terms({light.x, -light.y, light.z}, viewer, mirrored);
-    for (std::size_t t = 0; t < muellers.size(); ++t)
-        for (std::size_t p = 0; p < 4; ++p)
-            for (std::size_t q = 0; q < 4; ++q) {
-                const double image = (p < 2) == (q < 2) ? mirrored[t](p, q) : -mirrored[t](p, q);
-                muellers[t](p, q) = (muellers[t](p, q) + image) / 2;
-            }
-}
-
 // The s-frame x of outgoing light is phi-hat: theta-hat rotated by 90 degrees.
 constexpr std::array<double, 4> kQuarterRotation{1, -1, -1, 1};
 
@@ -183,11 +168,16 @@ std::vector<SplitFit::Moments> SplitFit::integrated(double theta_out,
     for (std::size_t t = 0; t < terms; ++t) lobe = std::min(lobe, material_.lobe_width(static_cast<int>(t)));
     const glm::dvec3 viewer(std::sin(theta_out), 0, std::cos(theta_out));
     const double narrow = std::min(1.0, lobe / std::max(lobe, viewer.x));
-    const std::vector<QuadratureNode> azimuths = nodes_around(pi, 0, pi, narrow, pi / 8);
+    std::vector<QuadratureNode> azimuths = nodes_around(pi, 0, pi, narrow, pi / 8);
+    const bool symmetric = material_.mirror_symmetric();
+    if (!symmetric) {
+        const std::size_t half = azimuths.size();
+        azimuths.reserve(2 * half);
+        for (std::size_t i = 0; i < half; ++i) azimuths.push_back({-azimuths[i].x, azimuths[i].weight});
+    }
 
     std::vector<Moments> out(terms);
     std::vector<Mueller> muellers(terms);
-    std::vector<Mueller> mirrored(terms);
     for (const QuadratureNode& zenith : nodes_around(theta_out, 0, pi / 2, lobe, pi / 8)) {
         const double sin_theta = std::sin(zenith.x);
         const double cos_theta = std::cos(zenith.x);
@@ -195,7 +185,7 @@ std::vector<SplitFit::Moments> SplitFit::integrated(double theta_out,
             const double weight = zenith.weight * azimuth.weight * sin_theta * cos_theta;
             const glm::dvec3 light(sin_theta * std::cos(azimuth.x), sin_theta * std::sin(azimuth.x),
                                    cos_theta);
-            evaluate_symmetric(material_, light, viewer, muellers, mirrored);
+            material_.evaluate_terms(light, viewer, muellers);
             const Frame frame = theta_phi_frame(-light);
             for (std::size_t i = 0; i < taps.size(); ++i) {
                 const auto lobe_index = static_cast<std::size_t>(taps[i].lobe);
@@ -218,7 +208,8 @@ std::vector<SplitFit::Moments> SplitFit::integrated(double theta_out,
             }
         }
     }
-    for (Moments& moments : out) add_other_side(moments);
+    if (symmetric)
+        for (Moments& moments : out) add_other_side(moments);
     return out;
 }
 
@@ -230,20 +221,24 @@ std::vector<SplitFit::Moments> SplitFit::of_matrices(
         const int order = std::min(l_high_, matrix.order_in());
         if (order <= l_low_) continue;
         const LightLayout layout(order, LightKind::full);
-        std::vector<double> rows(4 * layout.row_size());
+        const std::size_t pairings = material_.pairings();
+        std::vector<double> rows(4 * pairings * layout.row_size());
         std::vector<double> numbers(layout.size());
-        rows_from_matrix(matrix, theta_out, layout, 1, rows);
+        rows_from_matrix(matrix, theta_out, layout, pairings, rows);
         for (std::size_t p = 0; p < 4; ++p) {
             for (std::size_t i = 0; i < taps.size(); ++i) {
                 const std::vector<double>& gain = gains_[static_cast<std::size_t>(taps[i].lobe)];
                 PshVector field(order, 1);
                 std::ranges::fill(numbers, 0.0);
-                const double* row = &rows[p * layout.row_size()];
-                for (const LightLayout::Run& run : layout.runs()) {
-                    for (std::size_t k = 0; k < run.count; ++k) {
-                        const auto l =
-                            static_cast<std::size_t>(run.l) + k * static_cast<std::size_t>(run.step);
-                        numbers[(p < 2 ? run.even : run.odd) + k] += gain[l] * *row++;
+                const double* row = &rows[p * pairings * layout.row_size()];
+                for (std::size_t pairing = 0; pairing < pairings; ++pairing) {
+                    const bool even = (p < 2) == (pairing == 0);
+                    for (const LightLayout::Run& run : layout.runs()) {
+                        for (std::size_t k = 0; k < run.count; ++k) {
+                            const auto l =
+                                static_cast<std::size_t>(run.l) + k * static_cast<std::size_t>(run.step);
+                            numbers[(even ? run.even : run.odd) + k] += gain[l] * *row++;
+                        }
                     }
                 }
                 for (std::size_t j = 0; j < numbers.size(); ++j) {

@@ -47,11 +47,13 @@ TEST_CASE("fitted factors come back from the cache as they were, and files that 
 
 TEST_CASE("factors that cannot be are not taken") {
     std::vector<float> data(std::size_t{HighOrderFactors::kAngles} * HighOrderFactors::kElements);
-    CHECK(HighOrderFactors::stored(1, 0, 1, true, data));
-    CHECK_FALSE(HighOrderFactors::stored(2, 0, 1, true, data));
-    CHECK_FALSE(HighOrderFactors::stored(1, 2, 1, true, data));
-    CHECK_FALSE(HighOrderFactors::stored(1, -1, 1, true, data));
-    CHECK_FALSE(HighOrderFactors::stored(1, 0, 4, true, data));
+    CHECK(HighOrderFactors::stored(1, 1, 0, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(2, 1, 0, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(1, 2, 0, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(1, 0, 0, 1, true, {}));
+    CHECK_FALSE(HighOrderFactors::stored(1, 1, 2, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(1, 1, -1, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(1, 1, 0, 4, true, data));
     data[7] = HUGE_VALF;
-    CHECK_FALSE(HighOrderFactors::stored(1, 0, 1, true, data));
+    CHECK_FALSE(HighOrderFactors::stored(1, 1, 0, 1, true, data));
 }

@@ -19,16 +19,17 @@ double mix(double low, double high, double fraction) {
     return low + fraction * (high - low);
 }
 
-// The elements of the factors as they are stored, between two angles.
+// The elements of a pairing of the factors as they are stored, between two angles.
 class Elements {
 public:
-    Elements(const HighOrderFactors& factors, int channel, double cosine) {
+    Elements(const HighOrderFactors& factors, int channel, std::size_t pairing, double cosine) {
         const double x = std::clamp(cosine, 0.0, 1.0) * (HighOrderFactors::kAngles - 1);
         const int angle = std::min(static_cast<int>(x), HighOrderFactors::kAngles - 2);
         const auto at = [&](int a, std::size_t e) {
             const int own = factors.channels() == 1 ? 0 : channel;
             const auto row = static_cast<std::size_t>(a * factors.channels() + own);
-            return static_cast<double>(factors.data()[row * HighOrderFactors::kElements + e]);
+            const std::size_t first = (row * factors.pairings() + pairing) * HighOrderFactors::kElements;
+            return static_cast<double>(factors.data()[first + e]);
         };
         for (std::size_t e = 0; e < elements_.size(); ++e)
             elements_[e] = mix(at(angle, e), at(angle + 1, e), x - angle);
@@ -84,20 +85,27 @@ Image high_orders_in_double(const Vertices& vertices, const HighOrderFactors& fa
             const auto at = [&](const LobeMap& map, const glm::dvec3& direction, const glm::dvec3& axis) {
                 return look_up(map, map.channels() == 1 ? 0 : c, to_light * direction, to_light * axis);
             };
-            const Elements f(factors, c, cosine);
-            Stokes sum = f.even(0, at(*maps.central, d, x));
-            if (factors.spread() > 0) {
-                sum += f.even(1, at(*maps.outer, cos_spread * d + sin_spread * y, x));
-                sum += f.even(2, at(*maps.outer, cos_spread * d - sin_spread * y, x));
-                const Stokes right =
-                    at(*maps.outer, cos_spread * d + sin_spread * x, cos_spread * x - sin_spread * d);
-                const Stokes left =
-                    at(*maps.outer, cos_spread * d - sin_spread * x, cos_spread * x + sin_spread * d);
-                sum += f.even(3, right + left) + f.difference(right - left);
+            const auto reflected = [&](const Elements& f) {
+                Stokes sum = f.even(0, at(*maps.central, d, x));
+                if (factors.spread() > 0) {
+                    sum += f.even(1, at(*maps.outer, cos_spread * d + sin_spread * y, x));
+                    sum += f.even(2, at(*maps.outer, cos_spread * d - sin_spread * y, x));
+                    const Stokes right =
+                        at(*maps.outer, cos_spread * d + sin_spread * x, cos_spread * x - sin_spread * d);
+                    const Stokes left =
+                        at(*maps.outer, cos_spread * d - sin_spread * x, cos_spread * x + sin_spread * d);
+                    sum += f.even(3, right + left) + f.difference(right - left);
+                }
+                const glm::dvec2 fraction = fractions.empty() ? glm::dvec2(1) : fractions[i];
+                sum *= fraction[0];
+                if (factors.has_base()) sum += fraction[1] * f.normal(at(*maps.base, -n, x));
+                return sum;
+            };
+            Stokes sum = reflected(Elements(factors, c, 0, cosine));
+            if (factors.pairings() > 1) {
+                const Stokes second = reflected(Elements(factors, c, 1, cosine));
+                sum += Stokes(second[2], second[3], second[0], second[1]);
             }
-            const glm::dvec2 fraction = fractions.empty() ? glm::dvec2(1) : fractions[i];
-            sum *= fraction[0];
-            if (factors.has_base()) sum += fraction[1] * f.normal(at(*maps.base, -n, x));
             out[static_cast<std::size_t>(c)][i] = rotated(sum, angle);
         }
     }

@@ -2,6 +2,7 @@
 // High orders: look-ups in floats against doubles.
 #include <optional>
 
+#include "material/chiral_material.hpp"
 #include "material/conductor.hpp"
 #include "specular/high_order_light.hpp"
 #include "specular/high_order_visibility.hpp"
@@ -82,7 +83,7 @@ TEST_CASE("high orders: floats stay with doubles, under any light and at any siz
     };
     const test::Vertices vertices(directions());
     for (const int high : {9, 32})
-        for (const MaterialPtr& material : {plastic, gold})
+        for (const MaterialPtr& material : {plastic, gold, test::chiral(gold)})
             for (const auto& [name, light] : test::usual_lights(high))
                 if (name != "even light") check(name, vertices, material, light, high);  // has no high orders
     for (const auto& [name, light] : test::stress_lights(9)) check(name, vertices, plastic, light, 9);
