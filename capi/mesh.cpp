@@ -6,9 +6,10 @@ using namespace nicol;
 using namespace nicol::capi;
 
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh) {
-    return load(context, path, mesh, "mesh", [&](LoadBudget& budget, const Session&) {
+    return load(context, path, mesh, "mesh", [&](LoadBudget& budget, const Session& session) {
         budget.take_file(path);
-        auto loaded = std::make_shared<const Mesh>(load_mesh(path));
+        auto loaded = std::make_shared<const Mesh>(
+            load_mesh(path, [&](const std::string& text) { session.notice(text); }));
         budget.take_instance(path, loaded->positions.size(), loaded->triangles.size());
         return loaded;
     });
@@ -33,7 +34,11 @@ nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* dat
             out.triangles.emplace_back(i[0], i[1], i[2]);
         }
         try {
-            validate(out, "data");
+            const std::size_t flat = validate(out, "data");
+            if (flat > 0)
+                resolve(context).session->notice("a mesh of " + std::to_string(given.triangle_count) +
+                                                 " triangles: left out: " + std::to_string(flat) +
+                                                 " without area");
         } catch (const Error& error) {  // of a file it would be the file's fault
             throw Error(ErrorCode::invalid_argument, error.what());
         }

@@ -448,7 +448,8 @@ NICOL_API nicol_result nicol_material_release(nicol_material material);
 
 /* ---------------------------------------------------------------- mesh */
 
-/* Positions and normals must be finite. A triangle needs valid indices and an area. */
+/* Positions and normals must be finite, indices valid. Triangles without area are left out, and logged once.
+ */
 typedef struct nicol_mesh_data {
     uint32_t struct_size;
     uint32_t vertex_count;   /* 1 or more */
@@ -462,7 +463,9 @@ typedef struct nicol_mesh_data {
 #define NICOL_MESH_DATA_INIT \
     { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0 }
 
-/* OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
+/* OBJ, PLY, OFF or STL, by the file's suffix. Polygons may be concave. Triangles without area, vertices of no
+ * face and what is not followed (materials) are left out; one line of the log counts them.
+ * NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
 /* Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,

@@ -2,9 +2,13 @@
 // Triangle meshes: files, analytic shapes, transforms, checks.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,22 +20,25 @@ struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  ///< as many as positions; unit length after validate()
     std::vector<glm::uvec3> triangles;
+    std::vector<glm::vec3> colors;  ///< as many as positions, or empty: as a file has them, integers n / 255
+    /// u, v as a file has them. Light lives at vertices, which a seam of texture coordinates does not split:
+    std::vector<glm::vec2> texcoords;
+    std::vector<glm::uvec3> texcoord_triangles;  ///< of these, by triangle; none without texcoords
 };
 
-/// Reads Wavefront OBJ, PLY (text, binary), OFF (text) or STL (text, binary), chosen by the suffix.
-/// Polygons become triangle fans; a concave quadrilateral is split at its reflex corner. Every face is kept,
-/// manifold or not.
+/// Reads Wavefront OBJ, PLY (text, binary), OFF (text) or STL (text, binary), chosen by the suffix. Polygons,
+/// concave ones too, become triangles. Every face with an area is kept, manifold or not; triangles without
+/// one, vertices of no face, and what is not followed (materials of OBJ, unknown lines) are left out: one
+/// call of `notice` then counts them.
 /// - Normals in the file are kept. An OBJ vertex whose corners name different normals is split; the order of
-/// the
-///   vertices is otherwise the file's.
-/// - Missing normals are made by smooth_normals(). For STL, equal positions are merged and normals averaged
-/// over
-///   faces that meet at less than kStlCreaseDegrees.
-/// The result has passed validate().
-/// Throws Error: file_not_found; unsupported (unknown suffix); invalid_file (truncated, malformed, no
-/// triangles, or anything validate() refuses), naming the line, vertex or face. Memory use is proportional to
-/// the size of the file, whatever its header claims.
-[[nodiscard]] Mesh load_mesh(const std::filesystem::path& file);
+///   the vertices is otherwise the file's.
+/// - Missing normals are made by smooth_normals(). For STL, equal positions are merged and normals are smooth
+///   over faces that meet at less than kStlCreaseDegrees.
+/// Throws Error: file_not_found; unsupported (unknown suffix, UTF-16); invalid_file (truncated, malformed, no
+/// triangle with an area), naming the line, vertex or face. Memory use is proportional to the size of the
+/// file, whatever its header claims.
+[[nodiscard]] Mesh load_mesh(const std::filesystem::path& file,
+                             const std::function<void(const std::string&)>& notice = {});
 
 /// Faces of an STL file that meet at a larger angle have a hard edge between them.
 inline constexpr double kStlCreaseDegrees = 40.0;
@@ -39,10 +46,10 @@ inline constexpr double kStlCreaseDegrees = 40.0;
 /// Checks a mesh and completes its normals; `name` begins every message. All indices are 0-based.
 /// - No normals at all: smooth_normals() makes them. A normal of zero length is replaced by the smooth one
 ///   there (by +z where no face uses the vertex). Every normal ends up with unit length.
-/// Throws Error(invalid_file): no vertices or triangles, a count of normals that is not the count of
-/// positions, a position or normal that is not finite, an index out of range, a triangle without area (two
-/// corners that share a vertex or a position, or three on one line).
-void validate(Mesh& mesh, std::string_view name);
+/// Triangles without area (two corners that share a vertex or a position, or three on one line) are removed;
+/// returns how many. Throws Error(invalid_file): no vertices, no triangles with an area, a count of normals
+/// that is not the count of positions, a position or normal that is not finite, an index out of range.
+std::size_t validate(Mesh& mesh, std::string_view name);
 
 /// Normals averaged over the faces at each vertex, weighted by the face's angle there, so that they do not
 /// depend on the triangulation. Where faces cancel, the normal of the first.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "error.hpp"
+#include "geometry/parse.hpp"
 #include "geometry/polygon_mesh.hpp"
 #include "geometry/tokenizer.hpp"
 
@@ -14,7 +15,8 @@ namespace {
 
 struct Format {
     std::string_view suffix;
-    geometry::ParsedFile (*parse)(std::string_view name, std::string_view bytes);
+    geometry::PolygonMesh (*parse)(std::string_view name, std::string_view bytes,
+                                   geometry::LeftOut& left_out);
 };
 
 constexpr std::array<Format, 4> kFormats = {{{".obj", geometry::parse_obj},
@@ -35,32 +37,24 @@ const Format& format_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes) {
+Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes,
+                       const std::function<void(const std::string&)>& notice) {
     const std::string name = file.string();
-    const ParsedFile parsed = format_of(file).parse(name, bytes);
-    // OpenMesh counts in int.
-    constexpr auto most = static_cast<std::size_t>(std::numeric_limits<int>::max());
-    if (parsed.vertices > most || parsed.faces > most)
-        throw Error(ErrorCode::unsupported, name + ": more than 2^31 - 1 vertices or faces");
-    if (parsed.faces == 0)
+    LeftOut left_out;
+    PolygonMesh polygons = format_of(file).parse(name, bytes, left_out);
+    // Corners may be as many vertices.
+    if (polygons.corners.size() >= std::numeric_limits<std::uint32_t>::max())
+        throw Error(ErrorCode::unsupported, name + ": more than 2^32 - 2 corners of faces");
+    if (polygons.face_ends.empty())
         throw Error(ErrorCode::invalid_file, name + ": no faces; a mesh needs at least one");
-    PolygonMesh polygons = read_polygons(name, parsed);
-    const bool welded = parsed.suffix == ".stl";
-    if (polygons.face_ends.size() != parsed.faces ||
-        (!welded && polygons.positions.size() != parsed.vertices))
-        throw Error(ErrorCode::invalid_file, name + ": OpenMesh read " +
-                                                 std::to_string(polygons.face_ends.size()) + " of " +
-                                                 std::to_string(parsed.faces) + " faces");
-    if (welded) smooth_within_crease(polygons, kStlCreaseDegrees);
-    std::vector<std::uint32_t> faces;
-    Mesh mesh = triangulated(polygons, faces);
-    validate(mesh, name, faces);
+    Mesh mesh = triangulated(polygons, name, left_out);
+    if (const std::string text = left_out.notice(name); notice && !text.empty()) notice(text);
     return mesh;
 }
 
-Mesh load_mesh(const std::filesystem::path& file) {
+Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& notice) {
     static_cast<void>(format_of(file));  // of an unknown kind nothing is read
-    return geometry::mesh_of(file, geometry::read_bytes(file));
+    return geometry::mesh_of(file, geometry::read_bytes(file), notice);
 }
 
 }  // namespace nicol

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
-#include <vector>
+#include <utility>
 
 #include "error.hpp"
 #include "geometry/parse.hpp"
@@ -13,69 +14,34 @@
 namespace nicol::geometry {
 namespace {
 
-// Statements that describe no surface, or whose effect is not supported.
-constexpr std::array<std::string_view, 21> kIgnored = {
-    "vt",         "vp",        "o",      "g",      "s",      "mg",       "l",
-    "p",          "usemtl",    "mtllib", "usemap", "maplib", "c_interp", "d_interp",
-    "shadow_obj", "trace_obj", "lod",    "bevel",  "call",   "csh",      "off"};
+// Statements that describe no surface, or that other programs pass over too.
+constexpr std::array<std::string_view, 19> kIgnored = {
+    "vp",       "o",        "g",          "s",         "mg",  "l",     "p",    "mtllib", "usemap", "maplib",
+    "c_interp", "d_interp", "shadow_obj", "trace_obj", "lod", "bevel", "call", "csh",    "off"};
 constexpr std::array<std::string_view, 4> kFreeForm = {"curv", "curv2", "surf", "cstype"};
 
-/// 1-based position and normal of a corner; normal 0 if the file gives none.
-struct Corner {
-    std::uint64_t position = 0;
-    std::uint64_t normal = 0;
-};
+using Corner = PolygonMesh::Corner;
+constexpr std::uint32_t kNone = PolygonMesh::kNone;
 
-/// A 1-based index; a negative one counts back from the last. Empty if the token is neither.
-std::optional<std::uint64_t> resolved(std::string_view token, std::uint64_t count_so_far) {
+/// A 0-based index of the text's 1-based one; a negative one counts back from the last. Empty if it is
+/// neither. `at` is moved past the number.
+std::optional<std::uint32_t> resolved(const char*& at, const char* end, std::size_t count_so_far) {
     std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-    if (error != std::errc() || end != token.data() + token.size() || value == 0) return std::nullopt;
-    if (value > 0) return static_cast<std::uint64_t>(value);
-    const std::uint64_t back = 0 - static_cast<std::uint64_t>(value);
-    if (back > count_so_far) return std::nullopt;
-    return count_so_far - back + 1;
-}
-
-std::optional<Corner> parsed_corner(std::string_view token, std::uint64_t positions, std::uint64_t normals) {
-    const std::size_t first = token.find('/');
-    const auto position = resolved(token.substr(0, first), positions);
-    if (!position) return std::nullopt;
-    if (first == std::string_view::npos) return Corner{*position, 0};
-    const std::size_t second = token.find('/', first + 1);
-    if (second == std::string_view::npos) return Corner{*position, 0};
-    const auto normal = resolved(token.substr(second + 1), normals);
-    if (!normal) return std::nullopt;
-    return Corner{*position, *normal};
-}
-
-/// The shortest text of a number without a decimal point, 15e-1 for 1.5: OpenMesh expects the locale's
-/// decimal point, which may be a comma.
-std::string without_point(float x) {
-    std::array<char, 32> buffer{};
-    const auto end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), x, std::chars_format::scientific).ptr;
-    const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
-    const std::size_t e = text.find('e');
-    int exponent = 0;
-    std::from_chars(text.data() + e + 2, end, exponent);
-    if (text[e + 1] == '-') exponent = -exponent;
-    std::string digits(text.substr(0, e));
-    if (const std::size_t point = digits.find('.'); point != std::string::npos) {
-        exponent -= static_cast<int>(digits.size() - point - 1);
-        digits.erase(point, 1);
-    }
-    return digits + "e" + std::to_string(exponent);
+    const auto [stop, error] = std::from_chars(at, end, value);
+    at = stop;
+    if (error != std::errc() || value == 0) return std::nullopt;
+    if (value < 0) value += static_cast<std::int64_t>(count_so_far) + 1;
+    if (value < 1 || value >= kNone) return std::nullopt;
+    return static_cast<std::uint32_t>(value - 1);
 }
 
 /// Parses one file. Indices are checked at the end, since OBJ allows references to later vertices.
 class ObjParser {
 public:
-    ObjParser(std::string_view name, std::string_view bytes) : name_(name), bytes_(bytes) {}
+    ObjParser(std::string_view name, std::string_view bytes, LeftOut& left_out)
+        : name_(name), bytes_(as_text(name, bytes)), left_out_(left_out) {}
 
-    ParsedFile run() {
-        out_.suffix = ".obj";
-        if (bytes_.starts_with("\xEF\xBB\xBF")) bytes_.remove_prefix(3);  // byte order mark
+    PolygonMesh run() {
         std::size_t line_number = 0;
         while (!bytes_.empty()) {
             const std::size_t first_line = ++line_number;
@@ -91,98 +57,173 @@ public:
             statement(line, first_line);
         }
         check_ranges();
+        drop_missing_texcoords();
+        if (!out_.colors.empty()) out_.colors.resize(out_.positions.size(), glm::vec3(1));
+        left_out_.add("characters behind numbers", trailing_);
+        left_out_.add("normals that are not finite", bad_normals_);
+        left_out_.add("choices of a material (usemtl)", materials_);
         return std::move(out_);
     }
 
 private:
     std::string_view take_line() {
-        const std::size_t end = std::min(bytes_.find('\n'), bytes_.size());
-        std::string_view line = bytes_.substr(0, end);
-        bytes_.remove_prefix(std::min(end + 1, bytes_.size()));
-        if (line.ends_with('\r')) line.remove_suffix(1);
+        const std::size_t end = std::min(bytes_.find_first_of("\n\r"), bytes_.size());
+        const std::string_view line = bytes_.substr(0, end);
+        const bool two = bytes_.substr(end).starts_with("\r\n");
+        bytes_.remove_prefix(std::min(end + (two ? 2 : 1), bytes_.size()));
         return line;
     }
 
     void statement(std::string_view line, std::size_t number) {
         Tokenizer tokens(name_, line, '#', number);
         const std::string_view key = tokens.next();
-        if (key == "v" || key == "vn") {
-            triple(key, line, number);
+        if (key == "v") {
+            vertex(tokens);
         } else if (key == "f" || key == "fo") {
             face(tokens, number);
+        } else if (key == "vn") {
+            normal(tokens);
+        } else if (key == "vt") {
+            texcoord(tokens);
+        } else if (key == "usemtl") {
+            ++materials_;
         } else if (std::ranges::find(kFreeForm, key) != kFreeForm.end()) {
             throw Error(ErrorCode::unsupported, std::string(name_) + ":" + std::to_string(number) +
                                                     ": free-form curves and surfaces (" + std::string(key) +
                                                     "); export polygons instead");
         } else if (!key.empty() && std::ranges::find(kIgnored, key) == kIgnored.end()) {
             tokens.fail(
-                "a line that starts with none of OBJ's statements; expected v, vn, f, a group or a comment");
+                "a line that starts with none of OBJ's statements; expected v, vt, vn, f, a group or a "
+                "comment");
         }
     }
 
-    void triple(std::string_view key, std::string_view line, std::size_t number) {
-        Tokenizer tokens(name_, line, '#', number);
-        out_.bytes.append(tokens.next());
-        for (const char* coordinate : {"x", "y", "z"})
-            out_.bytes.append(" ").append(
-                without_point(tokens.number(std::string(key == "v" ? "vertex " : "normal ") + coordinate)));
-        out_.bytes.append("\n");
-        ++(key == "v" ? out_.vertices : normals_);
+    float number(Tokenizer& tokens, std::string_view what) {
+        bool whole = true;
+        const float value = tokens.number_at_start(what, whole);
+        if (!whole) ++trailing_;
+        return value;
+    }
+
+    void vertex(Tokenizer& tokens) {
+        glm::vec3 p;
+        p.x = number(tokens, "vertex x");
+        p.y = number(tokens, "vertex y");
+        p.z = number(tokens, "vertex z");
+        out_.positions.push_back(p);
+        if (Tokenizer(tokens).next().empty()) return;
+        // One number more is a weight.
+        std::array<float, 3> rest{};
+        std::size_t count = 0;
+        bool finite = true;
+        while (!Tokenizer(tokens).next().empty() && count < rest.size())
+            rest[count++] = tokens.number_or_zero("a colour", finite);
+        if (count < rest.size() || !finite) return;
+        out_.colors.resize(out_.positions.size(), glm::vec3(1));
+        out_.colors.back() = {rest[0], rest[1], rest[2]};
+    }
+
+    void normal(Tokenizer& tokens) {
+        glm::vec3 n;
+        bool finite = true;
+        n.x = tokens.number_or_zero("normal x", finite);
+        n.y = tokens.number_or_zero("normal y", finite);
+        n.z = tokens.number_or_zero("normal z", finite);
+        if (!finite) ++bad_normals_;
+        out_.normals.push_back(finite ? n : glm::vec3(0));
+    }
+
+    void texcoord(Tokenizer& tokens) {
+        glm::vec2 uv(number(tokens, "texture u"), 0);
+        if (!Tokenizer(tokens).next().empty()) uv.y = number(tokens, "texture v");
+        out_.texcoords.push_back(uv);
+    }
+
+    std::optional<Corner> corner(std::string_view token) const {
+        const char* at = token.data();
+        const char* const end = at + token.size();
+        const auto position = resolved(at, end, out_.positions.size());
+        if (!position) return std::nullopt;
+        Corner corner{.position = *position};
+        if (at != end && *at == '/') {
+            ++at;
+            if (at != end && *at != '/') {
+                const auto texcoord = resolved(at, end, out_.texcoords.size());
+                if (!texcoord) return std::nullopt;
+                corner.texcoord = *texcoord;
+            }
+            if (at != end && *at == '/') {
+                ++at;
+                if (at != end) {
+                    const auto normal = resolved(at, end, out_.normals.size());
+                    if (!normal) return std::nullopt;
+                    corner.normal = *normal;
+                }
+            }
+        }
+        return at == end ? std::optional(corner) : std::nullopt;
     }
 
     void face(Tokenizer& tokens, std::size_t number) {
-        corners_.clear();
+        const std::size_t first = out_.corners.size();
         for (std::string_view token = tokens.next(); !token.empty(); token = tokens.next()) {
-            const auto corner = parsed_corner(token, out_.vertices, normals_);
-            if (!corner)
-                tokens.fail("corner " + std::to_string(corners_.size()) +
+            const auto found = corner(token);
+            if (!found)
+                tokens.fail("corner " + std::to_string(out_.corners.size() - first) +
                             " of the face is not v, v/vt, v//vn or v/vt/vn with numbers that exist");
-            corners_.push_back(*corner);
+            out_.corners.push_back(*found);
+            reach(furthest_position_, found->position, number);
+            if (found->normal != kNone) reach(furthest_normal_, found->normal, number);
         }
-        if (corners_.size() < 3)
-            tokens.fail("a face with " + std::to_string(corners_.size()) + " corners; it needs 3 or more");
-        out_.bytes.append("f");
-        for (const Corner& corner : corners_) {
-            if (corner.position > furthest_position_)
-                furthest_position_ = corner.position, position_line_ = number;
-            if (corner.normal > furthest_normal_) furthest_normal_ = corner.normal, normal_line_ = number;
-            out_.bytes.append(" ").append(std::to_string(corner.position));
-            if (corner.normal != 0) out_.bytes.append("//").append(std::to_string(corner.normal));
-        }
-        out_.bytes.append("\n");
-        std::ranges::sort(corners_, {}, &Corner::position);
-        if (std::ranges::adjacent_find(corners_, {}, &Corner::position) != corners_.end())
-            tokens.fail("degenerate face " + std::to_string(out_.faces) +
-                        " (0-based): it uses a vertex twice; remove the face or merge it with its neighbour");
-        ++out_.faces;
+        if (out_.corners.size() == first) tokens.fail("a face with no corners; it needs 3 or more");
+        out_.end_face(left_out_);
     }
 
+    /// The largest index of a kind, and the first line with it.
+    struct Furthest {
+        std::uint64_t end = 0;
+        std::size_t line = 0;
+    };
+    static void reach(Furthest& furthest, std::uint32_t index, std::size_t line) {
+        if (index >= furthest.end) furthest = {.end = std::uint64_t{index} + 1, .line = line};
+    }
+    void check(const Furthest& furthest, const char* kind, std::size_t count) const {
+        if (furthest.end > count)
+            fail_at(name_, furthest.line,
+                    "a face uses " + std::string(kind) + " " + std::to_string(furthest.end) +
+                        " (1-based), but the file has " + std::to_string(count));
+    }
     void check_ranges() const {
-        if (furthest_position_ > out_.vertices)
-            fail_at(name_, position_line_,
-                    "a face uses vertex " + std::to_string(furthest_position_) +
-                        " (1-based), but the file has " + std::to_string(out_.vertices));
-        if (furthest_normal_ > normals_)
-            fail_at(name_, normal_line_,
-                    "a face uses normal " + std::to_string(furthest_normal_) +
-                        " (1-based), but the file has " + std::to_string(normals_));
+        check(furthest_position_, "vertex", out_.positions.size());
+        check(furthest_normal_, "normal", out_.normals.size());
+    }
+
+    // A surface is one without them, too.
+    void drop_missing_texcoords() {
+        std::uint64_t missing = 0;
+        for (Corner& corner : out_.corners) {
+            if (corner.texcoord == kNone || corner.texcoord < out_.texcoords.size()) continue;
+            corner.texcoord = kNone;
+            ++missing;
+        }
+        left_out_.add("texture coordinates that the file does not have", missing);
     }
 
     std::string_view name_;
     std::string_view bytes_;
-    ParsedFile out_;
-    std::size_t normals_ = 0;
-    std::vector<Corner> corners_;
-    std::uint64_t furthest_position_ = 0;
-    std::uint64_t furthest_normal_ = 0;
-    std::size_t position_line_ = 0;
-    std::size_t normal_line_ = 0;
+    LeftOut& left_out_;
+    PolygonMesh out_;
+    Furthest furthest_position_;
+    Furthest furthest_normal_;
+    std::uint64_t trailing_ = 0;
+    std::uint64_t bad_normals_ = 0;
+    std::uint64_t materials_ = 0;
 };
 
 }  // namespace
 
-ParsedFile parse_obj(std::string_view name, std::string_view bytes) {
-    return ObjParser(name, bytes).run();
+PolygonMesh parse_obj(std::string_view name, std::string_view bytes, LeftOut& left_out) {
+    return ObjParser(name, bytes, left_out).run();
 }
 
 }  // namespace nicol::geometry

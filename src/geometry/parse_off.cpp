@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: MIT
 // OFF, Geomview's text format.
+#include <vector>
+
 #include "error.hpp"
 #include "geometry/parse.hpp"
 #include "geometry/tokenizer.hpp"
 
 namespace nicol::geometry {
+namespace {
 
-ParsedFile parse_off(std::string_view name, std::string_view bytes) {
-    Tokenizer tokens(name, bytes, '#');
+// All numbers up to what is none.
+std::vector<float> numbers(std::string_view line) {
+    Tokenizer tokens({}, line, '#');
+    std::vector<float> out;
+    while (!Tokenizer(tokens).next().empty()) {
+        bool finite = true;
+        const float value = tokens.number_or_zero({}, finite);
+        if (!finite) break;
+        out.push_back(value);
+    }
+    return out;
+}
+
+}  // namespace
+
+PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& left_out) {
+    Tokenizer tokens(name, as_text(name, bytes), '#');
     std::string_view keyword = tokens.require("the keyword OFF");
     const auto strip_prefix = [&keyword](std::string_view prefix) {
         const bool present = keyword.starts_with(prefix);
@@ -29,28 +47,49 @@ ParsedFile parse_off(std::string_view name, std::string_view bytes) {
     const std::uint64_t vertices = tokens.count("the number of vertices");
     const std::uint64_t faces = tokens.count("the number of faces");
     tokens.count("the number of edges");
-    PlyWriter out(has_normals);
+    PolygonMesh out;
     for (std::uint64_t v = 0; v < vertices; ++v) {
-        for (int i = 0; i < (has_normals ? 6 : 3); ++i)
-            out.add_number(tokens.number("a coordinate of vertex " + std::to_string(v) + " (0-based)"));
-        if (has_colours || has_texcoords) tokens.skip_line();
+        const std::string what = "a coordinate of vertex " + std::to_string(v) + " (0-based)";
+        const auto triple = [&] {
+            const float x = tokens.number(what);
+            const float y = tokens.number(what);
+            return glm::vec3(x, y, tokens.number(what));
+        };
+        out.positions.push_back(triple());
+        if (has_normals) out.normals.push_back(triple());
+        if (!has_colours && !has_texcoords) continue;
+        const std::vector<float> rest = numbers(tokens.rest_of_line());
+        const std::size_t of_texcoord = has_texcoords ? 2 : 0;
+        if (has_colours && rest.size() >= 3 + of_texcoord) {
+            // 0 to 255 where any is above 1, as Geomview takes them.
+            const glm::vec3 colour(rest[0], rest[1], rest[2]);
+            const bool bytes_of = colour.r > 1 || colour.g > 1 || colour.b > 1;
+            out.colors.resize(out.positions.size(), glm::vec3(1));
+            out.colors.back() = bytes_of ? colour / 255.0F : colour;
+        }
+        if (has_texcoords) {
+            out.texcoords.emplace_back(0);
+            if (rest.size() >= 2) out.texcoords.back() = {rest[rest.size() - 2], rest.back()};
+        }
     }
+    if (!out.colors.empty()) out.colors.resize(vertices, glm::vec3(1));
     for (std::uint64_t f = 0; f < faces; ++f) {
         const std::string face = "face " + std::to_string(f) + " (0-based)";
         const std::uint64_t corners = tokens.count("the number of corners of " + face);
-        if (corners < 3)
-            tokens.fail(face + " has " + std::to_string(corners) + " corners; it needs 3 or more");
-        out.begin_face(static_cast<std::uint32_t>(corners));
         for (std::uint64_t i = 0; i < corners; ++i) {
             const std::uint64_t index = tokens.count("a vertex of " + face);
             if (index >= vertices)
                 tokens.fail(face + " uses vertex " + std::to_string(index) + ", but there are " +
                             std::to_string(vertices));
-            out.add_index(static_cast<std::uint32_t>(index));
+            const auto at = static_cast<std::uint32_t>(index);
+            out.corners.push_back({.position = at,
+                                   .normal = has_normals ? at : PolygonMesh::kNone,
+                                   .texcoord = has_texcoords ? at : PolygonMesh::kNone});
         }
-        tokens.skip_line();  // the colour of the face
+        out.end_face(left_out);
+        tokens.rest_of_line();  // the colour of the face
     }
-    return out.file();
+    return out;
 }
 
 }  // namespace nicol::geometry

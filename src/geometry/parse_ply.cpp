@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "error.hpp"
@@ -67,7 +68,7 @@ Property parsed_property(Tokenizer& tokens) {
     return property;
 }
 
-Header parsed_header(std::string_view name, std::string_view bytes) {
+Header parsed_header(std::string_view name, std::string_view bytes, LeftOut& left_out) {
     Header header;
     bool has_format = false;
     for (;;) {
@@ -100,8 +101,7 @@ Header parsed_header(std::string_view name, std::string_view bytes) {
             if (!has_format) tokens.fail("the header has no \"format\" line");
             return header;
         } else if (!key.empty() && key != "comment" && key != "obj_info") {
-            tokens.fail(
-                "unknown line in the header; expected format, element, property, comment or end_header");
+            left_out.add("unknown lines of the header");
         }
     }
 }
@@ -115,9 +115,40 @@ public:
           format_(header.format),
           tokens_(name, bytes_, 0, header.lines + 1) {}
 
-    /// `what` names the value in error messages, for example "vertex 5 (0-based)".
-    double next(Type type, const std::string& what) {
-        if (format_ == Format::text) return tokens_.number(what);
+    /// what() names the value in error messages, for example "vertex 5 (0-based)".
+    template <class Name>
+    double next(Type type, const Name& what) {
+        if (format_ == Format::text) return tokens_.number(what());
+        return binary(type, what);
+    }
+
+    /// The same, not finite where the text is no finite number.
+    template <class Name>
+    double any(Type type, const Name& what) {
+        if (format_ != Format::text) return binary(type, what);
+        bool finite = true;
+        const float value = tokens_.number_or_zero(what(), finite);
+        return finite ? value : std::numeric_limits<double>::quiet_NaN();
+    }
+
+    /// A count or an index: an integer from 0 to 2^32 - 1.
+    template <class Name>
+    std::uint64_t integer(Type type, const Name& what) {
+        if (format_ == Format::text) return tokens_.count(what());
+        const double value = next(type, what);
+        if (!(value >= 0.0 && value == std::floor(value) && value <= 4294967295.0))
+            fail(what() + " has a count or an index that is not a whole number from 0 up");
+        return static_cast<std::uint64_t>(value);
+    }
+
+    [[noreturn]] void fail(const std::string& message) const {
+        if (format_ == Format::text) tokens_.fail(message);
+        throw Error(ErrorCode::invalid_file, std::string(name_) + ": " + message);
+    }
+
+private:
+    template <class Name>
+    double binary(Type type, const Name& what) {
         switch (type) {
             case Type::i8:
                 return raw<std::int8_t>(what);
@@ -139,24 +170,9 @@ public:
         return 0.0;
     }
 
-    /// A count or an index: an integer from 0 to 2^32 - 1.
-    std::uint64_t integer(Type type, const std::string& what) {
-        if (format_ == Format::text) return tokens_.count(what);
-        const double value = next(type, what);
-        if (!(value >= 0.0 && value == std::floor(value) && value <= 4294967295.0))
-            fail(what + " has a count or an index that is not a whole number from 0 up");
-        return static_cast<std::uint64_t>(value);
-    }
-
-    [[noreturn]] void fail(const std::string& message) const {
-        if (format_ == Format::text) tokens_.fail(message);
-        throw Error(ErrorCode::invalid_file, std::string(name_) + ": " + message);
-    }
-
-private:
-    template <class T>
-    double raw(const std::string& what) {
-        if (bytes_.size() - at_ < sizeof(T)) fail("the file ends within " + what);
+    template <class T, class Name>
+    double raw(const Name& what) {
+        if (bytes_.size() - at_ < sizeof(T)) fail("the file ends within " + what());
         std::array<char, sizeof(T)> bytes{};
         std::copy_n(bytes_.data() + at_, sizeof(T), bytes.data());
         at_ += sizeof(T);
@@ -172,137 +188,198 @@ private:
     std::size_t at_ = 0;
 };
 
-void skip(Values& values, const Property& property, const std::string& what) {
+template <class Name>
+void skip(Values& values, const Property& property, const Name& what) {
     const std::uint64_t count = property.length ? values.integer(*property.length, what) : 1;
-    for (std::uint64_t i = 0; i < count; ++i) values.next(property.type, what);
+    for (std::uint64_t i = 0; i < count; ++i) values.any(property.type, what);
 }
 
-/// A writer with the vertices added.
-PlyWriter read_vertices(Values& values, const Element& element) {
-    constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
-    const auto column = [&](std::string_view name) {
-        const auto at = std::ranges::find(element.properties, name, &Property::name);
-        return at == element.properties.end() || at->length
-                   ? std::size_t(-1)
-                   : static_cast<std::size_t>(at - element.properties.begin());
+/// What a vertex's property is used for.
+enum Slot : std::size_t { x, y, z, nx, ny, nz, u, v, red, green, blue, slots, none = slots };
+
+Slot slot_of(const Property& property) {
+    struct Name {
+        std::string_view name;
+        Slot slot;
     };
-    std::array<std::size_t, 6> columns{};
-    for (std::size_t i = 0; i < 6; ++i) columns[i] = column(names[i]);
-    for (std::size_t i = 0; i < 3; ++i)
-        if (columns[i] == std::size_t(-1))
-            values.fail("the vertices have no property " + std::string(names[i]) + "; expected x, y and z");
-    const bool normals =
-        std::none_of(columns.begin() + 3, columns.end(), [](std::size_t c) { return c == std::size_t(-1); });
-    PlyWriter out(normals);
-    for (std::uint64_t v = 0; v < element.count; ++v) {
-        const std::string what = "vertex " + std::to_string(v) + " (0-based)";
-        std::array<float, 6> row{};
-        for (std::size_t p = 0; p < element.properties.size(); ++p) {
-            const auto at = std::ranges::find(columns, p);
-            if (at == columns.end()) {
-                skip(values, element.properties[p], what);
+    constexpr std::array<Name, 24> names = {{{"x", x},
+                                             {"y", y},
+                                             {"z", z},
+                                             {"nx", nx},
+                                             {"ny", ny},
+                                             {"nz", nz},
+                                             {"u", u},
+                                             {"v", v},
+                                             {"s", u},
+                                             {"t", v},
+                                             {"texture_u", u},
+                                             {"texture_v", v},
+                                             {"red", red},
+                                             {"green", green},
+                                             {"blue", blue},
+                                             {"r", red},
+                                             {"g", green},
+                                             {"b", blue},
+                                             {"color_0", red},
+                                             {"color_1", green},
+                                             {"color_2", blue},
+                                             {"diffuse_red", red},
+                                             {"diffuse_green", green},
+                                             {"diffuse_blue", blue}}};
+    const auto known = std::ranges::find(names, std::string_view(property.name), &Name::name);
+    return known == names.end() || property.length ? none : known->slot;
+}
+
+/// Integers of a colour are parts of the largest.
+double largest(Type type) {
+    switch (type) {
+        case Type::u8:
+            return std::numeric_limits<std::uint8_t>::max();
+        case Type::u16:
+            return std::numeric_limits<std::uint16_t>::max();
+        default:
+            return 1;
+    }
+}
+
+void read_vertices(Values& values, const Element& element, PolygonMesh& out, LeftOut& left_out) {
+    std::vector<Slot> slot;
+    std::array<bool, slots + 1> present{};
+    for (const Property& property : element.properties) {
+        Slot wanted = slot_of(property);
+        if (present[wanted]) wanted = none;  // the first of two names
+        present[wanted] = true;
+        slot.push_back(wanted);
+    }
+    for (const auto& [needed, name] : {std::pair(x, "x"), {y, "y"}, {z, "z"}})
+        if (!present[needed])
+            values.fail("the vertices have no property " + std::string(name) + "; expected x, y and z");
+    const bool normals = present[nx] && present[ny] && present[nz];
+    const bool texcoords = present[u] && present[v];
+    const bool colors = present[red] && present[green] && present[blue];
+    std::array<double, slots + 1> row{};
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+        const auto what = [&] { return "vertex " + std::to_string(i) + " (0-based)"; };
+        for (std::size_t p = 0; p < slot.size(); ++p) {
+            const Property& property = element.properties[p];
+            if (slot[p] == none) {
+                skip(values, property, what);
                 continue;
             }
-            const double value = values.next(element.properties[p].type, what);
-            if (!(std::abs(value) <= std::numeric_limits<float>::max()))
-                values.fail(what + " has a " + element.properties[p].name + " that is not finite");
-            row[static_cast<std::size_t>(at - columns.begin())] = static_cast<float>(value);
+            const double value =
+                slot[p] <= z ? values.next(property.type, what) : values.any(property.type, what);
+            row[slot[p]] = slot[p] >= red ? value / largest(property.type) : value;
+            if (slot[p] <= z && !(std::abs(value) <= std::numeric_limits<float>::max()))
+                values.fail(what() + " has a " + property.name + " that is not finite");
         }
-        for (std::size_t i = 0; i < (normals ? 6u : 3u); ++i) out.add_number(row[i]);
+        const auto finite = [&](Slot first, Slot last) {
+            return std::all_of(row.begin() + first, row.begin() + last + 1, [](double value) {
+                return std::abs(value) <= std::numeric_limits<float>::max();
+            });
+        };
+        out.positions.emplace_back(row[x], row[y], row[z]);
+        if (normals) {
+            const bool usable = finite(nx, nz);
+            if (!usable) left_out.add("normals that are not finite");
+            out.normals.push_back(usable ? glm::vec3(row[nx], row[ny], row[nz]) : glm::vec3(0));
+        }
+        if (texcoords) out.texcoords.push_back(finite(u, v) ? glm::vec2(row[u], row[v]) : glm::vec2(0));
+        if (colors)
+            out.colors.push_back(finite(red, blue) ? glm::vec3(row[red], row[green], row[blue])
+                                                   : glm::vec3(0));
     }
-    return out;
 }
 
-void read_faces(Values& values, const Element& element, std::uint64_t vertices, PlyWriter& out) {
+void check_index(const Values& values, const PolygonMesh& mesh, std::uint32_t index, std::uint64_t face) {
+    if (index >= mesh.positions.size())
+        values.fail("face " + std::to_string(face) + " (0-based) uses vertex " + std::to_string(index) +
+                    ", but there are " + std::to_string(mesh.positions.size()));
+}
+
+void read_faces(Values& values, const Element& element, PolygonMesh& out, LeftOut& left_out) {
     const auto is_indices = [](const Property& p) {
         return p.length && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
     if (std::ranges::count_if(element.properties, is_indices) != 1)
         values.fail("the faces have no list vertex_indices, or more than one");
+    std::vector<float> texcoords;
     for (std::uint64_t f = 0; f < element.count; ++f) {
-        const std::string what = "face " + std::to_string(f) + " (0-based)";
+        const auto what = [&] { return "face " + std::to_string(f) + " (0-based)"; };
+        const std::size_t first = out.corners.size();
+        texcoords.clear();
         for (const Property& property : element.properties) {
-            if (!is_indices(property)) {
+            if (is_indices(property)) {
+                const std::uint64_t corners = values.integer(*property.length, what);
+                for (std::uint64_t i = 0; i < corners; ++i) {
+                    const auto index = static_cast<std::uint32_t>(values.integer(property.type, what));
+                    if (!out.positions.empty()) check_index(values, out, index, f);
+                    out.corners.push_back({.position = index});
+                }
+            } else if (property.length && property.name == "texcoord") {
+                const std::uint64_t count = values.integer(*property.length, what);
+                for (std::uint64_t i = 0; i < count; ++i)
+                    texcoords.push_back(static_cast<float>(values.any(property.type, what)));
+            } else {
                 skip(values, property, what);
-                continue;
-            }
-            const std::uint64_t corners = values.integer(*property.length, what);
-            if (corners < 3)
-                values.fail(what + " has " + std::to_string(corners) + " corners; it needs 3 or more");
-            out.begin_face(static_cast<std::uint32_t>(corners));
-            for (std::uint64_t i = 0; i < corners; ++i) {
-                const std::uint64_t index = values.integer(property.type, what);
-                if (index >= vertices)
-                    values.fail(what + " uses vertex " + std::to_string(index) + ", but there are " +
-                                std::to_string(vertices));
-                out.add_index(static_cast<std::uint32_t>(index));
             }
         }
+        if (texcoords.size() == 2 * (out.corners.size() - first)) {
+            for (std::size_t i = 0; i < texcoords.size(); i += 2) {
+                out.corners[first + i / 2].texcoord = static_cast<std::uint32_t>(out.texcoords.size());
+                const glm::vec2 uv(texcoords[i], texcoords[i + 1]);
+                out.texcoords.push_back(std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0));
+            }
+        }
+        out.end_face(left_out);
     }
 }
 
-template <class T>
-void append(std::string& bytes, T value) {
-    const auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
-    bytes.append(raw.data(), raw.size());
+/// Corners have what their vertices have, but for texture coordinates of their own.
+void complete_corners(Values& values, PolygonMesh& out, std::size_t of_vertices) {
+    for (std::size_t f = 0, i = 0; f < out.face_ends.size(); ++f) {
+        for (; i < out.face_ends[f]; ++i) {
+            PolygonMesh::Corner& corner = out.corners[i];
+            check_index(values, out, corner.position, f);
+            if (!out.normals.empty()) corner.normal = corner.position;
+            if (corner.texcoord == PolygonMesh::kNone && of_vertices > 0) corner.texcoord = corner.position;
+        }
+    }
 }
 
 }  // namespace
 
-void PlyWriter::add_number(float x) {
-    append(vertices_, x);
-}
-
-void PlyWriter::begin_face(std::uint32_t corners) {
-    ++face_count_;
-    append(faces_, corners);
-}
-
-void PlyWriter::add_index(std::uint32_t index) {
-    append(faces_, index);
-}
-
-ParsedFile PlyWriter::file() const {
-    ParsedFile out;
-    out.suffix = ".ply";
-    out.vertices = vertices_.size() / (sizeof(float) * (normals_ ? 6 : 3));
-    out.faces = face_count_;
-    out.bytes = std::string("ply\nformat ") +
-                (std::endian::native == std::endian::big ? "binary_big_endian" : "binary_little_endian") +
-                " 1.0\nelement vertex " + std::to_string(out.vertices) +
-                "\nproperty float x\nproperty float y\nproperty float z\n" +
-                (normals_ ? "property float nx\nproperty float ny\nproperty float nz\n" : "") +
-                "element face " + std::to_string(out.faces) +
-                "\nproperty list int int vertex_indices\nend_header\n";
-    out.bytes.append(vertices_).append(faces_);
-    return out;
-}
-
-ParsedFile parse_ply(std::string_view name, std::string_view bytes) {
-    const Header header = parsed_header(name, bytes);
+PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& left_out) {
+    bytes = as_text(name, bytes);
+    const Header header = parsed_header(name, bytes, left_out);
     Values values(name, bytes, header);
-    const auto element = [&](std::string_view wanted) -> const Element& {
-        const auto at = std::ranges::find(header.elements, wanted, &Element::name);
-        if (at == header.elements.end() || std::ranges::count(header.elements, wanted, &Element::name) > 1)
+    for (const std::string_view wanted : {"vertex", "face"})
+        if (std::ranges::count(header.elements, wanted, &Element::name) != 1)
             values.fail("expected one element \"" + std::string(wanted) + "\" in the header");
-        return *at;
-    };
-    const Element& vertex = element("vertex");
-    const Element& face = element("face");
-    if (&face < &vertex) values.fail("the faces come before the vertices; expected the other order");
-    PlyWriter out(false);
+    PolygonMesh out;
+    std::size_t of_vertices = 0;
     for (const Element& e : header.elements) {
-        if (&e == &vertex) {
-            out = read_vertices(values, e);
-        } else if (&e == &face) {
-            read_faces(values, e, vertex.count, out);
+        if (e.name == "vertex") {
+            // Texture coordinates of vertices come first, so that their numbers are the vertices'.
+            PolygonMesh vertices;
+            read_vertices(values, e, vertices, left_out);
+            of_vertices = vertices.texcoords.size();
+            for (PolygonMesh::Corner& corner : out.corners)
+                if (corner.texcoord != PolygonMesh::kNone)
+                    corner.texcoord += static_cast<std::uint32_t>(of_vertices);
+            vertices.texcoords.insert(vertices.texcoords.end(), out.texcoords.begin(), out.texcoords.end());
+            vertices.corners = std::move(out.corners);
+            vertices.face_ends = std::move(out.face_ends);
+            out = std::move(vertices);
+        } else if (e.name == "face") {
+            read_faces(values, e, out, left_out);
         } else if (!e.properties.empty()) {
+            const auto what = [&] { return "element " + e.name; };
             for (std::uint64_t i = 0; i < e.count; ++i)
-                for (const Property& p : e.properties)
-                    skip(values, p, e.name + " " + std::to_string(i) + " (0-based)");
+                for (const Property& p : e.properties) skip(values, p, what);
         }
     }
-    return out.file();
+    complete_corners(values, out, of_vertices);
+    return out;
 }
 
 }  // namespace nicol::geometry

@@ -6,35 +6,60 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <unordered_map>
+#include <utility>
 
 #include "error.hpp"
+#include "geometry/crease_normals.hpp"
 #include "geometry/parse.hpp"
+#include "geometry/position_hash.hpp"
 #include "geometry/tokenizer.hpp"
 
 namespace nicol::geometry {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "binary STL is copied to and from memory as it is");
+static_assert(std::endian::native == std::endian::little, "binary STL is copied from memory as it is");
 
 constexpr std::size_t kHeaderSize = 84;
 constexpr std::size_t kFacetSize = 50;
+constexpr std::size_t kNormalSize = 12;  // of a facet, at its start
 
-using Facet = std::array<std::array<float, 3>, 4>;  // normal, three corners
+using Corners = std::array<std::array<float, 3>, 3>;
 
-void append(ParsedFile& out, std::string_view name, const Facet& facet) {
-    const std::string label = std::string(name) + ": facet " + std::to_string(out.faces) + " (0-based) ";
-    for (std::size_t corner = 1; corner < 4; ++corner) {
-        if (!std::ranges::all_of(facet[corner], [](float x) { return std::isfinite(x); }))
-            throw Error(ErrorCode::invalid_file, label + "has a corner that is not finite");
-        if (facet[corner] == facet[corner % 3 + 1])
-            throw Error(ErrorCode::invalid_file,
-                        label + "is degenerate: two of its corners are the same point; remove it");
+/// Facets one after the other; equal positions become one.
+class StlMesh {
+public:
+    explicit StlMesh(LeftOut& left_out) : left_out_(left_out) {}
+
+    void add(std::string_view name, const Corners& facet) {
+        ++facets_;
+        if (facet[0] == facet[1] || facet[1] == facet[2] || facet[2] == facet[0])
+            return left_out_.add("triangles without area");
+        for (const std::array<float, 3>& corner : facet) {
+            if (!std::ranges::all_of(corner, [](float x) { return std::isfinite(x); }))
+                throw Error(ErrorCode::invalid_file, std::string(name) + ": facet " +
+                                                         std::to_string(facets_ - 1) +
+                                                         " (0-based) has a corner that is not finite");
+            const glm::vec3 position(corner[0], corner[1], corner[2]);
+            const auto fresh = static_cast<std::uint32_t>(mesh_.positions.size());
+            const auto [known, is_new] = vertices_.try_emplace(position, fresh);
+            if (is_new) mesh_.positions.push_back(position);
+            mesh_.corners.push_back({.position = known->second});
+        }
+        mesh_.face_ends.push_back(mesh_.corners.size());
     }
-    std::array<char, kFacetSize> record{};
-    std::memcpy(record.data(), &facet, sizeof(facet));
-    out.bytes.append(record.data(), record.size());
-    ++out.faces;
-}
+    [[nodiscard]] std::size_t facets() const { return facets_; }
+    PolygonMesh take() { return std::move(mesh_); }
+
+private:
+    struct Hash {
+        std::size_t operator()(const glm::vec3& position) const { return hash_of(position); }
+    };
+    LeftOut& left_out_;
+    PolygonMesh mesh_;
+    std::size_t facets_ = 0;
+    std::unordered_map<glm::vec3, std::uint32_t, Hash> vertices_;
+};
 
 std::uint32_t binary_count(std::string_view bytes) {
     std::uint32_t count = 0;
@@ -49,11 +74,11 @@ void expect(Tokenizer& tokens, std::string_view expected) {
         tokens.fail("expected \"" + std::string(expected) + "\"");
 }
 
-void read_text(ParsedFile& out, std::string_view name, std::string_view bytes) {
+void read_text(StlMesh& out, std::string_view name, std::string_view bytes) {
     Tokenizer tokens(name, bytes, 0);
     for (Tokenizer ahead = tokens; !ahead.next().empty(); ahead = tokens) {
         expect(tokens, "solid");
-        tokens.skip_line();  // the name of the solid
+        tokens.rest_of_line();  // the name of the solid
         for (;;) {
             Tokenizer end = tokens;
             const std::string_view token = end.require("facet or endsolid");
@@ -64,22 +89,22 @@ void read_text(ParsedFile& out, std::string_view name, std::string_view bytes) {
             for (int i = 0; i < 3; ++i) tokens.require("the normal");
             expect(tokens, "outer");
             expect(tokens, "loop");
-            Facet facet{};
-            for (std::size_t corner = 1; corner < 4; ++corner) {
+            Corners facet{};
+            for (std::array<float, 3>& corner : facet) {
                 expect(tokens, "vertex");
-                for (float& x : facet[corner])
-                    x = tokens.number("a coordinate of facet " + std::to_string(out.faces) + " (0-based)");
+                for (float& x : corner)
+                    x = tokens.number("a coordinate of facet " + std::to_string(out.facets()) + " (0-based)");
             }
             expect(tokens, "endloop");
             expect(tokens, "endfacet");
-            append(out, name, facet);
+            out.add(name, facet);
         }
         tokens.next();
-        tokens.skip_line();
+        tokens.rest_of_line();
     }
 }
 
-void read_binary(ParsedFile& out, std::string_view name, std::string_view bytes) {
+void read_binary(StlMesh& out, std::string_view name, std::string_view bytes) {
     const std::uint32_t count = binary_count(bytes);
     if (bytes.size() < kHeaderSize || (bytes.size() - kHeaderSize) / kFacetSize < count)
         throw Error(ErrorCode::invalid_file,
@@ -89,29 +114,28 @@ void read_binary(ParsedFile& out, std::string_view name, std::string_view bytes)
                         std::to_string(kHeaderSize + std::uint64_t{count} * kFacetSize) +
                         " bytes, the file has " + std::to_string(bytes.size()));
     for (std::size_t f = 0; f < count; ++f) {
-        Facet facet{};
-        std::memcpy(&facet, bytes.data() + kHeaderSize + f * kFacetSize, sizeof(facet));
-        append(out, name, facet);
+        Corners facet{};
+        std::memcpy(&facet, bytes.data() + kHeaderSize + f * kFacetSize + kNormalSize, sizeof(facet));
+        out.add(name, facet);
     }
 }
 
 }  // namespace
 
-ParsedFile parse_stl(std::string_view name, std::string_view bytes) {
-    ParsedFile out;
-    out.suffix = ".stl";
-    out.bytes.assign(kHeaderSize, '\0');
+PolygonMesh parse_stl(std::string_view name, std::string_view bytes, LeftOut& left_out) {
+    StlMesh out(left_out);
     // Binary files may begin with "solid" too; only their size tells them apart.
     const bool sized_as_binary =
         bytes.size() >= kHeaderSize &&
         bytes.size() == kHeaderSize + std::uint64_t{binary_count(bytes)} * kFacetSize;
-    if (!sized_as_binary && (bytes.starts_with("solid") || bytes.starts_with("SOLID")))
-        read_text(out, name, bytes);
+    const std::string_view text = sized_as_binary ? std::string_view() : as_text(name, bytes);
+    if (text.starts_with("solid") || text.starts_with("SOLID"))
+        read_text(out, name, text);
     else
         read_binary(out, name, bytes);
-    const auto count = static_cast<std::uint32_t>(out.faces);
-    std::memcpy(out.bytes.data() + 80, &count, 4);
-    return out;
+    PolygonMesh mesh = out.take();
+    add_crease_normals(mesh, kStlCreaseDegrees);
+    return mesh;
 }
 
 }  // namespace nicol::geometry

@@ -1,44 +1,54 @@
 // SPDX-License-Identifier: MIT
-// Polygons as OpenMesh's readers deliver them, and their triangulation.
+// Polygons as mesh files have them, and what becomes of them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "geometry/left_out.hpp"
 #include "geometry/mesh.hpp"
-#include "geometry/parse.hpp"
 
 namespace nicol::geometry {
 
 /// Polygons that share positions and nothing else. Unlike a half-edge mesh it holds non-manifold faces too.
 struct PolygonMesh {
+    static constexpr std::uint32_t kNone = 0xffffffff;
     struct Corner {
         std::uint32_t position;
-        glm::vec3 normal;  ///< zero where the file gives none
+        std::uint32_t normal = kNone;
+        std::uint32_t texcoord = kNone;
     };
     std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;  ///< of any length; zero counts as none
+    std::vector<glm::vec2> texcoords;
+    std::vector<glm::vec3> colors;  ///< of the positions, or empty
     std::vector<Corner> corners;
     std::vector<std::size_t> face_ends;  ///< face f has the corners [face_ends[f - 1], face_ends[f])
+
+    /// The corners since the last face are one; left out where they are fewer than 3.
+    void end_face(LeftOut& left_out) {
+        const std::size_t first = face_ends.empty() ? 0 : face_ends.back();
+        if (corners.size() - first >= 3) return face_ends.push_back(corners.size());
+        left_out.add("faces of fewer than 3 corners");
+        corners.resize(first);
+    }
 };
 
-/// Runs OpenMesh's reader over a parsed file. Thread-safe. Throws Error(internal) with OpenMesh's message if
-/// the reader fails all the same.
-[[nodiscard]] PolygonMesh read_polygons(std::string_view name, const ParsedFile& file);
-
-/// Averages the normals of faces at each position as long as they are less than `degrees` apart.
-void smooth_within_crease(PolygonMesh& polygons, double degrees);
-
-/// Triangulates polygons and splits positions whose corners have different normals. `faces` receives the face
-/// of each triangle.
-[[nodiscard]] Mesh triangulated(const PolygonMesh& polygons, std::vector<std::uint32_t>& faces);
-
-/// As nicol::validate(). Messages name faces[t] in place of triangle t; empty `faces`: the triangle itself.
-void validate(Mesh& mesh, std::string_view name, std::span<const std::uint32_t> faces);
+/// Triangles of the polygons, which may be concave. Positions whose corners have different normals are split.
+/// Missing normals are smooth over the faces that lack them; vertices without a face and triangles without
+/// area are left out.
+[[nodiscard]] Mesh triangulated(const PolygonMesh& polygons, std::string_view name, LeftOut& left_out);
 
 /// As nicol::load_mesh() of a file that has this name and holds these bytes.
-[[nodiscard]] Mesh mesh_of(const std::filesystem::path& file, std::string_view bytes);
+[[nodiscard]] Mesh mesh_of(const std::filesystem::path& file, std::string_view bytes,
+                           const std::function<void(const std::string&)>& notice = {});
 
 }  // namespace nicol::geometry

@@ -25,6 +25,13 @@ std::string read_bytes(const std::filesystem::path& file) {
     return bytes;
 }
 
+std::string_view as_text(std::string_view name, std::string_view bytes) {
+    if (bytes.starts_with("\xFE\xFF") || bytes.starts_with("\xFF\xFE"))
+        throw Error(ErrorCode::unsupported, std::string(name) + ": UTF-16 text; save it as UTF-8");
+    if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+    return bytes;
+}
+
 void fail_at(std::string_view name, std::size_t line, std::string_view message) {
     throw Error(ErrorCode::invalid_file,
                 std::string(name) + ":" + std::to_string(line) + ": " + std::string(message));
@@ -67,16 +74,38 @@ std::string_view Tokenizer::require(std::string_view what) {
     return token;
 }
 
-float Tokenizer::number(std::string_view what) {
-    std::string_view token = require(what);
-    const std::string_view whole = token;
-    if (token.front() == '+') token.remove_prefix(1);
+void Tokenizer::fail_number(std::string_view what, std::string_view token) const {
+    fail(std::string(what) + " is " + in_quotes(token) + ", not a finite number a float can hold");
+}
+
+float Tokenizer::number_at_start(std::string_view what, bool& whole) {
+    const std::string_view token = require(what);
+    const char* const end = token.data() + token.size();
     double value = 0.0;
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-    if (error != std::errc() || end != token.data() + token.size() ||
-        !(std::abs(value) <= std::numeric_limits<float>::max()))
-        fail(std::string(what) + " is " + in_quotes(whole) + ", not a finite number a float can hold");
+    const auto [stop, error] = std::from_chars(token.data() + (token.front() == '+' ? 1 : 0), end, value);
+    if (error != std::errc() || !(std::abs(value) <= std::numeric_limits<float>::max()))
+        fail_number(what, token);
+    if (stop != end) whole = false;
     return static_cast<float>(value);
+}
+
+float Tokenizer::number(std::string_view what) {
+    const Tokenizer before = *this;
+    bool whole = true;
+    const float value = number_at_start(what, whole);
+    if (!whole) fail_number(what, Tokenizer(before).next());
+    return value;
+}
+
+float Tokenizer::number_or_zero(std::string_view what, bool& finite) {
+    const std::string_view token = require(what);
+    double value = 0.0;
+    const auto [stop, error] =
+        std::from_chars(token.data() + (token.front() == '+' ? 1 : 0), token.data() + token.size(), value);
+    if (error == std::errc() && std::abs(value) <= std::numeric_limits<float>::max())
+        return static_cast<float>(value);
+    finite = false;
+    return 0;
 }
 
 std::uint64_t Tokenizer::count(std::string_view what, std::uint64_t max) {
@@ -89,8 +118,10 @@ std::uint64_t Tokenizer::count(std::string_view what, std::uint64_t max) {
     return value;
 }
 
-void Tokenizer::skip_line() {
+std::string_view Tokenizer::rest_of_line() {
+    const std::size_t begin = at_;
     at_ = std::min(text_.find('\n', at_), text_.size());
+    return text_.substr(begin, at_ - begin);
 }
 
 }  // namespace nicol::geometry

@@ -16,6 +16,9 @@ namespace nicol::geometry {
 /// Throws Error(invalid_file) "name:line: message".
 [[noreturn]] void fail_at(std::string_view name, std::size_t line, std::string_view message);
 
+/// Without a byte order mark. Throws Error(unsupported) for UTF-16.
+[[nodiscard]] std::string_view as_text(std::string_view name, std::string_view bytes);
+
 /// Splits text at white space. Text from the comment character to the end of the line is skipped.
 class Tokenizer {
 public:
@@ -29,12 +32,19 @@ public:
     std::string_view require(std::string_view what);
     /// The next token as a finite number in the range of float; throws, naming `what`, if it is not one.
     float number(std::string_view what);
+    /// The same with other characters behind the number, which clear `whole`.
+    float number_at_start(std::string_view what, bool& whole);
+    /// The next token as a number, 0 where it is no finite one, which clears `finite`.
+    float number_or_zero(std::string_view what, bool& finite);
     /// The next token as an integer in [0, max]; throws, naming `what`, if it is not one.
     std::uint64_t count(std::string_view what, std::uint64_t max = UINT32_MAX);
-    void skip_line();
+    /// What is left of the line, which is passed over.
+    std::string_view rest_of_line();
     [[noreturn]] void fail(std::string_view message) const { fail_at(name_, line_, message); }
 
 private:
+    [[noreturn]] void fail_number(std::string_view what, std::string_view token) const;
+
     std::string_view name_;
     std::string_view text_;
     char comment_;

@@ -171,7 +171,9 @@ Mesh make(const ShapeDescription& d, Files& files) {
             mesh = make_cube();
             break;
         default:
-            mesh = files.read(d.filename, [&] { return load_mesh(d.filename); });
+            mesh = files.read(d.filename, [&] {
+                return load_mesh(d.filename, [&](const std::string& text) { files.notice(text); });
+            });
             break;
     }
     if (d.face_normals) mesh = with_face_normals(mesh);

@@ -42,17 +42,24 @@ TEST_CASE("validate refuses what no renderer can draw, by index") {
     check_refused(mesh, "face 1 (0-based) uses vertex 3");
     mesh.triangles[1] = {0, 1, 0xffffffffu};
     check_refused(mesh, "face 1 (0-based) uses vertex 4294967295");
-    mesh.triangles[1] = {0, 1, 1};
-    check_refused(mesh, "degenerate face 1 (0-based)");
-    mesh = triangle();
-    mesh.positions.emplace_back(1e-3f, 0, 0);
-    mesh.triangles.emplace_back(0, 1, 3);
-    check_refused(mesh, "degenerate face 1 (0-based)");
+    mesh.triangles = {{0, 1, 1}};
+    check_refused(mesh, "none of the 1 triangles has an area");
     mesh = triangle();
     mesh.normals.resize(2, glm::vec3(0, 0, 1));
     check_refused(mesh, "2 normals for 3 vertices");
     mesh.normals = {{0, 0, 1}, {0, nan, 0}, {0, 0, 1}};
     check_refused(mesh, "the normal of vertex 1 (0-based) is not finite");
+}
+
+TEST_CASE("validate removes triangles without area, and says how many") {
+    Mesh mesh = triangle();
+    mesh.positions.emplace_back(1e-3f, 0, 0);
+    mesh.positions.emplace_back(1, 0, 0);
+    for (const glm::uvec3& flat : {glm::uvec3(0, 1, 1), {0, 1, 3}, {0, 1, 4}}) mesh.triangles.push_back(flat);
+    mesh.triangles.emplace_back(0, 4, 2);
+    CHECK(nicol::validate(mesh, "thing") == 3);
+    CHECK(mesh.triangles == std::vector<glm::uvec3>{{0, 1, 2}, {0, 4, 2}});
+    CHECK(mesh.positions.size() == 5);
 }
 
 TEST_CASE("size alone does not make a triangle degenerate") {

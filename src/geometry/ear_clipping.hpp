@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Triangles of one polygon.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace nicol::geometry {
+
+/// The normal of a polygon, planar or not, its length twice the area (Newell).
+[[nodiscard]] glm::dvec3 area_normal(std::span<const glm::dvec3> corners);
+
+/// Appends the n - 2 triangles of a polygon of three or more corners to `out`, as indices of corners, with
+/// its orientation. Concave polygons, and those with a bridge to a hole, are covered once, as seen along
+/// their normal; of those that cross themselves nothing is promised but the number. Polygons of more than
+/// 1024 corners are taken as convex.
+void clip_ears(std::span<const glm::dvec3> corners, std::vector<glm::uvec3>& out);
+
+}  // namespace nicol::geometry

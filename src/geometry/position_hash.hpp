@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+
+namespace nicol::geometry {
+
+/// Equal for equal vectors, zeros of both signs among them.
+[[nodiscard]] inline std::size_t hash_of(const glm::vec3& v) {
+    std::uint64_t hash = 0;
+    for (glm::length_t i = 0; i < 3; ++i)
+        hash = (hash ^ std::bit_cast<std::uint32_t>(v[i] + 0.0F)) * 0x9e3779b97f4a7c15U;
+    return static_cast<std::size_t>(hash ^ (hash >> 32U));
+}
+
+}  // namespace nicol::geometry
