@@ -463,9 +463,9 @@ typedef struct nicol_mesh_data {
 #define NICOL_MESH_DATA_INIT \
     { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0 }
 
-/* OBJ, PLY, OFF or STL, by the file's suffix. Polygons may be concave. Triangles without area, vertices of no
- * face and what is not followed (materials) are left out; one line of the log counts them.
- * NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
+/* OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
+ * concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
+ * line of the log counts them. NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
 /* Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,

@@ -26,7 +26,8 @@ struct Mesh {
     std::vector<glm::uvec3> texcoord_triangles;  ///< of these, by triangle; none without texcoords
 };
 
-/// Reads Wavefront OBJ, PLY (text, binary), OFF (text) or STL (text, binary), chosen by the suffix. Polygons,
+/// Reads Wavefront OBJ, PLY (text, binary), OFF (text), STL (text, binary) or Mitsuba's serialized meshes, of
+/// which a file has several (`shape`, 0-based, is one of them), chosen by the suffix. Polygons,
 /// concave ones too, become triangles. Every face with an area is kept, manifold or not; triangles without
 /// one, vertices of no face, and what is not followed (materials of OBJ, unknown lines) are left out: one
 /// call of `notice` then counts them.
@@ -38,7 +39,8 @@ struct Mesh {
 /// triangle with an area), naming the line, vertex or face. Memory use is proportional to the size of the
 /// file, whatever its header claims.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& file,
-                             const std::function<void(const std::string&)>& notice = {});
+                             const std::function<void(const std::string&)>& notice = {},
+                             std::size_t shape = 0);
 
 /// Faces of an STL file that meet at a larger angle have a hard edge between them.
 inline constexpr double kStlCreaseDegrees = 40.0;

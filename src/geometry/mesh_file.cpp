@@ -15,14 +15,22 @@ namespace {
 
 struct Format {
     std::string_view suffix;
-    geometry::PolygonMesh (*parse)(std::string_view name, std::string_view bytes,
+    geometry::PolygonMesh (*parse)(std::string_view name, std::string_view bytes, std::size_t shape,
                                    geometry::LeftOut& left_out);
 };
 
-constexpr std::array<Format, 4> kFormats = {{{".obj", geometry::parse_obj},
-                                             {".ply", geometry::parse_ply},
-                                             {".off", geometry::parse_off},
-                                             {".stl", geometry::parse_stl}}};
+/// Of a format that holds one mesh.
+template <geometry::PolygonMesh (*Parse)(std::string_view, std::string_view, geometry::LeftOut&)>
+geometry::PolygonMesh single(std::string_view name, std::string_view bytes, std::size_t /*shape*/,
+                             geometry::LeftOut& left_out) {
+    return Parse(name, bytes, left_out);
+}
+
+constexpr std::array<Format, 5> kFormats = {{{".obj", single<geometry::parse_obj>},
+                                             {".ply", single<geometry::parse_ply>},
+                                             {".off", single<geometry::parse_off>},
+                                             {".stl", single<geometry::parse_stl>},
+                                             {".serialized", geometry::parse_serialized}}};
 
 const Format& format_of(const std::filesystem::path& file) {
     std::string suffix = file.extension().string();
@@ -31,17 +39,17 @@ const Format& format_of(const std::filesystem::path& file) {
     const auto format = std::ranges::find(kFormats, std::string_view(suffix), &Format::suffix);
     if (format == kFormats.end())
         throw Error(ErrorCode::unsupported, file.string() + ": unknown kind of mesh \"" + suffix +
-                                                "\"; expected .obj, .ply, .off or .stl");
+                                                "\"; expected .obj, .ply, .off, .stl or .serialized");
     return *format;
 }
 
 }  // namespace
 
 Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes,
-                       const std::function<void(const std::string&)>& notice) {
+                       const std::function<void(const std::string&)>& notice, std::size_t shape) {
     const std::string name = file.string();
     LeftOut left_out;
-    PolygonMesh polygons = format_of(file).parse(name, bytes, left_out);
+    PolygonMesh polygons = format_of(file).parse(name, bytes, shape, left_out);
     // Corners may be as many vertices.
     if (polygons.corners.size() >= std::numeric_limits<std::uint32_t>::max())
         throw Error(ErrorCode::unsupported, name + ": more than 2^32 - 2 corners of faces");
@@ -52,9 +60,10 @@ Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes
     return mesh;
 }
 
-Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& notice) {
+Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& notice,
+               std::size_t shape) {
     static_cast<void>(format_of(file));  // of an unknown kind nothing is read
-    return geometry::mesh_of(file, geometry::read_bytes(file), notice);
+    return geometry::mesh_of(file, geometry::read_bytes(file), notice, shape);
 }
 
 }  // namespace nicol

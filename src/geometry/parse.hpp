@@ -2,6 +2,7 @@
 // Parsers of mesh files.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "geometry/left_out.hpp"
@@ -23,5 +24,9 @@ namespace nicol::geometry {
 [[nodiscard]] PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& left_out);
 /// Text or binary. Equal positions are merged; normals follow from the triangles, see crease_normals.hpp.
 [[nodiscard]] PolygonMesh parse_stl(std::string_view name, std::string_view bytes, LeftOut& left_out);
+/// One of the meshes of a file of Mitsuba's, 0-based. Texture coordinates and colours that are not finite
+/// stay.
+[[nodiscard]] PolygonMesh parse_serialized(std::string_view name, std::string_view bytes, std::size_t shape,
+                                           LeftOut& left_out);
 
 }  // namespace nicol::geometry

@@ -49,6 +49,6 @@ struct PolygonMesh {
 
 /// As nicol::load_mesh() of a file that has this name and holds these bytes.
 [[nodiscard]] Mesh mesh_of(const std::filesystem::path& file, std::string_view bytes,
-                           const std::function<void(const std::string&)>& notice = {});
+                           const std::function<void(const std::string&)>& notice = {}, std::size_t shape = 0);
 
 }  // namespace nicol::geometry

@@ -172,7 +172,8 @@ Mesh make(const ShapeDescription& d, Files& files) {
             break;
         default:
             mesh = files.read(d.filename, [&] {
-                return load_mesh(d.filename, [&](const std::string& text) { files.notice(text); });
+                return load_mesh(
+                    d.filename, [&](const std::string& text) { files.notice(text); }, d.index);
             });
             break;
     }
@@ -187,7 +188,7 @@ public:
     explicit Meshes(Files& files) : files_(files) {}
 
     std::shared_ptr<const Mesh> of(const ShapeDescription& d) {
-        const Key key{d.kind,     d.filename, d.center.x,     d.center.y,
+        const Key key{d.kind,     d.filename, d.index,        d.center.x,    d.center.y,
                       d.center.z, d.radius,   d.face_normals, d.flip_normals};
         std::shared_ptr<const Mesh>& mesh = made_[key];
         if (!mesh) mesh = std::make_shared<const Mesh>(make(d, files_));
@@ -195,8 +196,8 @@ public:
     }
 
 private:
-    using Key =
-        std::tuple<ShapeDescription::Kind, std::filesystem::path, double, double, double, double, bool, bool>;
+    using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, double, double, double,
+                           double, bool, bool>;
     Files& files_;
     std::map<Key, std::shared_ptr<const Mesh>> made_;
 };

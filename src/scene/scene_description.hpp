@@ -72,14 +72,15 @@ struct MaterialDescription {
 };
 
 struct ShapeDescription {
-    enum class Kind { obj, ply, off, stl, sphere, rectangle, cube };
+    enum class Kind { obj, ply, off, stl, serialized, sphere, rectangle, cube };
     Kind kind = Kind::obj;
     std::string id;                  ///< of an instance, its own; empty when the file gives none
-    std::filesystem::path filename;  ///< obj, ply, off, stl
+    std::filesystem::path filename;  ///< of those before sphere
+    std::size_t index = 0;           ///< serialized: of the file's meshes
     glm::dvec3 center{0.0};          ///< sphere
     double radius = 1.0;             ///< sphere
     bool flip_normals = false;
-    bool face_normals = false;  ///< obj, ply, off, stl: hard edges everywhere
+    bool face_normals = false;  ///< of those with a file: hard edges everywhere
     glm::dmat4 to_world{1.0};   ///< affine and invertible
     std::size_t material = 0;   ///< index into SceneDescription::materials
 };
@@ -110,20 +111,19 @@ struct SceneDescription {
 using SceneParameters = std::map<std::string, std::string>;
 
 /// Reads a scene of Mitsuba 3's XML format. Defaults are Mitsuba's, and so is the meaning of each parameter;
-/// beside its plug-ins (sensors perspective, orthographic; shapes obj, ply, sphere, rectangle, cube,
-/// shapegroup, instance; bsdfs pplastic, diffuse, conductor, roughconductor, measured_polarized, twosided;
-/// emitters envmap, constant) these are ours: shapes off and stl, bsdf psh, emitters psh and sky. An instance
-/// becomes a shape for each member of its group. Integrator, sampler and reconstruction filter are not
-/// followed, which one notice says. <rgb> takes one value, three, or #rrggbb, which is linear n / 255.
-/// Filenames are not opened, but looked for: in the folders of <path>, the newest first, in the folder of the
-/// file that holds them, then in those of the files that include it; where none has the file, the name is
-/// relative to the folder of the file.
-/// Throws Error: file_not_found (also of an <include>); unsupported (a plug-in, element or value outside the
-/// above; files of more than 16 MiB together, or more than 1000); invalid_file (XML that is not well-formed,
-/// unknown or missing parameters, values out of range, undefined $parameters, ids that are missing or
-/// doubled, includes in a circle or more than 15 deep) as file:line, plug-in and parameter with what is
-/// accepted and, within an included file, who includes it; invalid_argument (an entry of `parameters` that
-/// the files never use).
+/// beside its plug-ins (sensors perspective, orthographic; shapes obj, ply, serialized, sphere, rectangle,
+/// cube, shapegroup, instance; bsdfs pplastic, diffuse, conductor, roughconductor, measured_polarized,
+/// twosided; emitters envmap, constant) these are ours: shapes off and stl, bsdf psh, emitters psh and sky.
+/// An instance becomes a shape for each member of its group. Integrator, sampler and reconstruction filter
+/// are not followed, which one notice says. <rgb> takes one value, three, or #rrggbb, which is linear n /
+/// 255. Filenames are not opened, but looked for: in the folders of <path>, the newest first, in the folder
+/// of the file that holds them, then in those of the files that include it; where none has the file, the name
+/// is relative to the folder of the file. Throws Error: file_not_found (also of an <include>); unsupported (a
+/// plug-in, element or value outside the above; files of more than 16 MiB together, or more than 1000);
+/// invalid_file (XML that is not well-formed, unknown or missing parameters, values out of range, undefined
+/// $parameters, ids that are missing or doubled, includes in a circle or more than 15 deep) as file:line,
+/// plug-in and parameter with what is accepted and, within an included file, who includes it;
+/// invalid_argument (an entry of `parameters` that the files never use).
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
                                                   const SceneParameters& parameters = {});
 

@@ -12,8 +12,8 @@ namespace {
 
 using Kind = ShapeDescription::Kind;
 
-constexpr std::array<std::string_view, 7> kKindNames = {"obj",    "ply",       "off", "stl",
-                                                        "sphere", "rectangle", "cube"};
+constexpr std::array<std::string_view, 8> kKindNames = {"obj",        "ply",    "off",       "stl",
+                                                        "serialized", "sphere", "rectangle", "cube"};
 
 void read_mesh(Plugin& plugin, ShapeDescription& shape) {
     shape.filename = plugin.filename("filename");
@@ -21,6 +21,9 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
         plugin.fail("filename", "is " + in_quotes(shape.filename.filename().string()) +
                                     "; expected a name in ." + plugin.type() +
                                     " as the type of the shape says");
+    if (shape.kind == Kind::serialized)
+        shape.index =
+            static_cast<std::size_t>(plugin.integer("shape_index", 0, 0, std::numeric_limits<int>::max()));
     shape.face_normals = plugin.boolean("face_normals", false);
     plugin.pass_over({"flip_tex_coords"});
 }
@@ -31,11 +34,11 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, pu
     Plugin plugin(document, node);
     const auto kind = std::ranges::find(kKindNames, std::string_view(plugin.type()));
     if (kind == kKindNames.end())
-        plugin.fail_type("obj, ply, off, stl, sphere, rectangle, cube, shapegroup, instance");
+        plugin.fail_type("obj, ply, off, stl, serialized, sphere, rectangle, cube, shapegroup, instance");
     ShapeDescription shape;
     shape.kind = static_cast<Kind>(kind - kKindNames.begin());
     shape.id = plugin.id();
-    if (shape.kind <= Kind::stl) {
+    if (shape.kind <= Kind::serialized) {
         read_mesh(plugin, shape);
     } else if (shape.kind == Kind::sphere) {
         shape.center = plugin.vector("center", shape.center);

@@ -43,7 +43,7 @@ TEST_CASE("files that are not there or of no known kind") {
         check_error(ErrorCode::file_not_found, CALL(load_mesh(file)));
     }
     for (const char* name : {"mesh.fbx", "mesh", "mesh.obj.gz"})
-        check_refused(name, obj_points, ErrorCode::unsupported, ".obj, .ply, .off or .stl");
+        check_refused(name, obj_points, ErrorCode::unsupported, ".obj, .ply, .off, .stl or .serialized");
 }
 
 TEST_CASE("empty files and garbage of every suffix") {

@@ -70,6 +70,7 @@ TEST_CASE("everything that a scene can hold is read") {
 <shape type="rectangle"><ref name="bsdf" id="gold"/></shape>
 <shape type="cube"/><shape type="off"><string name="filename" value="a.off"/></shape>
 <shape type="stl"><string name="filename" value="a.stl"/></shape><shape type="obj"><string name="filename" value="a.obj"/></shape>
+<shape type="serialized"><string name="filename" value="a.serialized"/><integer name="shape_index" value="2"/></shape>
 )"));
     const SceneDescription s = read_mitsuba_scene(file.scene());
     CHECK(s.sensor.kind == SensorDescription::Kind::perspective);
@@ -86,8 +87,9 @@ TEST_CASE("everything that a scene can hold is read") {
     // A quarter of a rotation about y takes z to x.
     CHECK(glm::distance(glm::dvec3(s.emitter->to_world * glm::dvec4(0, 0, 1, 0)), glm::dvec3(1, 0, 0)) <
           1e-12);
-    REQUIRE(s.shapes.size() == 7);
+    REQUIRE(s.shapes.size() == 8);
     CHECK(s.shapes[0].id == "first");
+    CHECK(s.shapes[7].index == 2);
     CHECK(s.shapes[0].filename == file.path().parent_path() / "first.PLY");
     CHECK(s.shapes[0].face_normals);
     CHECK(s.shapes[1].center == glm::dvec3(1, 0, 3));

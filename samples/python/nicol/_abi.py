@@ -333,7 +333,7 @@ class CallbackMaterial(Struct):
 
 
 class MeshData(Struct):
-    """Positions and normals must be finite. A triangle needs valid indices and an area."""
+    """Positions and normals must be finite, indices valid. Triangles without area are left out, and logged once."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("vertex_count", c_uint32),
@@ -799,7 +799,9 @@ class Mesh(Handle):
 
     @classmethod
     def load(cls, context, path):
-        """OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
+        """OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
+        concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
+        line of the log counts them. NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
         mesh = cls()
         check(_mesh_load(context, text(path), byref(mesh)))
         return mesh

@@ -604,7 +604,7 @@ const _: () = {
     assert!(offset_of!(nicol_callback_material, reserved) == 36);
 };
 
-/// Positions and normals must be finite. A triangle needs valid indices and an area.
+/// Positions and normals must be finite, indices valid. Triangles without area are left out, and logged once.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_mesh_data {
@@ -1383,7 +1383,9 @@ extern "C" {
     pub fn nicol_material_create_callback(context: nicol_context, parameters: *const nicol_callback_material, material: *mut nicol_material) -> nicol_result;
     pub fn nicol_material_retain(material: nicol_material) -> nicol_result;
     pub fn nicol_material_release(material: nicol_material) -> nicol_result;
-    /// OBJ, PLY, OFF or STL, by the file's suffix; NICOL_ERROR_INVALID_FILE names the line, vertex or face.
+    /// OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
+    /// concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
+    /// line of the log counts them. NICOL_ERROR_INVALID_FILE names the line, vertex or face.
     pub fn nicol_mesh_load(context: nicol_context, path: *const c_char, mesh: *mut nicol_mesh) -> nicol_result;
     /// Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance.
     pub fn nicol_mesh_create(context: nicol_context, data: *const nicol_mesh_data, mesh: *mut nicol_mesh) -> nicol_result;
