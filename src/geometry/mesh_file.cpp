@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "error.hpp"
+#include "files/read_bytes.hpp"
 #include "geometry/parse.hpp"
 #include "geometry/polygon_mesh.hpp"
 #include "geometry/tokenizer.hpp"
@@ -63,7 +64,7 @@ Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes
 Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& notice,
                std::size_t shape) {
     static_cast<void>(format_of(file));  // of an unknown kind nothing is read
-    return geometry::mesh_of(file, geometry::read_bytes(file), notice, shape);
+    return geometry::mesh_of(file, read_bytes(file), notice, shape);
 }
 
 }  // namespace nicol

@@ -4,26 +4,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "error.hpp"
 
 namespace nicol::geometry {
-
-std::string read_bytes(const std::filesystem::path& file) {
-    std::error_code status;
-    // Reading a device or a pipe might never end.
-    if (!std::filesystem::is_regular_file(file, status))
-        throw Error(ErrorCode::file_not_found, file.string() + ": no such file");
-    std::ifstream in(file, std::ios::binary);
-    const auto size = std::filesystem::file_size(file, status);
-    if (!in || status) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read");
-    std::string bytes(size, '\0');
-    in.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (!in) throw Error(ErrorCode::file_not_found, file.string() + ": cannot be read to its end");
-    return bytes;
-}
 
 std::string_view as_text(std::string_view name, std::string_view bytes) {
     if (bytes.starts_with("\xFE\xFF") || bytes.starts_with("\xFF\xFE"))

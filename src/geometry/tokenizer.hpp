@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Reading a mesh file, and splitting its text into tokens with line numbers for errors.
+// Splitting the text of a mesh file into tokens, with line numbers for errors.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace nicol::geometry {
-
-/// A whole file. Throws Error(file_not_found) unless `file` is a regular file that can be read.
-[[nodiscard]] std::string read_bytes(const std::filesystem::path& file);
 
 /// Throws Error(invalid_file) "name:line: message".
 [[noreturn]] void fail_at(std::string_view name, std::size_t line, std::string_view message);

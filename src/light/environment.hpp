@@ -87,6 +87,7 @@ using EnvironmentPtr = std::shared_ptr<const Environment>;
 /// Light from a file, its values multiplied by `scale`:
 /// - `.npz`: coefficients, see read_psh_vector() and psh_environment();
 /// - any of `NAME_s0.exr` ... `NAME_s3.exr`, or `NAME` where no file has that name: see read_cube_cross();
+/// - a bitmap, see read_bitmap(): Radiance HDR, or PNG, JPEG, BMP, TGA as 0 to 1, decoded from sRGB;
 /// - else an OpenEXR file in the layout of EquirectImage (see read_exr() for the channels): R G B or Y is
 ///   unpolarized light, S1.. S3 make it polarized. `wavelengths` chooses channels of spectral files.
 /// Throws Error(invalid_argument) unless scale is finite and >= 0, or for `wavelengths` of a file that is not

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "error.hpp"
+#include "image/bitmap.hpp"
 #include "light/cube_cross.hpp"
 #include "light/environment_checks.hpp"
 #include "light/psh_file.hpp"
@@ -44,7 +45,8 @@ EnvironmentPtr load_environment(const path& file, double scale, std::span<const 
     check_scale(name, scale);
     const bool coefficients = file.extension() == ".npz";
     const bool cube = is_cube(file);
-    if (!wavelengths.empty() && (coefficients || cube))
+    const bool bitmap = is_bitmap(file);
+    if (!wavelengths.empty() && (coefficients || cube || bitmap))
         throw Error(ErrorCode::invalid_argument,
                     name + ": wavelengths can be chosen from spectral EXR files only");
     if (coefficients) {
@@ -64,7 +66,7 @@ EnvironmentPtr load_environment(const path& file, double scale, std::span<const 
         return checked_environment(view_of(image), image.wavelengths, scale, name, ErrorCode::invalid_file,
                                    negative);
     }
-    const StokesImage image = read_exr(file, wavelengths);
+    const StokesImage image = bitmap ? unpolarized_image(read_bitmap(file)) : read_exr(file, wavelengths);
     return checked_environment(view_of(image), image.wavelengths, scale, name, ErrorCode::invalid_file);
 }
 

@@ -28,7 +28,7 @@ fuzz() {
     log=build-fuzz/$1.log
     # -rss_limit_mb also refuses single allocations of that size. An image may take 8 GiB.
     megabytes=1024
-    [ "$1" != exr ] || megabytes=9216
+    case $1 in exr | bitmap) megabytes=9216 ;; esac
     if "build-fuzz/bin/fuzz_$1" -max_total_time="$seconds" -timeout=10 -rss_limit_mb="$megabytes" -max_len=4096 \
         -seed="${NICOL_FUZZ_SEED:-0}" -print_final_stats=1 -artifact_prefix="build-fuzz/findings/$1-" $dictionary \
         "$grown" "build-fuzz/tests/fuzz/seeds/$1" $kept >"$log" 2>&1; then

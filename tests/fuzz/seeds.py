@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Writes small valid inputs for each fuzzer, a folder each. Usage: seeds.py FOLDER"""
 
+import base64
 import io
 import pathlib
 import struct
 import sys
 import zipfile
+import zlib
 
 OBJ = """# comment
 mtllib none.mtl
@@ -192,6 +194,30 @@ TARGETS = [
 ]
 
 
+def png(bits, kind, rows, width=2, palette=b""):
+    def chunk(name, content):
+        return struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
+
+    header = struct.pack(">IIBBBBB", width, len(rows), bits, kind, 0, 0, 0)
+    packed = zlib.compress(b"".join(b"\0" + row for row in rows))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + (chunk(b"PLTE", palette) if palette else b"")
+            + chunk(b"IDAT", packed) + chunk(b"IEND", b""))
+
+
+# 8 x 8 pixels of (200, 100, 50).
+JPEG = base64.b64decode(
+    "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAIBAQEBAQIBAQECAgICAgQDAgICAgUEBAMEBgUGBgYFBgYGBwkIBgcJBwYGCAsICQoK"
+    "CgoKBggLDAsKDAkKCgr/2wBDAQICAgICAgUDAwUKBwYHCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoKCgoK"
+    "CgoKCgoKCgr/wAARCAAIAAgDAREAAhEBAxEB/8QAFAABAAAAAAAAAAAAAAAAAAAABf/EABQQAQAAAAAAAAAAAAAAAAAAAAD/xAAU"
+    "AQEAAAAAAAAAAAAAAAAAAAAI/8QAFBEBAAAAAAAAAAAAAAAAAAAAAP/aAAwDAQACEQMRAD8APFc2H//Z"
+)
+BMP = b"BM" + struct.pack("<IIIIiiHH24x", 62, 0, 54, 40, 2, 1, 1, 24) + b"\0\0\xff\0\x33\0\0\0"
+TGA = struct.pack("<BBB5xHHHHBB", 0, 0, 2, 0, 0, 2, 1, 24, 0) + b"\0\0\xff\0\x33\0"
+TGA_RUNS = struct.pack("<BBB5xHHHHBB", 0, 0, 10, 0, 0, 2, 1, 24, 0) + b"\x81\0\0\xff"
+HDR = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n\x80\x40\0\x85\x80\x80\x80\x80"
+HDR_RUNS = b"#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n\2\2\0\x08" + 4 * b"\x88\x80"
+
+
 def requests():
     yield from TARGETS
     yield f"GET {TARGETS[0]} HTTP/1.1\r\nHost: a\r\nIf-None-Match: \"x\"\r\n\r\nHEAD /scenes HTTP/1.1\r\n\r\n"
@@ -205,6 +231,8 @@ SEEDS = {
     "off": [OFF, NOFF],
     "stl": [STL, stl_binary()],
     "exr": [exr("RGB", 4, 2), exr("Y", 3, 3, tile=4), exr(STOKES, 2, 2, 0.0), exr(SPECTRAL, 2, 2, 0.0)],
+    "bitmap": [png(8, 2, [b"abcdef", b"ghijkl"]), png(16, 0, [b"abcd"]), png(8, 3, [b"\1\0"], palette=b"abcdef"),
+               png(1, 0, [b"a"]), JPEG, BMP, TGA, TGA_RUNS, HDR, HDR_RUNS],
     "npz": [npz({"coeff": LIGHT, **TEXTS}, zipfile.ZIP_STORED), npz({"coeff": LIGHT, **TEXTS}, zipfile.ZIP_DEFLATED),
             npz({"coeff": MATERIAL}, zipfile.ZIP_STORED)],
     "npy": [LIGHT, GREY_LIGHT, MATERIAL],

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Images as light: directions, files, refusals.
+#include "image/observer.hpp"
 #include "light/images.hpp"
 #include "temporary_folder.hpp"
 #include "test.hpp"
@@ -270,4 +271,27 @@ TEST_CASE("environments of third parties load") {
         CHECK(light->channels() == 3);
         CHECK_FALSE(light->polarized());
     }
+}
+
+TEST_CASE("photographs in Radiance HDR and in eight bits are light") {
+    const TemporaryFolder folder;
+    std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n";
+    for (int i = 0; i < 4; ++i) hdr += std::string("\x80\x40\x20", 3) + static_cast<char>(128 + i);
+    const EnvironmentPtr radiance = load_environment(folder.write("a.hdr", hdr), 2);
+    CHECK(radiance->channels() == 3);
+    CHECK_FALSE(radiance->polarized());
+    for (int i = 0; i < 4; ++i)
+        for (const int c : {0, 1, 2})
+            CHECK(radiance->image().at(c, i / 2, i % 2)[0] == 2 * std::ldexp(0.5F, i - c));
+    Observation colours{.width = 2, .height = 2, .rgb = {}};
+    for (int i = 0; i < 4; ++i) colours.rgb.insert(colours.rgb.end(), {255, 128, 0});
+    write_png(folder.path() / "a.png", colours);
+    const EnvironmentPtr photo = load_environment(folder.path() / "a.png");
+    CHECK(photo->image().at(0, 0, 0)[0] == 1);
+    CHECK(photo->image().at(1, 0, 0)[0] == doctest::Approx(0.215861));
+    check_error(ErrorCode::invalid_argument,
+                CALL(load_environment(folder.path() / "a.png", 1, std::array{500.0})), "a.png",
+                "wavelengths");
+    check_error(ErrorCode::invalid_file, CALL(load_environment(folder.write("b.hdr", hdr.substr(0, 50)))),
+                "b.hdr");
 }

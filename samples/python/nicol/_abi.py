@@ -679,6 +679,8 @@ class Environment(Handle):
                         have a channel a wavelength.
           NAME_s0.exr   to NAME_s3.exr, any of them, or NAME alone: a cube map as a cross of 4 x 3 faces, a file for
                         each Stokes component, as the Python package polarsh has them.
+          NAME.hdr      Radiance HDR; or NAME.png, .jpg, .bmp, .tga, whose colours are decoded from sRGB to 0 to 1: unpolarized
+                        light, equirectangular.
           NAME.npz      PSH coefficients as polarsh writes them (SHVec).
         options may be NULL: all defaults."""
         environment = cls()

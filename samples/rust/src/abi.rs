@@ -1343,6 +1343,8 @@ extern "C" {
     ///                 have a channel a wavelength.
     ///   NAME_s0.exr   to NAME_s3.exr, any of them, or NAME alone: a cube map as a cross of 4 x 3 faces, a file for
     ///                 each Stokes component, as the Python package polarsh has them.
+    ///   NAME.hdr      Radiance HDR; or NAME.png, .jpg, .bmp, .tga, whose colours are decoded from sRGB to 0 to 1: unpolarized
+    ///                 light, equirectangular.
     ///   NAME.npz      PSH coefficients as polarsh writes them (SHVec).
     /// options may be NULL: all defaults.
     pub fn nicol_environment_load(context: nicol_context, path: *const c_char, options: *const nicol_environment_load_options, environment: *mut nicol_environment) -> nicol_result;

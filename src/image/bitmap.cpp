@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "image/bitmap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "files/file_error.hpp"
+#include "files/read_bytes.hpp"
+#include "image/color.hpp"
+
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_NO_STDIO
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_ONLY_BMP
+#define STBI_ONLY_TGA
+#define STBI_ONLY_HDR
+#define STBI_MAX_DIMENSIONS 32768
+#include <stb/stb_image.h>
+
+namespace nicol {
+namespace {
+
+using std::filesystem::path;
+
+static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
+
+constexpr std::array<std::string_view, 7> kSuffixes = {".png", ".jpg", ".jpeg", ".bmp",
+                                                       ".tga", ".hdr", ".rgbe"};
+
+std::string suffix_of(const path& file) {
+    std::string suffix = file.extension().string();
+    std::ranges::transform(suffix, suffix.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return suffix;
+}
+
+bool has_known_mark(std::string_view bytes) {
+    constexpr std::array<std::string_view, 5> marks = {"\x89PNG\r\n\x1a\n", "\xff\xd8\xff", "BM",
+                                                       "#?RADIANCE", "#?RGBE"};
+    return std::ranges::any_of(marks, [&](std::string_view mark) { return bytes.starts_with(mark); });
+}
+
+/// stb_image goes on with zeros where a file ends; this tells.
+struct Source {
+    std::string_view left;
+    bool overrun = false;
+
+    [[nodiscard]] stbi_io_callbacks callbacks() const {
+        return {.read =
+                    [](void* self, char* to, int size) {
+                        auto& source = *static_cast<Source*>(self);
+                        const std::size_t count =
+                            std::min(source.left.size(), static_cast<std::size_t>(size));
+                        if (count == 0) source.overrun = true;
+                        std::memcpy(to, source.left.data(), count);
+                        source.left.remove_prefix(count);
+                        return static_cast<int>(count);
+                    },
+                .skip =
+                    [](void* self, int size) {
+                        auto& source = *static_cast<Source*>(self);
+                        const auto wanted = static_cast<std::size_t>(std::max(size, 0));
+                        if (wanted > source.left.size()) source.overrun = true;
+                        source.left.remove_prefix(std::min(wanted, source.left.size()));
+                    },
+                .eof = [](void* self) { return static_cast<Source*>(self)->left.empty() ? 1 : 0; }};
+    }
+};
+
+void check_size(const path& file, int width, int height) {
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    if (width < 1 || height < 1) invalid_file(file, "has no pixels");
+    if (width > kMaxImageSide || height > kMaxImageSide || pixels > kMaxImagePixels)
+        unsupported_file(file, std::to_string(width) + " x " + std::to_string(height) + " pixels; at most " +
+                                   std::to_string(kMaxImageSide) + " a side and " +
+                                   std::to_string(kMaxImagePixels) + " in all");
+}
+
+template <class Number>
+struct Free {
+    void operator()(Number* pixels) const { stbi_image_free(pixels); }
+};
+
+/// Decodes with one of stb_image's functions; numbers are divided by `one`.
+template <class Number>
+void decode(const path& file, std::string_view bytes, float one, Bitmap& out,
+            Number* (*load)(const stbi_io_callbacks*, void*, int*, int*, int*, int)) {
+    Source source{.left = bytes};
+    const stbi_io_callbacks callbacks = source.callbacks();
+    const std::unique_ptr<Number, Free<Number>> pixels(
+        load(&callbacks, &source, &out.width, &out.height, &out.channels, 0));
+    if (pixels == nullptr)
+        invalid_file(file, std::string("is damaged or truncated (") + stbi_failure_reason() + ")");
+    if (source.overrun) invalid_file(file, "is truncated");
+    const std::size_t count = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) *
+                              static_cast<std::size_t>(out.channels);
+    out.values.resize(count);
+    for (std::size_t i = 0; i < count; ++i) out.values[i] = static_cast<float>(pixels.get()[i]) / one;
+}
+
+}  // namespace
+
+bool is_bitmap(const path& file) {
+    return std::ranges::find(kSuffixes, std::string_view(suffix_of(file))) != kSuffixes.end();
+}
+
+Bitmap read_bitmap(const path& file) {
+    const std::string bytes = read_bytes(file);
+    if (bytes.empty()) invalid_file(file, "is empty");
+    if (!has_known_mark(bytes) && suffix_of(file) != ".tga")
+        unsupported_file(file, "not an image of a known kind; expected PNG, JPEG, BMP, TGA or Radiance HDR");
+    Source head{.left = bytes};
+    const stbi_io_callbacks callbacks = head.callbacks();
+    Bitmap out;
+    if (stbi_info_from_callbacks(&callbacks, &head, &out.width, &out.height, &out.channels) == 0)
+        invalid_file(file, "has a header that is damaged, truncated, or of more than " +
+                               std::to_string(kMaxImageSide) + " pixels a side");
+    check_size(file, out.width, out.height);
+
+    const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), 1 << 20));
+    if (stbi_is_hdr_from_memory(data, size) != 0) {
+        out.linear = true;
+        decode<float>(file, bytes, 1, out, stbi_loadf_from_callbacks);
+    } else if (stbi_is_16_bit_from_memory(data, size) != 0) {
+        decode<stbi_us>(file, bytes, 65535, out, stbi_load_16_from_callbacks);
+    } else {
+        decode<stbi_uc>(file, bytes, 255, out, stbi_load_from_callbacks);
+    }
+    return out;
+}
+
+StokesImage unpolarized_image(const Bitmap& bitmap) {
+    const int colours = bitmap.channels < 3 ? 1 : 3;
+    StokesImage image(bitmap.width, bitmap.height, colours);
+    const std::size_t pixels =
+        static_cast<std::size_t>(bitmap.width) * static_cast<std::size_t>(bitmap.height);
+    const auto step = static_cast<std::size_t>(bitmap.channels);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(colours); ++c)
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const float value = bitmap.values[i * step + c];
+            image.data[4 * (c * pixels + i)] = bitmap.linear ? value : srgb_to_linear(value);
+        }
+    return image;
+}
+
+}  // namespace nicol
