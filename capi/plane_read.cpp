@@ -21,7 +21,7 @@ struct PlaneKind {
     bool coloured = aov == 0;
 };
 
-constexpr std::array<PlaneKind, 12> kKinds{{{"NICOL_PLANE_S0", 1},
+constexpr std::array<PlaneKind, 13> kKinds{{{"NICOL_PLANE_S0", 1},
                                             {"NICOL_PLANE_S1", 1},
                                             {"NICOL_PLANE_S2", 1},
                                             {"NICOL_PLANE_S3", 1},
@@ -32,7 +32,8 @@ constexpr std::array<PlaneKind, 12> kKinds{{{"NICOL_PLANE_S0", 1},
                                             {"NICOL_PLANE_NORMAL", 3, aov_normals},
                                             {"NICOL_PLANE_POSITION", 3, aov_positions},
                                             {"NICOL_PLANE_INSTANCE", 1, aov_instances},
-                                            {"NICOL_PLANE_VARIANCE", 4, aov_variance, true}}};
+                                            {"NICOL_PLANE_VARIANCE", 4, aov_variance, true},
+                                            {"NICOL_PLANE_ALPHA", 1, aov_alpha}}};
 
 // A request, checked and with defaults resolved.
 struct Request {
@@ -47,7 +48,7 @@ std::size_t bytes_of(nicol_format format) {
 }
 
 Request understand(const nicol_plane_buffer& given, int channels) {
-    require_constant(given.plane, NICOL_PLANE_VARIANCE, "plane", "NICOL_PLANE_...");
+    require_constant(given.plane, NICOL_PLANE_ALPHA, "plane", "NICOL_PLANE_...");
     require_constant(given.format, NICOL_FORMAT_UINT32, "format", "NICOL_FORMAT_...");
     const PlaneKind& kind = kKinds[given.plane];
     const bool ids = given.plane == NICOL_PLANE_INSTANCE;
@@ -144,6 +145,8 @@ private:
                 return {aovs_->normals.data(), 3};
             case NICOL_PLANE_POSITION:
                 return {aovs_->positions.data(), 3};
+            case NICOL_PLANE_ALPHA:
+                return {aovs_->alpha.data(), 1};
             case NICOL_PLANE_INSTANCE:
                 return {nullptr, 1};  // no floats
             case NICOL_PLANE_VARIANCE: {

@@ -92,7 +92,7 @@ int components_from(nicol_components given) {
 
 static_assert(NICOL_AOV_DEPTH == aov_depth && NICOL_AOV_NORMAL == aov_normals &&
               NICOL_AOV_POSITION == aov_positions && NICOL_AOV_INSTANCE == aov_instances &&
-              NICOL_AOV_VARIANCE == aov_variance);
+              NICOL_AOV_VARIANCE == aov_variance && NICOL_AOV_ALPHA == aov_alpha);
 
 std::uint32_t aovs_from(std::uint32_t given) {
     if ((given & ~(NICOL_AOV_ALL | NICOL_AOV_VARIANCE)) != 0) {

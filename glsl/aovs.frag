@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// AOVs: depth, normal, position and instance.
+// AOVs: depth, normal, position, instance and coverage, of one sample of a pixel.
 #version 450 core
 
-// ATTACHMENTS: their number. NORMALS, DEPTH, POSITIONS, INSTANCES: the position of its first float, if it is requested.
+// ATTACHMENTS: their number. NORMALS, DEPTH, POSITIONS, INSTANCES, ALPHA: the position of its first float, if it is requested.
 layout(location = 0) in vec3 vertex_position;
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 0) out vec4 pixel[ATTACHMENTS];
@@ -34,6 +34,9 @@ void main() {
 #ifdef INSTANCES
     value[INSTANCES] = float(instance & 0xffffu);
     value[INSTANCES + 1] = float(instance >> 16);
+#endif
+#ifdef ALPHA
+    value[ALPHA] = 1.0;
 #endif
     for (int a = 0; a < ATTACHMENTS; ++a)
         pixel[a] = vec4(value[4 * a], value[4 * a + 1], value[4 * a + 2], value[4 * a + 3]);

@@ -639,14 +639,16 @@ typedef uint32_t nicol_executor;
 #define NICOL_OPTIMISATION_UNOCCLUDED 64u      /* shadows of vertices with nothing above their horizon */
 #define NICOL_OPTIMISATION_ALL 127u
 
-/* AOVs that a render makes beside the image, by any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION and
- * _INSTANCE. They are of the first surface on the ray through a pixel's centre or, with pixel_samples, of the
- * nearest of those that the samples show. NICOL_AOV_ALL: these four. */
+/* AOVs that a render makes beside the image, by any method; see NICOL_PLANE_DEPTH, _NORMAL, _POSITION,
+ * _INSTANCE and _ALPHA. Those of surfaces are of the first on the ray through a pixel's centre; with
+ * pixel_samples, of the nearest that the samples show, and the normal is the mean of theirs.
+ * NICOL_AOV_ALL: these five. */
 #define NICOL_AOV_DEPTH 1u
 #define NICOL_AOV_NORMAL 2u
 #define NICOL_AOV_POSITION 4u
 #define NICOL_AOV_INSTANCE 8u
-#define NICOL_AOV_ALL 15u
+#define NICOL_AOV_ALPHA 32u
+#define NICOL_AOV_ALL 47u
 /* The noise of the image, by the reference method with 2 samples or more alone; others refuse it. See
  * NICOL_PLANE_VARIANCE. */
 #define NICOL_AOV_VARIANCE 16u
@@ -702,9 +704,8 @@ typedef struct nicol_render_options {
     nicol_shade_at shade_at;     /* default automatic. With pixels high_orders_at has no effect */
     uint32_t pixel_samples;      /* real-time methods: samples of a pixel, 1, 4 or 8; 0, the default, is 1. A
                                     pixel is the mean of surfaces and environment by the number of samples
-                                    that show them; AOVs are of the nearest sample. With shade_at vertices the
-                                    scene is drawn once a sample; pixels shade each surface once a pixel, at
-                                    the mean of its samples */
+                                    that show them. With shade_at vertices the scene is drawn once a sample;
+                                    pixels shade each surface once a pixel, at the mean of its samples */
     double refine_tolerance; /* the bake splits triangles where shadows change faster than the mesh is fine,
                                 until what interpolation errs by in the hidden part of an even light is at
                                 most this part of all of it; 0: none is split. 0 to 1, default 0.02 */
@@ -856,12 +857,13 @@ typedef uint32_t nicol_plane;
 #define NICOL_PLANE_DOLP 5   /* degree of linear polarization; 0 where s0 <= 0 */
 /* Angle of linear polarization, radians in (-pi/2, pi/2], counter-clockwise from image right. */
 #define NICOL_PLANE_AOLP 6
-/* The following exist only if the last render into the framebuffer made them (NICOL_AOV_...), and but for the
- * last have no colour channels. */
+/* The following exist only if the last render into the framebuffer made them (NICOL_AOV_...), and but for
+ * NICOL_PLANE_VARIANCE have no colour channels. */
 #define NICOL_PLANE_DEPTH 7 /* distance along the camera's +z; +infinity where there is no surface */
-#define NICOL_PLANE_NORMAL                                                                  \
-    8 /* three numbers a pixel: the unit shading normal in the world, of a surface with two \
-         sides on the one that is seen, of others on the front; 0 without a surface */
+#define NICOL_PLANE_NORMAL                                                                              \
+    8 /* three numbers a pixel: the unit shading normal in the world, of a surface with two             \
+         sides on the one that is seen, of others on the front; 0 without a surface, and where those of \
+         samples cancel */
 #define NICOL_PLANE_POSITION 9  /* three numbers a pixel: the point in the world; 0 without a surface */
 #define NICOL_PLANE_INSTANCE 10 /* a uint32_t a pixel: the instance's id, or NICOL_NO_INSTANCE */
 #define NICOL_NO_INSTANCE 0xffffffffu
@@ -872,6 +874,10 @@ typedef uint32_t nicol_plane;
  * since all samples of a pixel together are spread better than those of a group: 1 to 2 times the variance on
  * most surfaces and 3 times at outlines under smooth light, where measured. At most the largest float. */
 #define NICOL_PLANE_VARIANCE 11
+/* Coverage: the fraction of a pixel's samples (of the reference method: of its rays) that show a surface,
+ * seen from the front or from behind; 1 or 0 with one sample. The Stokes image is not multiplied by it: it
+ * has the environment behind the surfaces, weighted by 1 - alpha, and without an environment black. */
+#define NICOL_PLANE_ALPHA 12
 
 /* Copies one plane of one colour channel, first row at the top. row_stride in bytes, 0: tightly packed;
  * byte_size is what pixels has room for. NICOL_ERROR_INVALID_ARGUMENT for a plane that is not there and for
@@ -912,8 +918,8 @@ NICOL_API nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffe
  *   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
  *   1             Y (which is s0) and S0.Y to S3.Y
  *   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
- * and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned) and, of each Stokes
- * channel, variance.S0.R ... variance.S3.B. */
+ * and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still
+ * have the environment) and, of each Stokes channel, variance.S0.R ... variance.S3.B. */
 /* clang-format on */
 NICOL_API nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 

@@ -16,7 +16,8 @@ const char* const usage =
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "      --device N           the device to use, of those that --list-devices shows\n"
     "      --list-devices       shows the devices that OpenGL can be opened on\n"
-    "      --aovs NAMES         also writes AOVs of the surfaces: depth, normals, positions, ids; by the\n"
+    "      --aovs NAMES         also writes AOVs of the surfaces: depth, normals, positions, ids, alpha; by "
+    "the\n"
     "                           reference method the variance of the image; commas between several\n"
     "      --method NAME        factored or dense, in real time, or reference, by rays: slow and noisy\n"
     "      --executor NAME      where relight and shade run: cpu (threads), compute (shaders) or automatic,\n"
@@ -116,11 +117,13 @@ std::uint32_t parse_aovs(std::string_view text) {
             aovs |= NICOL_AOV_POSITION;
         else if (name == "ids")
             aovs |= NICOL_AOV_INSTANCE;
+        else if (name == "alpha")
+            aovs |= NICOL_AOV_ALPHA;
         else if (name == "variance")
             aovs |= NICOL_AOV_VARIANCE;
         else
             throw Failure("--aovs: '" + std::string(name) +
-                          "' is none of: depth, normals, positions, ids, variance");
+                          "' is none of: depth, normals, positions, ids, alpha, variance");
         more = comma != std::string_view::npos;
         if (more) text.remove_prefix(comma + 1);
     }

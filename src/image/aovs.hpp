@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arbitrary output variables: depth, normals, positions, instances and variance by pixel.
+// Arbitrary output variables: depth, normals, positions, instances, coverage and variance by pixel.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,15 @@ enum AovBit : std::uint32_t {
     aov_positions = 4,
     aov_instances = 8,
     aov_variance = 16,  ///< by the reference method alone
+    aov_alpha = 32,
 };
 
 /// The value of `instances` where there is no surface.
 inline constexpr std::uint32_t kNoInstance = 0xffffffff;
 
-/// Of the first surface on the ray through each pixel's centre, or of the nearest of several rays, [y][x],
-/// row 0 at the top; the variance is of the image itself. AOVs that were not requested are empty.
+/// Of the first surface on the ray through each pixel's centre; with several samples a pixel, of the nearest
+/// that they show, and the normal is the mean. [y][x], row 0 at the top. Variance and coverage are of the
+/// image itself. AOVs that were not requested are empty.
 struct Aovs {
     int width = 0;
     int height = 0;
@@ -29,7 +31,7 @@ struct Aovs {
     /// Distance along the camera's z, in the scene's units; +infinity where there is no surface.
     std::vector<float> depth;
     /// [y][x][3]: unit shading normals in the world, of a two-sided surface on the visible side, else on its
-    /// front; 0 where there is no surface.
+    /// front; 0 where there is no surface or the samples' normals cancel.
     std::vector<float> normals;
     /// [y][x][3]: points in the world; 0 where there is no surface.
     std::vector<float> positions;
@@ -38,6 +40,8 @@ struct Aovs {
     /// [channel][y][x][p], as StokesImage::data: estimates of the variance of s0..s3 of each pixel over
     /// seeds, the squares of its standard errors; at most the largest float.
     std::vector<float> variance;
+    /// Coverage: the fraction of a pixel's samples that show a surface, from the front or from behind.
+    std::vector<float> alpha;
 
     Aovs() = default;
     /// These AOVs (bits of AovBit) of an image without surfaces; `channels` matters to the variance alone.

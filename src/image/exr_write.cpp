@@ -76,6 +76,7 @@ void insert_aovs(const Aovs& aovs, const std::vector<std::string>& colours, Imf:
     };
     insert("Z", aovs.depth, 0, 1);
     insert("id", aovs.instances, 0, 1);
+    insert("A", aovs.alpha, 0, 1);
     static constexpr std::array axes{"X", "Y", "Z"};
     for (std::size_t i = 0; i < 3; ++i) {
         insert(std::string("N.") + axes[i], aovs.normals, i, 3);

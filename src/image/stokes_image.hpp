@@ -66,7 +66,7 @@ struct ExrOptions {
     /// String attribute `comments`; none if empty.
     std::string comment{};
     /// AOVs of the image's size to write too; null: none. Depth as Z, normals as N.X N.Y N.Z, positions as
-    /// P.X P.Y P.Z, instances as the uint channel id, the variance of each S<p>.<colour> as
+    /// P.X P.Y P.Z, instances as the uint channel id, coverage as A, the variance of each S<p>.<colour> as
     /// variance.S<p>.<colour>.
     const Aovs* aovs = nullptr;
 };

@@ -50,16 +50,16 @@ std::optional<DirectLight::Surfel> DirectLight::first_surface(const Ray& ray) co
     return Surfel{.instance = ids_[found->surface], .position = hit.position, .normal = hit.frame[2]};
 }
 
-void DirectLight::add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
+bool DirectLight::add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
                       const glm::dvec2& surface_point, std::span<Stokes> sum, Workspace& workspace) const {
-    if (environment_ == nullptr) return;
     const std::optional<RayHit> found = rays_->intersect(ray);
+    if (environment_ == nullptr) return found.has_value();
     if (!found) {
         add_background(ray.direction, received, sum);
-        return;
+        return false;
     }
     const Hit hit = hit_at(*found, -ray.direction);
-    if (!(hit.towards_viewer.z > 0)) return;
+    if (!(hit.towards_viewer.z > 0)) return true;
 
     if (strategy_ != Strategy::surface && !light_sampler_->dark()) {
         const LightSample light = light_sampler_->sample(light_point);
@@ -70,6 +70,7 @@ void DirectLight::add(const Ray& ray, const Frame& received, const glm::dvec2& l
         const glm::dvec3 towards_light = hit.surface.sampler->sample(hit.towards_viewer, surface_point);
         add_reflected(hit, towards_light, pdf(hit, towards_light), received, sum, workspace);
     }
+    return true;
 }
 
 DirectLight::Hit DirectLight::hit_at(const RayHit& hit, const glm::dvec3& towards_viewer) const {

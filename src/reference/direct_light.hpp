@@ -44,7 +44,8 @@ public:
 
     /// Adds, for each channel, an estimate of the Stokes vector of the light that travels against the ray, in
     /// `received`, whose z is -ray.direction. The points in [0, 1)^2 choose the directions towards the light.
-    void add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
+    /// Returns whether the ray meets a surface.
+    bool add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
              const glm::dvec2& surface_point, std::span<Stokes> sum, Workspace& workspace) const;
 
 private:

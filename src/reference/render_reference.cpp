@@ -89,7 +89,8 @@ public:
         std::vector<Stokes> sum(static_cast<std::size_t>(light_.channels()));
         for (int y = tile.rows().begin(); y < tile.rows().end(); ++y) {
             for (int x = tile.cols().begin(); x < tile.cols().end(); ++x) {
-                if (!sample_pixel(x, y, sum, estimate, workspace)) return;
+                std::uint64_t hits = 0;
+                if (!sample_pixel(x, y, sum, estimate, hits, workspace)) return;
                 for (int c = 0; c < image_.channels; ++c) {
                     const Stokes mean = estimate.mean(c);
                     const auto pixel = image_.at(c, y, x);
@@ -97,7 +98,12 @@ public:
                         pixel[p] = static_cast<float>(mean[static_cast<glm::length_t>(p)]);
                 }
                 if (!aovs_.variance.empty()) record_variance(x, y, estimate);
-                if ((aovs_.mask() & ~std::uint32_t{aov_variance}) != 0) record_surface(x, y);
+                if (!aovs_.alpha.empty()) {
+                    aovs_.alpha[pixel_at(x, y)] =
+                        static_cast<float>(hits) / static_cast<float>(options_.samples);
+                }
+                constexpr std::uint32_t of_image = aov_variance | aov_alpha;
+                if ((aovs_.mask() & ~of_image) != 0) record_surface(x, y);
             }
         }
         shadow_rays_ += workspace.shadow_rays;
@@ -106,8 +112,8 @@ public:
     [[nodiscard]] std::uint64_t shadow_rays() const { return shadow_rays_; }
 
 private:
-    /// False where the render has been stopped.
-    bool sample_pixel(int x, int y, std::span<Stokes> sum, PixelEstimate& estimate,
+    /// Counts the samples with a surface. False where the render has been stopped.
+    bool sample_pixel(int x, int y, std::span<Stokes> sum, PixelEstimate& estimate, std::uint64_t& hits,
                       DirectLight::Workspace& workspace) {
         // Every pixel has points of its own, so neither tiles nor threads show.
         const std::uint64_t pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
@@ -117,7 +123,8 @@ private:
             const int end = estimate.first(group + 1);
             for (int first = estimate.first(group); first < end; first += kSamplesPerReport) {
                 const int last = std::min(first + kSamplesPerReport, end);
-                for (int i = first; i < last; ++i) add_sample(x, y, points, i, sum, workspace);
+                for (int i = first; i < last; ++i)
+                    hits += add_sample(x, y, points, i, sum, workspace) ? 1 : 0;
                 if (group_.is_group_execution_cancelled()) return false;
                 progress_.add(static_cast<std::uint64_t>(last - first));
             }
@@ -131,12 +138,14 @@ private:
         return true;
     }
 
-    void add_sample(int x, int y, const LowDiscrepancy& points, int i, std::span<Stokes> sum,
+    // Whether its ray meets a surface.
+    bool add_sample(int x, int y, const LowDiscrepancy& points, int i, std::span<Stokes> sum,
                     DirectLight::Workspace& workspace) const {
         const auto index = static_cast<std::uint32_t>(i);
         const glm::dvec2 position = points.point(index, 0);
         const Ray ray = rays_.through(x + position.x, y + position.y);
-        light_.add(ray, rays_.frame(ray), points.point(index, 1), points.point(index, 2), sum, workspace);
+        return light_.add(ray, rays_.frame(ray), points.point(index, 1), points.point(index, 2), sum,
+                          workspace);
     }
 
     [[nodiscard]] std::size_t pixel_at(int x, int y) const {

@@ -17,6 +17,7 @@ struct AovLayout {
     int depth = -1;
     int positions = -1;
     int instances = -1;
+    int alpha = -1;
     int floats = 0;
 
     explicit AovLayout(std::uint32_t mask) {
@@ -28,6 +29,7 @@ struct AovLayout {
         place(normals, aov_normals, 3);
         place(depth, aov_depth, 1);
         place(positions, aov_positions, 3);
+        place(alpha, aov_alpha, 1);
         place(instances, aov_instances, 2);
     }
     [[nodiscard]] int attachments() const noexcept { return (floats + 3) / 4; }

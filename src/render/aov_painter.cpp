@@ -20,6 +20,7 @@ std::vector<gl::Define> defines_of(const AovLayout& layout) {
     define("DEPTH", layout.depth);
     define("POSITIONS", layout.positions);
     define("INSTANCES", layout.instances);
+    define("ALPHA", layout.alpha);
     return defines;
 }
 
@@ -39,21 +40,45 @@ glm::vec4 AovLayout::background(int attachment) const {
 }
 
 void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t mask,
-                         Framebuffer& target) {
+                         std::span<const glm::dvec2> samples, Framebuffer& target) {
     attachments_.reset();
     mask_ = mask;
+    samples_ = samples;
+    const bool nearest = samples.size() > 1 && (mask & (aov_positions | aov_instances)) != 0;
+    drawn_ = nearest ? mask | aov_depth : mask;
     if (mask == 0) {
+        sample_.reset();
         vertices_.reset();
         batches_.clear();
         binding_.reset();
         return;
     }
     binding_.run(buffers.version(), [&] { bind(geometry, buffers); });
-    if (programs_.find(mask) == programs_.end()) {
-        const std::vector<gl::Define> defines = defines_of(AovLayout(mask));
-        programs_.emplace(mask, gl::Program::graphics(context_, "aovs.vert", "aovs.frag", defines));
+    program("aovs.vert", "aovs.frag");
+    if (samples.size() > 1) program("fullscreen.vert", "aovs_merge.frag");
+    attachments_ = target.aov_attachments(drawn_);
+    prepare_sample();
+}
+
+gl::Program& AovPainter::program(const char* vertex, const char* fragment) {
+    const auto key = std::make_pair(std::string(fragment), drawn_);
+    auto found = programs_.find(key);
+    if (found == programs_.end()) {
+        const std::vector<gl::Define> defines = defines_of(AovLayout(drawn_));
+        found = programs_.emplace(key, gl::Program::graphics(context_, vertex, fragment, defines)).first;
     }
-    attachments_ = target.aov_attachments(mask);
+    return found->second;
+}
+
+void AovPainter::prepare_sample() {
+    const gl::RenderTargetDescription wanted{
+        .width = attachments_->width(), .height = attachments_->height(), .colours = attachments_->colours()};
+    const bool several = samples_.size() > 1;
+    if (several && sample_ && sample_->width() == wanted.width && sample_->height() == wanted.height &&
+        sample_->colours() == wanted.colours)
+        return;
+    sample_.reset();
+    if (several) sample_.emplace(context_, wanted);
 }
 
 void AovPainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
@@ -82,27 +107,48 @@ void AovPainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
     }
 }
 
-void AovPainter::draw(const Projection& projection, const glm::dmat4& to_world,
-                      std::span<const glm::dvec2> samples, Framebuffer& target) {
+void AovPainter::draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target) {
     if (mask_ != 0) {
-        const AovLayout layout(mask_);
-        gl::Program& program = programs_.at(mask_);
-        if (program.uses("to_world")) program.set("to_world", glm::mat4(to_world));
-        set_view_uniforms(program, projection.view);
-        for (int i = 0; i < layout.attachments(); ++i) attachments_->clear_colour(i, layout.background(i));
-        attachments_->clear_depth();
-        // The depth test goes on from sample to sample and keeps the nearest.
-        for (const glm::dvec2& sample : samples) {
-            program.set("to_clip", glm::mat4(jittered(projection, sample).world_to_clip * to_world));
-            for (const Batch& batch : batches_) {
-                if (layout.instances >= 0) program.set("instance", batch.instance);
-                gl::draw(*attachments_, program, *vertices_, batch.first, batch.last - batch.first,
-                         {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
-            }
+        clear(*attachments_);
+        for (std::size_t s = 0; s < samples_.size(); ++s) {
+            if (sample_) clear(*sample_);
+            draw_surfaces(jittered(projection, samples_[s]), to_world, sample_ ? *sample_ : *attachments_);
+            if (sample_) merge(s);
         }
     }
-    target.drew_aovs(mask_, std::move(attachments_));
+    target.drew_aovs(mask_, drawn_, std::move(attachments_));
     attachments_.reset();
+}
+
+void AovPainter::clear(gl::RenderTarget& image) const {
+    const AovLayout layout(drawn_);
+    for (int i = 0; i < image.colours(); ++i) image.clear_colour(i, layout.background(i));
+    image.clear_depth();
+}
+
+void AovPainter::draw_surfaces(const Projection& projection, const glm::dmat4& to_world,
+                               gl::RenderTarget& image) {
+    gl::Program& surface = program("aovs.vert", "aovs.frag");
+    if (surface.uses("to_world")) surface.set("to_world", glm::mat4(to_world));
+    set_view_uniforms(surface, projection.view);
+    surface.set("to_clip", glm::mat4(projection.world_to_clip * to_world));
+    for (const Batch& batch : batches_) {
+        if ((drawn_ & aov_instances) != 0) surface.set("instance", batch.instance);
+        gl::draw(image, surface, *vertices_, batch.first, batch.last - batch.first,
+                 {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
+    }
+}
+
+void AovPainter::merge(std::size_t sample) {
+    gl::Program& merging = program("fullscreen.vert", "aovs_merge.frag");
+    if (merging.uses("weight")) merging.set("weight", 1.0F / static_cast<float>(samples_.size()));
+    if (merging.uses("last")) merging.set("last", sample + 1 == samples_.size() ? 1 : 0);
+    for (int i = 0; i < sample_->colours(); ++i) {
+        sample_->colour(i).bind(static_cast<unsigned>(i));
+        attachments_->colour(i).bind(static_cast<unsigned>(4 + i));
+    }
+    gl::texture_barrier(*context_);
+    gl::draw_fullscreen(*attachments_, merging);
 }
 
 }  // namespace nicol

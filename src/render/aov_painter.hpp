@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// draw: depth, normals, positions and instances beside a Stokes image.
+// draw: depth, normals, positions, instances and coverage beside a Stokes image.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/draw.hpp"
@@ -23,13 +25,13 @@ class AovPainter {
 public:
     explicit AovPainter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Allocates all that draw() needs; the framebuffer keeps its content. `mask`: bits of AovBit.
+    /// Allocates all that draw() needs; the framebuffer keeps its content. `mask`: bits of AovBit. `samples`:
+    /// of a pixel, as sample_pattern() has them.
     void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t mask,
-                 Framebuffer& target);
-    /// Draws what was prepared: of the nearest of a pixel's samples. `projection` is of the world, to which
-    /// the rigid motion `to_world` takes the geometry.
-    void draw(const Projection& projection, const glm::dmat4& to_world, std::span<const glm::dvec2> samples,
-              Framebuffer& target);
+                 std::span<const glm::dvec2> samples, Framebuffer& target);
+    /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the
+    /// geometry.
+    void draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target);
 
 private:
     // Consecutive triangles of one side of one instance.
@@ -41,13 +43,22 @@ private:
     };
 
     void bind(const WorldGeometry& geometry, VertexBuffers& buffers);
+    void prepare_sample();
+    gl::Program& program(const char* vertex, const char* fragment);
+    void clear(gl::RenderTarget& image) const;
+    void draw_surfaces(const Projection& projection, const glm::dmat4& to_world, gl::RenderTarget& image);
+    // Adds what sample_ has to the attachments.
+    void merge(std::size_t sample);
 
     std::shared_ptr<gl::Context> context_;
-    std::map<std::uint32_t, gl::Program> programs_;  // by mask
+    std::map<std::pair<std::string, std::uint32_t>, gl::Program> programs_;  // by fragment shader and mask
     std::optional<gl::VertexArray> vertices_;
     std::vector<Batch> batches_;
     Stage<Version> binding_;  // buffers
     std::uint32_t mask_ = 0;
+    std::uint32_t drawn_ = 0;  // those and the depth, where it tells which sample is the nearest
+    std::span<const glm::dvec2> samples_;
+    std::optional<gl::RenderTarget> sample_;  // one sample of every pixel, where there are several
     std::shared_ptr<gl::RenderTarget> attachments_;
 };
 

@@ -29,10 +29,12 @@ void unpack(const gl::RenderTarget& attachments, const AovLayout& layout, Aovs& 
                     put(p, i, packed[4 * p + static_cast<std::size_t>(at % 4)]);
             }
         };
-        copy(layout.depth, 1, [&](std::size_t p, std::size_t, float x) { aovs.depth[p] = x; });
+        if (!aovs.depth.empty())
+            copy(layout.depth, 1, [&](std::size_t p, std::size_t, float x) { aovs.depth[p] = x; });
         copy(layout.normals, 3, [&](std::size_t p, std::size_t i, float x) { aovs.normals[3 * p + i] = x; });
         copy(layout.positions, 3,
              [&](std::size_t p, std::size_t i, float x) { aovs.positions[3 * p + i] = x; });
+        copy(layout.alpha, 1, [&](std::size_t p, std::size_t, float x) { aovs.alpha[p] = x; });
         copy(layout.instances, 2, [&](std::size_t p, std::size_t i, float x) {
             const auto half = static_cast<std::uint32_t>(x);
             ids[p] = i == 0 ? half : ids[p] | half << 16;
@@ -88,7 +90,7 @@ const Aovs& Framebuffer::aovs() {
         const Stopwatch watch;
         Aovs aovs(width_, height_, aov_mask_);
         if (aov_attachments_) {
-            context_->run([&] { unpack(*aov_attachments_, AovLayout(aov_mask_), aovs); });
+            context_->run([&] { unpack(*aov_attachments_, AovLayout(aovs_drawn_), aovs); });
         }
         aovs_ = std::move(aovs);
         statistics_.observe_ms += watch.milliseconds();
@@ -96,15 +98,17 @@ const Aovs& Framebuffer::aovs() {
     return *aovs_;
 }
 
-std::shared_ptr<gl::RenderTarget> Framebuffer::aov_attachments(std::uint32_t mask) const {
-    if (aov_attachments_ && mask == aov_mask_) return aov_attachments_;
+std::shared_ptr<gl::RenderTarget> Framebuffer::aov_attachments(std::uint32_t drawn) const {
+    if (aov_attachments_ && drawn == aovs_drawn_) return aov_attachments_;
     return std::make_shared<gl::RenderTarget>(
         context_, gl::RenderTargetDescription{
-                      .width = width_, .height = height_, .colours = AovLayout(mask).attachments()});
+                      .width = width_, .height = height_, .colours = AovLayout(drawn).attachments()});
 }
 
-void Framebuffer::drew_aovs(std::uint32_t mask, std::shared_ptr<gl::RenderTarget> attachments) {
+void Framebuffer::drew_aovs(std::uint32_t mask, std::uint32_t drawn,
+                            std::shared_ptr<gl::RenderTarget> attachments) {
     aov_mask_ = mask;
+    aovs_drawn_ = drawn;
     aov_attachments_ = std::move(attachments);
     aovs_.reset();
 }
@@ -127,7 +131,7 @@ void Framebuffer::show(StokesImage image, const Statistics& statistics, Aovs aov
     });
     rendered(statistics);
     image_ = std::move(image);
-    drew_aovs(aovs.mask(), nullptr);
+    drew_aovs(aovs.mask(), 0, nullptr);
     aovs_ = std::move(aovs);
 }
 

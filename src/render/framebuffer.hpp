@@ -45,9 +45,10 @@ public:
 
     /// Where to draw these AOVs, as AovLayout says: attachments that an earlier render left, or new ones.
     /// Inside run().
-    [[nodiscard]] std::shared_ptr<gl::RenderTarget> aov_attachments(std::uint32_t mask) const;
-    /// To be called once they are drawn; null: no AOVs. Inside run().
-    void drew_aovs(std::uint32_t mask, std::shared_ptr<gl::RenderTarget> attachments);
+    [[nodiscard]] std::shared_ptr<gl::RenderTarget> aov_attachments(std::uint32_t drawn) const;
+    /// To be called once they are drawn; null: no AOVs. `mask`: those of the drawn ones that were asked for.
+    /// Inside run().
+    void drew_aovs(std::uint32_t mask, std::uint32_t drawn, std::shared_ptr<gl::RenderTarget> attachments);
 
     /// To be called once a render has drawn.
     void rendered(const Statistics& statistics);
@@ -63,7 +64,8 @@ private:
     std::vector<gl::RenderTarget> groups_;
     std::optional<StokesImage> image_;
     std::uint32_t aov_mask_ = 0;
-    std::shared_ptr<gl::RenderTarget> aov_attachments_;  // of aov_mask_; null where they were not drawn
+    std::uint32_t aovs_drawn_ = 0;
+    std::shared_ptr<gl::RenderTarget> aov_attachments_;  // of aovs_drawn_; null where they were not drawn
     std::optional<Aovs> aovs_;
     Statistics statistics_;
     std::uint64_t content_ = 0;

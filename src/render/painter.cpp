@@ -78,7 +78,7 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
                  [&] { bind_vertices(surfaces.geometry(), buffers, high_orders, channels); });
     uploading_.run(scene.environment(), channels,
                    [&] { upload_environment(scene.environment().get(), channels); });
-    aovs_.prepare(surfaces.geometry(), buffers, wanted.aovs, target);
+    aovs_.prepare(surfaces.geometry(), buffers, wanted.aovs, wanted.samples, target);
 
     prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
 
@@ -89,7 +89,7 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
             draw_samples(scene, surfaces, high_orders, wanted, projection, g, target);
         }
     }
-    aovs_.draw(projection, surfaces.to_world(), wanted.samples, target);
+    aovs_.draw(projection, surfaces.to_world(), target);
     gl::finish(*context_);
 }
 

@@ -43,6 +43,7 @@ STAGE_TEST_CASE("planes of surfaces in an image are those that are read, and lea
     OK(nicol_framebuffer_write_exr(stage.framebuffer, full.c_str()));
     const Surfaces seen(stage.framebuffer);
     CHECK(channel<float>(full, "Z") == seen.depth);
+    CHECK(channel<float>(full, "A") == seen.alpha);
     CHECK(channel<std::uint32_t>(full, "id") == seen.instance);
     const char* axes[] = {"X", "Y", "Z"};
     for (std::size_t k = 0; k < 3; ++k) {

@@ -140,7 +140,8 @@ STAGE_TEST_CASE("planes of surfaces come in their formats") {
     nicol_render_options options = plain_options();
     options.aovs = NICOL_AOV_ALL;
     OK(stage.try_render(options));
-    for (const nicol_plane plane : {NICOL_PLANE_DEPTH, NICOL_PLANE_NORMAL, NICOL_PLANE_POSITION}) {
+    for (const nicol_plane plane :
+         {NICOL_PLANE_DEPTH, NICOL_PLANE_NORMAL, NICOL_PLANE_POSITION, NICOL_PLANE_ALPHA}) {
         const std::size_t n = components_of(plane);
         const std::vector<float> single = read_surface<float>(stage.framebuffer, plane, n);
         std::vector<float> old(single.size());

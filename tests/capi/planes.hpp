@@ -21,13 +21,14 @@ std::vector<Number> read_surface(nicol_framebuffer framebuffer, nicol_plane plan
 }
 
 struct Surfaces {
-    std::vector<float> depth, normal, position;
+    std::vector<float> depth, normal, position, alpha;
     std::vector<std::uint32_t> instance;
 
     explicit Surfaces(nicol_framebuffer framebuffer)
         : depth(read_surface<float>(framebuffer, NICOL_PLANE_DEPTH, 1)),
           normal(read_surface<float>(framebuffer, NICOL_PLANE_NORMAL, 3)),
           position(read_surface<float>(framebuffer, NICOL_PLANE_POSITION, 3)),
+          alpha(read_surface<float>(framebuffer, NICOL_PLANE_ALPHA, 1)),
           instance(read_surface<std::uint32_t>(framebuffer, NICOL_PLANE_INSTANCE, 1)) {}
 };
 

@@ -292,8 +292,8 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"dering", [](auto& o) { o.dering = not_a_number; }},
          {"components", [](auto& o) { o.components = 2; }},
          {"disabled_optimisations", [](auto& o) { o.disabled_optimisations = 128; }},
-         {"aovs is", [](auto& o) { o.aovs = 2 * NICOL_AOV_VARIANCE; }},
-         {"aovs is", [](auto& o) { o.aovs = 2 * NICOL_AOV_VARIANCE, o.method = NICOL_METHOD_REFERENCE; }},
+         {"aovs is", [](auto& o) { o.aovs = 2 * NICOL_AOV_ALPHA; }},
+         {"aovs is", [](auto& o) { o.aovs = 2 * NICOL_AOV_ALPHA, o.method = NICOL_METHOD_REFERENCE; }},
          {"reference method alone", [](auto& o) { o.aovs = NICOL_AOV_VARIANCE; }},
          {"reference method alone",
           [](auto& o) { o.aovs = NICOL_AOV_VARIANCE, o.method = NICOL_METHOD_DENSE; }},
@@ -320,7 +320,7 @@ STAGE_TEST_CASE("planes that do not fit are refused and nothing is written") {
     good.byte_size = 4 * pixels.size();
     using B = nicol_plane_buffer;
     check_wrong(good, [&](const B& to) { return nicol_framebuffer_read_plane(stage.framebuffer, &to); },
-                {{"plane is 12", [](B& b) { b.plane = 12; }},
+                {{"plane is 13", [](B& b) { b.plane = 13; }},
                  {"plane", [](B& b) { b.plane = UINT32_MAX; }},
                  {"format", [](B& b) { b.format = 4; }},
                  {"NICOL_FORMAT_FLOAT32", [](B& b) { b.format = NICOL_FORMAT_UINT32; }},
@@ -333,6 +333,7 @@ STAGE_TEST_CASE("planes that do not fit are refused and nothing is written") {
                  {"channel", [](B& b) { b.plane = NICOL_PLANE_DEPTH, b.channel = NICOL_ALL_CHANNELS; }},
                  {"NICOL_PLANE_NORMAL is not there", [](B& b) { b.plane = NICOL_PLANE_NORMAL; }},
                  {"NICOL_PLANE_VARIANCE is not there", [](B& b) { b.plane = NICOL_PLANE_VARIANCE; }},
+                 {"NICOL_PLANE_ALPHA is not there", [](B& b) { b.plane = NICOL_PLANE_ALPHA; }},
                  {"NICOL_PLANE_POSITION is not there", [](B& b) { b.plane = NICOL_PLANE_POSITION; }},
                  {"pixels", [](B& b) { b.pixels = nullptr; }},
                  {"byte_size", [](B& b) { b.byte_size = 24 * 16 * 4 - 1; }},
@@ -356,7 +357,7 @@ STAGE_TEST_CASE("planes that do not fit are refused and nothing is written") {
     check_refused({
         {"byte_size", [&] { return read(NICOL_PLANE_S0, 0, 0, 24 * 16 * 4 - 1); }},
         {"row_stride", [&] { return read(NICOL_PLANE_S0, 0, 92, 6144); }},
-        {"plane is 12", [&] { return read(12, 0, 0, 6144); }},
+        {"plane is 13", [&] { return read(13, 0, 0, 6144); }},
         {"NICOL_FORMAT_UINT32", [&] { return read(NICOL_PLANE_INSTANCE, 0, 0, 6144); }},
         {"channel", [&] { return read(NICOL_PLANE_S0, NICOL_ALL_CHANNELS, 0, 6144); }},
     });

@@ -156,9 +156,11 @@ class CallTest(unittest.TestCase):
         ids = planes_of(framebuffer, array.array("I", bytes(4 * 1024)), plane=nicol.PLANE_INSTANCE)
         self.assertEqual((ids[0], ids[16 * 32 + 16]), (nicol.NO_INSTANCE, 0))
         for plane, last in ((nicol.PLANE_NORMAL, (3,)), (nicol.PLANE_POSITION, (3,)), (nicol.PLANE_DEPTH, ()),
-                            (nicol.PLANE_INSTANCE, ()), (nicol.PLANE_STOKES, (4,))):  # fmt: skip
+                            (nicol.PLANE_INSTANCE, ()), (nicol.PLANE_ALPHA, ()), (nicol.PLANE_STOKES, (4,))):  # fmt: skip
             self.assertEqual(tuple(framebuffer.plane(plane).shape), (32, 32, *last))
         self.assertEqual(framebuffer.plane(nicol.PLANE_INSTANCE)[0, 0], nicol.NO_INSTANCE)
+        alpha = framebuffer.plane(nicol.PLANE_ALPHA)
+        self.assertEqual((float(alpha[0, 0]), float(alpha[16, 16])), (0, 1))
         self.assertAlmostEqual(float(framebuffer.plane(nicol.PLANE_NORMAL)[16, 16, 2]), 1, places=2)
         self.assertEqual(tuple(framebuffer.plane(channel=nicol.ALL_CHANNELS).shape), (32, 32, 1, 4))
         options = nicol.RenderOptions(method=nicol.METHOD_REFERENCE, samples=2, aovs=nicol.AOV_VARIANCE)

@@ -237,7 +237,8 @@ class Success(RenderTest):
         for names, more in (
             ("depth", {"Z"}),
             ("ids,normals", {"id"} | normals),
-            ("depth,normals,positions,ids", {"Z", "id", "P.X", "P.Y", "P.Z"} | normals),
+            ("alpha", {"A"}),
+            ("depth,normals,positions,ids,alpha", {"Z", "id", "A", "P.X", "P.Y", "P.Z"} | normals),
         ):
             for method in ("factored", "reference"):
                 self.assert_succeeds("good.xml", "-o", "out/a.exr", "--aovs", names, "--method", method, "--samples=1")
@@ -338,7 +339,7 @@ class CommandLine(RenderTest):
             (["--tolerance", "'-0.1'"], "--tolerance -0.1"),
             (["--tolerance"], "--tolerance 0.1 --order-low 4"),
             (["--components", "'s4'", "s0, linear, all"], "--components s4"),
-            (["--aovs", "'edges'", "depth, normals, positions, ids, variance"], "--aovs depth,edges"),
+            (["--aovs", "'edges'", "depth, normals, positions, ids, alpha, variance"], "--aovs depth,edges"),
             (["variance", "reference"], "--aovs variance"),
             (["variance", "samples is 1"], "--aovs variance --method reference --samples 1"),
             (["--aovs", "''"], "--aovs depth,"),

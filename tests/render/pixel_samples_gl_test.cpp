@@ -153,40 +153,53 @@ GL_TEST_CASE("the mean of 16 images of a jittered camera is an image of four tim
     }
 }
 
-GL_TEST_CASE("AOVs are of the nearest sample") {
+GL_TEST_CASE("AOVs are of the nearest sample, normals their mean and alpha the fraction with a surface") {
     const Scene scene = sphere_on_plate();
     Studio studio(context);
     RenderOptions options = with(1, ShadeAt::vertices);
-    options.aovs = aov_depth | aov_instances | aov_normals | aov_positions;
-    const auto aovs_of = [&](const Camera& camera) {
+    const auto aovs_of = [&](const Camera& camera, std::uint32_t mask) {
+        options.aovs = mask;
         Framebuffer target(context, 64, 48, 3);
         studio.renderer.render(scene, camera, options, target);
+        CHECK(target.aovs().mask() == mask);
         return target.aovs();
     };
-    Aovs nearest(64, 48, aov_depth | aov_instances);
+    constexpr std::uint32_t all = aov_depth | aov_instances | aov_normals | aov_positions | aov_alpha;
+    Aovs expected(64, 48, all);
     Camera camera = test::some_camera();
     for (const glm::dvec2& at : sample_pattern(4)) {
         camera.jitter = at;
-        const Aovs sample = aovs_of(camera);
-        for (std::size_t p = 0; p < nearest.depth.size(); ++p) {
-            if (!(sample.depth[p] < nearest.depth[p])) continue;
-            nearest.depth[p] = sample.depth[p];
-            nearest.instances[p] = sample.instances[p];
+        const Aovs sample = aovs_of(camera, all);
+        for (std::size_t p = 0; p < expected.depth.size(); ++p) {
+            expected.alpha[p] += sample.alpha[p] / 4;
+            for (std::size_t i = 3 * p; i < 3 * p + 3; ++i) expected.normals[i] += sample.normals[i];
+            if (!(sample.depth[p] < expected.depth[p])) continue;
+            expected.depth[p] = sample.depth[p];
+            expected.instances[p] = sample.instances[p];
         }
     }
     options.pixel_samples = 4;
-    const Aovs aovs = aovs_of(test::some_camera());
+    const Aovs aovs = aovs_of(test::some_camera(), all);
     const Viewpoint view = project(test::some_camera(), 64, 48).view;
-    CHECK(aovs.instances == nearest.instances);
-    for (std::size_t p = 0; p < nearest.depth.size(); ++p) {
-        if (aovs.instances[p] == kNoInstance) continue;
-        // The depth buffer does not tell smaller differences apart.
-        CHECK(std::abs(aovs.depth[p] - nearest.depth[p]) < 1e-3F);
+    CHECK(aovs.instances == expected.instances);
+    CHECK(aovs.alpha == expected.alpha);
+    CHECK(std::ranges::count_if(aovs.alpha, [](float a) { return a > 0 && a < 1; }) > 50);
+    for (std::size_t p = 0; p < expected.depth.size(); ++p) {
+        if (aovs.instances[p] == kNoInstance) {
+            CHECK(glm::make_vec3(&aovs.normals[3 * p]) == glm::vec3(0));
+            continue;
+        }
+        CHECK(aovs.depth[p] == doctest::Approx(expected.depth[p]).epsilon(1e-6));
         const glm::dvec3 position = glm::make_vec3(&aovs.positions[3 * p]);
         CHECK(glm::dot(position - view.eye, view.forward) == doctest::Approx(aovs.depth[p]));
-        if (aovs.instances[p] == 0)
-            CHECK(glm::dot(glm::make_vec3(&aovs.normals[3 * p]), glm::vec3(position)) > 0.99F);
+        const glm::vec3 mean = glm::normalize(glm::make_vec3(&expected.normals[3 * p]));
+        CHECK(glm::distance(glm::make_vec3(&aovs.normals[3 * p]), mean) < 1e-5F);
     }
+    // Each alone, without the depth that tells which sample is the nearest.
+    CHECK(aovs_of(test::some_camera(), aov_instances).instances == aovs.instances);
+    CHECK(aovs_of(test::some_camera(), aov_positions).positions == aovs.positions);
+    CHECK(aovs_of(test::some_camera(), aov_normals).normals == aovs.normals);
+    CHECK(aovs_of(test::some_camera(), aov_alpha).alpha == aovs.alpha);
 }
 
 GL_TEST_CASE("samples add work at outlines alone where pixels are shaded, and physical stays physical") {

@@ -71,7 +71,8 @@ AOV_DEPTH = 1
 AOV_NORMAL = 2
 AOV_POSITION = 4
 AOV_INSTANCE = 8
-AOV_ALL = 15
+AOV_ALPHA = 32
+AOV_ALL = 47
 AOV_VARIANCE = 16
 COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
@@ -94,6 +95,7 @@ PLANE_POSITION = 9
 PLANE_INSTANCE = 10
 NO_INSTANCE = 4294967295
 PLANE_VARIANCE = 11
+PLANE_ALPHA = 12
 FORMAT_AUTOMATIC = 0
 FORMAT_FLOAT32 = 1
 FORMAT_FLOAT16 = 2
@@ -993,8 +995,8 @@ class Framebuffer(Handle):
           3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
           1             Y (which is s0) and S0.Y to S3.Y
           2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
-        and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned) and, of each Stokes
-        channel, variance.S0.R ... variance.S3.B."""
+        and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still
+        have the environment) and, of each Stokes channel, variance.S0.R ... variance.S3.B."""
         check(_framebuffer_write_exr(self, text(path)))
 
     def write_png(self, observation, path):
@@ -1413,6 +1415,7 @@ _psh_write_file = declare("nicol_psh_write_file", c_int32, c_char_p, c_uint32, c
 __all__ = [
     "ALL_CHANNELS",
     "AOV_ALL",
+    "AOV_ALPHA",
     "AOV_DEPTH",
     "AOV_INSTANCE",
     "AOV_NORMAL",
@@ -1521,6 +1524,7 @@ __all__ = [
     "OPTIMISATION_UNOCCLUDED",
     "ORDER_AUTOMATIC",
     "Observation",
+    "PLANE_ALPHA",
     "PLANE_AOLP",
     "PLANE_DEPTH",
     "PLANE_DOLP",

@@ -68,7 +68,8 @@ pub const NICOL_AOV_DEPTH: u32 = 1;
 pub const NICOL_AOV_NORMAL: u32 = 2;
 pub const NICOL_AOV_POSITION: u32 = 4;
 pub const NICOL_AOV_INSTANCE: u32 = 8;
-pub const NICOL_AOV_ALL: u32 = 15;
+pub const NICOL_AOV_ALPHA: u32 = 32;
+pub const NICOL_AOV_ALL: u32 = 47;
 pub const NICOL_AOV_VARIANCE: u32 = 16;
 pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
@@ -91,6 +92,7 @@ pub const NICOL_PLANE_POSITION: u32 = 9;
 pub const NICOL_PLANE_INSTANCE: u32 = 10;
 pub const NICOL_NO_INSTANCE: u32 = 4294967295;
 pub const NICOL_PLANE_VARIANCE: u32 = 11;
+pub const NICOL_PLANE_ALPHA: u32 = 12;
 pub const NICOL_FORMAT_AUTOMATIC: u32 = 0;
 pub const NICOL_FORMAT_FLOAT32: u32 = 1;
 pub const NICOL_FORMAT_FLOAT16: u32 = 2;
@@ -1490,8 +1492,8 @@ extern "C" {
     ///   3             R G B (which are s0) and S0.R S0.G S0.B to S3.R S3.G S3.B, as Mitsuba 3's stokes integrator
     ///   1             Y (which is s0) and S0.Y to S3.Y
     ///   2, 4 to 16    S0.0 S0.1 ... to S3.0 S3.1 ...
-    /// and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned) and, of each Stokes
-    /// channel, variance.S0.R ... variance.S3.B.
+    /// and of the last render's AOVs Z (depth), N.X N.Y N.Z, P.X P.Y P.Z, id (32-bit unsigned), A (alpha; R G B still
+    /// have the environment) and, of each Stokes channel, variance.S0.R ... variance.S3.B.
     pub fn nicol_framebuffer_write_exr(framebuffer: nicol_framebuffer, path: *const c_char) -> nicol_result;
     /// 8-bit RGB. S0 and POLARIZER need a framebuffer of 1 or 3 channels; the others show the mean of the
     /// channels.
