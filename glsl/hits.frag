@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which triangle is at a pixel: the lower 16 bits of its number, 1 + the upper ones, and 1 where its front is seen.
+// Which triangle is at a pixel: 1 + its number, and in the topmost bit whether its front is seen.
 #version 450 core
 
-layout(location = 0) out vec4 hit;
+layout(location = 0) out uint hit;
 
 uniform uint first;  // of the triangles that are drawn
 
-void main() {
-    uint triangle = first + uint(gl_PrimitiveID);
-    hit = vec4(float(triangle & 0xffffu), float((triangle >> 16) + 1u), gl_FrontFacing ? 1.0 : 0.0, 0.0);
-}
+void main() { hit = first + uint(gl_PrimitiveID) + 1u | (gl_FrontFacing ? 0x80000000u : 0u); }

@@ -2,6 +2,7 @@
 // Framebuffers and their attachments.
 #include "gl/render_target.hpp"
 
+#include <array>
 #include <string>
 
 #include "error.hpp"
@@ -34,7 +35,7 @@ std::string text_of_status(GLenum status) {
 }
 
 const RenderTargetDescription& checked(const RenderTargetDescription& description, const Limits& limits) {
-    const auto [width, height, colours, depth] = description;
+    const auto [width, height, colours, depth, format] = description;
     if (width < 1 || height < 1 || width > limits.target_size || height > limits.target_size)
         throw Error(ErrorCode::invalid_argument,
                     text_of(description) + ": each side must be 1 to " + std::to_string(limits.target_size));
@@ -77,12 +78,12 @@ RenderTarget::RenderTarget(const std::shared_ptr<Context>& context,
       framebuffer_(context, ObjectKind::framebuffer) {
     const GladGLContext& gl = functions(*context, "RenderTarget");
     Context::State& state = context->state();
-    const auto [width, height, colours, has_depth] = description_;
+    const auto [width, height, colours, has_depth, format] = description_;
     std::vector<GLenum> draw_buffers;
     for (int i = 0; i < colours; ++i) {
         const GLenum attachment = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
-        colours_.emplace_back(context, TextureDescription{width, height}, std::span<const float>{},
-                              MemoryKind::render_target);
+        colours_.emplace_back(context, TextureDescription{.width = width, .height = height, .format = format},
+                              std::span<const float>{}, MemoryKind::render_target);
         gl.NamedFramebufferTexture(id(), attachment, colours_.back().id(), 0);
         draw_buffers.push_back(attachment);
     }
@@ -91,7 +92,8 @@ RenderTarget::RenderTarget(const std::shared_ptr<Context>& context,
         const Object& depth = depth_.emplace_back(context, ObjectKind::renderbuffer);
         gl.NamedRenderbufferStorage(depth.id(), GL_DEPTH_COMPONENT32F, width, height);
         state.check(text_of(description_) + " and depth");
-        depth_.back().account(MemoryKind::render_target, colours_.front().floats());
+        depth_.back().account(MemoryKind::render_target, sizeof(float) * static_cast<std::size_t>(width) *
+                                                             static_cast<std::size_t>(height));
         gl.NamedFramebufferRenderbuffer(id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
     }
     const GLenum status = gl.CheckNamedFramebufferStatus(id(), GL_DRAW_FRAMEBUFFER);
@@ -123,7 +125,12 @@ void RenderTarget::clear_colour(int attachment, const glm::vec4& colour) {
     const GladGLContext& gl = functions(*context(), "RenderTarget::clear_colour");
     static_cast<void>(this->colour(attachment));       // refuses an attachment that is not there
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);  // it masks clearing, too
-    gl.ClearNamedFramebufferfv(id(), GL_COLOR, attachment, &colour.x);
+    if (description_.format == Format::r32ui) {
+        constexpr std::array<GLuint, 4> zero{};
+        gl.ClearNamedFramebufferuiv(id(), GL_COLOR, attachment, zero.data());
+    } else {
+        gl.ClearNamedFramebufferfv(id(), GL_COLOR, attachment, &colour.x);
+    }
     context()->state().check("RenderTarget::clear_colour");
 }
 
@@ -140,6 +147,10 @@ void RenderTarget::clear_depth(float depth) {
 }
 
 void RenderTarget::read(int attachment, std::span<float> pixels) const {
+    colour(attachment).read(pixels);
+}
+
+void RenderTarget::read(int attachment, std::span<std::uint32_t> pixels) const {
     colour(attachment).read(pixels);
 }
 

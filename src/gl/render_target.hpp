@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An image to draw into: RGBA32F colour textures and an optional depth buffer.
+// An image to draw into: colour textures and an optional depth buffer.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -15,6 +15,7 @@ struct RenderTargetDescription {
     int width = 0, height = 0;  ///< pixels, 1 .. Limits::target_size
     int colours = 1;            ///< colour attachments, 1 .. Limits::colour_attachments
     bool depth = true;          ///< a 32-bit float depth buffer
+    Format format = Format::rgba32f;
 };
 
 /// Row 0 is the top of the image, in memory, in the textures, and in gl_FragCoord (whose y grows
@@ -32,13 +33,14 @@ public:
     /// any other name.
     RenderTarget(const std::shared_ptr<Context>& context, unsigned borrowed_texture);
 
-    /// Every colour attachment, and depth to 1.
+    /// Every colour attachment, and depth to 1. Integers are cleared to 0 alone.
     void clear(const glm::vec4& colour = glm::vec4(0.0f));
     void clear_colour(int attachment, const glm::vec4& colour);
     void clear_depth(float depth = 1.0f);
 
-    /// Copies one attachment, top row first; width * height * 4 floats.
+    /// Copies one attachment, top row first, as Texture2D::read() does.
     void read(int attachment, std::span<float> pixels) const;
+    void read(int attachment, std::span<std::uint32_t> pixels) const;
     /// The reverse.
     void write(int attachment, std::span<const float> pixels);
 

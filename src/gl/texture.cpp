@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// RGBA32F textures of one level.
+// Textures of one level.
 #include "gl/texture.hpp"
 
 #include <algorithm>
@@ -27,12 +27,22 @@ GLint wrap_mode(Wrap wrap) {
     return GL_MIRRORED_REPEAT;
 }
 
-void require_floats(const char* what, std::size_t given, int width, int height) {
-    const std::size_t needed = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
-    if (given != needed)
-        throw Error(ErrorCode::invalid_argument, std::string(what) + ": " + size_text(width, height) +
-                                                     " texels are " + std::to_string(needed) +
-                                                     " floats, not " + std::to_string(given));
+// How a format's numbers lie in memory.
+struct Layout {
+    GLenum internal, format, type;
+    std::size_t components;
+};
+
+Layout layout_of(Format format) {
+    switch (format) {
+        case Format::r32f:
+            return {GL_R32F, GL_RED, GL_FLOAT, 1};
+        case Format::r32ui:
+            return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 1};
+        case Format::rgba32f:
+            break;
+    }
+    return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 4};
 }
 
 void require_unit(const char* what, unsigned unit, int limit) {
@@ -46,7 +56,8 @@ void require_unit(const char* what, unsigned unit, int limit) {
 Texture2D::Texture2D(std::shared_ptr<Context> context, const TextureDescription& description,
                      std::span<const float> texels, MemoryKind kind)
     : object_(std::move(context), ObjectKind::texture), description_(description) {
-    const auto [width, height, filter, wrap_x, wrap_y] = description;
+    const auto [width, height, filter, wrap_x, wrap_y, format] = description;
+    const Layout layout = layout_of(format);
     const GladGLContext& gl = functions(*this->context(), "Texture2D");
     Context::State& state = this->context()->state();
     const int limit = state.limits.texture_size;
@@ -54,20 +65,20 @@ Texture2D::Texture2D(std::shared_ptr<Context> context, const TextureDescription&
         throw Error(ErrorCode::invalid_argument, "a texture of " + size_text(width, height) +
                                                      " texels: each side must be 1 to " +
                                                      std::to_string(limit));
-    if (!texels.empty()) require_floats("Texture2D", texels.size(), width, height);
+    if (!texels.empty()) check_numbers("Texture2D", true, texels.size(), width, height);
     const std::string what = "a texture of " + size_text(width, height) + " texels";
-    gl.TextureStorage2D(id(), 1, GL_RGBA32F, width, height);
+    gl.TextureStorage2D(id(), 1, layout.internal, width, height);
     state.check(what);
-    object_.account(kind, floats() * sizeof(float));
+    object_.account(kind, numbers() * sizeof(float));
     const GLint mode = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
     gl.TextureParameteri(id(), GL_TEXTURE_MIN_FILTER, mode);
     gl.TextureParameteri(id(), GL_TEXTURE_MAG_FILTER, mode);
     gl.TextureParameteri(id(), GL_TEXTURE_WRAP_S, wrap_mode(wrap_x));
     gl.TextureParameteri(id(), GL_TEXTURE_WRAP_T, wrap_mode(wrap_y));
     if (texels.empty())
-        gl.ClearTexImage(id(), 0, GL_RGBA, GL_FLOAT, nullptr);
+        gl.ClearTexImage(id(), 0, layout.format, layout.type, nullptr);
     else
-        gl.TextureSubImage2D(id(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, texels.data());
+        gl.TextureSubImage2D(id(), 0, 0, 0, width, height, layout.format, layout.type, texels.data());
     state.check(what);
 }
 
@@ -82,26 +93,48 @@ void Texture2D::update(int x, int y, int width, int height, std::span<const floa
                                                      " texels at (" + std::to_string(x) + ", " +
                                                      std::to_string(y) + ") do not lie in " +
                                                      size_text(this->width(), this->height()));
-    require_floats("Texture2D::update", texels.size(), width, height);
-    gl.TextureSubImage2D(id(), 0, x, y, width, height, GL_RGBA, GL_FLOAT, texels.data());
+    check_numbers("Texture2D::update", true, texels.size(), width, height);
+    const Layout layout = layout_of(format());
+    gl.TextureSubImage2D(id(), 0, x, y, width, height, layout.format, layout.type, texels.data());
     context()->state().check("Texture2D::update");
 }
 
 void Texture2D::read(std::span<float> texels) const {
+    check_numbers("Texture2D::read", true, texels.size(), width(), height());
+    read(texels.data());
+}
+
+void Texture2D::read(std::span<std::uint32_t> texels) const {
+    check_numbers("Texture2D::read", false, texels.size(), width(), height());
+    read(texels.data());
+}
+
+void Texture2D::read(void* texels) const {
     const GladGLContext& gl = functions(*context(), "Texture2D::read");
-    require_floats("Texture2D::read", texels.size(), width(), height());
+    const Layout layout = layout_of(format());
     // In bands, because OpenGL counts the bytes of one transfer with 31 bits.
     constexpr std::size_t band_bytes = std::size_t{1} << 30;
-    const std::size_t row_floats = static_cast<std::size_t>(width()) * 4;
-    const int band = static_cast<int>(std::max<std::size_t>(1, band_bytes / (row_floats * sizeof(float))));
+    const std::size_t row_bytes = static_cast<std::size_t>(width()) * layout.components * sizeof(float);
+    const int band = static_cast<int>(std::max<std::size_t>(1, band_bytes / row_bytes));
     for (int y = 0; y < height(); y += band) {
         const int rows = std::min(band, height() - y);
-        const std::span<float> part = texels.subspan(static_cast<std::size_t>(y) * row_floats,
-                                                     static_cast<std::size_t>(rows) * row_floats);
-        gl.GetTextureSubImage(id(), 0, 0, y, 0, width(), rows, 1, GL_RGBA, GL_FLOAT,
-                              static_cast<GLsizei>(part.size_bytes()), part.data());
+        gl.GetTextureSubImage(id(), 0, 0, y, 0, width(), rows, 1, layout.format, layout.type,
+                              static_cast<GLsizei>(static_cast<std::size_t>(rows) * row_bytes),
+                              static_cast<std::byte*>(texels) + static_cast<std::size_t>(y) * row_bytes);
     }
     context()->state().check("Texture2D::read");
+}
+
+void Texture2D::check_numbers(const char* what, bool floats, std::size_t given, int width, int height) const {
+    if (floats == (format() == Format::r32ui))
+        throw Error(ErrorCode::invalid_argument,
+                    std::string(what) + ": the texels are " + (floats ? "unsigned integers" : "floats"));
+    const std::size_t needed =
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * layout_of(format()).components;
+    if (given != needed)
+        throw Error(ErrorCode::invalid_argument, std::string(what) + ": " + size_text(width, height) +
+                                                     " texels are " + std::to_string(needed) +
+                                                     " numbers, not " + std::to_string(given));
 }
 
 void Texture2D::bind(unsigned unit) const {
@@ -110,8 +143,9 @@ void Texture2D::bind(unsigned unit) const {
     gl.BindTextureUnit(unit, id());
 }
 
-std::size_t Texture2D::floats() const noexcept {
-    return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) * 4;
+std::size_t Texture2D::numbers() const noexcept {
+    return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) *
+           layout_of(format()).components;
 }
 
 }  // namespace nicol::gl

@@ -11,7 +11,8 @@ void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const
     if (!program_) program_ = gl::Program::graphics(context_, "hits.vert", "hits.frag", {});
     if (!target_ || target_->width() != width || target_->height() != height) {
         target_.reset();
-        target_.emplace(context_, gl::RenderTargetDescription{.width = width, .height = height});
+        target_.emplace(context_, gl::RenderTargetDescription{
+                                      .width = width, .height = height, .format = gl::Format::r32ui});
     }
     binding_.run(buffers.version(), [&] {
         vertices_.reset();
@@ -22,14 +23,14 @@ void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const
     offsets_ = offsets;
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     for (std::size_t s = 0; s < kMostPixelSamples; ++s) {
-        std::vector<glm::vec4>& texels = texels_[s];
+        std::vector<std::uint32_t>& texels = texels_[s];
         if (s >= offsets.size()) {
             texels = {};
             continue;
         }
         texels.resize(pixels);
         draw_sample(geometry, jittered(projection, offsets[s]).world_to_clip);
-        target_->read(0, std::span(&texels.front().x, 4 * pixels));
+        target_->read(0, texels);
     }
 }
 
@@ -45,14 +46,6 @@ void HitImage::draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_c
     // Of two-sided surfaces each side has triangles of its own.
     draw_some(0, geometry.one_sided, gl::Cull::none);
     draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
-}
-
-std::optional<Hit> HitImage::at(std::size_t sample, std::size_t pixel) const {
-    const glm::vec4& texel = texels_[sample][pixel];
-    if (texel.y == 0) return std::nullopt;
-    const auto low = static_cast<std::uint32_t>(texel.x);
-    const auto high = static_cast<std::uint32_t>(texel.y) - 1;
-    return Hit{.triangle = high << 16 | low, .front = texel.z != 0};
 }
 
 }  // namespace nicol

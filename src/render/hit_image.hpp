@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -39,12 +38,18 @@ public:
     /// Of the last draw().
     [[nodiscard]] std::span<const glm::dvec2> offsets() const { return offsets_; }
     /// Nothing where no surface is. `pixel`: row by row.
-    [[nodiscard]] std::optional<Hit> at(std::size_t sample, std::size_t pixel) const;
+    [[nodiscard]] std::optional<Hit> at(std::size_t sample, std::size_t pixel) const {
+        const std::uint32_t texel = texels_[sample][pixel];
+        if (texel == 0) return std::nullopt;
+        return Hit{.triangle = (texel & ~kFront) - 1, .front = (texel & kFront) != 0};
+    }
 
     [[nodiscard]] int width() const { return target_->width(); }
     [[nodiscard]] int height() const { return target_->height(); }
 
 private:
+    static constexpr std::uint32_t kFront = 0x80000000;  // as hits.frag
+
     void draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_clip);
 
     std::shared_ptr<gl::Context> context_;
@@ -53,7 +58,7 @@ private:
     std::optional<gl::VertexArray> vertices_;
     Stage<Version> binding_;
     std::span<const glm::dvec2> offsets_;
-    std::array<std::vector<glm::vec4>, kMostPixelSamples> texels_;  // by sample
+    std::array<std::vector<std::uint32_t>, kMostPixelSamples> texels_;  // by sample
 };
 
 }  // namespace nicol

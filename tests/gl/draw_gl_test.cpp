@@ -34,7 +34,7 @@ Program coloured(const std::shared_ptr<Context>& context) {
 }
 
 std::vector<float> pixels_of(const RenderTarget& target, int attachment) {
-    std::vector<float> pixels(target.colour(attachment).floats());
+    std::vector<float> pixels(target.colour(attachment).numbers());
     target.read(attachment, pixels);
     return pixels;
 }
