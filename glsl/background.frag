@@ -19,8 +19,7 @@ uniform bool orthographic;  // all pixels share the direction `forward`
 uniform mat3 to_light;      // world directions to the environment's axes, y up
 uniform float scale;
 
-// SHADED: surfaces that were shaded elsewhere, times the fraction of the pixel that they cover, which is the first
-// component of `coverage`.
+// SHADED: the image already has surfaces, times the fraction of the pixel that they cover, which is `coverage`.
 #ifdef SHADED
 layout(binding = 4) uniform sampler2D shaded[CHANNELS];
 layout(binding = 8) uniform sampler2D coverage;
@@ -32,9 +31,8 @@ void main() {
 #ifdef SHADED
     ivec2 texel = ivec2(gl_FragCoord.xy);
     float uncovered = 1.0 - texelFetch(coverage, texel, 0).x;
-    for (int i = 0; i < CHANNELS; ++i) pixel[i] = texelFetch(shaded[i], texel, 0);
-    if (uncovered == 0.0) return;
-#define SHOW(i, stokes) pixel[i] += uncovered * (stokes)
+    if (uncovered == 0.0) discard;
+#define SHOW(i, stokes) pixel[i] = texelFetch(shaded[i], texel, 0) + uncovered * (stokes)
 #else
 #define SHOW(i, stokes) pixel[i] = stokes
 #endif

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include "error.hpp"
 #include "gl/state.hpp"
@@ -155,8 +156,12 @@ void RenderTarget::read(int attachment, std::span<std::uint32_t> pixels) const {
 }
 
 void RenderTarget::write(int attachment, std::span<const float> pixels) {
-    static_cast<void>(colour(attachment));  // refuses an attachment that is not there
-    colours_[static_cast<std::size_t>(attachment)].update(pixels);
+    colour(attachment).update(pixels);
+}
+
+Texture2D& RenderTarget::colour(int attachment) {
+    static_cast<void>(std::as_const(*this).colour(attachment));  // refuses an attachment that is not there
+    return colours_[static_cast<std::size_t>(attachment)];
 }
 
 const Texture2D& RenderTarget::colour(int attachment) const {

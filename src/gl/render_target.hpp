@@ -46,6 +46,7 @@ public:
 
     /// For sampling in a later pass, never in a pass that draws into it. Not of a borrowed texture.
     [[nodiscard]] const Texture2D& colour(int attachment) const;
+    [[nodiscard]] Texture2D& colour(int attachment);
     [[nodiscard]] int width() const noexcept { return description_.width; }
     [[nodiscard]] int height() const noexcept { return description_.height; }
     [[nodiscard]] int colours() const noexcept { return description_.colours; }

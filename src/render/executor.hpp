@@ -80,7 +80,8 @@ public:
     /// Puts Stokes vectors and, where pixels look high orders up, fractions into the buffers that are drawn.
     /// Inside run() of the context.
     virtual void store(VertexBuffers& buffers, bool fractions) const = 0;
-    /// Puts the Stokes vectors of pixels into an image of all channels. Inside run() of the context.
+    /// Puts the Stokes vectors of pixels into an image of all channels; components that were not asked for
+    /// are 0. Inside run() of the context.
     virtual void store(PixelImage& image) const = 0;
     /// Adds the memory it keeps outside the context to the statistics.
     virtual void count(Statistics& statistics) const = 0;

@@ -66,10 +66,11 @@ std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& ge
     return batches;
 }
 
-Painter::Painter(std::shared_ptr<gl::Context> context) : context_(std::move(context)), aovs_(context_) {}
+Painter::Painter(std::shared_ptr<gl::Context> context)
+    : context_(std::move(context)), pixels_(context_), aovs_(context_) {}
 
 void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-                   const HighOrdersOfPixels& high_orders, PixelImage* pixels, const Wanted& wanted,
+                   const HighOrdersOfPixels& high_orders, const RenderExecutor* pixels, const Wanted& wanted,
                    const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();
     const bool by_material = high_orders.textures != nullptr;
@@ -81,10 +82,14 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
     aovs_.prepare(surfaces.geometry(), buffers, wanted.aovs, wanted.samples, target);
 
     prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
+    if (pixels != nullptr) {
+        pixels_.begin(target);
+        pixels->store(pixels_);
+    }
 
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         if (pixels != nullptr) {
-            draw_pixels(*pixels, scene, wanted.components, projection, g, target);
+            if (scene.environment()) draw_around_pixels(scene, wanted.components, projection, g, target);
         } else {
             draw_samples(scene, surfaces, high_orders, wanted, projection, g, target);
         }
@@ -164,27 +169,15 @@ void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_or
     }
 }
 
-void Painter::draw_pixels(PixelImage& pixels, const Scene& scene, int components,
-                          const Projection& projection, std::size_t group, Framebuffer& target) {
+void Painter::draw_around_pixels(const Scene& scene, int components, const Projection& projection,
+                                 std::size_t group, Framebuffer& target) {
     const int channels = group_size(target.channels(), group);
     gl::RenderTarget& image = target.groups()[group];
-    if (components < 4) image.clear();
-    bind_pixels(pixels, group, channels);
-    if (scene.environment()) {
-        draw_background(scene, components, projection, true, group, channels, image);
-    } else {
-        gl::draw_fullscreen(
-            image, program("fullscreen.vert", "pixels.frag", channels, {}),
-            {.depth_test = gl::DepthTest::off, .depth_write = false, .components = components});
-    }
-}
-
-void Painter::bind_pixels(PixelImage& pixels, std::size_t group, int channels) {
     constexpr unsigned first = Framebuffer::kGroup;
-    for (int c = 0; c < channels; ++c)
-        pixels.channel(static_cast<int>(group) * Framebuffer::kGroup + c)
-            .bind(first + static_cast<unsigned>(c));
-    pixels.coverage().bind(first + Framebuffer::kGroup);
+    for (int c = 0; c < channels; ++c) image.colour(c).bind(first + static_cast<unsigned>(c));
+    pixels_.coverage().bind(first + Framebuffer::kGroup);
+    gl::texture_barrier(*context_);
+    draw_background(scene, components, projection, true, group, channels, image);
 }
 
 gl::Program& Painter::program(const char* vertex, const char* fragment, int channels,

@@ -12,6 +12,7 @@
 
 #include "gl/draw.hpp"
 #include "render/aov_painter.hpp"
+#include "render/executor.hpp"
 #include "render/framebuffer.hpp"
 #include "render/high_order_textures.hpp"
 #include "render/pixel_image.hpp"
@@ -41,11 +42,12 @@ public:
         std::span<const glm::dvec2> samples = sample_pattern(1);  ///< of a pixel
     };
 
-    /// `buffers` are of `surfaces`; `projection` is of the world. `pixels`, where not null, have been shaded
-    /// and are drawn instead of vertices. With several samples vertices are drawn as often, and averaged:
-    /// that gives every driver the same samples. All memory is allocated before the framebuffer is touched.
+    /// `buffers` are of `surfaces`; `projection` is of the world. `pixels`, where not null, has shaded the
+    /// image's pixels, and vertices are not drawn. With several samples vertices are drawn as often, and
+    /// averaged: that gives every driver the same samples. All memory is allocated before the framebuffer is
+    /// touched.
     void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-              const HighOrdersOfPixels& high_orders, PixelImage* pixels, const Wanted& wanted,
+              const HighOrdersOfPixels& high_orders, const RenderExecutor* pixels, const Wanted& wanted,
               const Projection& projection, Framebuffer& target);
 
 private:
@@ -79,13 +81,12 @@ private:
                       const Projection& projection, std::size_t group, Framebuffer& target);
     // Adds what was drawn to the mean of the samples, which `image` becomes.
     void add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image);
-    void draw_pixels(PixelImage& pixels, const Scene& scene, int components, const Projection& projection,
-                     std::size_t group, Framebuffer& target);
+    void draw_around_pixels(const Scene& scene, int components, const Projection& projection,
+                            std::size_t group, Framebuffer& target);
     void upload_environment(const Environment* environment, int channels);
-    // Behind what `image` has or, with `shaded`, around the pixels that are bound.
+    // Behind what `image` has or, with `shaded`, around its pixels, which are bound.
     void draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
                          std::size_t group, int channels, gl::RenderTarget& image);
-    static void bind_pixels(PixelImage& pixels, std::size_t group, int channels);
 
     std::shared_ptr<gl::Context> context_;
     std::map<std::tuple<std::string, int, std::set<std::string>>, gl::Program> programs_;
@@ -95,6 +96,7 @@ private:
     Stage<Version, Version, int, bool, bool> binding_;
     Stage<EnvironmentPtr, int> uploading_;    // environment, channels
     std::optional<gl::RenderTarget> sample_;  // one sample of every pixel, where there are several
+    PixelImage pixels_;
     AovPainter aovs_;
 };
 

@@ -3,14 +3,18 @@
 
 namespace nicol {
 
-void PixelImage::resize(int width, int height, int channels) {
-    sizing_.run(width, height, channels, [&] {
-        channels_.clear();
-        coverage_.reset();
-        const gl::TextureDescription size{.width = width, .height = height};
-        for (int c = 0; c < channels; ++c) channels_.emplace_back(context_, size);
-        coverage_.emplace(context_, size);
-    });
+void PixelImage::begin(Framebuffer& target) {
+    target_ = &target;
+    if (coverage_ && coverage_->width() == target.width() && coverage_->height() == target.height()) return;
+    coverage_.reset();
+    coverage_.emplace(context_,
+                      gl::TextureDescription{
+                          .width = target.width(), .height = target.height(), .format = gl::Format::r32f});
+}
+
+gl::Texture2D& PixelImage::channel(int c) {
+    return target_->groups()[static_cast<std::size_t>(c / Framebuffer::kGroup)].colour(c %
+                                                                                       Framebuffer::kGroup);
 }
 
 }  // namespace nicol

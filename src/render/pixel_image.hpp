@@ -5,31 +5,29 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "gl/texture.hpp"
-#include "versioned.hpp"
+#include "render/framebuffer.hpp"
 
 namespace nicol {
 
-/// The Stokes vectors of an image's surfaces on the device, by pixel, times the fraction of the pixel that
-/// they cover; and this fraction.
+/// The Stokes vectors of an image's surfaces, by pixel, times the fraction of the pixel that they cover; and
+/// this fraction. The former lie in the framebuffer itself, where the environment is added to them.
 class PixelImage {
 public:
     explicit PixelImage(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
-    /// Inside run() of the context, as all below. The content is unspecified.
-    void resize(int width, int height, int channels);
-    [[nodiscard]] gl::Texture2D& channel(int c) { return channels_[static_cast<std::size_t>(c)]; }
-    /// The fraction is the first component.
+    /// Inside run() of the context, as all below. The content is unspecified. `target` must outlive the use.
+    void begin(Framebuffer& target);
+    [[nodiscard]] gl::Texture2D& channel(int c);
+    /// Of one float a texel.
     [[nodiscard]] gl::Texture2D& coverage() { return coverage_.value(); }
-    [[nodiscard]] int channels() const noexcept { return static_cast<int>(channels_.size()); }
+    [[nodiscard]] int channels() const noexcept { return target_->channels(); }
 
 private:
     std::shared_ptr<gl::Context> context_;
-    std::vector<gl::Texture2D> channels_;
+    Framebuffer* target_ = nullptr;
     std::optional<gl::Texture2D> coverage_;
-    Stage<int, int, int> sizing_;
 };
 
 }  // namespace nicol

@@ -75,7 +75,6 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       buffers_(context),
       textures_(context),
       hits_(context),
-      pixels_(context),
       painter_(std::move(context)) {}
 
 bool Renderer::on_device(const RenderOptions& options) const {
@@ -185,18 +184,13 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
         buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
         const HighOrderTransfer* const high_orders = pipeline_.pixel_high_orders();
         const bool at_pixels = pipeline_.shaded_pixels();
-        if (at_pixels) {
-            pixels_.resize(target.width(), target.height(), target.channels());
-            executor.store(pixels_);
-        } else {
-            executor.store(buffers_, high_orders != nullptr);
-        }
+        if (!at_pixels) executor.store(buffers_, high_orders != nullptr);
         if (high_orders != nullptr) textures_.update(*high_orders, target.channels());
         painter_.draw(scene, surfaces, buffers_,
                       {.textures = high_orders != nullptr ? &textures_ : nullptr,
                        .shadowed = high_orders != nullptr && !high_orders->visibility()->empty(),
                        .physical = options.physical},
-                      at_pixels ? &pixels_ : nullptr,
+                      at_pixels ? &executor : nullptr,
                       {.components = options.components,
                        .aovs = options.aovs,
                        .samples = sample_pattern(options.pixel_samples)},

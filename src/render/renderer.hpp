@@ -54,7 +54,6 @@ private:
     VertexBuffers buffers_;
     HighOrderTextures textures_;
     HitImage hits_;
-    PixelImage pixels_;
     std::optional<CpuExecutor> cpu_;  // one or the other
     std::optional<GpuExecutor> gpu_;
     Painter painter_;

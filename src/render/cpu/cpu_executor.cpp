@@ -271,7 +271,7 @@ void CpuExecutor::store(PixelImage& image) const {
         const std::vector<glm::vec4>& pixels = pixels_[static_cast<std::size_t>(c)];
         image.channel(c).update(std::span(&pixels.front().x, 4 * pixels.size()));
     }
-    image.coverage().update(std::span(&coverage_.front().x, 4 * coverage_.size()));
+    image.coverage().update(coverage_);
 }
 
 void CpuExecutor::count(Statistics& statistics) const {

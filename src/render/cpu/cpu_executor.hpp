@@ -45,7 +45,7 @@ private:
     std::vector<VertexLight> outgoing_;  // of the dense method, one for each of its runs
     VertexStokes stokes_;
     std::vector<std::vector<glm::vec4>> pixels_;  // of the last image that was shaded at pixels, by channel
-    std::vector<glm::vec4> coverage_;             // of its pixels, as a PixelImage has it
+    std::vector<float> coverage_;                 // of its pixels, as a PixelImage has it
     /// Of the lobe about the mirror direction and of the hemisphere; empty where nothing casts shadows.
     std::vector<glm::vec2> fractions_;
 };

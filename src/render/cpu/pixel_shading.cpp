@@ -52,7 +52,7 @@ PixelShading::PixelShading(const PixelInput& input, std::span<const PixelSurface
     : input_(input), surfaces_(surfaces), fractions_(fractions) {}
 
 void PixelShading::collect(std::size_t first, std::size_t last, std::vector<Pixel>& out,
-                           std::span<glm::vec4> coverage) const {
+                           std::span<float> coverage) const {
     out.clear();
     const std::span offsets = input_.hits.offsets();
     const std::span triangles(input_.geometry.triangles);
@@ -78,7 +78,7 @@ void PixelShading::collect(std::size_t first, std::size_t last, std::vector<Pixe
             patch.triangles[patch.samples] = hit->triangle;
             patch.at[patch.samples++] = glm::vec2(offsets[s]);
         }
-        coverage[i].x = weight * static_cast<float>(covered);
+        coverage[i] = weight * static_cast<float>(covered);
         for (const Patch& patch : std::span(patches).first(count)) add(patch, i, surface, out);
     }
     if (!std::ranges::is_sorted(out, {}, &Pixel::group)) std::ranges::stable_sort(out, {}, &Pixel::group);
@@ -116,7 +116,7 @@ void PixelShading::add(const Patch& patch, std::size_t index, std::size_t& surfa
 }
 
 std::size_t PixelShading::run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out,
-                              std::span<glm::vec4> coverage) const {
+                              std::span<float> coverage) const {
     // Backs of surfaces are black.
     for (const std::span<glm::vec4> channel : out)
         std::ranges::fill(channel.subspan(first, last - first), glm::vec4(0));
@@ -157,9 +157,12 @@ void PixelShading::shade(std::span<const Pixel> pixels, Batch& batch,
         }
         surface.high_orders->run(input_.view, positions, normals, chosen, shadows, 0, count, stokes);
     }
+    glm::vec4 wanted(0);
+    for (std::size_t p = 0; p < input_.most_components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
     for (std::size_t c = 0; c < out.size(); ++c) {
         if (input_.physical) make_physical(stokes[c]);
-        for (std::size_t i = 0; i < count; ++i) out[c][pixels[i].index] += pixels[i].weight * stokes[c][i];
+        for (std::size_t i = 0; i < count; ++i)
+            out[c][pixels[i].index] += pixels[i].weight * wanted * stokes[c][i];
     }
 }
 

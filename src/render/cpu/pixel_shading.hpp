@@ -38,11 +38,11 @@ public:
                  std::span<const glm::vec2> fractions);
 
     /// For first <= pixel < last writes to out[c][pixel] channel c's Stokes vectors, each times the fraction
-    /// of the samples that it is of, and to the first component of coverage[pixel] the fraction of those with
-    /// a surface. Samples of triangles that share a corner are of one smooth surface, which is shaded once,
-    /// at their mean. Returns how many Stokes vectors were computed.
+    /// of the samples that it is of, and to coverage[pixel] the fraction of those with a surface. Samples of
+    /// triangles that share a corner are of one smooth surface, which is shaded once, at their mean. Returns
+    /// how many Stokes vectors were computed.
     std::size_t run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out,
-                    std::span<glm::vec4> coverage) const;
+                    std::span<float> coverage) const;
 
 private:
     // A pixel, or the part of it that shows one surface.
@@ -59,7 +59,7 @@ private:
     struct Patch;
 
     void collect(std::size_t first, std::size_t last, std::vector<Pixel>& out,
-                 std::span<glm::vec4> coverage) const;
+                 std::span<float> coverage) const;
     void add(const Patch& patch, std::size_t index, std::size_t& surface, std::vector<Pixel>& out) const;
     // Pixels of one group, at most as many as a batch has room for.
     void shade(std::span<const Pixel> pixels, Batch& batch, std::span<const std::span<glm::vec4>> out) const;
