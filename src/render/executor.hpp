@@ -14,6 +14,7 @@
 
 namespace nicol {
 
+class Background;
 class DenseMethod;
 class FactoredMethod;
 class HighOrderTransfer;
@@ -35,6 +36,8 @@ struct PixelInput : ShadeInput {
     const HitImage& hits;
     const HighOrderTransfer* high_orders;  ///< null: none
     bool physical;                         ///< Stokes vectors are moved into the physical range
+    const Background* background;          ///< what is behind the surfaces; null: nothing, or it is drawn
+    double light_scale;                    ///< times the background
 };
 
 /// Computes light and Stokes vectors of vertices and keeps them. Its callers decide what is computed and
@@ -49,6 +52,8 @@ public:
     [[nodiscard]] virtual bool can_choose() const noexcept = 0;
     /// Whether there is shade_pixels().
     [[nodiscard]] virtual bool has_pixels() const noexcept = 0;
+    /// Whether shade_pixels() adds the background; otherwise it is drawn around what shade_pixels() leaves.
+    [[nodiscard]] virtual bool adds_background() const noexcept = 0;
 
     /// relight: the light of at least the vertices with current[v] == 0, in their own frames, times their
     /// visibility; for pixels in the geometry's axes. Returns the number of those vertices.
@@ -80,8 +85,8 @@ public:
     /// Puts Stokes vectors and, where pixels look high orders up, fractions into the buffers that are drawn.
     /// Inside run() of the context.
     virtual void store(VertexBuffers& buffers, bool fractions) const = 0;
-    /// Puts the Stokes vectors of pixels into an image of all channels; components that were not asked for
-    /// are 0. Inside run() of the context.
+    /// Puts the Stokes vectors of pixels, and where the background is to be drawn their coverage, into an
+    /// image of all channels; components that were not asked for are 0. Inside run() of the context.
     virtual void store(PixelImage& image) const = 0;
     /// Adds the memory it keeps outside the context to the statistics.
     virtual void count(Statistics& statistics) const = 0;

@@ -77,8 +77,10 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
     binding_.run(buffers.version(), by_material ? surfaces.material_version() : 0, channels, by_material,
                  high_orders.shadowed,
                  [&] { bind_vertices(surfaces.geometry(), buffers, high_orders, channels); });
-    uploading_.run(scene.environment(), channels,
-                   [&] { upload_environment(scene.environment().get(), channels); });
+    const bool behind = scene.environment() != nullptr && !(pixels != nullptr && pixels->adds_background());
+    if (behind)
+        uploading_.run(scene.environment(), channels,
+                       [&] { upload_environment(*scene.environment(), channels); });
     aovs_.prepare(surfaces.geometry(), buffers, wanted.aovs, wanted.samples, target);
 
     prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
@@ -89,7 +91,7 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
 
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         if (pixels != nullptr) {
-            if (scene.environment()) draw_around_pixels(scene, wanted.components, projection, g, target);
+            if (behind) draw_around_pixels(scene, wanted.components, projection, g, target);
         } else {
             draw_samples(scene, surfaces, high_orders, wanted, projection, g, target);
         }
@@ -219,10 +221,9 @@ void Painter::bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffer
     }
 }
 
-void Painter::upload_environment(const Environment* environment, int channels) {
+void Painter::upload_environment(const Environment& environment, int channels) {
     for (Group& group : groups_) group.environment.clear();
-    if (environment == nullptr) return;
-    const EquirectImage image = environment->image();
+    const EquirectImage image = environment.image();
     const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
     const auto channel_data = [&](int c) {
         const auto from = static_cast<std::size_t>(image.channels == 1 ? 0 : c) * 4 * pixels;
@@ -230,7 +231,7 @@ void Painter::upload_environment(const Environment* environment, int channels) {
     };
     for (std::size_t g = 0; g < groups_.size(); ++g) {
         const int first = static_cast<int>(g) * Framebuffer::kGroup;
-        if (environment->polarized()) {
+        if (environment.polarized()) {
             for (int c = 0; c < group_size(channels, g); ++c) {
                 groups_[g].environment.emplace_back(context_, equirect(image), channel_data(first + c));
             }

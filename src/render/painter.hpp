@@ -83,7 +83,7 @@ private:
     void add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image);
     void draw_around_pixels(const Scene& scene, int components, const Projection& projection,
                             std::size_t group, Framebuffer& target);
-    void upload_environment(const Environment* environment, int channels);
+    void upload_environment(const Environment& environment, int channels);
     // Behind what `image` has or, with `shaded`, around its pixels, which are bound.
     void draw_background(const Scene& scene, int components, const Projection& projection, bool shaded,
                          std::size_t group, int channels, gl::RenderTarget& image);

@@ -70,7 +70,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
     const ShadeInput shaded{input, projection.view, {}, light_to_geometry};
     if (pixels_) {
-        shade_pixels(shaded, projection, options, high_orders, executor, run, draw_hits);
+        shade_pixels(scene, shaded, projection, options, high_orders, executor, run, draw_hits);
     } else {
         shade(shaded, projection, options, distant, executor, run);
     }
@@ -127,9 +127,9 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     run.statistics.shade_ms += watch.milliseconds();
 }
 
-void Pipeline::shade_pixels(ShadeInput input, const Projection& projection, const RenderOptions& options,
-                            bool high_orders, RenderExecutor& executor, RenderRun& run,
-                            const DrawHits& draw_hits) {
+void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
+                            const RenderOptions& options, bool high_orders, RenderExecutor& executor,
+                            RenderRun& run, const DrawHits& draw_hits) {
     const Stopwatch drawing;
     const HitImage& hits = draw_hits();
     run.statistics.draw_ms += drawing.milliseconds();
@@ -141,8 +141,14 @@ void Pipeline::shade_pixels(ShadeInput input, const Projection& projection, cons
         input.chosen = chosen_;
         executor.specular(high_orders_, input, true, run);
     }
+    const bool behind = scene.environment() != nullptr && executor.adds_background();
+    showing_.run(scene.environment(), input.channels, behind, [&] {
+        background_.reset();
+        if (behind) background_.emplace(*scene.environment(), input.channels);
+    });
     method_for(options.method)
-        .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical},
+        .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
+                       behind ? &*background_ : nullptr, scene.light_scale()},
                       executor, run);
     executor.finish();
     run.statistics.shade_ms += watch.milliseconds();

@@ -21,6 +21,7 @@
 #include "render/vertex_stage.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
+#include "shading/background.hpp"
 
 namespace nicol {
 
@@ -54,8 +55,9 @@ private:
     RenderOptions choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run);
     void shade(ShadeInput input, const Projection& projection, const RenderOptions& options,
                const DistantLight& distant, RenderExecutor& executor, RenderRun& run);
-    void shade_pixels(ShadeInput input, const Projection& projection, const RenderOptions& options,
-                      bool high_orders, RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits);
+    void shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
+                      const RenderOptions& options, bool high_orders, RenderExecutor& executor,
+                      RenderRun& run, const DrawHits& draw_hits);
     /// Sets chosen_ to 1 for each vertex that can be seen and whose Stokes vector is not current.
     void choose_vertices(const WorldGeometry& geometry, const Projection& projection,
                          const RenderOptions& options, RenderRun& run);
@@ -77,6 +79,9 @@ private:
                 std::size_t>
         shading_{{.on_places = true, .on_materials = true}};
     std::vector<std::uint8_t> chosen_;
+
+    std::optional<Background> background_;
+    Stage<EnvironmentPtr, int, bool> showing_;  // environment, channels, whether the executor adds it
 };
 
 }  // namespace nicol

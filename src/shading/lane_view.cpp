@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "polarization/lane_points.hpp"
 #include "simd/dispatch.hpp"
@@ -18,16 +17,6 @@ struct ViewAngles {
     DoubleLanes azimuth_cosine, azimuth_sine;
     Lanes zenith, frame_cosine, frame_sine;
 };
-
-// atan(rise / run) over pi/2 for what is not negative; 1 where both are 0.
-[[gnu::always_inline]] inline float quarter_of(float rise, float run) {
-    const bool steep = rise >= run;
-    const float large = steep ? rise : run;
-    const float ratio = (steep ? run : rise) / (large > 0 ? large : 1.0F);
-    float angle = arctangent_rest(ratio);
-    angle = angle * (2 / std::numbers::pi_v<float>)+(beyond_eighth(ratio) ? 0.5F : 0.0F);
-    return steep ? 1 - angle : angle;
-}
 
 [[gnu::always_inline]] inline Vector3<double> point(const LanePoints& from, std::size_t i) {
     return {from.x.value[i], from.y.value[i], from.z.value[i]};
@@ -63,7 +52,7 @@ struct ViewAngles {
         ThetaPhiFrame<float> about_view = theta_phi_axes(local);
         out.azimuth_cosine.value[i] = static_cast<double>(about_view.cos_phi);
         out.azimuth_sine.value[i] = static_cast<double>(about_view.sin_phi);
-        out.zenith.value[i] = quarter_of(about_view.rho, local.z > 0 ? local.z : 0);
+        out.zenith.value[i] = quarter_turns(about_view.rho, local.z > 0 ? local.z : 0);
 
         const Vector3<float> x = in_frame(about_view, in_frame(about_normal, camera_x(up, right, w)));
         const float inverse = 1 / (x.x * x.x + x.y * x.y);

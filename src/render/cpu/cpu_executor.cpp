@@ -196,14 +196,13 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> su
         static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
     pixels_.resize(static_cast<std::size_t>(input.channels));
     for (auto& channel : pixels_) channel.resize(pixels);
-    coverage_.resize(pixels);
     const std::vector<std::span<glm::vec4>> channels(pixels_.begin(), pixels_.end());
     const bool fractions = input.high_orders != nullptr && !input.high_orders->visibility()->empty();
     const PixelShading shading(input, surfaces, fractions ? fractions_ : std::span<const glm::vec2>());
     std::atomic<std::uint64_t> shaded = 0;
     run.workers.for_vertices(
         0, pixels, pixels, "shade", run.progress,
-        [&](std::size_t begin, std::size_t end) { shaded += shading.run(begin, end, channels, coverage_); });
+        [&](std::size_t begin, std::size_t end) { shaded += shading.run(begin, end, channels); });
     run.statistics.pixels_shaded += shaded;
 }
 
@@ -271,7 +270,6 @@ void CpuExecutor::store(PixelImage& image) const {
         const std::vector<glm::vec4>& pixels = pixels_[static_cast<std::size_t>(c)];
         image.channel(c).update(std::span(&pixels.front().x, 4 * pixels.size()));
     }
-    image.coverage().update(coverage_);
 }
 
 void CpuExecutor::count(Statistics& statistics) const {

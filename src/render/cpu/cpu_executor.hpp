@@ -15,6 +15,7 @@ class CpuExecutor final : public RenderExecutor {
 public:
     [[nodiscard]] bool can_choose() const noexcept override { return true; }
     [[nodiscard]] bool has_pixels() const noexcept override { return true; }
+    [[nodiscard]] bool adds_background() const noexcept override { return true; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
     std::uint64_t relight(const DenseMethod& method, const TransferInput& input,
@@ -45,7 +46,6 @@ private:
     std::vector<VertexLight> outgoing_;  // of the dense method, one for each of its runs
     VertexStokes stokes_;
     std::vector<std::vector<glm::vec4>> pixels_;  // of the last image that was shaded at pixels, by channel
-    std::vector<float> coverage_;                 // of its pixels, as a PixelImage has it
     /// Of the lobe about the mirror direction and of the hemisphere; empty where nothing casts shadows.
     std::vector<glm::vec2> fractions_;
 };

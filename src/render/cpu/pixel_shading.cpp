@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <tuple>
 
 #include "render/hit_image.hpp"
@@ -78,7 +79,7 @@ void PixelShading::collect(std::size_t first, std::size_t last, std::vector<Pixe
             patch.triangles[patch.samples] = hit->triangle;
             patch.at[patch.samples++] = glm::vec2(offsets[s]);
         }
-        coverage[i] = weight * static_cast<float>(covered);
+        coverage[i - first] = weight * static_cast<float>(covered);
         for (const Patch& patch : std::span(patches).first(count)) add(patch, i, surface, out);
     }
     if (!std::ranges::is_sorted(out, {}, &Pixel::group)) std::ranges::stable_sort(out, {}, &Pixel::group);
@@ -115,13 +116,15 @@ void PixelShading::add(const Patch& patch, std::size_t index, std::size_t& surfa
          .at = mean});
 }
 
-std::size_t PixelShading::run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out,
-                              std::span<float> coverage) const {
+std::size_t PixelShading::run(std::size_t first, std::size_t last,
+                              std::span<const std::span<glm::vec4>> out) const {
     // Backs of surfaces are black.
     for (const std::span<glm::vec4> channel : out)
         std::ranges::fill(channel.subspan(first, last - first), glm::vec4(0));
     thread_local std::vector<Pixel> pixels;
+    thread_local std::vector<float> coverage;
     thread_local Batch batch;
+    coverage.resize(last - first);
     collect(first, last, pixels, coverage);
     for (std::size_t begin = 0; begin < pixels.size();) {
         std::size_t end = begin;
@@ -129,6 +132,10 @@ std::size_t PixelShading::run(std::size_t first, std::size_t last, std::span<con
             ++end;
         shade(std::span(pixels).subspan(begin, end - begin), batch, out);
         begin = end;
+    }
+    if (input_.background != nullptr) {
+        input_.background->add(rays(), static_cast<float>(input_.light_scale), input_.most_components, first,
+                               last, coverage, out);
     }
     return pixels.size();
 }
@@ -189,6 +196,24 @@ void PixelShading::find_points(std::span<const Pixel> pixels, Batch& batch) cons
         std::ranges::copy(found.positions, batch.positions.begin() + static_cast<std::ptrdiff_t>(begin));
         std::ranges::copy(found.normals, batch.normals.begin() + static_cast<std::ptrdiff_t>(begin));
     }
+}
+
+PixelRays PixelShading::rays() const {
+    const Projection& projection = input_.projection;
+    const Viewpoint& view = projection.view;
+    const glm::dmat3 to_light = glm::transpose(input_.light_to_geometry);
+    const auto through = [&](double x, double y) {
+        if (view.orthographic) return to_light * view.forward;
+        const glm::dvec2 at =
+            on_image_plane(projection, input_.hits.width(), input_.hits.height(), x + 0.5, y + 0.5);
+        return to_light * (view.forward + at.x * view.right + at.y * view.up);
+    };
+    const glm::dvec3 first = through(0, 0);
+    return {.first = first,
+            .right = through(1, 0) - first,
+            .down = through(0, 1) - first,
+            .up = to_light * view.up,
+            .width = static_cast<std::size_t>(input_.hits.width())};
 }
 
 void PixelShading::find_fractions(std::span<const Pixel> pixels, Batch& batch) const {

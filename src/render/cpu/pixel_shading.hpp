@@ -10,6 +10,7 @@
 
 #include "material/response_table.hpp"
 #include "render/executor.hpp"
+#include "shading/background.hpp"
 #include "shading/shade.hpp"
 #include "specular/high_order.hpp"
 #include "transfer/frame_rotation.hpp"
@@ -37,12 +38,11 @@ public:
     PixelShading(const PixelInput& input, std::span<const PixelSurface> surfaces,
                  std::span<const glm::vec2> fractions);
 
-    /// For first <= pixel < last writes to out[c][pixel] channel c's Stokes vectors, each times the fraction
-    /// of the samples that it is of, and to coverage[pixel] the fraction of those with a surface. Samples of
-    /// triangles that share a corner are of one smooth surface, which is shaded once, at their mean. Returns
-    /// how many Stokes vectors were computed.
-    std::size_t run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out,
-                    std::span<float> coverage) const;
+    /// For first <= pixel < last writes to out[c][pixel] the mean of channel c's Stokes vectors over the
+    /// samples, those without a surface showing the background. Samples of triangles that share a corner are
+    /// of one smooth surface, which is shaded once, at their mean. Returns how many Stokes vectors were
+    /// computed.
+    std::size_t run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
 
 private:
     // A pixel, or the part of it that shows one surface.
@@ -66,6 +66,7 @@ private:
     void find_points(std::span<const Pixel> pixels, Batch& batch) const;
     void find_light(const PixelSurface& surface, std::span<const Pixel> pixels, Batch& batch) const;
     void find_fractions(std::span<const Pixel> pixels, Batch& batch) const;
+    [[nodiscard]] PixelRays rays() const;
 
     const PixelInput& input_;
     std::span<const PixelSurface> surfaces_;

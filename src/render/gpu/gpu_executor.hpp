@@ -25,6 +25,7 @@ public:
 
     [[nodiscard]] bool can_choose() const noexcept override { return false; }
     [[nodiscard]] bool has_pixels() const noexcept override { return false; }
+    [[nodiscard]] bool adds_background() const noexcept override { return false; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
     std::uint64_t relight(const DenseMethod& method, const TransferInput& input,

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "shading/background.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "polarization/lane_points.hpp"
+#include "polarization/view_geometry.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/lane_angle.hpp"
+
+namespace nicol {
+namespace {
+
+// Where rays meet the image, as turns about the vertical and half turns from the zenith; and the rotation of
+// (s1, s2) from the image's frame, x along growing u, to the camera's, as cos s1 + sin s2 and cos s2 - sin
+// s1.
+struct Places {
+    Lanes turn, half_turn;
+    Lanes cosine, sine;
+};
+
+[[gnu::always_inline]] inline void find_places(const LaneVectors& rays, const glm::vec3& up, Places& out) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float x = rays.x.value[i];
+        const float y = rays.y.value[i];
+        const float z = rays.z.value[i];
+        const float across2 = x * x + z * z;
+        const float across = std::sqrt(across2);
+        const float quarter = 0.25F * quarter_turns(std::abs(x), std::abs(z));
+        const float from_front = z > 0 ? 0.5F - quarter : quarter;
+        const float turn = x < 0 ? 1 - from_front : from_front;
+        out.turn.value[i] = across > 0 ? turn : 0.0F;
+        const float height = 0.5F * quarter_turns(across, std::abs(y));
+        out.half_turn.value[i] = y < 0 ? 1 - height : height;
+
+        // Both frames' x are at right angles to the ray: ray x up, and (-z, 0, x) or at the poles (1, 0, 0).
+        const Vector3<float> ray{x, y, z};
+        const Vector3<float> to = cross(ray, Vector3<float>{up.x, up.y, up.z});
+        const Vector3<float> from{across > 0 ? -z : 1.0F, 0, across > 0 ? x : 0.0F};
+        float c = 0;
+        dot(to, from, c);
+        float s = 0;
+        dot(to, cross(from, ray), s);
+        const float length = std::sqrt(across2 + y * y);
+        const float along = c * length;
+        const float inverse = 1 / (along * along + s * s);
+        out.cosine.value[i] = (along * along - s * s) * inverse;
+        out.sine.value[i] = 2 * along * s * inverse;
+    }
+}
+
+}  // namespace
+
+// Up to kLanes that show the environment.
+struct Background::Pixels {
+    std::size_t count = 0;
+    std::array<std::size_t, kLanes> index;
+    std::array<float, kLanes> weight;
+    LaneVectors rays;
+    Places places;
+};
+
+Background::Background(const Environment& environment, int channels) : polarized_(environment.polarized()) {
+    const EquirectImage image = environment.image();
+    width_ = image.width;
+    height_ = image.height;
+    const std::size_t texels = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    const auto count = static_cast<std::size_t>(channels);
+    texels_.resize((polarized_ ? count : (count + 3) / 4) * texels);
+    for (std::size_t c = 0; c < count; ++c) {
+        const float* const from = image.data.data() + (image.channels == 1 ? 0 : 4 * c * texels);
+        for (std::size_t i = 0; i < texels; ++i) {
+            if (polarized_) {
+                texels_[c * texels + i] = {from[4 * i], from[4 * i + 1], from[4 * i + 2], from[4 * i + 3]};
+            } else {
+                texels_[c / 4 * texels + i][static_cast<glm::length_t>(c % 4)] = from[4 * i];
+            }
+        }
+    }
+}
+
+void Background::add(const PixelRays& rays, float scale, std::size_t components, std::size_t first,
+                     std::size_t last, std::span<const float> coverage,
+                     std::span<const std::span<glm::vec4>> out) const {
+    Pixels pixels;
+    const auto flush = [&] {
+        for (std::size_t i = pixels.count; i < kLanes; ++i) {
+            pixels.rays.x[i] = pixels.rays.x[0];
+            pixels.rays.y[i] = pixels.rays.y[0];
+            pixels.rays.z[i] = pixels.rays.z[0];
+        }
+        dispatch<find_places>(pixels.rays, rays.up, pixels.places);
+        add(pixels, components, out);
+        pixels.count = 0;
+    };
+    std::size_t row = first / rays.width;
+    std::size_t column = first % rays.width;
+    for (std::size_t i = first; i < last; ++i) {
+        const float uncovered = 1 - coverage[i - first];
+        if (uncovered > 0) {
+            const glm::vec3 ray =
+                rays.first + static_cast<float>(column) * rays.right + static_cast<float>(row) * rays.down;
+            const std::size_t lane = pixels.count++;
+            pixels.index[lane] = i;
+            pixels.weight[lane] = scale * uncovered;
+            pixels.rays.x[lane] = ray.x;
+            pixels.rays.y[lane] = ray.y;
+            pixels.rays.z[lane] = ray.z;
+            if (pixels.count == kLanes) flush();
+        }
+        if (++column == rays.width) {
+            column = 0;
+            ++row;
+        }
+    }
+    if (pixels.count > 0) flush();
+}
+
+void Background::add(const Pixels& pixels, std::size_t components,
+                     std::span<const std::span<glm::vec4>> out) const {
+    for (std::size_t lane = 0; lane < pixels.count; ++lane) {
+        const std::size_t pixel = pixels.index[lane];
+        const float weight = pixels.weight[lane];
+        if (!polarized_) {
+            glm::vec4 s0(0);
+            for (std::size_t c = 0; c < out.size(); ++c) {
+                if (c % 4 == 0) s0 = weight * at(c / 4, pixels, lane);
+                out[c][pixel].x += s0[static_cast<glm::length_t>(c % 4)];
+            }
+            continue;
+        }
+        const float cosine = pixels.places.cosine[lane];
+        const float sine = pixels.places.sine[lane];
+        for (std::size_t c = 0; c < out.size(); ++c) {
+            const glm::vec4 s = weight * at(c, pixels, lane);
+            const glm::vec4 rotated(s.x, cosine * s.y + sine * s.z, cosine * s.z - sine * s.y, s.w);
+            for (std::size_t p = 0; p < components; ++p) {
+                const auto component = static_cast<glm::length_t>(p);
+                out[c][pixel][component] += rotated[component];
+            }
+        }
+    }
+}
+
+// Columns are pixel-centred and periodic, rows vertex-centred.
+glm::vec4 Background::at(std::size_t plane, const Pixels& pixels, std::size_t lane) const {
+    const float x = pixels.places.turn[lane] * static_cast<float>(width_) + 0.5F;
+    const float y = pixels.places.half_turn[lane] * static_cast<float>(height_ - 1);
+    const int above = std::min(static_cast<int>(x), width_);  // the column to the right, plus one
+    const int left = above == 0 ? width_ - 1 : above - 1;
+    const int right = above == width_ ? 0 : above;
+    const int upper = std::min(static_cast<int>(y), height_ - 1);
+    const int lower = std::min(upper + 1, height_ - 1);
+    const float right_part = x - static_cast<float>(above);
+    const float lower_part = y - static_cast<float>(upper);
+    const std::size_t w = static_cast<std::size_t>(width_);
+    const glm::vec4* const texels = texels_.data() + plane * w * static_cast<std::size_t>(height_);
+    const glm::vec4* const upper_row = texels + static_cast<std::size_t>(upper) * w;
+    const glm::vec4* const lower_row = texels + static_cast<std::size_t>(lower) * w;
+    const glm::vec4 a = upper_row[left] + right_part * (upper_row[right] - upper_row[left]);
+    const glm::vec4 b = lower_row[left] + right_part * (lower_row[right] - lower_row[left]);
+    return a + lower_part * (b - a);
+}
+
+}  // namespace nicol

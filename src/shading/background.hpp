@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// The environment behind an image's surfaces.
+#pragma once
+
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "light/environment.hpp"
+
+namespace nicol {
+
+/// Rays through the centres of an image's pixels, in a light's axes: first + column * right + row * down, of
+/// any length. `up` is the camera's.
+struct PixelRays {
+    glm::vec3 first, right, down, up;
+    std::size_t width;  ///< of the image, in pixels
+};
+
+/// An environment's image, bilinear as EquirectImage says. Immutable; threads share it.
+class Background {
+public:
+    /// channels: of the images it is added to; an environment of one serves all.
+    Background(const Environment& environment, int channels);
+
+    /// For first <= pixel < last, row by row, adds to out[c][pixel] what channel c's light is in the camera's
+    /// frame field, times the scale and 1 - coverage[pixel - first]: the first `components` of its Stokes
+    /// components.
+    void add(const PixelRays& rays, float scale, std::size_t components, std::size_t first, std::size_t last,
+             std::span<const float> coverage, std::span<const std::span<glm::vec4>> out) const;
+
+private:
+    struct Pixels;
+
+    [[nodiscard]] glm::vec4 at(std::size_t plane, const Pixels& pixels, std::size_t lane) const;
+    void add(const Pixels& pixels, std::size_t components, std::span<const std::span<glm::vec4>> out) const;
+
+    bool polarized_;
+    int width_;
+    int height_;
+    std::vector<glm::vec4> texels_;  // Stokes vectors of one channel after the other, or s0 of four and four
+};
+
+}  // namespace nicol
