@@ -168,8 +168,9 @@ typedef struct nicol_context_options {
      * be used is a notice to the log, not an error. */
     const char* cache_folder;
     /* Limit of the bytes that each scene keeps at run time, on the device too: the statistics'
-     * visibility_bytes and transfer_bytes, and the OpenGL buffers of its vertices without compute shaders'
-     * work space; by the reference method, its triangles. An upper bound is computed before a render bakes or
+     * visibility_bytes and transfer_bytes, the OpenGL buffers of its vertices without compute shaders'
+     * work space, and what AOVs, several samples and shading at pixels take beside the framebuffer; by the
+     * reference method, its triangles. An upper bound is computed before a render bakes or
      * allocates; if it exceeds the limit, the render fails with NICOL_ERROR_OUT_OF_MEMORY, and the message
      * has both numbers. Where orders are automatic, the bound is for 4 and 9. Default NICOL_NO_LIMIT
      */
@@ -813,7 +814,8 @@ typedef struct nicol_statistics {
     uint64_t channels_shared;       /* colour channels of light that equal another and are not computed again */
     uint64_t response_bytes;        /* material tables */
     uint64_t visibility_bytes;      /* visibility by direction at each vertex */
-    uint64_t transfer_bytes;        /* per-vertex light, shadows, matrices and geometry kept for relight and shade */
+    uint64_t transfer_bytes;        /* per-vertex light, shadows, matrices and geometry kept for relight and shade, and of
+                                       pixels that are shaded what they show and how */
     uint64_t buffer_bytes;          /* OpenGL buffers: vertices and triangles, and what compute shaders work on */
     uint64_t texture_bytes;         /* OpenGL textures, framebuffer included */
     uint64_t camera_rays;           /* reference: rays from the camera */

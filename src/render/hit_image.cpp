@@ -48,4 +48,15 @@ void HitImage::draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_c
     draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
 }
 
+void HitImage::clear() {
+    target_.reset();
+    texels_ = {};
+}
+
+std::uint64_t HitImage::bytes() const {
+    std::uint64_t bytes = 0;
+    for (const std::vector<std::uint32_t>& texels : texels_) bytes += texels.size() * sizeof(std::uint32_t);
+    return bytes;
+}
+
 }  // namespace nicol

@@ -44,6 +44,15 @@ public:
         return Hit{.triangle = (texel & ~kFront) - 1, .front = (texel & kFront) != 0};
     }
 
+    /// Gives all memory back.
+    void clear();
+    /// What is kept outside the context.
+    [[nodiscard]] std::uint64_t bytes() const;
+    /// All that draw() takes, the context's included.
+    [[nodiscard]] static std::uint64_t bytes_per_pixel(std::size_t samples) {
+        return (samples + 1) * sizeof(std::uint32_t) + sizeof(float);
+    }
+
     [[nodiscard]] int width() const { return target_->width(); }
     [[nodiscard]] int height() const { return target_->height(); }
 

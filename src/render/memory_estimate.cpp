@@ -10,7 +10,11 @@
 
 #include "error.hpp"
 #include "harmonics/psh.hpp"
+#include "render/aov_layout.hpp"
+#include "render/framebuffer.hpp"
+#include "render/hit_image.hpp"
 #include "render/light_projection.hpp"
+#include "render/pixel_image.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
 
@@ -121,20 +125,44 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     return estimate;
 }
 
-void MemoryLimit::check(const Scene& scene, const RenderOptions& options) {
+std::uint64_t image_memory(const RenderOptions& options, int width, int height, int channels) {
+    if (options.method == Method::reference) return 0;
+    constexpr std::uint64_t texel = sizeof(glm::vec4);
+    constexpr std::uint64_t depth = sizeof(float);
+    const bool several = options.pixel_samples > 1;
+    const auto samples = static_cast<std::size_t>(options.pixel_samples);
+    const auto planes = static_cast<std::uint64_t>(channels);
+    const std::uint64_t at_vertices =
+        several ? std::min<std::uint64_t>(Framebuffer::kGroup, planes) * texel + depth : 0;
+    const std::uint64_t at_pixels =
+        HitImage::bytes_per_pixel(samples) + PixelImage::kBytesPerPixel + planes * texel;
+    std::uint64_t bytes = 0;
+    if (options.shade_at != ShadeAt::pixels) bytes = at_vertices;
+    if (options.shade_at != ShadeAt::vertices) bytes = std::max(bytes, at_pixels);
+    if (options.aovs != 0) {
+        // Of one sample, and of those before, with the depth that tells which is the nearest.
+        const auto attachments =
+            static_cast<std::uint64_t>(AovLayout(options.aovs | aov_depth).attachments());
+        bytes += (several ? 2 : 1) * (attachments * texel + depth);
+    }
+    return bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+}
+
+void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int width, int height) {
     vertices_ = size_of(scene).vertices;
     if (bytes_ == kNone) return;
-    checking_.run(scene.geometry_version(), scene.channels(), kind_of(scene, options), options.method,
-                  options.order_low, options.order_high, options.high_orders, options.shadows,
-                  options.high_order_shadows, options.bake_directions, options.disabled_optimisations, [&] {
-                      estimate_ = estimate_memory(scene, options);
-                      const std::uint64_t needed = estimate_.total();
-                      if (needed <= bytes_) return;
-                      throw Error(ErrorCode::out_of_memory,
-                                  "the scene needs up to " + std::to_string(needed) +
-                                      " bytes at run time; the context's memory_limit is " +
-                                      std::to_string(bytes_));
-                  });
+    image_ = image_memory(options, width, height, scene.channels());
+    checking_.run(
+        scene.geometry_version(), scene.channels(), kind_of(scene, options), options.method,
+        options.order_low, options.order_high, options.high_orders, options.shadows,
+        options.high_order_shadows, options.bake_directions, options.disabled_optimisations, image_, [&] {
+            estimate_ = estimate_memory(scene, options);
+            const std::uint64_t needed = estimate_.total() + image_;
+            if (needed <= bytes_) return;
+            throw Error(ErrorCode::out_of_memory,
+                        "the scene and its image need up to " + std::to_string(needed) +
+                            " bytes at run time; the context's memory_limit is " + std::to_string(bytes_));
+        });
 }
 
 std::uint64_t MemoryLimit::max_vertices(const RenderOptions& options) const {
@@ -143,7 +171,7 @@ std::uint64_t MemoryLimit::max_vertices(const RenderOptions& options) const {
     if (bytes_ == kNone || estimate_.total() == 0) return wanted;
     // All of it grows with the vertices; the bake of those that were given stays for the next change.
     const double times =
-        static_cast<double>(bytes_ - estimate_.visibility) / static_cast<double>(estimate_.total());
+        static_cast<double>(for_scene() - estimate_.visibility) / static_cast<double>(estimate_.total());
     return std::min(wanted, static_cast<std::uint64_t>(times * static_cast<double>(vertices_)));
 }
 

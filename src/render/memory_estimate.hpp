@@ -26,17 +26,25 @@ struct MemoryEstimate {
 /// of triangles and the triangles themselves.
 [[nodiscard]] MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options);
 
-/// What a scene may take at most.
+/// Bytes that samples and shading at pixels take at most beside a framebuffer of this size and these
+/// channels, as Statistics counts them.
+[[nodiscard]] std::uint64_t image_memory(const RenderOptions& options, int width, int height, int channels);
+
+/// What a scene and its image may take at most.
 class MemoryLimit {
 public:
     static constexpr std::uint64_t kNone = std::numeric_limits<std::uint64_t>::max();
 
     explicit MemoryLimit(std::uint64_t bytes = kNone) : bytes_(bytes) {}
 
-    [[nodiscard]] std::uint64_t bytes() const noexcept { return bytes_; }
     /// Throws Error(out_of_memory) with both numbers where the estimate exceeds the limit. Estimates again
     /// only where something that the estimate depends on has changed since the last call.
-    void check(const Scene& scene, const RenderOptions& options);
+    void check(const Scene& scene, const RenderOptions& options, int width, int height);
+
+    /// What the image that was last checked leaves to the scene.
+    [[nodiscard]] std::uint64_t for_scene() const noexcept {
+        return bytes_ == kNone ? kNone : bytes_ - image_;
+    }
 
     /// How many vertices the scene that was last checked may be refined to: as the option says, or where that
     /// leaves it open 65536 or four times as many as there are; but no more than fit beside their bake.
@@ -46,8 +54,11 @@ private:
     std::uint64_t bytes_;
     std::uint64_t vertices_ = 0;
     MemoryEstimate estimate_;
-    // Geometry, channels, components of the light, and the options that matter.
-    Stage<Version, int, LightKind, Method, int, int, HighOrders, bool, bool, int, std::uint32_t> checking_;
+    std::uint64_t image_ = 0;
+    // Geometry, channels, components of the light, the options that matter, and the image's bytes.
+    Stage<Version, int, LightKind, Method, int, int, HighOrders, bool, bool, int, std::uint32_t,
+          std::uint64_t>
+        checking_;
 };
 
 }  // namespace nicol

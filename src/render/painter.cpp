@@ -87,6 +87,8 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
     if (pixels != nullptr) {
         pixels_.begin(target);
         pixels->store(pixels_);
+    } else {
+        pixels_.clear();
     }
 
     for (std::size_t g = 0; g < groups_.size(); ++g) {

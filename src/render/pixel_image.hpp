@@ -2,6 +2,7 @@
 // shade at pixels: where its results lie on the device.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -17,11 +18,16 @@ class PixelImage {
 public:
     explicit PixelImage(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
+    /// Beside the framebuffer's.
+    static constexpr std::uint64_t kBytesPerPixel = sizeof(float);
+
     /// Inside run() of the context, as all below. The content is unspecified. `target` must outlive the use.
     void begin(Framebuffer& target);
     [[nodiscard]] gl::Texture2D& channel(int c);
     /// Of one float a texel.
     [[nodiscard]] gl::Texture2D& coverage() { return coverage_.value(); }
+    /// Gives all memory back.
+    void clear() { coverage_.reset(); }
     [[nodiscard]] int channels() const noexcept { return target_->channels(); }
 
 private:

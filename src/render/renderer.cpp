@@ -111,7 +111,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     }
     check(options);
     check_size(options, target);
-    memory_limit_.check(scene, options);
+    memory_limit_.check(scene, options, target.width(), target.height());
     if (!grey || options.method == Method::reference) return render_into(scene, camera, options, target);
 
     // Lights and materials of three channels multiply before the luminance is taken, so the image is drawn in
@@ -165,7 +165,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     RenderRun run{.workers = workers_,
                   .progress = progress,
                   .statistics = statistics,
-                  .memory_limit = memory_limit_.bytes()};
+                  .memory_limit = memory_limit_.for_scene()};
     const auto draw_hits = [&]() -> const HitImage& {
         context_->run([&] {
             const RefinedSurfaces& surfaces = pipeline_.surfaces();
@@ -184,7 +184,10 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
         buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
         const HighOrderTransfer* const high_orders = pipeline_.pixel_high_orders();
         const bool at_pixels = pipeline_.shaded_pixels();
-        if (!at_pixels) executor.store(buffers_, high_orders != nullptr);
+        if (!at_pixels) {
+            hits_.clear();
+            executor.store(buffers_, high_orders != nullptr);
+        }
         if (high_orders != nullptr) textures_.update(*high_orders, target.channels());
         painter_.draw(scene, surfaces, buffers_,
                       {.textures = high_orders != nullptr ? &textures_ : nullptr,
@@ -198,6 +201,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     });
     statistics.draw_ms += watch.milliseconds();
 
+    statistics.transfer_bytes += hits_.bytes();
     const gl::MemoryUse memory = context_->memory();
     statistics.buffer_bytes = memory.of(gl::MemoryKind::vertex) + memory.of(gl::MemoryKind::index) +
                               memory.of(gl::MemoryKind::storage);

@@ -62,9 +62,10 @@ struct Cleft {
     Owned<nicol_environment> light;
     Owned<nicol_material> material;
     Owned<nicol_mesh> mesh{fine_square(context)};
-    Owned<nicol_framebuffer> framebuffer{framebuffer_of(context, 8, 8, 3)};
+    Owned<nicol_framebuffer> framebuffer;
 
-    explicit Cleft(nicol_context owner) : context(owner) {
+    explicit Cleft(nicol_context owner, std::uint32_t side = 8)
+        : context(owner), framebuffer(framebuffer_of(owner, side, side, 3)) {
         nicol_sky sky = NICOL_SKY_INIT;
         sky.radiance = spectrum({1, 2, 3});
         OK(nicol_environment_create_sky(context, &sky, &light));
@@ -83,7 +84,7 @@ struct Cleft {
 
 // The bytes that the last message says are needed.
 std::uint64_t bytes_in_message() {
-    const std::string message = nicol_last_error(), before = "needs up to ";
+    const std::string message = nicol_last_error(), before = "need up to ";
     const std::size_t at = message.find(before);
     REQUIRE(at != std::string::npos);
     CHECK(message.find("memory_limit is 1000") != std::string::npos);
@@ -114,6 +115,42 @@ TEST_CASE("predictions are never too low, and not far too high") {
                 CHECK(static_cast<double>(needed) < 1.9 * static_cast<double>(taken));
             }
         }
+    }
+}
+
+TEST_CASE("what samples, AOVs and shading at pixels take of an image is in the prediction") {
+    constexpr std::uint32_t side = 256;
+    constexpr std::uint64_t own = std::uint64_t{side} * side * (3 * 16 + 4);
+    for (const nicol_backend backend : every_backend) {
+        const Owned small(limited_context(backend, 1000)), free(limited_context(backend, NICOL_NO_LIMIT));
+        const Cleft refused(small, side), rendered(free, side);
+        nicol_render_options options = plain_options();
+        options.refine_tolerance = 0;
+        options.executor = NICOL_EXECUTOR_CPU;
+        options.order_low = options.order_high = 1;
+        options.shadows = 0;
+        options.shade_at = NICOL_SHADE_AT_VERTICES;
+        OK(rendered.render(options));
+        // Of the light's image, which is drawn behind vertices.
+        const std::uint64_t light = statistics_of(rendered.framebuffer).texture_bytes - own;
+        for_all({NICOL_SHADE_AT_PIXELS, NICOL_SHADE_AT_VERTICES}, {8U, 1U, 4U},
+                [&](nicol_shade_at where, std::uint32_t samples) {
+                    for (const std::uint32_t aovs : {0U, NICOL_AOV_INSTANCE, NICOL_AOV_ALL}) {
+                        CAPTURES(backend, where, samples, aovs);
+                        options.shade_at = where;
+                        options.pixel_samples = samples;
+                        options.aovs = aovs;
+                        REQUIRE(refused.render(options) == NICOL_ERROR_OUT_OF_MEMORY);
+                        const std::uint64_t needed = bytes_in_message();
+                        OK(rendered.render(options));
+                        const nicol_statistics statistics = statistics_of(rendered.framebuffer);
+                        const std::uint64_t taken = statistics.visibility_bytes + statistics.transfer_bytes +
+                                                    statistics.buffer_bytes + statistics.texture_bytes - own -
+                                                    (where == NICOL_SHADE_AT_VERTICES ? light : 0);
+                        CHECK(needed >= taken);
+                        CHECK(static_cast<double>(needed) < 1.3 * static_cast<double>(taken));
+                    }
+                });
     }
 }
 

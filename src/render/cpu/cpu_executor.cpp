@@ -104,6 +104,7 @@ std::uint64_t CpuExecutor::relight(const DenseMethod& method, const TransferInpu
 void CpuExecutor::resize(const ShadeInput& input) {
     stokes_.resize(static_cast<std::size_t>(input.channels));
     for (auto& channel : stokes_) channel.resize(input.geometry.positions.size());
+    pixels_.clear();
 }
 
 void CpuExecutor::shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) {
@@ -275,6 +276,7 @@ void CpuExecutor::store(PixelImage& image) const {
 void CpuExecutor::count(Statistics& statistics) const {
     for (const VertexLight& light : outgoing_) statistics.transfer_bytes += light.bytes();
     for (const auto& channel : stokes_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
+    for (const auto& channel : pixels_) statistics.transfer_bytes += channel.size() * sizeof(glm::vec4);
     statistics.transfer_bytes += light_.bytes() + fractions_.size() * sizeof(glm::vec2);
 }
 
