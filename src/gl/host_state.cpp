@@ -110,6 +110,13 @@ void HostState::save_units() {
         gl_.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, i, &binding.start);
         gl_.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, i, &binding.size);
     });
+    const auto image = [this](GLenum what) {
+        GLint value = 0;
+        gl_.GetIntegeri_v(what, 0, &value);
+        return value;
+    };
+    image_ = {image(GL_IMAGE_BINDING_NAME),  image(GL_IMAGE_BINDING_LEVEL),  image(GL_IMAGE_BINDING_LAYERED),
+              image(GL_IMAGE_BINDING_LAYER), image(GL_IMAGE_BINDING_ACCESS), image(GL_IMAGE_BINDING_FORMAT)};
     active_texture_ = state_.integer(GL_ACTIVE_TEXTURE);
     fill(texture_units_, state_.limits.texture_units, [this](GLuint i, TextureUnit& unit) {
         gl_.ActiveTexture(GL_TEXTURE0 + i);
@@ -199,6 +206,9 @@ void HostState::put_back_units() const {
         }
     });
     gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, storage_buffer_);
+    gl_.BindImageTexture(0, static_cast<GLuint>(image_.texture), image_.level,
+                         image_.layered != 0 ? GL_TRUE : GL_FALSE, image_.layer,
+                         static_cast<GLenum>(image_.access), static_cast<GLenum>(image_.format));
     each(texture_units_, [this](GLuint i, const TextureUnit& unit) {
         // glBindTextureUnit would take a unit's other textures away with the last 2D one.
         gl_.ActiveTexture(GL_TEXTURE0 + i);

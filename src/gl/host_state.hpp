@@ -18,7 +18,7 @@ namespace nicol::gl {
 ///                  face, polygon mode, clip control, provoking vertex, pixel storage; of compatibility
 ///                  contexts pixel transfer and clamping of colours
 ///   bindings       program, vertex array, draw framebuffer, pixel buffers, active texture; 2D textures and
-///                  samplers of the first units, storage buffers (kTextureUnits and so on)
+///                  samplers of the first units, storage buffers (kTextureUnits and so on); the first image
 /// Everything else is used without binding it. Not saved, since OpenGL has no query for it: conditional
 /// rendering.
 class HostState {
@@ -48,6 +48,9 @@ private:
         GLint name;
         GLint64 start, size;
     };
+    struct ImageUnit {
+        GLint texture, level, layered, layer, access, format;
+    };
 
     void save();
     void save_units();
@@ -69,6 +72,7 @@ private:
     std::vector<DrawBuffer> draw_buffers_;
     std::vector<TextureUnit> texture_units_;
     std::vector<StorageBinding> storage_;
+    ImageUnit image_{};
     GLboolean depth_mask_ = GL_TRUE;
     GLint depth_function_ = 0, culled_ = 0, front_ = 0, provoking_ = 0, clip_origin_ = 0, clip_depth_ = 0;
     std::array<GLint, 2> polygon_mode_{};

@@ -143,6 +143,12 @@ void Texture2D::bind(unsigned unit) const {
     gl.BindTextureUnit(unit, id());
 }
 
+void Texture2D::bind_image() const {
+    const GladGLContext& gl = functions(*context(), "Texture2D::bind_image");
+    gl.BindImageTexture(0, id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, layout_of(format()).internal);
+    context()->state().check("Texture2D::bind_image");
+}
+
 std::size_t Texture2D::numbers() const noexcept {
     return static_cast<std::size_t>(width()) * static_cast<std::size_t>(height()) *
            layout_of(format()).components;

@@ -41,8 +41,10 @@ public:
     void read(std::span<float> texels) const;
     void read(std::span<std::uint32_t> texels) const;
 
-    /// For a `layout(binding = unit) uniform sampler2D`.
+    /// For a `layout(binding = unit) uniform sampler2D` or, of integers, usampler2D.
     void bind(unsigned unit) const;
+    /// For a `layout(binding = 0) writeonly uniform image2D` of the format, the only one of a program.
+    void bind_image() const;
 
     [[nodiscard]] int width() const noexcept { return description_.width; }
     [[nodiscard]] int height() const noexcept { return description_.height; }
