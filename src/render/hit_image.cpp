@@ -7,13 +7,15 @@
 namespace nicol {
 
 void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const Projection& projection,
-                    int width, int height, std::span<const glm::dvec2> offsets) {
+                    int width, int height, std::span<const glm::dvec2> offsets, Kept kept) {
     if (!program_) program_ = gl::Program::graphics(context_, "hits.vert", "hits.frag", {});
-    if (!target_ || target_->width() != width || target_->height() != height) {
-        target_.reset();
-        target_.emplace(context_, gl::RenderTargetDescription{
-                                      .width = width, .height = height, .format = gl::Format::r32ui});
-    }
+    const std::size_t targets = kept == Kept::on_host ? 1 : offsets.size();
+    sizing_.run(width, height, targets, [&] {
+        targets_.clear();
+        for (std::size_t i = 0; i < targets; ++i)
+            targets_.emplace_back(context_, gl::RenderTargetDescription{
+                                                .width = width, .height = height, .format = gl::Format::r32ui});
+    });
     binding_.run(buffers.version(), [&] {
         vertices_.reset();
         if (buffers.empty()) return;
@@ -24,24 +26,25 @@ void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     for (std::size_t s = 0; s < kMostPixelSamples; ++s) {
         std::vector<std::uint32_t>& texels = texels_[s];
-        if (s >= offsets.size()) {
-            texels = {};
-            continue;
-        }
+        if (s >= offsets.size() || kept == Kept::on_device) texels = {};
+        if (s >= offsets.size()) continue;
+        gl::RenderTarget& target = targets_[kept == Kept::on_host ? 0 : s];
+        draw_sample(geometry, jittered(projection, offsets[s]).world_to_clip, target);
+        if (kept == Kept::on_device) continue;
         texels.resize(pixels);
-        draw_sample(geometry, jittered(projection, offsets[s]).world_to_clip);
-        target_->read(0, texels);
+        target.read(0, texels);
     }
 }
 
-void HitImage::draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_clip) {
-    target_->clear();
+void HitImage::draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_clip,
+                           gl::RenderTarget& target) {
+    target.clear();
     if (!vertices_) return;
     program_->set("to_clip", glm::mat4(to_clip));
     const auto draw_some = [&](std::size_t first, std::size_t last, gl::Cull cull) {
         if (first == last) return;
         program_->set("first", static_cast<std::uint32_t>(first));
-        gl::draw(*target_, *program_, *vertices_, 3 * first, 3 * (last - first), {.cull = cull});
+        gl::draw(target, *program_, *vertices_, 3 * first, 3 * (last - first), {.cull = cull});
     };
     // Of two-sided surfaces each side has triangles of its own.
     draw_some(0, geometry.one_sided, gl::Cull::none);
@@ -49,7 +52,8 @@ void HitImage::draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_c
 }
 
 void HitImage::clear() {
-    target_.reset();
+    targets_.clear();
+    sizing_.reset();
     texels_ = {};
 }
 

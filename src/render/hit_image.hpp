@@ -30,10 +30,16 @@ class HitImage {
 public:
     explicit HitImage(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
+    /// Where hits are wanted.
+    enum class Kept {
+        on_host,    ///< at() has them
+        on_device,  ///< texture() has them
+    };
+
     /// `buffers` are of `geometry`, and the projection of its axes. `offsets`: of the samples, as
     /// sample_pattern() has them. Inside run() of the context.
     void draw(const WorldGeometry& geometry, VertexBuffers& buffers, const Projection& projection, int width,
-              int height, std::span<const glm::dvec2> offsets);
+              int height, std::span<const glm::dvec2> offsets, Kept kept);
 
     /// Of the last draw().
     [[nodiscard]] std::span<const glm::dvec2> offsets() const { return offsets_; }
@@ -50,20 +56,26 @@ public:
     [[nodiscard]] std::uint64_t bytes() const;
     /// All that draw() takes, the context's included.
     [[nodiscard]] static std::uint64_t bytes_per_pixel(std::size_t samples) {
-        return (samples + 1) * sizeof(std::uint32_t) + sizeof(float);
+        return (2 * samples + 1) * sizeof(std::uint32_t);
     }
 
-    [[nodiscard]] int width() const { return target_->width(); }
-    [[nodiscard]] int height() const { return target_->height(); }
+    /// What glsl/hits.glsl reads.
+    [[nodiscard]] const gl::Texture2D& texture(std::size_t sample) const {
+        return targets_[sample].colour(0);
+    }
+
+    [[nodiscard]] int width() const { return targets_.front().width(); }
+    [[nodiscard]] int height() const { return targets_.front().height(); }
 
 private:
     static constexpr std::uint32_t kFront = 0x80000000;  // as hits.frag
 
-    void draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_clip);
+    void draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_clip, gl::RenderTarget& target);
 
     std::shared_ptr<gl::Context> context_;
     std::optional<gl::Program> program_;
-    std::optional<gl::RenderTarget> target_;
+    std::vector<gl::RenderTarget> targets_;  // of every sample, or one for all that are read back
+    Stage<int, int, std::size_t> sizing_;    // width, height, targets
     std::optional<gl::VertexArray> vertices_;
     Stage<Version> binding_;
     std::span<const glm::dvec2> offsets_;

@@ -171,7 +171,8 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
             const RefinedSurfaces& surfaces = pipeline_.surfaces();
             buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
             hits_.draw(surfaces.geometry(), buffers_, in_axes(projection, surfaces.to_world()),
-                       target.width(), target.height(), sample_pattern(options.pixel_samples));
+                       target.width(), target.height(), sample_pattern(options.pixel_samples),
+                       gpu_ ? HitImage::Kept::on_device : HitImage::Kept::on_host);
         });
         return hits_;
     };
