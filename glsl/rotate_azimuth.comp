@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// relight, first pass: exp(-i k theta) D^T (i exp(i phi))^n of each field, one invocation a vertex, l and k.
+// First pass of a rotation: z^k sum_n D_nk a^n f_n of each field, one invocation a point, l and k.
 #version 450 core
 
 #include "rotation.glsl"
 
-layout(std430, binding = 1) readonly buffer Normals { float normals[]; };
-layout(std430, binding = 2) readonly buffer Fields { vec2 fields[]; };  // [field][l l + l + n]
-layout(std430, binding = 3) writeonly buffer Result { vec2 result[]; };  // [field][l l + l + k][vertex]
+layout(std430, binding = 3) readonly buffer Light { float light[]; };
+layout(std430, binding = 4) writeonly buffer Result { vec2 result[]; };  // [field][l l + l + k][point]
+
+uniform int number_step;  // from a number of the light to the next
+uniform int point_step;   // from a point to the next; 0: all have the same light
 
 void main() {
     int v = int(gl_GlobalInvocationID.x);
@@ -16,17 +18,21 @@ void main() {
     int index = int(gl_GlobalInvocationID.y) - field * size;
     int l = int(sqrt(float(index) + 0.5));
     int k = index - l * l - l;
+    if (l < 2 * field) return;  // spin 2 begins there
 
-    vec3 normal = vec3(normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]);
-    float rho = length(normal.xy);
-    vec2 azimuth = rho > 0.0 ? vec2(-normal.y, normal.x) / rho : vec2(0.0, 1.0);
-    vec2 zenith = vec2(normal.z, -rho) / length(vec2(normal.z, rho));
-
+    Rotation rotation = rotation_of(v);
+    int entry = l * (l + 1) / 2 + (field == 0 ? 0 : (order + 1) * (order + 2) / 2 - 3);
     vec2 sum = vec2(0.0);
-    vec2 phase = complex_power(azimuth, -l);
-    for (int n = -l; n <= l; ++n) {
-        sum += quarter(l, n, k) * complex_multiply(fields[field * size + l * l + l + n], phase);
-        phase = complex_multiply(phase, azimuth);
+    vec2 phase = vec2(1.0, 0.0);
+    for (int m = 0; m <= l; ++m) {
+        ivec4 from = entries[2 * (entry + m) + 1];
+        vec4 numbers;
+        for (int i = 0; i < 4; ++i) numbers[i] = from[i] < 0 ? 0.0 : light[from[i] * number_step + v * point_step];
+        vec2 plus, minus;
+        coefficients_of(field, l, m, numbers, plus, minus);
+        sum += quarter(l, m, k) * complex_multiply(plus, phase);
+        if (m > 0) sum += quarter(l, -m, k) * complex_multiply(minus, complex_conjugate(phase));
+        phase = complex_multiply(phase, rotation.a);
     }
-    result[(field * size + index) * stride + v] = complex_multiply(sum, complex_power(zenith, k));
+    result[(field * size + index) * stride + v] = complex_multiply(sum, complex_power(rotation.z, k));
 }

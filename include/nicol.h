@@ -614,17 +614,16 @@ typedef uint32_t nicol_high_orders_at;
 /* Where light becomes the Stokes vector of an image. */
 typedef uint32_t nicol_shade_at;
 /* Pixels, where Stokes vectors between vertices are predicted to err by more than the tolerance: where
- * normals or view directions change much across triangles, for the lobes of the materials. Compute shaders:
- * vertices. */
+ * normals or view directions change much across triangles, for the lobes of the materials. */
 #define NICOL_SHADE_AT_AUTOMATIC 0
 /* Stokes vectors are interpolated across triangles: fast, and right where triangles cover few pixels. */
 #define NICOL_SHADE_AT_VERTICES 1
 /* The light that arrives is interpolated, in the world's axes; normal, view angle, response and high orders
- * are those of the pixel. For coarse meshes. On threads: compute shaders do not have it, and an automatic
- * executor becomes the CPU. */
+ * are those of the pixel. For coarse meshes. */
 #define NICOL_SHADE_AT_PIXELS 2
 
-/* What runs relight and shade. The images agree to 1e-5 of their largest value. */
+/* What runs relight and shade. The images agree to 1e-5 of their largest value; shaded at pixels, to 1e-4
+ * where a surface is seen edge-on. */
 typedef uint32_t nicol_executor;
 #define NICOL_EXECUTOR_AUTOMATIC 0 /* compute, unless OpenGL runs on the CPU or lacks features */
 #define NICOL_EXECUTOR_CPU 1       /* threads */

@@ -143,6 +143,15 @@ void Texture2D::bind(unsigned unit) const {
     gl.BindTextureUnit(unit, id());
 }
 
+void Texture2D::copy_from(const Texture2D& other) {
+    const GladGLContext& gl = functions(*context(), "Texture2D::copy_from");
+    if (other.width() != width() || other.height() != height() || other.format() != format())
+        throw Error(ErrorCode::invalid_argument, "Texture2D::copy_from: textures of different sizes or formats");
+    gl.CopyImageSubData(other.id(), GL_TEXTURE_2D, 0, 0, 0, 0, id(), GL_TEXTURE_2D, 0, 0, 0, 0, width(),
+                        height(), 1);
+    context()->state().check("Texture2D::copy_from");
+}
+
 void Texture2D::bind_image() const {
     const GladGLContext& gl = functions(*context(), "Texture2D::bind_image");
     gl.BindImageTexture(0, id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, layout_of(format()).internal);

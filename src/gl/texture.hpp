@@ -36,6 +36,8 @@ public:
     void update(std::span<const float> texels);
     /// Replaces a rectangle of width * height texels at (x, y).
     void update(int x, int y, int width, int height, std::span<const float> texels);
+    /// Copies a texture of the same size and format.
+    void copy_from(const Texture2D& other);
     /// Copies everything out; numbers() of them. Error(invalid_argument) for numbers of another kind than the
     /// format's.
     void read(std::span<float> texels) const;

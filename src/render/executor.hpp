@@ -50,8 +50,6 @@ public:
     [[nodiscard]] Version version() const noexcept { return version_; }
     /// Whether shade() and specular() leave out vertices that are not chosen.
     [[nodiscard]] virtual bool can_choose() const noexcept = 0;
-    /// Whether there is shade_pixels().
-    [[nodiscard]] virtual bool has_pixels() const noexcept = 0;
     /// Whether shade_pixels() adds the background; otherwise it is drawn around what shade_pixels() leaves.
     [[nodiscard]] virtual bool adds_background() const noexcept = 0;
 

@@ -33,7 +33,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     light_.update(scene, options, light_to_geometry, run.statistics);
     pixels_ =
         options.shade_at == ShadeAt::pixels ||
-        (options.shade_at == ShadeAt::automatic && executor.has_pixels() &&
+        (options.shade_at == ShadeAt::automatic &&
          interpolation_error(surfaces.geometry, projection.view, light_.last_order()) > options.tolerance);
     const TransferInput input{
         surfaces,

@@ -35,7 +35,7 @@ enum class HighOrdersAt {
 
 /// Where light becomes a Stokes vector.
 enum class ShadeAt {
-    automatic,  ///< pixels where the executor has them and interpolation is predicted to miss the tolerance
+    automatic,  ///< pixels where interpolation is predicted to miss the tolerance
     vertices,   ///< Stokes vectors are interpolated: the fastest, right where triangles cover few pixels
     pixels,     ///< incident light is interpolated; normal, view and material are those of the pixel
 };

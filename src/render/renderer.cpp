@@ -80,7 +80,6 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
 bool Renderer::on_device(const RenderOptions& options) const {
     const Executor executor = options.executor;
     if (executor == Executor::cpu) return false;
-    if (executor == Executor::automatic && options.shade_at == ShadeAt::pixels) return false;
     const std::string obstacle = GpuExecutor::obstacle(*context_);
     if (executor == Executor::automatic) return !context_->info().software && obstacle.empty();
     if (!obstacle.empty()) {

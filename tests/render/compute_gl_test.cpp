@@ -29,18 +29,23 @@ Scene sphere_on_plate(const EnvironmentPtr& light, int channels) {
     return scene;
 }
 
-void check_alike(const StokesImage& a, const StokesImage& b) {
+void check_alike(const StokesImage& a, const StokesImage& b, ShadeAt where = ShadeAt::vertices) {
     CHECK(largest(a) > 0.1);
-    CHECK(largest_difference(a, b) <= tolerance * largest(a));
+    if (where == ShadeAt::vertices) {
+        CHECK(largest_difference(a, b) <= tolerance * largest(a));
+    } else {  // where surfaces are seen edge-on, rounding moves the point that a pixel shows
+        CHECK(test::rms_difference(a, b) <= 0.1 * tolerance * test::rms(a));
+        CHECK(largest_difference(a, b) <= 10 * tolerance * largest(a));
+    }
 }
 
 /// Renders by both executors and compares the images.
 struct Comparison {
-    Comparison(const std::shared_ptr<gl::Context>& context, int channels)
+    Comparison(const std::shared_ptr<gl::Context>& context, int channels, int width = 40, int height = 30)
         : threads(context, 0),
           shaders(context, 0),
-          by_threads(context, 40, 30, channels),
-          by_shaders(context, 40, 30, channels) {
+          by_threads(context, width, height, channels),
+          by_shaders(context, width, height, channels) {
         // What takes long to prepare is shared by the backends.
         static const TemporaryFolder shared;
         threads.set_cache(shared.path(), {});
@@ -55,7 +60,8 @@ struct Comparison {
         options.executor = Executor::compute;
         shaders.render(scene, camera, options, by_shaders);
         CHECK(by_shaders.statistics().compute);
-        check_alike(by_threads.image(), by_shaders.image());
+        CHECK(by_shaders.statistics().pixels_shaded == by_threads.statistics().pixels_shaded);
+        check_alike(by_threads.image(), by_shaders.image(), options.shade_at);
     }
 
     Renderer threads;  // each keeps what it needs, as it would give that up for the other executor
@@ -116,6 +122,53 @@ GL_TEST_CASE("compute shaders make what threads make, of every light, number of 
     }
 }
 
+GL_TEST_CASE(
+    "at pixels compute shaders make what threads make, of every light, method and number of samples") {
+    constexpr auto none = HighOrders::none, split = HighOrders::split;
+    constexpr auto factored = Method::factored, dense = Method::dense;
+    struct Row {
+        Method method;
+        HighOrders form;
+        int channels;
+        LightKind kind;
+        int low, high;
+        bool shadows;
+        int samples;
+        bool orthographic;
+    };
+    const std::vector<Row> rows{
+        {factored, none, 1, LightKind::unpolarized, 0, 0, true, 1, false},
+        {factored, none, 3, LightKind::unpolarized, 4, 4, true, 1, true},
+        {factored, none, 6, LightKind::linear, 4, 4, false, 4, false},
+        {factored, none, 3, LightKind::full, 4, 4, true, 8, false},
+        {factored, none, 1, LightKind::full, 10, 10, true, 1, false},
+        {dense, none, 3, LightKind::unpolarized, 3, 3, true, 4, false},
+        {dense, none, 1, LightKind::full, 4, 4, true, 1, false},
+        {factored, split, 6, LightKind::full, 3, 9, true, 4, false},
+        {factored, split, 3, LightKind::unpolarized, 3, 9, true, 8, true},
+        {factored, HighOrders::convolution, 3, LightKind::full, 2, 9, false, 1, false}};
+    for (const Row& row : rows) {
+        CAPTURES(&row - rows.data());
+        Comparison comparison(context, row.channels);
+        Camera camera = some_camera;
+        camera.orthographic = row.orthographic;
+        if (row.orthographic) camera.to_world = camera.to_world * glm::dmat4(glm::dmat3(2.5));
+        for (const bool physical : {false, true}) {
+            comparison.run(sphere_on_plate(falling_light(row.high, row.kind, row.channels), row.channels),
+                           {.method = row.method,
+                            .shadows = row.shadows,
+                            .order_low = row.low,
+                            .order_high = row.high,
+                            .high_orders = row.form,
+                            .shade_at = ShadeAt::pixels,
+                            .physical = physical,
+                            .pixel_samples = row.samples},
+                           camera);
+            CHECK(comparison.by_shaders.statistics().pixels_shaded > 300);
+        }
+    }
+}
+
 GL_TEST_CASE("options and changes reach compute shaders") {
     const EnvironmentPtr light = falling_light(6, LightKind::linear, 3);
     Comparison comparison(context, 3);
@@ -149,8 +202,17 @@ TEST_CASE("compute shaders take more vertices than one buffer of light holds") {
     Comparison comparison(gl::make_context(gl::Backend::osmesa), 3);
     Scene scene = sphere_on_plate(falling_light(2, LightKind::linear, 3), 3);
     scene.add({.mesh = test::rectangle(264), .material = diffuse({0.5}), .to_world = at(0, 0, -2, 3)});
-    comparison.run(scene, {.order_low = 2, .order_high = 2});
+    for (const ShadeAt where : {ShadeAt::vertices, ShadeAt::pixels})
+        comparison.run(scene, {.order_low = 2, .order_high = 2, .shade_at = where});
     CHECK(comparison.by_shaders.statistics().vertices > 65536 + 1000);
+}
+
+TEST_CASE("compute shaders take more pixels than are listed at once") {
+    Comparison comparison(gl::make_context(gl::Backend::osmesa), 1, 400, 300);
+    const Scene scene = sphere_on_plate(falling_light(1, LightKind::unpolarized, 1), 1);
+    comparison.run(scene, {.shadows = false, .order_low = 1, .order_high = 1, .shade_at = ShadeAt::pixels},
+                   test::camera_at({1, 4, 2}));
+    CHECK(comparison.by_shaders.statistics().pixels_shaded > 65536 + 1000);
 }
 
 GL_TEST_CASE("an empty scene and the automatic choice of the executor") {
@@ -160,4 +222,11 @@ GL_TEST_CASE("an empty scene and the automatic choice of the executor") {
     CHECK(render(scene, {.executor = Executor::compute}).at(0, 4, 4)[0] == doctest::Approx(1));
     render(scene, {});
     CHECK(render.statistics.compute == !context->info().software);
+
+    scene.add({.mesh = test::coarse_sphere(4), .material = diffuse({0.5})});
+    const RenderOptions pixels{.executor = Executor::compute, .shade_at = ShadeAt::pixels};
+    CHECK(render(scene, pixels, test::camera_at({0, 0, 3})).at(0, 4, 4)[0] < 0.9F);
+    scene.remove(scene.ids().front());
+    CHECK(render(scene, pixels).at(0, 4, 4)[0] == doctest::Approx(1));
+    CHECK(render.statistics.pixels_shaded == 0);
 }

@@ -12,12 +12,9 @@ using test::Studio;
 
 namespace {
 
-RenderOptions at(ShadeAt where) {
-    return {.executor = Executor::cpu,
-            .bake_directions = 1024,
-            .order_low = 4,
-            .order_high = 9,
-            .shade_at = where};
+RenderOptions at(ShadeAt where, Executor executor = Executor::cpu) {
+    return {
+        .executor = executor, .bake_directions = 1024, .order_low = 4, .order_high = 9, .shade_at = where};
 }
 
 /// A metal sphere over a plastic plate that has two sides.
@@ -51,6 +48,59 @@ Mesh split(const Mesh& mesh) {
             out.triangles.push_back(part);
     }
     return out;
+}
+
+void check_changes(const std::shared_ptr<gl::Context>& context, Executor executor) {
+    const EnvironmentPtr light = falling_light(9, false, 3);
+    Scene scene = sphere_on_plate(light, test::coarse_sphere(6), 8);
+    Studio render(context);
+    const auto as_fresh = [&](const RenderOptions& options, const Camera& camera) {
+        const StokesImage image = render(scene, options, camera);
+        CHECK(rms(minus(image, Studio(context)(scene, options, camera))) < 1e-5 * rms(image));
+    };
+    RenderOptions pixels = at(ShadeAt::pixels, executor);
+    RenderOptions vertices = at(ShadeAt::vertices, executor);
+    Camera other = test::some_camera();
+    other.fov = 25;
+    as_fresh(pixels, test::some_camera());
+    as_fresh(vertices, test::some_camera());
+    as_fresh(pixels, other);
+    scene.set_environment(light, scene.light_rotation() * theta_phi_frame(glm::dvec3(0, 0.6, 0.8)), 0.5);
+    as_fresh(pixels, other);
+    as_fresh(vertices, other);
+    scene.set_transform(scene.ids().front(), test::at(0.2, 0.1, 0));
+    as_fresh(pixels, other);
+    pixels.method = Method::dense;
+    as_fresh(pixels, other);
+    pixels.shadows = false;
+    pixels.method = Method::factored;
+    as_fresh(pixels, other);
+    pixels.components = 1;
+    as_fresh(pixels, other);
+    pixels.physical = true;
+    as_fresh(pixels, other);
+}
+
+void check_backs(const std::shared_ptr<gl::Context>& context, Executor executor) {
+    Studio render(context);
+    Scene scene;
+    scene.add({.mesh = test::fine_sphere(), .material = diffuse({0.5}), .to_world = test::at(0, 0, 0, 20)});
+    scene.set_environment(falling_light(4, false, 1), glm::dmat3(1), 1);
+    const StokesImage inside = render(scene, at(ShadeAt::pixels, executor));
+    CHECK(rms(inside) == 0);
+    CHECK(render.statistics.pixels_shaded == 0);
+
+    Scene sides;
+    sides.add({.mesh = test::rectangle(1), .material = twosided(diffuse({0.5}))});
+    sides.set_environment(falling_light(4, false, 1), glm::dmat3(1), 1);
+    for (const double z : {4.0, -4.0}) {
+        const Camera camera = test::camera_at({0, 0, z});
+        RenderOptions options = at(ShadeAt::pixels, executor);
+        const StokesImage image = render(sides, options, camera);
+        options.shade_at = ShadeAt::vertices;
+        CHECK(rms(minus(image, render(sides, options, camera))) < 1e-5 * rms(image));
+        CHECK(image.at(0, 24, 32)[0] > 0);
+    }
 }
 
 }  // namespace
@@ -115,66 +165,9 @@ GL_TEST_CASE("at pixels a coarse mesh looks as its triangles split in sixteen do
 }
 
 GL_TEST_CASE("a render at pixels is that of a fresh start, whatever was rendered before") {
-    const EnvironmentPtr light = falling_light(9, false, 3);
-    Scene scene = sphere_on_plate(light, test::coarse_sphere(6), 8);
-    Studio render(context);
-    const auto as_fresh = [&](const RenderOptions& options, const Camera& camera) {
-        const StokesImage image = render(scene, options, camera);
-        CHECK(rms(minus(image, Studio(context)(scene, options, camera))) < 1e-5 * rms(image));
-    };
-    RenderOptions pixels = at(ShadeAt::pixels);
-    RenderOptions vertices = at(ShadeAt::vertices);
-    Camera other = test::some_camera();
-    other.fov = 25;
-    as_fresh(pixels, test::some_camera());
-    as_fresh(vertices, test::some_camera());
-    as_fresh(pixels, other);
-    scene.set_environment(light, scene.light_rotation() * theta_phi_frame(glm::dvec3(0, 0.6, 0.8)), 0.5);
-    as_fresh(pixels, other);
-    as_fresh(vertices, other);
-    scene.set_transform(scene.ids().front(), test::at(0.2, 0.1, 0));
-    as_fresh(pixels, other);
-    pixels.method = Method::dense;
-    as_fresh(pixels, other);
-    pixels.shadows = false;
-    pixels.method = Method::factored;
-    as_fresh(pixels, other);
-    pixels.components = 1;
-    as_fresh(pixels, other);
-    pixels.physical = true;
-    as_fresh(pixels, other);
+    for (const Executor executor : {Executor::cpu, Executor::compute}) check_changes(context, executor);
 }
 
 GL_TEST_CASE("pixels of backs are black, and each side of a surface has its own light") {
-    Studio render(context);
-    Scene scene;
-    scene.add({.mesh = test::fine_sphere(), .material = diffuse({0.5}), .to_world = test::at(0, 0, 0, 20)});
-    scene.set_environment(falling_light(4, false, 1), glm::dmat3(1), 1);
-    const StokesImage inside = render(scene, at(ShadeAt::pixels));
-    CHECK(rms(inside) == 0);
-    CHECK(render.statistics.pixels_shaded == 0);
-
-    Scene sides;
-    sides.add({.mesh = test::rectangle(1), .material = twosided(diffuse({0.5}))});
-    sides.set_environment(falling_light(4, false, 1), glm::dmat3(1), 1);
-    for (const double z : {4.0, -4.0}) {
-        const Camera camera = test::camera_at({0, 0, z});
-        RenderOptions options = at(ShadeAt::pixels);
-        const StokesImage image = render(sides, options, camera);
-        options.shade_at = ShadeAt::vertices;
-        CHECK(rms(minus(image, render(sides, options, camera))) < 1e-5 * rms(image));
-        CHECK(image.at(0, 24, 32)[0] > 0);
-    }
-}
-
-GL_TEST_CASE("compute shaders refuse to shade at pixels") {
-    if (!GpuExecutor::obstacle(*context).empty()) return;
-    Studio render(context);
-    const Scene scene = sphere_on_plate(falling_light(4, false, 1), test::coarse_sphere(4), 4);
-    RenderOptions options = at(ShadeAt::pixels);
-    options.executor = Executor::compute;
-    check_error(ErrorCode::unsupported, CALL(render(scene, options)), "compute shaders", "vertices");
-    options.executor = Executor::automatic;
-    render(scene, options);
-    CHECK(!render.statistics.compute);
+    for (const Executor executor : {Executor::cpu, Executor::compute}) check_backs(context, executor);
 }

@@ -14,7 +14,6 @@ namespace nicol {
 class CpuExecutor final : public RenderExecutor {
 public:
     [[nodiscard]] bool can_choose() const noexcept override { return true; }
-    [[nodiscard]] bool has_pixels() const noexcept override { return true; }
     [[nodiscard]] bool adds_background() const noexcept override { return true; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;

@@ -7,7 +7,8 @@
 
 namespace nicol {
 
-void DeviceDense::relight(const DenseMethod& method, const TransferInput& input, Progress& progress) {
+void DeviceDense::relight(const DenseMethod& method, const TransferInput& input, Progress& progress,
+                          VertexBuffers& buffers) {
     copying_.run(method.runs().version(), input.light.channels(),
                  [&] { copy(method, input.light.channels()); });
     if (!program_) program_ = gl::Program::compute(context_, "dense.comp");
@@ -15,6 +16,10 @@ void DeviceDense::relight(const DenseMethod& method, const TransferInput& input,
         progress.report("relight", static_cast<double>(piece.light.first()) /
                                        static_cast<double>(input.geometry.positions.size()));
         multiply(input, piece);
+        if (!input.at_pixels) continue;
+        if (!rotation_) rotation_.emplace(context_);
+        rotation_->set_layout(piece.material->outgoing());
+        rotation_->into_world(*buffers.normals(input.geometry), piece.light);
     }
 }
 
@@ -28,7 +33,8 @@ void DeviceDense::copy(const DenseMethod& method, int light_channels) {
         const std::size_t numbers = outgoing.size();
         const gl::Limits& limits = context_->limits();
         const std::size_t step = std::max<std::size_t>(
-            1, std::min({DeviceLight::most_vertices(*context_, numbers),
+            1, std::min({DeviceLight::most_vertices(*context_,
+                                                    std::max(numbers, DeviceRotation::work_space(outgoing))),
                          limits.storage_bytes / (transfer.vertex_stride() * sizeof(float)),
                          limits.groups[0] * kGroupOfVertices / transfer.row_stride()}));
         for (std::size_t first = 0; first < transfer.vertices(); first += step) {
@@ -68,11 +74,27 @@ void DeviceDense::multiply(const TransferInput& input, Piece& piece) {
     }
 }
 
-void DeviceDense::shade(const TransferInput& input, DeviceShade& shade, VertexBuffers& buffers) {
-    for (const Piece& piece : pieces_) {
-        shade.run(*piece.table, piece.light, piece.light.first(), piece.light.last(), input.geometry,
-                  input.channels, buffers);
-    }
+void DeviceDense::shade(DeviceShade& shade, const DevicePoints& vertices) {
+    for (const Piece& piece : pieces_)
+        shade.run(*piece.table, piece.light, piece.light.first(), piece.light.last(), vertices);
+}
+
+std::size_t DeviceDense::prepare_pixels(const DenseMethod& /*method*/, const PixelInput& input) {
+    const LightLayout largest(input.layout.order(), LightKind::full);
+    return DeviceLight::most_vertices(*context_,
+                                      std::max(largest.size(), DeviceRotation::work_space(largest)));
+}
+
+void DeviceDense::shade_pixels(const PixelInput& /*input*/, const PixelRun& run, DevicePixels& pixels,
+                               DeviceShade& shade) {
+    const auto of_surface =
+        std::ranges::find(pieces_, run.surface.first, [](const Piece& piece) { return piece.light.first(); });
+    DeviceLight& light = pixels.light(run, of_surface->light.numbers(), of_surface->light.channels());
+    for (auto piece = of_surface; piece != pieces_.end(); ++piece)
+        pixels.interpolate(piece->light, run, light);
+    rotation_->set_layout(of_surface->material->outgoing());
+    rotation_->into_frames(*pixels.points().normals, light);
+    shade.run(*of_surface->table, light, run.first, run.last, pixels.points());
 }
 
 }  // namespace nicol

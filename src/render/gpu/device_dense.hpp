@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "render/dense_method.hpp"
+#include "render/gpu/device_pixels.hpp"
+#include "render/gpu/device_rotation.hpp"
 #include "render/gpu/device_shade.hpp"
 
 namespace nicol {
@@ -19,8 +21,13 @@ public:
     explicit DeviceDense(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
     /// relight of all vertices.
-    void relight(const DenseMethod& method, const TransferInput& input, Progress& progress);
-    void shade(const TransferInput& input, DeviceShade& shade, VertexBuffers& buffers);
+    void relight(const DenseMethod& method, const TransferInput& input, Progress& progress,
+                 VertexBuffers& buffers);
+    void shade(DeviceShade& shade, const DevicePoints& vertices);
+
+    /// The most points that shading at pixels takes at once.
+    [[nodiscard]] std::size_t prepare_pixels(const DenseMethod& method, const PixelInput& input);
+    void shade_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels, DeviceShade& shade);
 
 private:
     // Vertices of one instance whose matrices one binding reaches.
@@ -39,7 +46,8 @@ private:
     std::optional<gl::Program> program_;
     std::map<std::shared_ptr<const ResponseTable>, DeviceTable> tables_;
     std::vector<Piece> pieces_;
-    Stage<Version, int> copying_;  // runs, channels of the light
+    std::optional<DeviceRotation> rotation_;  // where pixels are shaded
+    Stage<Version, int> copying_;             // runs, channels of the light
 };
 
 }  // namespace nicol

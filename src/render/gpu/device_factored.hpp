@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/factored_method.hpp"
+#include "render/gpu/device_pixels.hpp"
 #include "render/gpu/device_rotation.hpp"
 #include "render/gpu/device_shade.hpp"
 #include "render/gpu/device_shadow_grid.hpp"
@@ -24,12 +25,18 @@ public:
     void relight(const FactoredMethod& method, const TransferInput& input, Progress& progress,
                  VertexBuffers& buffers);
     void shade(const FactoredMethod& method, const TransferInput& input, DeviceShade& shade,
-               VertexBuffers& buffers);
+               const DevicePoints& vertices);
+
+    /// Copies what shading at pixels needs. Returns the most points that it takes at once.
+    std::size_t prepare_pixels(const FactoredMethod& method, const PixelInput& input);
+    void shade_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels, DeviceShade& shade);
 
 private:
     void copy_tables(const FactoredMethod& method, const TransferInput& input);
     void copy_shadows(const FactoredMethod& method);
     void allocate_light(const TransferInput& input);
+    void set_light(const TransferInput& input);
+    [[nodiscard]] std::size_t most_points(const TransferInput& input) const;
 
     std::shared_ptr<gl::Context> context_;
     Stage<Version> copying_tables_;

@@ -47,31 +47,28 @@ void DeviceHighOrders::compute_fractions(const HighOrderTransfer& transfer, cons
     }
 }
 
-void DeviceHighOrders::add(const HighOrderTransfer& transfer, const ShadeInput& input,
-                           VertexBuffers& buffers) {
+void DeviceHighOrders::add(const HighOrderTransfer& transfer, const MaterialPtr& material, std::size_t first,
+                           std::size_t last, const ShadeInput& input, const DevicePoints& points) {
     constexpr std::size_t step = std::size_t{1} << 20;
     textures_.update(transfer, input.channels);
-    for (const VertexRange& range : input.geometry.ranges) {
-        const HighOrderTextures::Part& part = textures_.part(range.material);
-        for (std::size_t first = range.first; first < range.last; first += step) {
-            run(part, first, std::min(first + step, range.last), input, buffers);
-        }
-    }
+    const HighOrderTextures::Part& part = textures_.part(material);
+    for (std::size_t begin = first; begin < last; begin += step)
+        run(part, begin, std::min(begin + step, last), input, points);
 }
 
 void DeviceHighOrders::run(const HighOrderTextures::Part& part, std::size_t first, std::size_t last,
-                           const ShadeInput& input, VertexBuffers& buffers) {
+                           const ShadeInput& input, const DevicePoints& points) {
     constexpr int group_of = Framebuffer::kGroup;
     for (int from = 0; from < input.channels; from += group_of) {
         const int channels = std::min(group_of, input.channels - from);
-        gl::Program& program = this->program(channels, textures_.polarized(), !visibility_.empty());
+        gl::Program& program = this->program(channels, textures_.polarized(), points.fractions != nullptr);
         set_view_uniforms(program, input.view);
-        const std::size_t begin = bind_vertices(*buffers.positions(), 0, 3, first, last);
-        std::ignore = bind_vertices(*buffers.normals(input.geometry), 1, 3, first, last);
-        if (!visibility_.empty()) std::ignore = bind_vertices(*buffers.fractions(), 2, 2, first, last);
+        const std::size_t begin = bind_vertices(*points.positions, 0, 3, first, last);
+        std::ignore = bind_vertices(*points.normals, 1, 3, first, last);
+        if (points.fractions != nullptr) std::ignore = bind_vertices(*points.fractions, 2, 2, first, last);
         for (int c = 0; c < channels; ++c) {
-            std::ignore =
-                bind_vertices(*buffers.stokes(from + c), static_cast<unsigned>(4 + c), 4, first, last);
+            std::ignore = bind_vertices(*points.stokes[static_cast<std::size_t>(from + c)],
+                                        static_cast<unsigned>(4 + c), 4, first, last);
         }
         HighOrderTextures::bind(program, part, static_cast<std::size_t>(from / group_of));
         program.set("first", static_cast<int>(first - begin));

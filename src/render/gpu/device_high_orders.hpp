@@ -9,9 +9,9 @@
 
 #include "gl/program.hpp"
 #include "render/gpu/device_light.hpp"
+#include "render/gpu/device_points.hpp"
 #include "render/high_order_textures.hpp"
 #include "render/high_orders.hpp"
-#include "render/vertex_buffers.hpp"
 
 namespace nicol {
 
@@ -25,13 +25,14 @@ public:
     /// Fills buffers.fractions() where anything casts shadows.
     void compute_fractions(const HighOrderTransfer& transfer, const ShadeInput& input,
                            VertexBuffers& buffers);
-    /// Adds to the Stokes vectors of every vertex. Only after compute_fractions() with the same arguments.
-    void add(const HighOrderTransfer& transfer, const ShadeInput& input, VertexBuffers& buffers);
+    /// Adds to the Stokes vectors of points first <= i < last, of one material.
+    void add(const HighOrderTransfer& transfer, const MaterialPtr& material, std::size_t first,
+             std::size_t last, const ShadeInput& input, const DevicePoints& points);
 
 private:
     void copy_visibility(const HighOrderTransfer& transfer);
     void run(const HighOrderTextures::Part& part, std::size_t first, std::size_t last,
-             const ShadeInput& input, VertexBuffers& buffers);
+             const ShadeInput& input, const DevicePoints& points);
     gl::Program& program(int channels, bool polarized, bool shadowed);
 
     std::shared_ptr<gl::Context> context_;

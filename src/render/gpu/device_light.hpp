@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light of vertices on the device.
+// Light of vertices, or of points that pixels show, on the device.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ template <class Element>
     return {context, gl::BufferUse::storage, std::as_bytes(std::span(elements))};
 }
 
-/// Light of the scene's vertices first .. first + count - 1: [channel][number][vertex].
+/// Light of the vertices, or points, first .. first + count - 1 of all: [channel][number][vertex].
 class DeviceLight {
 public:
     /// The most vertices that one holds: what the context lets a shader reach, and no more than keeps its
@@ -59,7 +59,7 @@ public:
           buffer_(context, gl::BufferUse::storage, static_cast<std::size_t>(channels) * channel_bytes(),
                   gl::BufferUpdate::dynamic) {}
 
-    /// Copies from the host: numbers_of(vertex of the scene, channel) is a span of numbers().
+    /// Copies from the host: numbers_of(vertex, channel) is a span of numbers().
     template <class NumbersOf>
     void upload(const NumbersOf& numbers_of) {
         std::vector<float> data(static_cast<std::size_t>(channels_) * numbers_ * stride_);
@@ -71,6 +71,12 @@ public:
             }
         }
         buffer_.update(0, std::as_bytes(std::span(data)));
+    }
+
+    /// Becomes the light of other points, at most as many as at first; the content is unspecified.
+    void place(std::size_t first, std::size_t count) noexcept {
+        first_ = first;
+        count_ = count;
     }
 
     void bind(unsigned binding, int channel) const {

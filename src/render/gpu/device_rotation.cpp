@@ -2,7 +2,6 @@
 #include "render/gpu/device_rotation.hpp"
 
 #include <array>
-#include <complex>
 #include <glm/vec2.hpp>
 #include <numbers>
 
@@ -16,32 +15,7 @@ std::size_t field_count(const LightLayout& layout) {
     return layout.kind() == LightKind::unpolarized ? 1 : 2;
 }
 
-// Coefficients of s0 + i s3, then of s1 + i s2, over complex harmonics.
-std::vector<glm::vec2> complex_fields(const LightLayout& layout, std::span<const double> channel) {
-    const std::size_t size = psh_count(layout.order());
-    std::vector<glm::vec2> fields(field_count(layout) * size);
-    const auto real_field = [&](int l, int m, std::size_t p) -> std::complex<double> {
-        const double plus = channel[4 * psh_index(l, std::abs(m)) + p];
-        if (m == 0) return plus;
-        const std::complex<double> value(plus, -channel[4 * psh_index(l, -std::abs(m)) + p]);
-        return (m > 0 ? value : (m % 2 == 0 ? 1.0 : -1.0) * std::conj(value)) / std::numbers::sqrt2;
-    };
-    for (int l = 0; l <= layout.order(); ++l) {
-        for (int m = -l; m <= l; ++m) {
-            std::complex<double> scalar = real_field(l, m, 0);
-            if (layout.kind() == LightKind::full) {
-                scalar += std::complex<double>(0, 1) * real_field(l, m, 3);
-            }
-            const std::size_t index = psh_index(l, m);
-            fields[index] = {scalar.real(), scalar.imag()};
-            if (layout.kind() == LightKind::unpolarized || l < 2) continue;
-            fields[size + index] = {channel[4 * index + 1], channel[4 * index + 2]};
-        }
-    }
-    return fields;
-}
-
-// As in rotate_zenith.comp.
+// As in rotation.glsl.
 std::vector<std::array<std::int32_t, 8>> entries_of(const LightLayout& layout) {
     std::vector<std::array<std::int32_t, 8>> entries;
     std::vector<std::size_t> places(2 * psh_count(layout.order()));  // [field][psh_index] in entries
@@ -88,46 +62,81 @@ DeviceRotation::DeviceRotation(const std::shared_ptr<gl::Context>& context)
       azimuth_(gl::Program::compute(context, "rotate_azimuth.comp")),
       zenith_(gl::Program::compute(context, "rotate_zenith.comp")) {}
 
-void DeviceRotation::set_light(const LightLayout& layout, const PshVector& light) {
-    if (!layout_ || layout_->order() != layout.order() || layout_->kind() != layout.kind()) {
-        layout_.reset();
+void DeviceRotation::set_layout(const LightLayout& layout) {
+    if (!tables_.empty() && tables_.begin()->second.layout.order() != layout.order()) tables_.clear();
+    auto found = tables_.find(layout.kind());
+    if (found == tables_.end()) {
         const std::vector<double> d = wigner_d(layout.order(), -std::numbers::pi / 2);
-        const std::vector<float> quarter(d.begin(), d.end());
-        quarter_rotation_.emplace(context_, gl::BufferUse::storage, std::as_bytes(std::span(quarter)));
         const std::vector<std::array<std::int32_t, 8>> entries = entries_of(layout);
-        entries_.emplace(storage(context_, entries));
-        entry_count_ = static_cast<unsigned>(entries.size());
-        layout_ = layout;
+        found =
+            tables_
+                .emplace(layout.kind(),
+                         Tables{.layout = layout,
+                                .quarter_rotation = storage(context_, std::vector<float>(d.begin(), d.end())),
+                                .entries = storage(context_, entries),
+                                .entry_count = static_cast<unsigned>(entries.size())})
+                .first;
     }
-    fields_.clear();
+    current_ = &found->second;
+}
+
+void DeviceRotation::set_light(const PshVector& light) {
+    distant_.clear();
     for (int c = 0; c < light.channels(); ++c) {
-        const std::vector<glm::vec2> fields = complex_fields(layout, light.channel(c));
-        fields_.emplace_back(context_, gl::BufferUse::storage, std::as_bytes(std::span(fields)));
+        const std::span<const double> from = light.channel(c);
+        std::vector<float> numbers;
+        for (const auto& [first, second] : current_->layout.terms()) {
+            numbers.push_back(static_cast<float>(first.factor * from[first.coefficient] +
+                                                 second.factor * from[second.coefficient]));
+        }
+        distant_.push_back(storage(context_, numbers));
     }
 }
 
-void DeviceRotation::run(const WorldGeometry& geometry, VertexBuffers& buffers, DeviceLight& out) {
-    const std::size_t fields = field_count(*layout_) * psh_count(layout_->order());
-    const std::size_t bytes = fields * out.stride() * sizeof(glm::vec2);
+void DeviceRotation::run(const gl::Buffer& normals, DeviceLight& out) {
+    rotate(normals, false, &distant_, out);
+}
+
+void DeviceRotation::into_frames(const gl::Buffer& normals, DeviceLight& light) {
+    rotate(normals, false, nullptr, light);
+}
+
+void DeviceRotation::into_world(const gl::Buffer& normals, DeviceLight& light) {
+    rotate(normals, true, nullptr, light);
+}
+
+void DeviceRotation::rotate(const gl::Buffer& normals, bool back, const std::vector<gl::Buffer>* distant,
+                            DeviceLight& light) {
+    const LightLayout& layout = current_->layout;
+    const std::size_t fields = field_count(layout) * psh_count(layout.order());
+    const std::size_t bytes = fields * light.stride() * sizeof(glm::vec2);
     if (!work_ || work_->size() < bytes) {
         work_.reset();
         work_.emplace(context_, gl::BufferUse::storage, bytes, gl::BufferUpdate::fixed);
     }
+    const std::size_t begin = bind_vertices(normals, 1, 3, light.first(), light.last());
     for (gl::Program* program : {&azimuth_, &zenith_}) {
-        program->set("count", static_cast<int>(out.count()));
-        program->set("stride", static_cast<int>(out.stride()));
-        program->set("order", layout_->order());
+        program->set("first", static_cast<int>(light.first() - begin));
+        program->set("count", static_cast<int>(light.count()));
+        program->set("stride", static_cast<int>(light.stride()));
+        program->set("order", layout.order());
+        program->set("back", back ? 1 : 0);
     }
-    for (int c = 0; c < out.channels(); ++c) {
-        quarter_rotation_->bind_storage(0);
-        std::ignore = bind_vertices(*buffers.normals(geometry), 1, 3, out.first(), out.last());
-        fields_[static_cast<std::size_t>(c)].bind_storage(2);
+    azimuth_.set("number_step", distant != nullptr ? 1 : static_cast<int>(light.stride()));
+    azimuth_.set("point_step", distant != nullptr ? 0 : 1);
+    current_->quarter_rotation.bind_storage(0);
+    current_->entries.bind_storage(2);
+    for (int c = 0; c < light.channels(); ++c) {
+        if (distant != nullptr) {
+            (*distant)[static_cast<std::size_t>(c)].bind_storage(3);
+        } else {
+            light.bind(3, c);
+        }
+        work_->bind_storage(4, 0, bytes);
+        gl::dispatch(azimuth_, groups_for(light.count()), static_cast<unsigned>(fields));
         work_->bind_storage(3, 0, bytes);
-        gl::dispatch(azimuth_, groups_for(out.count()), static_cast<unsigned>(fields));
-        entries_->bind_storage(1);
-        work_->bind_storage(2, 0, bytes);
-        out.bind(3, c);
-        gl::dispatch(zenith_, groups_for(out.count()), entry_count_);
+        light.bind(4, c);
+        gl::dispatch(zenith_, groups_for(light.count()), current_->entry_count);
     }
 }
 

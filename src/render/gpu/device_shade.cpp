@@ -51,9 +51,9 @@ void DeviceShade::set_view(const Viewpoint& view) {
 }
 
 void DeviceShade::run(const DeviceTable& table, const DeviceLight& light, std::size_t first, std::size_t last,
-                      const WorldGeometry& geometry, int channels, VertexBuffers& buffers) {
-    const std::size_t begin = bind_vertices(*buffers.positions(), 0, 3, first, last);
-    std::ignore = bind_vertices(*buffers.normals(geometry), 1, 3, first, last);
+                      const DevicePoints& points) {
+    const std::size_t begin = bind_vertices(*points.positions, 0, 3, first, last);
+    std::ignore = bind_vertices(*points.normals, 1, 3, first, last);
     program_.set("first", static_cast<int>(first - begin));
     program_.set("light_first", static_cast<int>(first - light.first()));
     program_.set("count", static_cast<int>(last - first));
@@ -65,10 +65,10 @@ void DeviceShade::run(const DeviceTable& table, const DeviceLight& light, std::s
     program_.set("makes_linear", table.makes_linear_ ? 1 : 0);
     program_.set("makes_circular", table.makes_circular_ ? 1 : 0);
     table.run_buffer_.bind_storage(5);
-    for (int c = 0; c < channels; ++c) {
-        light.bind(2, light.channels() == 1 ? 0 : c);
-        table.channels_[table.channels_.size() == 1 ? 0 : static_cast<std::size_t>(c)].bind_storage(3);
-        std::ignore = bind_vertices(*buffers.stokes(c), 4, 4, first, last);
+    for (std::size_t c = 0; c < points.stokes.size(); ++c) {
+        light.bind(2, light.channels() == 1 ? 0 : static_cast<int>(c));
+        table.channels_[table.channels_.size() == 1 ? 0 : c].bind_storage(3);
+        std::ignore = bind_vertices(*points.stokes[c], 4, 4, first, last);
         gl::dispatch(program_, groups_for(last - first));
     }
 }

@@ -10,7 +10,7 @@
 #include "material/response_table.hpp"
 #include "polarization/viewpoint.hpp"
 #include "render/gpu/device_light.hpp"
-#include "render/vertex_buffers.hpp"
+#include "render/gpu/device_points.hpp"
 
 namespace nicol {
 
@@ -38,9 +38,9 @@ public:
     explicit DeviceShade(const std::shared_ptr<gl::Context>& context);
 
     void set_view(const Viewpoint& view);
-    /// The Stokes vectors of vertices first <= v < last, which `light` holds, in the camera's frame field.
+    /// The Stokes vectors of points first <= i < last, which `light` holds, in the camera's frame field.
     void run(const DeviceTable& table, const DeviceLight& light, std::size_t first, std::size_t last,
-             const WorldGeometry& geometry, int channels, VertexBuffers& buffers);
+             const DevicePoints& points);
 
 private:
     gl::Program program_;

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/gpu/gpu_executor.hpp"
 
+#include <algorithm>
 #include <utility>
 
-#include "error.hpp"
 #include "gl/draw.hpp"
+#include "render/hit_image.hpp"
 
 namespace nicol {
-namespace {
-
-[[noreturn]] void refuse_pixels() {
-    throw Error(ErrorCode::unsupported,
-                "compute shaders do not shade at pixels; shade at vertices, or leave the executor automatic");
-}
-
-}  // namespace
 
 std::string GpuExecutor::obstacle(const gl::Context& context) {
     constexpr int bindings = 8;
@@ -35,6 +28,7 @@ GpuExecutor::GpuExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& bu
                          HighOrderTextures& textures)
     : context_(context),
       buffers_(buffers),
+      image_(context_),
       factored_(context),
       dense_(context),
       high_orders_(std::move(context), textures) {}
@@ -58,7 +52,7 @@ std::uint64_t GpuExecutor::relight(const DenseMethod& method, const TransferInpu
                                    std::span<const std::uint8_t> /*current*/, RenderRun& run) {
     return context_->run([&]() -> std::uint64_t {
         if (!prepare(input)) return 0;
-        dense_.relight(method, input, run.progress);
+        dense_.relight(method, input, run.progress, buffers_);
         gl::finish(*context_);
         return input.geometry.positions.size();
     });
@@ -73,15 +67,19 @@ DeviceShade& GpuExecutor::shade_for(const Viewpoint& view) {
 void GpuExecutor::shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) {
     run.progress.report("shade", 0);
     context_->run([&] {
-        if (prepare(input)) factored_.shade(method, input, shade_for(input.view), buffers_);
+        if (prepare(input)) factored_.shade(method, input, shade_for(input.view), vertices(input, false));
     });
 }
 
 void GpuExecutor::shade(const DenseMethod& /*method*/, const ShadeInput& input, RenderRun& run) {
     run.progress.report("shade", 0);
     context_->run([&] {
-        if (prepare(input)) dense_.shade(input, shade_for(input.view), buffers_);
+        if (prepare(input)) dense_.shade(shade_for(input.view), vertices(input, false));
     });
+}
+
+DevicePoints GpuExecutor::vertices(const ShadeInput& input, bool fractions) {
+    return vertex_points(buffers_, input.geometry, input.channels, fractions);
 }
 
 void GpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
@@ -89,41 +87,71 @@ void GpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInpu
     context_->run([&] {
         if (!prepare(input)) return;
         high_orders_.compute_fractions(high_orders, input, buffers_);
-        if (!at_pixels) high_orders_.add(high_orders, input, buffers_);
+        if (at_pixels) return;
+        const DevicePoints points = vertices(input, !high_orders.visibility()->empty());
+        for (const VertexRange& range : input.geometry.ranges)
+            high_orders_.add(high_orders, range.material, range.first, range.last, input, points);
     });
 }
 
-void GpuExecutor::shade_pixels(const FactoredMethod& /*method*/, const PixelInput& /*input*/,
-                               RenderRun& /*run*/) {
-    refuse_pixels();
+template <class Method, class Device>
+void GpuExecutor::shade_pixels_by(const Method& method, Device& device, const PixelInput& input,
+                                  RenderRun& run) {
+    run.statistics.pixels_shaded += context_->run([&]() -> std::uint64_t {
+        image_.resize(input.hits.width(), input.hits.height(), input.channels);
+        if (!prepare(input)) {
+            image_.clear();
+            return 0;
+        }
+        if (!pixels_) pixels_.emplace(context_, image_);
+        DeviceShade& shade = shade_for(input.view);
+        const gl::Buffer uncounted(context_, gl::BufferUse::storage, sizeof(std::uint32_t),
+                                   gl::BufferUpdate::fixed);
+        const std::size_t most = device.prepare_pixels(method, input);
+        return pixels_->run(input, buffers_, most, run.progress, [&](const PixelRun& points) {
+            device.shade_pixels(input, points, *pixels_, shade);
+            if (input.high_orders != nullptr) {
+                high_orders_.add(*input.high_orders, points.surface.material, points.first, points.last,
+                                 input, pixels_->points());
+            }
+            if (input.physical) make_physical(pixels_->points(), points.first, points.last, uncounted);
+        });
+    });
 }
 
-void GpuExecutor::shade_pixels(const DenseMethod& /*method*/, const PixelInput& /*input*/,
-                               RenderRun& /*run*/) {
-    refuse_pixels();
+void GpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) {
+    shade_pixels_by(method, factored_, input, run);
+}
+
+void GpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) {
+    shade_pixels_by(method, dense_, input, run);
 }
 
 std::uint64_t GpuExecutor::make_physical(const ShadeInput& input) {
     return context_->run([&]() -> std::uint64_t {
         if (!prepare(input)) return 0;
-        if (!physical_) physical_ = gl::Program::compute(context_, "physical.comp");
-        const std::size_t vertices = input.geometry.positions.size();
-        const std::size_t step = std::size_t{1} << 20;
         const gl::Buffer counter(context_, gl::BufferUse::storage, sizeof(std::uint32_t),
                                  gl::BufferUpdate::fixed);
-        for (int c = 0; c < input.channels; ++c) {
-            for (std::size_t first = 0; first < vertices; first += step) {
-                const std::size_t last = std::min(first + step, vertices);
-                std::ignore = bind_vertices(*buffers_.stokes(c), 0, 4, first, last);
-                counter.bind_storage(1);
-                physical_->set("count", static_cast<int>(last - first));
-                gl::dispatch(*physical_, groups_for(last - first));
-            }
-        }
+        make_physical(vertices(input, false), 0, input.geometry.positions.size(), counter);
         std::uint32_t moved = 0;
         counter.read(0, std::as_writable_bytes(std::span(&moved, 1)));
         return moved;
     });
+}
+
+void GpuExecutor::make_physical(const DevicePoints& points, std::size_t first, std::size_t last,
+                                const gl::Buffer& counter) {
+    constexpr std::size_t step = std::size_t{1} << 20;
+    if (!physical_) physical_ = gl::Program::compute(context_, "physical.comp");
+    for (const gl::Buffer* const stokes : points.stokes) {
+        for (std::size_t begin = first; begin < last; begin += step) {
+            const std::size_t end = std::min(begin + step, last);
+            std::ignore = bind_vertices(*stokes, 0, 4, begin, end);
+            counter.bind_storage(1);
+            physical_->set("count", static_cast<int>(end - begin));
+            gl::dispatch(*physical_, groups_for(end - begin));
+        }
+    }
 }
 
 void GpuExecutor::finish() {

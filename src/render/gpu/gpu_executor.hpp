@@ -11,6 +11,7 @@
 #include "render/gpu/device_dense.hpp"
 #include "render/gpu/device_factored.hpp"
 #include "render/gpu/device_high_orders.hpp"
+#include "render/gpu/device_pixels.hpp"
 #include "render/gpu/device_shade.hpp"
 
 namespace nicol {
@@ -20,11 +21,10 @@ public:
     /// Why a context cannot; empty where it can.
     [[nodiscard]] static std::string obstacle(const gl::Context& context);
 
-    /// Stokes vectors go into `buffers`; both must outlive the object.
+    /// Stokes vectors of vertices go into `buffers`; both must outlive the object.
     GpuExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers, HighOrderTextures& textures);
 
     [[nodiscard]] bool can_choose() const noexcept override { return false; }
-    [[nodiscard]] bool has_pixels() const noexcept override { return false; }
     [[nodiscard]] bool adds_background() const noexcept override { return false; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
@@ -34,26 +34,33 @@ public:
     void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) override;
     void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
                   RenderRun& run) override;
-    /// Throw Error(unsupported).
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     std::uint64_t make_physical(const ShadeInput& input) override;
     void finish() override;
     void store(VertexBuffers& /*buffers*/, bool /*fractions*/) const override {}
-    void store(PixelImage& /*image*/) const override {}
+    void store(PixelImage& image) const override { image_.copy_to(image); }
     void count(Statistics& /*statistics*/) const override {}
 
 private:
     /// Makes buffers of the size of the input; false where there is nothing in it.
     bool prepare(const TransferInput& input);
     DeviceShade& shade_for(const Viewpoint& view);
+    [[nodiscard]] DevicePoints vertices(const ShadeInput& input, bool fractions);
+    template <class Method, class Device>
+    void shade_pixels_by(const Method& method, Device& device, const PixelInput& input, RenderRun& run);
+    /// first: a multiple of kGroupOfVertices. Adds the number of those that were moved to `counter`.
+    void make_physical(const DevicePoints& points, std::size_t first, std::size_t last,
+                       const gl::Buffer& counter);
 
     std::shared_ptr<gl::Context> context_;
     VertexBuffers& buffers_;
+    DevicePixelImage image_;
     std::optional<DeviceShade> shade_;
     DeviceFactored factored_;
     DeviceDense dense_;
     DeviceHighOrders high_orders_;
+    std::optional<DevicePixels> pixels_;
     std::optional<gl::Program> physical_;
 };
 

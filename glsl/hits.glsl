@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Reads what hits.frag writes.
+
+struct Hit {
+    bool exists;
+    uint triangle;
+    bool front;
+};
+
+Hit hit_of(uint texel) {
+    return Hit(texel != 0u, (texel & 0x7fffffffu) - 1u, (texel & 0x80000000u) != 0u);
+}

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// shade at pixels: numbers of vertices interpolated to points of triangles. One invocation a point and number.
+#version 450 core
+
+#include "pixel_points.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer Points { PixelPoint points[]; };
+layout(std430, binding = 1) readonly buffer Corners { uint corners[]; };
+layout(std430, binding = 2) readonly buffer Weights { vec2 weights[]; };  // of second and third corner
+layout(std430, binding = 3) readonly buffer From { float from[]; };
+layout(std430, binding = 4) buffer To { float to[]; };
+
+uniform int count;
+uniform int first_vertex;  // that is bound
+uniform int last_vertex;   // beyond them; others add nothing
+uniform bool add;          // to what is there
+// From a number to the next, from a vertex or point to the next.
+uniform int from_number;
+uniform int from_vertex;
+uniform int to_number;
+uniform int to_point;
+
+void main() {
+    int i = int(gl_GlobalInvocationID.x);
+    if (i >= count) return;
+    int number = int(gl_GlobalInvocationID.y);
+    uint corner = 3u * points[i].triangle;
+    vec2 weight = weights[i];
+    float of_corner[3] = float[3](1.0 - weight.x - weight.y, weight.x, weight.y);
+    int result = number * to_number + i * to_point;
+    float sum = add ? to[result] : 0.0;
+    for (int k = 0; k < 3; ++k) {
+        int v = int(corners[corner + uint(k)]);
+        if (v >= first_vertex && v < last_vertex)
+            sum += of_corner[k] * from[number * from_number + (v - first_vertex) * from_vertex];
+    }
+    to[result] = sum;
+}

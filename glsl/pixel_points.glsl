@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+// A point of a surface that a pixel shows.
+
+struct PixelPoint {
+    uint triangle;
+    uint pixel;  // row by row
+    vec2 at;     // from the pixel's centre, in pixels
+};
