@@ -73,8 +73,6 @@ static_assert(are(Executor::automatic, NICOL_EXECUTOR_AUTOMATIC, Executor::cpu, 
                   Executor::compute, NICOL_EXECUTOR_COMPUTE));
 static_assert(are(HighOrders::split, NICOL_HIGH_ORDERS_SPLIT, HighOrders::convolution,
                   NICOL_HIGH_ORDERS_CONVOLUTION, HighOrders::none, NICOL_HIGH_ORDERS_NONE));
-static_assert(are(HighOrdersAt::automatic, NICOL_HIGH_ORDERS_AT_AUTOMATIC, HighOrdersAt::vertices,
-                  NICOL_HIGH_ORDERS_AT_VERTICES, HighOrdersAt::pixels, NICOL_HIGH_ORDERS_AT_PIXELS));
 static_assert(are(ShadeAt::automatic, NICOL_SHADE_AT_AUTOMATIC, ShadeAt::vertices, NICOL_SHADE_AT_VERTICES,
                   ShadeAt::pixels, NICOL_SHADE_AT_PIXELS));
 
@@ -125,8 +123,6 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.high_orders =
         value_from(given.high_orders, HighOrders::none, "high_orders", "NICOL_HIGH_ORDERS_...");
     options.high_order_shadows = switch_from(given.high_order_shadows, "high_order_shadows");
-    options.high_orders_at =
-        value_from(given.high_orders_at, HighOrdersAt::pixels, "high_orders_at", "NICOL_HIGH_ORDERS_AT_...");
     options.shade_at = value_from(given.shade_at, ShadeAt::pixels, "shade_at", "NICOL_SHADE_AT_...");
     options.refine_tolerance = given.refine_tolerance;
     options.max_vertices = given.max_vertices;
@@ -151,7 +147,6 @@ struct RenderCall {
 
 RenderCall read_render_call(const nicol_camera* camera, const nicol_render_options* options) {
     const auto given = read_options(options, nicol_render_options NICOL_RENDER_OPTIONS_INIT);
-    if (given.reserved != 0) refuse("options->reserved must be 0");
     return {camera_from(read_struct(camera, nicol_camera NICOL_CAMERA_INIT, "camera")), options_from(given)};
 }
 
@@ -304,7 +299,6 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.shadow_rays = s.shadow_rays;
         out.trace_ms = s.trace_ms;
         out.compute = s.compute ? 1 : 0;
-        out.high_orders_at = static_cast<nicol_high_orders_at>(s.high_orders_at);
         out.order_low = static_cast<uint32_t>(s.order_low);
         out.predicted_error = s.predicted_error;
         out.lights_projected = s.lights_projected;

@@ -3,8 +3,7 @@
 
 // A stage that includes this defines CHANNELS, 1 to 4, and HIGH_ORDER_POLARIZED where the maps are of polarized light.
 // Maps are textures of these channels' layers of a LobeMap, one below the other; the factors, of
-// HighOrderFactors::texels(). All are fetched and interpolated here, as samplers have few bits for it, unless
-// HIGH_ORDER_FILTERED asks for samplers, which take less time: they must filter linearly and repeat in x.
+// HighOrderFactors::texels(). All are fetched and interpolated here, as samplers have few bits for it.
 
 #ifdef HIGH_ORDER_POLARIZED
 const int HIGH_ORDER_LAYERS = 2 * CHANNELS;
@@ -17,42 +16,6 @@ const int HIGH_ORDER_ELEMENTS = 12;
 #include "angle.glsl"
 #include "frames.glsl"
 
-#ifdef HIGH_ORDER_FILTERED
-// Where a direction lies in a map: texture coordinate of the column, row with its half, texels in height.
-struct HighOrderSpot {
-    float column;
-    float row;
-    vec2 rows;  // of a layer, of all
-};
-
-HighOrderSpot high_order_spot(sampler2D map, vec3 direction) {
-    ivec2 size = textureSize(map, 0);
-    int rows = size.y / HIGH_ORDER_LAYERS;
-    float fraction = angle_of(direction.y, direction.x) / (2.0 * PI);
-    float row = angle_of(length(direction.xy), direction.z) / PI * float(rows - 1);
-    return HighOrderSpot(fraction + 0.5 / float(size.x), row + 0.5, vec2(rows, size.y));
-}
-
-vec4 high_order_texel(sampler2D map, HighOrderSpot at, int layer) {
-    return textureLod(map, vec2(at.column, (float(layer) * at.rows.x + at.row) / at.rows.y), 0.0);
-}
-
-// Texture coordinates of an angle and of an element's height.
-struct HighOrderAngle {
-    float column;
-    float row;
-};
-
-HighOrderAngle high_order_angle(sampler2D factors, float cosine) {
-    vec2 size = vec2(textureSize(factors, 0));
-    return HighOrderAngle((clamp(cosine, 0.0, 1.0) * (size.x - 1.0) + 0.5) / size.x, 1.0 / size.y);
-}
-
-// An element of all channels.
-vec4 high_order_factor(sampler2D factors, HighOrderAngle at, int element) {
-    return textureLod(factors, vec2(at.column, (float(element) + 0.5) * at.row), 0.0);
-}
-#else
 // The four texels of a map nearest to a direction.
 struct HighOrderSpot {
     ivec2 low;
@@ -102,7 +65,6 @@ vec4 high_order_factor(sampler2D factors, HighOrderAngle at, int element) {
     return mix(texelFetch(factors, ivec2(at.index, element), 0), texelFetch(factors, ivec2(at.index + 1, element), 0),
                at.part);
 }
-#endif
 
 // The directions of the outer taps: up, down, right, left.
 vec3[4] high_order_outer(vec3 d, vec3 x, float spread) {

@@ -605,12 +605,6 @@ typedef uint32_t nicol_high_orders;
 #define NICOL_HIGH_ORDERS_CONVOLUTION 1 /* a kernel a material (Eq. 68): no polarization by reflection */
 #define NICOL_HIGH_ORDERS_NONE 2        /* left out */
 
-/* Where these orders are looked up; at pixels with interpolated normals and visible fractions of the lobe. */
-typedef uint32_t nicol_high_orders_at;
-#define NICOL_HIGH_ORDERS_AT_AUTOMATIC 0 /* pixels, or vertices where OpenGL runs on the CPU */
-#define NICOL_HIGH_ORDERS_AT_VERTICES 1  /* and interpolated in between, as all else */
-#define NICOL_HIGH_ORDERS_AT_PIXELS 2    /* smooth highlights on coarse meshes too */
-
 /* Where light becomes the Stokes vector of an image. */
 typedef uint32_t nicol_shade_at;
 /* Pixels, where Stokes vectors between vertices are predicted to err by more than the tolerance: where
@@ -675,7 +669,7 @@ typedef struct nicol_render_options {
                                  time and memory to bake and leave less noise in the shadows */
     uint32_t physical; /* 1, the default: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0
                           and no more polarized than s0, which truncated light may violate: at vertices, or at
-                          pixels if these are shaded or high orders are looked up there; 0: no */
+                          pixels if these are shaded; 0: no */
     double dering;     /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
                           1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
     nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the
@@ -683,10 +677,8 @@ typedef struct nicol_render_options {
     void* progress_user;
     uint32_t
         samples; /* reference: camera rays a pixel, 1 to 2^20, default 256. Powers of two are spread best */
-    uint32_t reserved;                   /* 0 */
-    uint64_t seed;                       /* reference: equal seeds give equal images, whatever the threads */
-    nicol_executor executor;             /* default automatic */
-    nicol_high_orders_at high_orders_at; /* default automatic */
+    nicol_executor executor; /* default automatic */
+    uint64_t seed;           /* reference: equal seeds give equal images, whatever the threads */
     /* Where both orders are automatic: the largest predicted error of the orders left out, as RMSE of s0, s1
      * and s2 relative to the RMS of s0; the fastest orders that keep it are taken, order_low up to 16. Errors
      * are mostly a half to a third of the prediction, and that of the DoLP, as the mean over pixels, is no
@@ -701,7 +693,7 @@ typedef struct nicol_render_options {
     uint32_t high_order_shadows; /* whether high orders are multiplied by the visible fraction of their lobe:
                                     1, the default, or 0: unshadowed highlights */
     uint32_t aovs;               /* sum of NICOL_AOV_... to make. 0: none */
-    nicol_shade_at shade_at;     /* default automatic. With pixels high_orders_at has no effect */
+    nicol_shade_at shade_at;     /* default automatic */
     uint32_t pixel_samples;      /* real-time methods: samples of a pixel, 1, 4 or 8; 0, the default, is 1. A
                                     pixel is the mean of surfaces and environment by the number of samples
                                     that show them. With shade_at vertices the scene is drawn once a sample;
@@ -714,8 +706,8 @@ typedef struct nicol_render_options {
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
-    { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, 2048, 1, 0, 0, 0, 256, 0, 0, 0, \
-      0, 0.03, 0, 0, 1, 0, 0, 0, 0.02, 0 }
+    { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, 2048, 1, 0, 0, 0, 256, 0, 0, \
+      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0 }
 /* clang-format on */
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
@@ -821,9 +813,7 @@ typedef struct nicol_statistics {
     uint64_t shadow_rays;           /* reference: rays towards the light */
     double trace_ms;                /* reference: tracing rays */
     uint32_t compute;               /* 1: compute shaders relight and shade, 0: threads do */
-    nicol_high_orders_at high_orders_at; /* where they were looked up; 0: there were none */
     uint32_t order_low;             /* of the light that was rendered, as the option says or as was chosen */
-    uint32_t reserved;              /* 0 */
     double predicted_error;         /* where a tolerance was given: of the orders left out; may exceed it where no orders
                                        reach it. Interpolation between vertices is not in it */
     /* What this render recomputed; 0 if all was kept from the one before. */
@@ -840,7 +830,7 @@ typedef struct nicol_statistics {
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                            \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                                  \
     }
 
 /* All zeros before the first render. */

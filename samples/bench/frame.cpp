@@ -68,7 +68,7 @@ void compare_silhouettes(Report& report, const SceneSource& source, int low) {
 }
 
 bool at_pixels(const Recipe& recipe) {
-    return recipe.at == NICOL_HIGH_ORDERS_AT_PIXELS || recipe.shade_at == NICOL_SHADE_AT_PIXELS;
+    return recipe.shade_at == NICOL_SHADE_AT_PIXELS;
 }
 
 // Of a recipe at pixels with the same at vertices.
@@ -96,10 +96,8 @@ std::vector<Recipe> recipes(const Options& options, const DenseMemory& memory) {
         if (memory.at(low) * (static_cast<double>(high) + 1) <= options.memory)
             list.push_back({.method = NICOL_METHOD_DENSE, .low = low, .high = high, .top = top});
     }
-    for (const High high : {High::convolution, High::split})
-        list.push_back({.low = low, .high = high, .top = top, .at = NICOL_HIGH_ORDERS_AT_PIXELS});
     list.push_back({.low = top});
-    for (const High high : {High::none, High::split})
+    for (const High high : {High::none, High::convolution, High::split})
         list.push_back({.low = low, .high = high, .top = top, .shade_at = NICOL_SHADE_AT_PIXELS});
     for (const nicol_shade_at where : {NICOL_SHADE_AT_VERTICES, NICOL_SHADE_AT_PIXELS})
         list.push_back({.low = low, .shade_at = where, .samples = 4});

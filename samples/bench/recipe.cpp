@@ -7,7 +7,6 @@ std::string Recipe::name() const {
     if (!defaults && high != High::none) {
         text += high == High::convolution ? " + convolution to " : " + split to ";
         text += std::to_string(top);
-        if (at == NICOL_HIGH_ORDERS_AT_PIXELS) text += ", high orders at pixels";
     }
     if (shade_at == NICOL_SHADE_AT_PIXELS) text += ", at pixels";
     if (samples > 1) text += ", " + std::to_string(samples) + " samples";
@@ -32,7 +31,6 @@ nicol_render_options Recipe::options() const {
     wanted.high_orders = high == High::none          ? NICOL_HIGH_ORDERS_NONE
                          : high == High::convolution ? NICOL_HIGH_ORDERS_CONVOLUTION
                                                      : NICOL_HIGH_ORDERS_SPLIT;
-    wanted.high_orders_at = at;
     wanted.bake_directions = directions;
     return wanted;
 }

@@ -18,11 +18,10 @@ struct Recipe {
     bool shadows = true;
     std::uint32_t directions = 2048;  ///< of the bake
     double tolerance = 0;             ///< above 0: chooses the orders
-    nicol_high_orders_at at = NICOL_HIGH_ORDERS_AT_VERTICES;
     nicol_shade_at shade_at = NICOL_SHADE_AT_VERTICES;
     std::uint32_t samples = 1;  ///< of a pixel
 
-    /// As in "dense 4 + convolution to 9, high orders at pixels, no shadows".
+    /// As in "dense 4 + convolution to 9, at pixels, no shadows".
     [[nodiscard]] std::string name() const;
     [[nodiscard]] nicol_render_options options() const;
 };

@@ -168,7 +168,6 @@ typedef struct nicol_scene_file {
 } nicol_scene_file;
 typedef uint32_t nicol_method;
 typedef uint32_t nicol_high_orders;
-typedef uint32_t nicol_high_orders_at;
 typedef uint32_t nicol_shade_at;
 typedef uint32_t nicol_executor;
 typedef uint32_t nicol_components;
@@ -185,10 +184,8 @@ typedef struct nicol_render_options {
     nicol_progress_callback progress;
     void* progress_user;
     uint32_t samples;
-    uint32_t reserved;
-    uint64_t seed;
     nicol_executor executor;
-    nicol_high_orders_at high_orders_at;
+    uint64_t seed;
     double tolerance;
     nicol_components components;
     uint32_t disabled_optimisations;
@@ -237,9 +234,7 @@ typedef struct nicol_statistics {
     uint64_t shadow_rays;
     double trace_ms;
     uint32_t compute;
-    nicol_high_orders_at high_orders_at;
     uint32_t order_low;
-    uint32_t reserved;
     double predicted_error;
     uint64_t lights_projected;
     uint64_t materials_projected;
@@ -521,9 +516,6 @@ return {
         HIGH_ORDERS_SPLIT = 0,
         HIGH_ORDERS_CONVOLUTION = 1,
         HIGH_ORDERS_NONE = 2,
-        HIGH_ORDERS_AT_AUTOMATIC = 0,
-        HIGH_ORDERS_AT_VERTICES = 1,
-        HIGH_ORDERS_AT_PIXELS = 2,
         SHADE_AT_AUTOMATIC = 0,
         SHADE_AT_VERTICES = 1,
         SHADE_AT_PIXELS = 2,

@@ -62,7 +62,6 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.order_low = options.order_low.value_or(wanted.order_low);
     wanted.order_high = options.order_high.value_or(wanted.order_high);
     wanted.high_orders = options.high_orders;
-    wanted.high_orders_at = options.high_orders_at;
     wanted.shade_at = options.shade_at;
     wanted.pixel_samples = options.pixel_samples;
     wanted.tolerance = options.tolerance.value_or(wanted.tolerance);

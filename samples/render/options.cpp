@@ -28,8 +28,6 @@ const char* const usage =
     "                           --tolerance\n"
     "      --high-orders NAME   how orders above --order-low are taken: split, convolution or none;\n"
     "                           default split\n"
-    "      --high-orders-at NAME  where they are looked up: vertices, pixels or automatic, which is pixels\n"
-    "                           where OpenGL does not run on the CPU; default automatic\n"
     "      --shade-at NAME      where light becomes a Stokes vector: vertices, pixels (for coarse meshes)\n"
     "                           or automatic, by the predicted error; default automatic\n"
     "      --pixel-samples N    samples of a pixel by the methods in real time, 1, 4 or 8, against jagged\n"
@@ -152,13 +150,6 @@ nicol_high_orders parse_high_orders(std::string_view text) {
     throw Failure("--high-orders: '" + std::string(text) + "' is none of: split, convolution, none");
 }
 
-nicol_high_orders_at parse_high_orders_at(std::string_view text) {
-    if (text == "automatic") return NICOL_HIGH_ORDERS_AT_AUTOMATIC;
-    if (text == "vertices") return NICOL_HIGH_ORDERS_AT_VERTICES;
-    if (text == "pixels") return NICOL_HIGH_ORDERS_AT_PIXELS;
-    throw Failure("--high-orders-at: '" + std::string(text) + "' is none of: automatic, vertices, pixels");
-}
-
 nicol_shade_at parse_shade_at(std::string_view text) {
     if (text == "automatic") return NICOL_SHADE_AT_AUTOMATIC;
     if (text == "vertices") return NICOL_SHADE_AT_VERTICES;
@@ -232,8 +223,6 @@ Options parse_options(int argc, const char* const* argv) {
             options.order_high = parse_number(name, value());
         else if (name == "--high-orders")
             options.high_orders = parse_high_orders(value());
-        else if (name == "--high-orders-at")
-            options.high_orders_at = parse_high_orders_at(value());
         else if (name == "--shade-at")
             options.shade_at = parse_shade_at(value());
         else if (name == "--pixel-samples")

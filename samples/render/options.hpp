@@ -26,7 +26,6 @@ struct Options {
     nicol_executor executor = NICOL_EXECUTOR_AUTOMATIC;
     std::optional<std::uint32_t> order_low, order_high;
     nicol_high_orders high_orders = NICOL_HIGH_ORDERS_SPLIT;
-    nicol_high_orders_at high_orders_at = NICOL_HIGH_ORDERS_AT_AUTOMATIC;
     nicol_shade_at shade_at = NICOL_SHADE_AT_AUTOMATIC;
     std::uint32_t pixel_samples = 1;
     std::optional<double> tolerance;

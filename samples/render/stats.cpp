@@ -39,12 +39,6 @@ const char* backend_name(nicol_backend backend) {
     return "unknown";
 }
 
-const char* high_orders_at_name(nicol_high_orders_at where) {
-    if (where == NICOL_HIGH_ORDERS_AT_VERTICES) return "vertices";
-    if (where == NICOL_HIGH_ORDERS_AT_PIXELS) return "pixels";
-    return "none";
-}
-
 std::string milliseconds(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3f", value);
@@ -64,7 +58,6 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
          << "  \"software\": " << (context.software != 0 ? "true" : "false") << ",\n"
          << "  \"threads\": " << context.threads << ",\n"
          << "  \"executor\": " << quoted(s.compute != 0 ? "compute" : "cpu") << ",\n"
-         << "  \"high_orders_at\": " << quoted(high_orders_at_name(s.high_orders_at)) << ",\n"
          << "  \"width\": " << width << ",\n"
          << "  \"height\": " << height << ",\n"
          << "  \"channels\": " << channels << ",\n"

@@ -65,13 +65,11 @@ public:
     virtual void shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) = 0;
     virtual void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) = 0;
 
-    /// specular: adds the high orders to what shade() left or, where pixels look them up, computes the
-    /// visible fractions of the vertices' lobes.
-    virtual void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
-                          RenderRun& run) = 0;
+    /// specular: adds the high orders to what shade() left.
+    virtual void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) = 0;
 
     /// Stokes vectors of the pixels that show a surface, high orders included, from what relight() leaves for
-    /// pixels and specular() of the fractions.
+    /// pixels.
     virtual void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) = 0;
     virtual void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) = 0;
 
@@ -80,9 +78,8 @@ public:
 
     /// Waits until all of the above is done.
     virtual void finish() = 0;
-    /// Puts Stokes vectors and, where pixels look high orders up, fractions into the buffers that are drawn.
-    /// Inside run() of the context.
-    virtual void store(VertexBuffers& buffers, bool fractions) const = 0;
+    /// Puts Stokes vectors into the buffers that are drawn. Inside run() of the context.
+    virtual void store(VertexBuffers& buffers) const = 0;
     /// Puts the Stokes vectors of pixels, and where the background is to be drawn their coverage, into an
     /// image of all channels; components that were not asked for are 0. Inside run() of the context.
     virtual void store(PixelImage& image) const = 0;

@@ -23,10 +23,7 @@ gl::Texture2D texture_of(const std::shared_ptr<gl::Context>& context, const Lobe
                          int channels) {
     const bool single = map.channels() == 1;
     const int layers = map.polarized() ? 2 * channels : 1;
-    const gl::TextureDescription size{.width = map.columns(),
-                                      .height = layers * map.rows(),
-                                      .filter = gl::Filter::linear,
-                                      .wrap_x = gl::Wrap::repeat};
+    const gl::TextureDescription size{.width = map.columns(), .height = layers * map.rows()};
     const int first = group * (map.polarized() ? 2 * kGroup : 1);
     if (!single) return {context, size, map.layers_apart(first, layers)};
     std::vector<float> texels;
@@ -67,8 +64,7 @@ void HighOrderTextures::copy(const HighOrderTransfer& transfer, int channels) {
                 from.factors.texels(g * kGroup, group_size(channels, g), polarized_);
             const gl::TextureDescription size{
                 .width = HighOrderFactors::kAngles,
-                .height = static_cast<int>(texels.size() / 4 / HighOrderFactors::kAngles),
-                .filter = gl::Filter::linear};
+                .height = static_cast<int>(texels.size() / 4 / HighOrderFactors::kAngles)};
             part.factors.emplace_back(context_, size, texels);
         }
         parts_.emplace(material, std::move(part));

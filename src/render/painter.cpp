@@ -35,48 +35,14 @@ void clear(gl::RenderTarget& image, bool background, int components) {
 
 }  // namespace
 
-std::vector<Painter::Batch> Painter::batches_by_side(const WorldGeometry& geometry) {
-    std::vector<Batch> batches;
-    const std::size_t all = geometry.triangles.size();
-    for (const auto& [first, last] :
-         {std::pair(std::size_t{0}, geometry.one_sided), std::pair(geometry.one_sided, all)}) {
-        if (first < last) {
-            batches.push_back({.material = {},
-                               .two_sided = first == geometry.one_sided,
-                               .first = 3 * first,
-                               .last = 3 * last});
-        }
-    }
-    return batches;
-}
-
-std::vector<Painter::Batch> Painter::batches_by_material(const WorldGeometry& geometry) {
-    std::vector<Batch> batches;
-    for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
-        const auto above =
-            std::ranges::upper_bound(geometry.ranges, geometry.triangles[i].x, {}, &VertexRange::last);
-        const bool two_sided = i >= geometry.one_sided;
-        if (batches.empty() || batches.back().material != above->material ||
-            batches.back().two_sided != two_sided) {
-            batches.push_back(
-                {.material = above->material, .two_sided = two_sided, .first = 3 * i, .last = 3 * i});
-        }
-        batches.back().last = 3 * (i + 1);
-    }
-    return batches;
-}
-
 Painter::Painter(std::shared_ptr<gl::Context> context)
     : context_(std::move(context)), pixels_(context_), aovs_(context_) {}
 
 void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-                   const HighOrdersOfPixels& high_orders, const RenderExecutor* pixels, const Wanted& wanted,
-                   const Projection& projection, Framebuffer& target) {
+                   const RenderExecutor* pixels, const Wanted& wanted, const Projection& projection,
+                   Framebuffer& target) {
     const int channels = target.channels();
-    const bool by_material = high_orders.textures != nullptr;
-    binding_.run(buffers.version(), by_material ? surfaces.material_version() : 0, channels, by_material,
-                 high_orders.shadowed,
-                 [&] { bind_vertices(surfaces.geometry(), buffers, high_orders, channels); });
+    binding_.run(buffers.version(), channels, [&] { bind_vertices(buffers, channels); });
     const bool behind = scene.environment() != nullptr && !(pixels != nullptr && pixels->adds_background());
     if (behind)
         uploading_.run(scene.environment(), channels,
@@ -95,7 +61,7 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
         if (pixels != nullptr) {
             if (behind) draw_around_pixels(scene, wanted.components, projection, g, target);
         } else {
-            draw_samples(scene, surfaces, high_orders, wanted, projection, g, target);
+            draw_samples(scene, surfaces, wanted, projection, g, target);
         }
     }
     aovs_.draw(projection, surfaces.to_world(), target);
@@ -116,16 +82,14 @@ void Painter::prepare_sample(bool several, const Framebuffer& target) {
                                   .width = target.width(), .height = target.height(), .colours = colours});
 }
 
-void Painter::draw_samples(const Scene& scene, const RefinedSurfaces& surfaces,
-                           const HighOrdersOfPixels& high_orders, const Wanted& wanted,
+void Painter::draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, const Wanted& wanted,
                            const Projection& projection, std::size_t group, Framebuffer& target) {
-    const glm::mat3 to_light(glm::transpose(scene.light_rotation()) * glm::dmat3(surfaces.to_world()));
     const int channels = group_size(target.channels(), group);
     gl::RenderTarget& image = target.groups()[group];
     gl::RenderTarget& drawn = sample_ ? *sample_ : image;
     for (std::size_t s = 0; s < wanted.samples.size(); ++s) {
         const Projection moved = jittered(projection, wanted.samples[s]);
-        draw_surface(scene, high_orders, wanted.components, in_axes(moved, surfaces.to_world()), to_light,
+        draw_surface(scene, surfaces.geometry(), wanted.components, in_axes(moved, surfaces.to_world()),
                      group, channels, drawn);
         // The environment is as smooth as its image is: a pixel has that of its centre.
         if (scene.environment())
@@ -146,31 +110,20 @@ void Painter::add_sample(std::size_t sample, const Wanted& wanted, int channels,
     gl::draw_fullscreen(image, mean, {.depth_test = gl::DepthTest::off, .depth_write = false});
 }
 
-void Painter::draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
-                           const Projection& projection, const glm::mat3& to_light, std::size_t group,
-                           int channels, gl::RenderTarget& image) {
-    std::set<std::string> features;
-    if (high_orders.textures != nullptr) {
-        features.insert("HIGH_ORDERS");
-        if (high_orders.textures->polarized()) features.insert("HIGH_ORDER_POLARIZED");
-        if (high_orders.shadowed) features.insert("SHADOWED");
-    }
-    gl::Program& surface = program("surface.vert", "surface.frag", channels, features);
+void Painter::draw_surface(const Scene& scene, const WorldGeometry& geometry, int components,
+                           const Projection& projection, std::size_t group, int channels,
+                           gl::RenderTarget& image) {
+    gl::Program& surface = program("surface.vert", "surface.frag", channels, {});
     surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
-    if (high_orders.textures != nullptr) {
-        set_view_uniforms(surface, projection.view);
-        surface.set("to_light", to_light);
-        surface.set("physical", high_orders.physical ? 1 : 0);
-    }
     clear(image, scene.environment() != nullptr, components);
-    for (const Batch& batch : batches_) {
-        if (high_orders.textures != nullptr) {
-            HighOrderTextures::bind(surface, high_orders.textures->part(batch.material), group);
-        }
-        // Materials without a back are drawn black from behind, the others have triangles for each side.
-        gl::draw(image, surface, *groups_[group].vertices, batch.first, batch.last - batch.first,
-                 {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none, .components = components});
-    }
+    const auto draw_some = [&](std::size_t first, std::size_t last, gl::Cull cull) {
+        if (first == last) return;
+        gl::draw(image, surface, *groups_[group].vertices, 3 * first, 3 * (last - first),
+                 {.cull = cull, .components = components});
+    };
+    // Materials without a back are drawn black from behind, the others have triangles for each side.
+    draw_some(0, geometry.one_sided, gl::Cull::none);
+    draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
 }
 
 void Painter::draw_around_pixels(const Scene& scene, int components, const Projection& projection,
@@ -196,15 +149,11 @@ gl::Program& Painter::program(const char* vertex, const char* fragment, int chan
     return found->second;
 }
 
-void Painter::bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers,
-                            const HighOrdersOfPixels& high_orders, int channels) {
-    const bool by_material = high_orders.textures != nullptr;
+void Painter::bind_vertices(VertexBuffers& buffers, int channels) {
     const auto count = static_cast<std::size_t>((channels + Framebuffer::kGroup - 1) / Framebuffer::kGroup);
     groups_.resize(count);
     for (Group& group : groups_) group.vertices.reset();
-    batches_.clear();
     if (buffers.empty()) return;
-    batches_ = by_material ? batches_by_material(geometry) : batches_by_side(geometry);
     for (std::size_t g = 0; g < count; ++g) {
         std::vector<gl::Attribute> attributes{
             {.location = 0, .components = 3, .buffer = buffers.positions()}};
@@ -212,12 +161,6 @@ void Painter::bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffer
             attributes.push_back({.location = static_cast<unsigned>(1 + c),
                                   .components = 4,
                                   .buffer = buffers.stokes(static_cast<int>(g) * Framebuffer::kGroup + c)});
-        }
-        if (by_material) {
-            attributes.push_back({.location = 5, .components = 3, .buffer = buffers.normals(geometry)});
-            if (high_orders.shadowed) {
-                attributes.push_back({.location = 6, .components = 2, .buffer = buffers.fractions()});
-            }
         }
         groups_[g].vertices.emplace(context_, attributes, buffers.indices());
     }

@@ -14,7 +14,6 @@
 #include "render/aov_painter.hpp"
 #include "render/executor.hpp"
 #include "render/framebuffer.hpp"
-#include "render/high_order_textures.hpp"
 #include "render/pixel_image.hpp"
 #include "render/refined_surfaces.hpp"
 #include "render/sample_pattern.hpp"
@@ -29,13 +28,6 @@ class Painter {
 public:
     explicit Painter(std::shared_ptr<gl::Context> context);
 
-    /// High orders that pixels add to what vertices have.
-    struct HighOrdersOfPixels {
-        const HighOrderTextures* textures = nullptr;  ///< of all materials; null: none are added
-        bool shadowed = false;                        ///< the buffers have fractions
-        bool physical = false;                        ///< sums are moved into the physical range
-    };
-
     struct Wanted {
         int components = 4;      ///< Stokes components that are drawn; the others are 0
         std::uint32_t aovs = 0;  ///< bits of AovBit
@@ -47,8 +39,8 @@ public:
     /// averaged: that gives every driver the same samples. All memory is allocated before the framebuffer is
     /// touched.
     void draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-              const HighOrdersOfPixels& high_orders, const RenderExecutor* pixels, const Wanted& wanted,
-              const Projection& projection, Framebuffer& target);
+              const RenderExecutor* pixels, const Wanted& wanted, const Projection& projection,
+              Framebuffer& target);
 
 private:
     // Channels that are drawn at once.
@@ -57,27 +49,14 @@ private:
         std::vector<gl::Texture2D> environment;  // one of all s0, or one Stokes texture a channel
     };
 
-    // Consecutive triangles that are drawn alike.
-    struct Batch {
-        MaterialPtr material;  // null: any
-        bool two_sided;
-        std::size_t first;  // index
-        std::size_t last;
-    };
-
-    static std::vector<Batch> batches_by_side(const WorldGeometry& geometry);
-    static std::vector<Batch> batches_by_material(const WorldGeometry& geometry);
     gl::Program& program(const char* vertex, const char* fragment, int channels,
                          const std::set<std::string>& features);
-    void bind_vertices(const WorldGeometry& geometry, VertexBuffers& buffers,
-                       const HighOrdersOfPixels& high_orders, int channels);
-    // `projection` and `to_light` are of the surfaces' axes.
-    void draw_surface(const Scene& scene, const HighOrdersOfPixels& high_orders, int components,
-                      const Projection& projection, const glm::mat3& to_light, std::size_t group,
-                      int channels, gl::RenderTarget& image);
+    void bind_vertices(VertexBuffers& buffers, int channels);
+    // `projection` is of the surfaces' axes.
+    void draw_surface(const Scene& scene, const WorldGeometry& geometry, int components,
+                      const Projection& projection, std::size_t group, int channels, gl::RenderTarget& image);
     void prepare_sample(bool several, const Framebuffer& target);
-    void draw_samples(const Scene& scene, const RefinedSurfaces& surfaces,
-                      const HighOrdersOfPixels& high_orders, const Wanted& wanted,
+    void draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, const Wanted& wanted,
                       const Projection& projection, std::size_t group, Framebuffer& target);
     // Adds what was drawn to the mean of the samples, which `image` becomes.
     void add_sample(std::size_t sample, const Wanted& wanted, int channels, gl::RenderTarget& image);
@@ -91,9 +70,7 @@ private:
     std::shared_ptr<gl::Context> context_;
     std::map<std::tuple<std::string, int, std::set<std::string>>, gl::Program> programs_;
     std::vector<Group> groups_;
-    std::vector<Batch> batches_;
-    // Buffers, materials where batches are by material, channels, whether batches are, fractions.
-    Stage<Version, Version, int, bool, bool> binding_;
+    Stage<Version, int> binding_;             // buffers, channels
     Stage<EnvironmentPtr, int> uploading_;    // environment, channels
     std::optional<gl::RenderTarget> sample_;  // one sample of every pixel, where there are several
     PixelImage pixels_;

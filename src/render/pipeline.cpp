@@ -50,7 +50,6 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
                                .high = light_.last_order(),
                                .polarized = input.layout.kind() != LightKind::unpolarized};
     const bool high_orders = distant.high > distant.low;
-    at_pixels_ = high_orders && !pixels_ && options.high_orders_at == HighOrdersAt::pixels;
     method.project(input, run);
     if (high_orders) high_orders_.project(input, distant, options.high_orders, run);
 
@@ -106,11 +105,10 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
                      const DistantLight& distant, RenderExecutor& executor, RenderRun& run) {
     const Stopwatch watch;
     const bool high_orders = distant.high > distant.low;
-    const bool physical = options.physical && !at_pixels_;  // else it comes once all orders are there
     if ((options.disabled_optimisations & skip_unchanged) != 0) shading_.reset();
     shading_.update(input, executor.version(), options.method, input.view, input.light_version,
-                    distant.version, high_orders ? options.high_orders : HighOrders::none, at_pixels_,
-                    high_orders && !high_orders_.visibility()->empty(), physical, input.channels,
+                    distant.version, high_orders ? options.high_orders : HighOrders::none,
+                    high_orders && !high_orders_.visibility()->empty(), options.physical, input.channels,
                     input.least_components, input.most_components);
     if (executor.can_choose()) {
         choose_vertices(input.geometry, projection, options, run);
@@ -119,8 +117,8 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     }
     input.chosen = chosen_;
     method_for(options.method).shade(input, executor, run);
-    if (high_orders) executor.specular(high_orders_, input, at_pixels_, run);
-    if (physical) run.statistics.vertices_unphysical += executor.make_physical(input);
+    if (high_orders) executor.specular(high_orders_, input, run);
+    if (options.physical) run.statistics.vertices_unphysical += executor.make_physical(input);
     executor.finish();
     shading_.complete(chosen_);
     run.statistics.vertices_shaded += static_cast<std::uint64_t>(std::ranges::count(chosen_, 1));
@@ -136,11 +134,8 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
 
     const Stopwatch watch;
     shading_.reset();  // what vertices have is of another render then
-    if (high_orders) {
-        chosen_.assign(input.geometry.positions.size(), 1);
-        input.chosen = chosen_;
-        executor.specular(high_orders_, input, true, run);
-    }
+    chosen_.assign(input.geometry.positions.size(), 1);
+    input.chosen = chosen_;
     const bool behind = scene.environment() != nullptr && executor.adds_background();
     showing_.run(scene.environment(), input.channels, behind, [&] {
         background_.reset();
@@ -169,11 +164,7 @@ void Pipeline::choose_vertices(const WorldGeometry& geometry, const Projection& 
 void Pipeline::count(const TransferInput& input, const DistantLight& distant, Statistics& statistics) const {
     statistics.order_low = distant.low;
     statistics.order = distant.high;
-    if (distant.high > distant.low) {
-        statistics.high_orders_at =
-            at_pixels_ || input.at_pixels ? HighOrdersAt::pixels : HighOrdersAt::vertices;
-        high_orders_.count(statistics);
-    }
+    if (distant.high > distant.low) high_orders_.count(statistics);
     statistics.vertices = input.geometry.positions.size();
     statistics.triangles = input.geometry.triangles.size();
     const int light_channels = input.light.channels();

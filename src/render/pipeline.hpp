@@ -34,9 +34,8 @@ public:
     using DrawHits = std::function<const HitImage&()>;
 
     /// Shades every vertex that can be seen, or every pixel that shows a surface;
-    /// `executor` keeps the results. High orders are at vertices where `options` leaves that open. Adds times
-    /// and counts to the statistics. `projection`: of the world. After an exception the next call computes
-    /// what was not completed.
+    /// `executor` keeps the results. Adds times and counts to the statistics. `projection`: of the world.
+    /// After an exception the next call computes what was not completed.
     void run(const Scene& scene, const Projection& projection, const RenderOptions& options,
              RenderExecutor& executor, RenderRun& run, const DrawHits& draw_hits);
 
@@ -44,10 +43,6 @@ public:
     [[nodiscard]] const RefinedSurfaces& surfaces() const noexcept { return visibility_.surfaces(); }
     /// Whether the last run() shaded pixels.
     [[nodiscard]] bool shaded_pixels() const noexcept { return pixels_; }
-    /// The high orders that pixels add after the last run(); null: none.
-    [[nodiscard]] const HighOrderTransfer* pixel_high_orders() const noexcept {
-        return at_pixels_ ? &high_orders_ : nullptr;
-    }
 
 private:
     [[nodiscard]] TransferMethod& method_for(Method method);
@@ -71,11 +66,10 @@ private:
     DenseMethod dense_;
     HighOrderTransfer high_orders_;
     bool pixels_ = false;
-    bool at_pixels_ = false;
 
-    // Executor, method, view, light of low and high orders, form of the high orders, at pixels, with shadows,
-    // physical, channels, least and most components.
-    VertexStage<Version, Method, Viewpoint, Version, Version, HighOrders, bool, bool, bool, int, std::size_t,
+    // Executor, method, view, light of low and high orders, form of the high orders, with shadows, physical,
+    // channels, least and most components.
+    VertexStage<Version, Method, Viewpoint, Version, Version, HighOrders, bool, bool, int, std::size_t,
                 std::size_t>
         shading_{{.on_places = true, .on_materials = true}};
     std::vector<std::uint8_t> chosen_;

@@ -26,18 +26,12 @@ enum class HighOrders {
     none,         ///< left out
 };
 
-/// Where the orders above order_low are looked up.
-enum class HighOrdersAt {
-    automatic,  ///< pixels, unless the processor rasterises
-    vertices,   ///< and interpolated in between, as all else
-    pixels,     ///< with the normal and the visible fraction of the lobe interpolated
-};
-
 /// Where light becomes a Stokes vector.
 enum class ShadeAt {
     automatic,  ///< pixels where interpolation is predicted to miss the tolerance
     vertices,   ///< Stokes vectors are interpolated: the fastest, right where triangles cover few pixels
-    pixels,     ///< incident light is interpolated; normal, view and material are those of the pixel
+    pixels,     ///< incident light and visible fractions of lobes are interpolated; normal, view and material
+                ///< are those of the pixel
 };
 
 /// Where relight and shade run; the results agree.
@@ -75,9 +69,8 @@ struct RenderOptions {
     int order_low = 4;   ///< 0..kMaxRenderOrder: light up to here with its full angular detail
     int order_high = 9;  ///< order_low..64: light up to here at all
     HighOrders high_orders = HighOrders::split;  ///< orders order_low + 1 .. order_high
-    HighOrdersAt high_orders_at = HighOrdersAt::automatic;
-    ShadeAt shade_at = ShadeAt::vertices;  ///< pixels: high orders too, whatever high_orders_at says
-    bool high_order_shadows = true;        ///< with shadows: times the visible fraction of the lobe
+    ShadeAt shade_at = ShadeAt::vertices;        ///< high orders too
+    bool high_order_shadows = true;              ///< with shadows: times the visible fraction of the lobe
     /// order_low and order_high are chosen for the tolerance instead, where it is above 0 and the error is
     /// predicted: with Method::factored and HighOrders::split or none.
     bool choose_orders = false;
@@ -88,8 +81,8 @@ struct RenderOptions {
     /// window that trades the least smoothing for the least curvature (Sloan 2017). 0 and up; 0: off. 1e-4 to
     /// 1e-2 are of use.
     double dering = 0;
-    /// Moves Stokes vectors into the physical range (Eq. 70): s0 >= 0, no more polarized than s0. Those of
-    /// vertices, or of pixels where high orders are looked up there.
+    /// Moves Stokes vectors into the physical range (Eq. 70): s0 >= 0, no more polarized than s0, where
+    /// light is shaded.
     bool physical = false;
     /// Stokes components that the image has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;
@@ -112,9 +105,9 @@ struct RenderOptions {
     bool operator==(const RenderOptions& o) const {
         const auto values = [](const RenderOptions& a) {
             return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.refine_tolerance,
-                            a.max_vertices, a.order_low, a.order_high, a.high_orders, a.high_orders_at,
-                            a.shade_at, a.high_order_shadows, a.choose_orders, a.tolerance, a.dering,
-                            a.physical, a.components, a.pixel_samples, a.aovs, a.samples, a.seed,
+                            a.max_vertices, a.order_low, a.order_high, a.high_orders, a.shade_at,
+                            a.high_order_shadows, a.choose_orders, a.tolerance, a.dering, a.physical,
+                            a.components, a.pixel_samples, a.aovs, a.samples, a.seed,
                             a.disabled_optimisations);
         };
         return values(*this) == values(o);
@@ -123,11 +116,10 @@ struct RenderOptions {
 
 /// Milliseconds are 0 for verbs that did not have to run.
 struct Statistics {
-    int order_low = 0;                                      ///< of the light that was rendered
-    int order = 0;                                          ///< the highest of it
-    double predicted_error = 0;                             ///< where orders were chosen
-    bool compute = false;                                   ///< compute shaders made it
-    HighOrdersAt high_orders_at = HighOrdersAt::automatic;  ///< automatic: there were none
+    int order_low = 0;           ///< of the light that was rendered
+    int order = 0;               ///< the highest of it
+    double predicted_error = 0;  ///< where orders were chosen
+    bool compute = false;        ///< compute shaders made it
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
     std::uint64_t vertices_added = 0;  ///< of these vertices, by refinement

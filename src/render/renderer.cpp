@@ -73,7 +73,6 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       threads_(threads),
       workers_(threads),
       buffers_(context),
-      textures_(context),
       hits_(context),
       painter_(std::move(context)) {}
 
@@ -91,7 +90,7 @@ bool Renderer::on_device(const RenderOptions& options) const {
 RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
     if (on_device(options)) {
         cpu_.reset();
-        if (!gpu_) gpu_.emplace(context_, buffers_, textures_);
+        if (!gpu_) gpu_.emplace(context_, buffers_);
         return *gpu_;
     }
     gpu_.reset();  // and with it all that only compute shaders work on
@@ -157,10 +156,6 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);
-    if (chosen.high_orders_at == HighOrdersAt::automatic) {
-        // Look-ups at pixels are slow where the processor rasterises.
-        chosen.high_orders_at = context_->info().software ? HighOrdersAt::vertices : HighOrdersAt::pixels;
-    }
     RenderRun run{.workers = workers_,
                   .progress = progress,
                   .statistics = statistics,
@@ -182,18 +177,12 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     context_->run([&] {
         const RefinedSurfaces& surfaces = pipeline_.surfaces();
         buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
-        const HighOrderTransfer* const high_orders = pipeline_.pixel_high_orders();
         const bool at_pixels = pipeline_.shaded_pixels();
         if (!at_pixels) {
             hits_.clear();
-            executor.store(buffers_, high_orders != nullptr);
+            executor.store(buffers_);
         }
-        if (high_orders != nullptr) textures_.update(*high_orders, target.channels());
-        painter_.draw(scene, surfaces, buffers_,
-                      {.textures = high_orders != nullptr ? &textures_ : nullptr,
-                       .shadowed = high_orders != nullptr && !high_orders->visibility()->empty(),
-                       .physical = options.physical},
-                      at_pixels ? &executor : nullptr,
+        painter_.draw(scene, surfaces, buffers_, at_pixels ? &executor : nullptr,
                       {.components = options.components,
                        .aovs = options.aovs,
                        .samples = sample_pattern(options.pixel_samples)},

@@ -52,7 +52,6 @@ private:
     Workers workers_;
     Pipeline pipeline_;
     VertexBuffers buffers_;
-    HighOrderTextures textures_;
     HitImage hits_;
     std::optional<CpuExecutor> cpu_;  // one or the other
     std::optional<GpuExecutor> gpu_;

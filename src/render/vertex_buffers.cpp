@@ -37,10 +37,6 @@ void VertexBuffers::upload(const VertexStokes& stokes) {
     }
 }
 
-void VertexBuffers::upload(std::span<const glm::vec2> fractions) {
-    if (!fractions.empty() && !empty()) this->fractions()->update(0, std::as_bytes(fractions));
-}
-
 const std::shared_ptr<const gl::Buffer>& VertexBuffers::normals(const WorldGeometry& geometry) {
     if (!normals_) {
         normals_ = std::make_shared<gl::Buffer>(context_, gl::BufferUse::vertex,

@@ -23,8 +23,6 @@ public:
     void update(const WorldGeometry& geometry, Version geometry_version, int channels);
     /// Stokes vectors made on the host.
     void upload(const VertexStokes& stokes);
-    /// Fractions made on the host; empty where there are none.
-    void upload(std::span<const glm::vec2> fractions);
 
     /// Whether there is nothing to draw; then the buffers below do not exist.
     [[nodiscard]] bool empty() const noexcept { return indices_ == nullptr; }

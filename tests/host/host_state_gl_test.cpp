@@ -121,7 +121,7 @@ std::vector<float> image_of(nicol_context context, nicol_executor executor) {
     const Stage stage(context);
     nicol_render_options options = plain_options();
     options.executor = executor;
-    options.high_orders_at = NICOL_HIGH_ORDERS_AT_PIXELS;
+    options.shade_at = NICOL_SHADE_AT_PIXELS;
     return stage.image(options);
 }
 
@@ -145,7 +145,7 @@ TEST_CASE("every call leaves the application's state as it was") {
             nicol_render_options options = plain_options();
             for (const nicol_executor executor : {NICOL_EXECUTOR_CPU, NICOL_EXECUTOR_COMPUTE}) {
                 options.executor = executor;
-                options.high_orders_at = NICOL_HIGH_ORDERS_AT_PIXELS;
+                options.shade_at = NICOL_SHADE_AT_PIXELS;
                 OK(stage.try_render(options));
                 same("render");
             }

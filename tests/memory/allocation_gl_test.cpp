@@ -14,14 +14,14 @@ struct Variant {
     const char* name;
     nicol_method method;
     nicol_executor executor;
-    nicol_high_orders_at at;
+    nicol_shade_at at;
 };
 
 constexpr Variant variants[] = {
-    {"factored", NICOL_METHOD_FACTORED, NICOL_EXECUTOR_CPU, NICOL_HIGH_ORDERS_AT_VERTICES},
-    {"compute, pixels", NICOL_METHOD_FACTORED, NICOL_EXECUTOR_COMPUTE, NICOL_HIGH_ORDERS_AT_PIXELS},
-    {"dense", NICOL_METHOD_DENSE, NICOL_EXECUTOR_CPU, NICOL_HIGH_ORDERS_AT_VERTICES},
-    {"reference", NICOL_METHOD_REFERENCE, NICOL_EXECUTOR_AUTOMATIC, NICOL_HIGH_ORDERS_AT_AUTOMATIC}};
+    {"factored", NICOL_METHOD_FACTORED, NICOL_EXECUTOR_CPU, NICOL_SHADE_AT_VERTICES},
+    {"compute, pixels", NICOL_METHOD_FACTORED, NICOL_EXECUTOR_COMPUTE, NICOL_SHADE_AT_PIXELS},
+    {"dense", NICOL_METHOD_DENSE, NICOL_EXECUTOR_CPU, NICOL_SHADE_AT_VERTICES},
+    {"reference", NICOL_METHOD_REFERENCE, NICOL_EXECUTOR_AUTOMATIC, NICOL_SHADE_AT_AUTOMATIC}};
 
 /// A tent of two triangles, which shadow each other, under a sky; two framebuffers.
 struct Tent {
@@ -47,7 +47,7 @@ nicol_result render(nicol_scene scene, const Variant& variant, nicol_framebuffer
     nicol_render_options options = plain_options();
     options.method = variant.method;
     options.executor = variant.executor;
-    options.high_orders_at = variant.at;
+    options.shade_at = variant.at;
     options.order_low = 2;
     options.order_high = variant.method == NICOL_METHOD_DENSE ? 2 : 4;
     options.bake_directions = 256;

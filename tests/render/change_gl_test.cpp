@@ -19,8 +19,7 @@ RenderOptions by(Method method) {
             .bake_directions = 256,
             .refine_tolerance = 0,
             .order_low = 2,
-            .order_high = 5,
-            .high_orders_at = HighOrdersAt::vertices};
+            .order_high = 5};
 }
 
 const Camera some_camera = test::camera_at({3, 4, 6}, {0, 0.3, 0});
@@ -162,10 +161,10 @@ TEST_CASE("what has not changed is not computed") {
 
 GL_TEST_CASE("a scene that is rotated and shifted as a whole is relit alone") {
     for (const Method method : methods) {
-        for (const HighOrdersAt where : {HighOrdersAt::vertices, HighOrdersAt::pixels}) {
+        for (const ShadeAt where : {ShadeAt::vertices, ShadeAt::pixels}) {
             Scene scene = balls_on_plate();
             Studio studio(context, method);
-            studio.options.high_orders_at = where;
+            studio.options.shade_at = where;
             studio.options.aovs = aov_depth | aov_normals | aov_positions;
             studio(scene);
             for (const std::uint32_t id : scene.ids()) {
@@ -313,8 +312,8 @@ TEST_CASE("options that change and change back leave no trace") {
     others[3].high_orders = HighOrders::convolution;
     others[4].components = 1;
     others[5].shadows = false;
-    others[6].high_orders_at = HighOrdersAt::pixels;
-    others[7].high_orders_at = HighOrdersAt::pixels;
+    others[6].shade_at = ShadeAt::pixels;
+    others[7].shade_at = ShadeAt::pixels;
     others[7].high_orders = HighOrders::convolution;
     for (const RenderOptions& other : others) {
         for (const RenderOptions& options : {usual, other, usual}) {

@@ -75,27 +75,22 @@ struct Comparison {
 GL_TEST_CASE("compute shaders make what threads make, of every light, number of channels, order and method") {
     constexpr auto none = HighOrders::none, split = HighOrders::split;
     constexpr auto factored = Method::factored;
-    constexpr auto vertices = HighOrdersAt::vertices;
     const std::vector<LightKind> all = test::kLightKinds, two{LightKind::unpolarized, LightKind::full};
     struct Row {
         Method method;
         HighOrders form;
-        HighOrdersAt where;
         std::vector<int> channels;
         std::vector<LightKind> kinds;
         std::vector<std::pair<int, int>> orders;
         std::vector<bool> shadows;
     };
-    const std::vector<Row> rows{
-        {factored, none, vertices, {1, 3, 6}, all, {{0, 0}, {4, 4}, {9, 9}}, {false, true}},
-        // Above order 9 shadows are multiplied on a grid.
-        {factored, none, vertices, {1, 3}, all, {{10, 10}}, {true}},
-        {factored, none, vertices, {1}, {LightKind::full}, {{16, 16}}, {true}},
-        {Method::dense, none, vertices, {1, 3, 6}, all, {{0, 0}, {4, 4}}, {true}},
-        {factored, split, vertices, {1, 6}, two, {{3, 9}}, {false, true}},
-        {factored, HighOrders::convolution, vertices, {1, 6}, two, {{3, 9}}, {false, true}},
-        {factored, split, HighOrdersAt::pixels, {1, 3, 6}, two, {{2, 9}}, {false, true}},
-        {factored, HighOrders::convolution, HighOrdersAt::pixels, {3}, two, {{2, 9}}, {true}}};
+    const std::vector<Row> rows{{factored, none, {1, 3, 6}, all, {{0, 0}, {4, 4}, {9, 9}}, {false, true}},
+                                // Above order 9 shadows are multiplied on a grid.
+                                {factored, none, {1, 3}, all, {{10, 10}}, {true}},
+                                {factored, none, {1}, {LightKind::full}, {{16, 16}}, {true}},
+                                {Method::dense, none, {1, 3, 6}, all, {{0, 0}, {4, 4}}, {true}},
+                                {factored, split, {1, 6}, two, {{3, 9}}, {false, true}},
+                                {factored, HighOrders::convolution, {1, 6}, two, {{3, 9}}, {false, true}}};
     for (const auto& row : rows) {
         for (const int channels : row.channels) {
             Comparison comparison(context, channels);
@@ -108,10 +103,8 @@ GL_TEST_CASE("compute shaders make what threads make, of every light, number of 
                                                .shadows = shadows,
                                                .order_low = low,
                                                .order_high = high,
-                                               .high_orders = row.form,
-                                               .high_orders_at = row.where});
+                                               .high_orders = row.form});
                         const Statistics& here = comparison.by_shaders.statistics();
-                        if (row.form != none) CHECK(here.high_orders_at == row.where);
                         // Threads keep the light of vertices beside shadows on a grid.
                         if (low > 9)
                             CHECK(here.transfer_bytes < comparison.by_threads.statistics().transfer_bytes);

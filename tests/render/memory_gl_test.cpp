@@ -17,17 +17,17 @@ Use use_of(const Statistics& statistics) {
     return {statistics.buffer_bytes, statistics.texture_bytes};
 }
 
-/// Both executors, high orders at vertices and at pixels.
-constexpr std::array<std::pair<Executor, HighOrdersAt>, 4> ways{
-    std::pair{Executor::cpu, HighOrdersAt::vertices}, std::pair{Executor::cpu, HighOrdersAt::pixels},
-    std::pair{Executor::compute, HighOrdersAt::vertices}, std::pair{Executor::compute, HighOrdersAt::pixels}};
+/// Both executors, at vertices and at pixels.
+constexpr std::array<std::pair<Executor, ShadeAt>, 4> ways{
+    std::pair{Executor::cpu, ShadeAt::vertices}, std::pair{Executor::cpu, ShadeAt::pixels},
+    std::pair{Executor::compute, ShadeAt::vertices}, std::pair{Executor::compute, ShadeAt::pixels}};
 
-RenderOptions by(const std::pair<Executor, HighOrdersAt>& way) {
+RenderOptions by(const std::pair<Executor, ShadeAt>& way) {
     return {.executor = way.first,
             .bake_directions = 256,
             .order_low = 2,
             .order_high = 4,
-            .high_orders_at = way.second};
+            .shade_at = way.second};
 }
 
 }  // namespace
@@ -85,9 +85,13 @@ GL_TEST_CASE("an image of another size costs its own size alone") {
         };
         const Use small = use_at(20, 10);
         const Use large = use_at(200, 100);
-        CHECK(large.buffers == small.buffers);
-        // Three images of four floats and a depth of one.
-        CHECK(large.textures - small.textures == (200 * 100 - 20 * 10) * (3 * 16 + 4));
+        // Three images of four floats and a depth of one; at pixels hits, and the surfaces and what they
+        // cover.
+        constexpr std::uint64_t target_bytes = 3 * 16 + 4, pixel_bytes = 16 + 4 + 4 * 16;
+        const bool pixels = way.second == ShadeAt::pixels;
+        if (!pixels) CHECK(large.buffers == small.buffers);
+        CHECK(large.textures - small.textures ==
+              (200 * 100 - 20 * 10) * (target_bytes + (pixels ? pixel_bytes : 0)));
         for (int i = 0; i < 5; ++i) {
             CHECK(use_at(200, 100) == large);
             CHECK(use_at(20, 10) == small);

@@ -56,7 +56,9 @@ void check_changes(const std::shared_ptr<gl::Context>& context, Executor executo
     Studio render(context);
     const auto as_fresh = [&](const RenderOptions& options, const Camera& camera) {
         const StokesImage image = render(scene, options, camera);
-        CHECK(rms(minus(image, Studio(context)(scene, options, camera))) < 1e-5 * rms(image));
+        RenderOptions fresh = options;
+        fresh.executor = Executor::cpu;  // which starts sooner
+        CHECK(rms(minus(image, Studio(context)(scene, fresh, camera))) < 1e-5 * rms(image));
     };
     RenderOptions pixels = at(ShadeAt::pixels, executor);
     RenderOptions vertices = at(ShadeAt::vertices, executor);
@@ -149,7 +151,7 @@ GL_TEST_CASE("at pixels a coarse mesh looks as its triangles split in sixteen do
     const auto fine = std::make_shared<const Mesh>(split(split(*coarse)));
     const EnvironmentPtr light = falling_light(9, true, 3);
     for (const bool shadows : {false, true})
-        for (const HighOrders form : {HighOrders::none, HighOrders::split}) {
+        for (const HighOrders form : {HighOrders::none, HighOrders::split, HighOrders::convolution}) {
             CAPTURES(shadows, form);
             RenderOptions options = at(ShadeAt::vertices);
             options.high_orders = form;
@@ -162,6 +164,58 @@ GL_TEST_CASE("at pixels a coarse mesh looks as its triangles split in sixteen do
             CHECK(pixels < (shadows ? 0.4 : 0.2) * vertices);
             CHECK(pixels < 0.02 * rms(expected));
         }
+}
+
+GL_TEST_CASE("shadows dim high orders at pixels as they dim them at vertices") {
+    Studio render(context);
+    const Scene scene = sphere_on_plate(falling_light(9, false), test::coarse_sphere(23), 40);
+    // What the high orders add, with and without shadows.
+    const auto high = [&](ShadeAt where, bool shadows) {
+        RenderOptions options = at(where);
+        options.shadows = shadows;
+        const StokesImage all = render(scene, options);
+        options.high_orders = HighOrders::none;
+        return minus(all, render(scene, options));
+    };
+    const StokesImage shadowed = high(ShadeAt::pixels, true);
+    const StokesImage plain = high(ShadeAt::pixels, false);
+    const StokesImage shadow = minus(plain, shadowed);
+    const StokesImage at_vertices = minus(high(ShadeAt::vertices, false), high(ShadeAt::vertices, true));
+    CHECK(rms(shadow) > 0.2 * rms(plain));
+    CHECK(rms(minus(shadow, at_vertices)) < 0.1 * rms(shadow));
+    // A fraction takes away and never adds.
+    const double most = largest(plain);
+    for (std::size_t i = 0; i < plain.data.size(); i += 4) {
+        REQUIRE(std::abs(shadowed.data[i]) <= std::abs(plain.data[i]) + 0.02 * most);
+    }
+}
+
+GL_TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
+    Studio render(context);
+    const Scene scene = sphere_on_plate(test::lamp(), test::coarse_sphere(14), 4);
+    const auto unphysical = [](const StokesImage& image) {
+        int count = 0;
+        for (std::size_t i = 0; i < image.data.size(); i += 4) {
+            const float* s = &image.data[i];
+            count += s[0] < 0 || std::hypot(s[1], s[2], s[3]) > s[0] * 1.00001F + 1e-6F ? 1 : 0;
+        }
+        return count;
+    };
+    for (const Executor executor : {Executor::cpu, Executor::compute}) {
+        RenderOptions options = at(ShadeAt::pixels, executor);
+        const StokesImage plain = render(scene, options);
+        CHECK(unphysical(plain) > 100);
+        options.physical = true;
+        const StokesImage physical = render(scene, options);
+        CHECK(unphysical(physical) == 0);
+        CHECK(render.statistics.vertices_unphysical == 0);
+        // What was physical is as it was.
+        for (std::size_t i = 0; i < plain.data.size(); i += 4) {
+            const float* s = &plain.data[i];
+            if (s[0] < 0 || std::hypot(s[1], s[2], s[3]) > 0.999F * s[0]) continue;
+            for (std::size_t p = 0; p < 4; ++p) REQUIRE(physical.data[i + p] == s[p]);
+        }
+    }
 }
 
 GL_TEST_CASE("a render at pixels is that of a fresh start, whatever was rendered before") {

@@ -50,9 +50,6 @@ METHOD_REFERENCE = 2
 HIGH_ORDERS_SPLIT = 0
 HIGH_ORDERS_CONVOLUTION = 1
 HIGH_ORDERS_NONE = 2
-HIGH_ORDERS_AT_AUTOMATIC = 0
-HIGH_ORDERS_AT_VERTICES = 1
-HIGH_ORDERS_AT_PIXELS = 2
 SHADE_AT_AUTOMATIC = 0
 SHADE_AT_VERTICES = 1
 SHADE_AT_PIXELS = 2
@@ -408,10 +405,8 @@ class RenderOptions(Struct):
         ("progress", ProgressCallback.type),
         ("progress_user", c_void_p),
         ("samples", c_uint32),
-        ("reserved", c_uint32),
-        ("seed", c_uint64),
         ("executor", c_uint32),
-        ("high_orders_at", c_uint32),
+        ("seed", c_uint64),
         ("tolerance", c_double),
         ("components", c_uint32),
         ("disabled_optimisations", c_uint32),
@@ -476,9 +471,7 @@ class Statistics(Struct):
         ("shadow_rays", c_uint64),
         ("trace_ms", c_double),
         ("compute", c_uint32),
-        ("high_orders_at", c_uint32),
         ("order_low", c_uint32),
-        ("reserved", c_uint32),
         ("predicted_error", c_double),
         ("lights_projected", c_uint64),
         ("materials_projected", c_uint64),
@@ -1474,9 +1467,6 @@ __all__ = [
     "FORMAT_UINT32",
     "FileOptions",
     "Framebuffer",
-    "HIGH_ORDERS_AT_AUTOMATIC",
-    "HIGH_ORDERS_AT_PIXELS",
-    "HIGH_ORDERS_AT_VERTICES",
     "HIGH_ORDERS_CONVOLUTION",
     "HIGH_ORDERS_NONE",
     "HIGH_ORDERS_SPLIT",

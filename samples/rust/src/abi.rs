@@ -47,9 +47,6 @@ pub const NICOL_METHOD_REFERENCE: u32 = 2;
 pub const NICOL_HIGH_ORDERS_SPLIT: u32 = 0;
 pub const NICOL_HIGH_ORDERS_CONVOLUTION: u32 = 1;
 pub const NICOL_HIGH_ORDERS_NONE: u32 = 2;
-pub const NICOL_HIGH_ORDERS_AT_AUTOMATIC: u32 = 0;
-pub const NICOL_HIGH_ORDERS_AT_VERTICES: u32 = 1;
-pub const NICOL_HIGH_ORDERS_AT_PIXELS: u32 = 2;
 pub const NICOL_SHADE_AT_AUTOMATIC: u32 = 0;
 pub const NICOL_SHADE_AT_VERTICES: u32 = 1;
 pub const NICOL_SHADE_AT_PIXELS: u32 = 2;
@@ -726,7 +723,6 @@ const _: () = {
 };
 pub type nicol_method = u32;
 pub type nicol_high_orders = u32;
-pub type nicol_high_orders_at = u32;
 pub type nicol_shade_at = u32;
 pub type nicol_executor = u32;
 pub type nicol_components = u32;
@@ -746,10 +742,8 @@ pub struct nicol_render_options {
     pub progress: nicol_progress_callback,
     pub progress_user: *mut c_void,
     pub samples: u32,
-    pub reserved: u32,
-    pub seed: u64,
     pub executor: nicol_executor,
-    pub high_orders_at: nicol_high_orders_at,
+    pub seed: u64,
     pub tolerance: f64,
     pub components: nicol_components,
     pub disabled_optimisations: u32,
@@ -778,7 +772,7 @@ impl Default for nicol_render_options {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 128);
+    assert!(size_of::<nicol_render_options>() == 120);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -791,19 +785,17 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, progress) == 40);
     assert!(offset_of!(nicol_render_options, progress_user) == 48);
     assert!(offset_of!(nicol_render_options, samples) == 56);
-    assert!(offset_of!(nicol_render_options, reserved) == 60);
+    assert!(offset_of!(nicol_render_options, executor) == 60);
     assert!(offset_of!(nicol_render_options, seed) == 64);
-    assert!(offset_of!(nicol_render_options, executor) == 72);
-    assert!(offset_of!(nicol_render_options, high_orders_at) == 76);
-    assert!(offset_of!(nicol_render_options, tolerance) == 80);
-    assert!(offset_of!(nicol_render_options, components) == 88);
-    assert!(offset_of!(nicol_render_options, disabled_optimisations) == 92);
-    assert!(offset_of!(nicol_render_options, high_order_shadows) == 96);
-    assert!(offset_of!(nicol_render_options, aovs) == 100);
-    assert!(offset_of!(nicol_render_options, shade_at) == 104);
-    assert!(offset_of!(nicol_render_options, pixel_samples) == 108);
-    assert!(offset_of!(nicol_render_options, refine_tolerance) == 112);
-    assert!(offset_of!(nicol_render_options, max_vertices) == 120);
+    assert!(offset_of!(nicol_render_options, tolerance) == 72);
+    assert!(offset_of!(nicol_render_options, components) == 80);
+    assert!(offset_of!(nicol_render_options, disabled_optimisations) == 84);
+    assert!(offset_of!(nicol_render_options, high_order_shadows) == 88);
+    assert!(offset_of!(nicol_render_options, aovs) == 92);
+    assert!(offset_of!(nicol_render_options, shade_at) == 96);
+    assert!(offset_of!(nicol_render_options, pixel_samples) == 100);
+    assert!(offset_of!(nicol_render_options, refine_tolerance) == 104);
+    assert!(offset_of!(nicol_render_options, max_vertices) == 112);
 };
 
 #[repr(C)]
@@ -877,9 +869,7 @@ pub struct nicol_statistics {
     pub shadow_rays: u64,
     pub trace_ms: f64,
     pub compute: u32,
-    pub high_orders_at: nicol_high_orders_at,
     pub order_low: u32,
-    pub reserved: u32,
     pub predicted_error: f64,
     pub lights_projected: u64,
     pub materials_projected: u64,
@@ -899,7 +889,7 @@ impl Default for nicol_statistics {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 288);
+    assert!(size_of::<nicol_statistics>() == 280);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -927,18 +917,16 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, shadow_rays) == 184);
     assert!(offset_of!(nicol_statistics, trace_ms) == 192);
     assert!(offset_of!(nicol_statistics, compute) == 200);
-    assert!(offset_of!(nicol_statistics, high_orders_at) == 204);
-    assert!(offset_of!(nicol_statistics, order_low) == 208);
-    assert!(offset_of!(nicol_statistics, reserved) == 212);
-    assert!(offset_of!(nicol_statistics, predicted_error) == 216);
-    assert!(offset_of!(nicol_statistics, lights_projected) == 224);
-    assert!(offset_of!(nicol_statistics, materials_projected) == 232);
-    assert!(offset_of!(nicol_statistics, vertices_traced) == 240);
-    assert!(offset_of!(nicol_statistics, matrices_baked) == 248);
-    assert!(offset_of!(nicol_statistics, vertices_relit) == 256);
-    assert!(offset_of!(nicol_statistics, vertices_shaded) == 264);
-    assert!(offset_of!(nicol_statistics, pixels_shaded) == 272);
-    assert!(offset_of!(nicol_statistics, vertices_added) == 280);
+    assert!(offset_of!(nicol_statistics, order_low) == 204);
+    assert!(offset_of!(nicol_statistics, predicted_error) == 208);
+    assert!(offset_of!(nicol_statistics, lights_projected) == 216);
+    assert!(offset_of!(nicol_statistics, materials_projected) == 224);
+    assert!(offset_of!(nicol_statistics, vertices_traced) == 232);
+    assert!(offset_of!(nicol_statistics, matrices_baked) == 240);
+    assert!(offset_of!(nicol_statistics, vertices_relit) == 248);
+    assert!(offset_of!(nicol_statistics, vertices_shaded) == 256);
+    assert!(offset_of!(nicol_statistics, pixels_shaded) == 264);
+    assert!(offset_of!(nicol_statistics, vertices_added) == 272);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;

@@ -185,6 +185,7 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
 void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run) {
     std::vector<HighOrder> high_orders;
     if (input.high_orders != nullptr) {
+        compute_fractions(*input.high_orders, input, run);
         high_orders.reserve(surfaces.size());
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
             const HighOrderTransfer::Part& part =
@@ -207,15 +208,6 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> su
     run.statistics.pixels_shaded += shaded;
 }
 
-void CpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
-                           RenderRun& run) {
-    if (at_pixels) {
-        compute_fractions(high_orders, input, run);
-    } else {
-        add_high_orders(high_orders, input, run);
-    }
-}
-
 void CpuExecutor::compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input,
                                     RenderRun& run) {
     const WorldGeometry& geometry = input.geometry;
@@ -233,8 +225,7 @@ void CpuExecutor::compute_fractions(const HighOrderTransfer& high_orders, const 
     }
 }
 
-void CpuExecutor::add_high_orders(const HighOrderTransfer& high_orders, const ShadeInput& input,
-                                  RenderRun& run) {
+void CpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) {
     const WorldGeometry& geometry = input.geometry;
     const VisibilityBlocks& visibility = *high_orders.visibility();
     const std::vector<std::span<glm::vec4>> channels(stokes_.begin(), stokes_.end());
@@ -261,9 +252,8 @@ std::uint64_t CpuExecutor::make_physical(const ShadeInput& input) {
     return moved;
 }
 
-void CpuExecutor::store(VertexBuffers& buffers, bool fractions) const {
+void CpuExecutor::store(VertexBuffers& buffers) const {
     buffers.upload(stokes_);
-    if (fractions) buffers.upload(fractions_);
 }
 
 void CpuExecutor::store(PixelImage& image) const {

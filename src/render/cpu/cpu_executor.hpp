@@ -21,13 +21,12 @@ public:
                           std::span<const std::uint8_t> current, RenderRun& run) override;
     void shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) override;
     void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) override;
-    void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
-                  RenderRun& run) override;
+    void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) override;
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     std::uint64_t make_physical(const ShadeInput& input) override;
     void finish() override {}
-    void store(VertexBuffers& buffers, bool fractions) const override;
+    void store(VertexBuffers& buffers) const override;
     void store(PixelImage& image) const override;
     void count(Statistics& statistics) const override;
 
@@ -39,7 +38,6 @@ private:
     void resize(const ShadeInput& input);
     void compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
     void run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run);
-    void add_high_orders(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run);
 
     VertexLight light_;                  // of the factored method
     std::vector<VertexLight> outgoing_;  // of the dense method, one for each of its runs

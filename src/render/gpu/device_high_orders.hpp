@@ -18,9 +18,8 @@ namespace nicol {
 /// Holds a copy of the visibility of a HighOrderTransfer. All members inside run().
 class DeviceHighOrders {
 public:
-    /// `textures` must outlive the object.
-    DeviceHighOrders(std::shared_ptr<gl::Context> context, HighOrderTextures& textures)
-        : context_(std::move(context)), textures_(textures) {}
+    explicit DeviceHighOrders(std::shared_ptr<gl::Context> context)
+        : context_(context), textures_(std::move(context)) {}
 
     /// Fills buffers.fractions() where anything casts shadows.
     void compute_fractions(const HighOrderTransfer& transfer, const ShadeInput& input,
@@ -36,7 +35,7 @@ private:
     gl::Program& program(int channels, bool polarized, bool shadowed);
 
     std::shared_ptr<gl::Context> context_;
-    HighOrderTextures& textures_;
+    HighOrderTextures textures_;
     std::map<std::tuple<int, bool, bool>, gl::Program> programs_;
     std::optional<gl::Program> fraction_;
     Stage<Version> copying_;

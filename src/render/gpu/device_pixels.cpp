@@ -67,6 +67,7 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
     const HitImage& hits = input.hits;
     const std::size_t pixels =
         static_cast<std::size_t>(hits.width()) * static_cast<std::size_t>(hits.height());
+    sizing_.run(hits.width(), hits.height(), input.channels, [&] { release(); });
     compile(hits.offsets().size());
     const std::vector<glm::vec2> offsets(hits.offsets().begin(), hits.offsets().end());
     offsets_ = storage(context_, offsets);
@@ -171,6 +172,14 @@ std::vector<DevicePixels::Chunk> DevicePixels::chunks(std::span<const std::uint3
         }
     }
     return chunks;
+}
+
+void DevicePixels::release() {
+    for (std::optional<gl::Buffer>* const buffer :
+         {&list_of_points_, &weights_, &positions_, &normals_, &fractions_, &shares_})
+        buffer->reset();
+    stokes_.clear();
+    light_.reset();
 }
 
 void DevicePixels::make_room(std::size_t points, std::size_t shares) {

@@ -62,6 +62,7 @@ private:
     [[nodiscard]] std::vector<std::uint32_t> count();
     [[nodiscard]] static std::vector<Chunk> chunks(std::span<const std::uint32_t> counts, std::size_t groups,
                                                    std::size_t pixels);
+    void release();
     void make_room(std::size_t points, std::size_t shares);
     void list(const Chunk& chunk);
     void find_surface(const PixelRun& run);
@@ -87,6 +88,7 @@ private:
     const PixelInput* input_ = nullptr;
     VertexBuffers* buffers_ = nullptr;
 
+    Stage<int, int, int> sizing_;  // width, height, channels
     std::optional<gl::Buffer> list_of_points_;
     std::optional<gl::Buffer> weights_;
     std::optional<gl::Buffer> positions_;

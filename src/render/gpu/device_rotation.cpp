@@ -110,7 +110,7 @@ void DeviceRotation::rotate(const gl::Buffer& normals, bool back, const std::vec
     const LightLayout& layout = current_->layout;
     const std::size_t fields = field_count(layout) * psh_count(layout.order());
     const std::size_t bytes = fields * light.stride() * sizeof(glm::vec2);
-    if (!work_ || work_->size() < bytes) {
+    if (!work_ || work_->size() != bytes) {
         work_.reset();
         work_.emplace(context_, gl::BufferUse::storage, bytes, gl::BufferUpdate::fixed);
     }

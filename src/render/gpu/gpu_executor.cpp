@@ -24,14 +24,13 @@ std::string GpuExecutor::obstacle(const gl::Context& context) {
     return {};
 }
 
-GpuExecutor::GpuExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers,
-                         HighOrderTextures& textures)
+GpuExecutor::GpuExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers)
     : context_(context),
       buffers_(buffers),
       image_(context_),
       factored_(context),
       dense_(context),
-      high_orders_(std::move(context), textures) {}
+      high_orders_(std::move(context)) {}
 
 bool GpuExecutor::prepare(const TransferInput& input) {
     buffers_.update(input.geometry, input.versions.geometry, input.channels);
@@ -82,12 +81,11 @@ DevicePoints GpuExecutor::vertices(const ShadeInput& input, bool fractions) {
     return vertex_points(buffers_, input.geometry, input.channels, fractions);
 }
 
-void GpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
+void GpuExecutor::specular(const HighOrderTransfer& high_orders, const ShadeInput& input,
                            RenderRun& /*run*/) {
     context_->run([&] {
         if (!prepare(input)) return;
         high_orders_.compute_fractions(high_orders, input, buffers_);
-        if (at_pixels) return;
         const DevicePoints points = vertices(input, !high_orders.visibility()->empty());
         for (const VertexRange& range : input.geometry.ranges)
             high_orders_.add(high_orders, range.material, range.first, range.last, input, points);
@@ -107,6 +105,7 @@ void GpuExecutor::shade_pixels_by(const Method& method, Device& device, const Pi
         DeviceShade& shade = shade_for(input.view);
         const gl::Buffer uncounted(context_, gl::BufferUse::storage, sizeof(std::uint32_t),
                                    gl::BufferUpdate::fixed);
+        if (input.high_orders != nullptr) high_orders_.compute_fractions(*input.high_orders, input, buffers_);
         const std::size_t most = device.prepare_pixels(method, input);
         return pixels_->run(input, buffers_, most, run.progress, [&](const PixelRun& points) {
             device.shade_pixels(input, points, *pixels_, shade);

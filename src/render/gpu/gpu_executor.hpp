@@ -21,8 +21,8 @@ public:
     /// Why a context cannot; empty where it can.
     [[nodiscard]] static std::string obstacle(const gl::Context& context);
 
-    /// Stokes vectors of vertices go into `buffers`; both must outlive the object.
-    GpuExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers, HighOrderTextures& textures);
+    /// Stokes vectors of vertices go into `buffers`, which must outlive the object.
+    GpuExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers);
 
     [[nodiscard]] bool can_choose() const noexcept override { return false; }
     [[nodiscard]] bool adds_background() const noexcept override { return false; }
@@ -32,13 +32,12 @@ public:
                           std::span<const std::uint8_t> current, RenderRun& run) override;
     void shade(const FactoredMethod& method, const ShadeInput& input, RenderRun& run) override;
     void shade(const DenseMethod& method, const ShadeInput& input, RenderRun& run) override;
-    void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, bool at_pixels,
-                  RenderRun& run) override;
+    void specular(const HighOrderTransfer& high_orders, const ShadeInput& input, RenderRun& run) override;
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     std::uint64_t make_physical(const ShadeInput& input) override;
     void finish() override;
-    void store(VertexBuffers& /*buffers*/, bool /*fractions*/) const override {}
+    void store(VertexBuffers& /*buffers*/) const override {}
     void store(PixelImage& image) const override { image_.copy_to(image); }
     void count(Statistics& /*statistics*/) const override {}
 
