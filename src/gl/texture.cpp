@@ -146,7 +146,8 @@ void Texture2D::bind(unsigned unit) const {
 void Texture2D::copy_from(const Texture2D& other) {
     const GladGLContext& gl = functions(*context(), "Texture2D::copy_from");
     if (other.width() != width() || other.height() != height() || other.format() != format())
-        throw Error(ErrorCode::invalid_argument, "Texture2D::copy_from: textures of different sizes or formats");
+        throw Error(ErrorCode::invalid_argument,
+                    "Texture2D::copy_from: textures of different sizes or formats");
     gl.CopyImageSubData(other.id(), GL_TEXTURE_2D, 0, 0, 0, 0, id(), GL_TEXTURE_2D, 0, 0, 0, 0, width(),
                         height(), 1);
     context()->state().check("Texture2D::copy_from");

@@ -13,8 +13,9 @@ void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const
     sizing_.run(width, height, targets, [&] {
         targets_.clear();
         for (std::size_t i = 0; i < targets; ++i)
-            targets_.emplace_back(context_, gl::RenderTargetDescription{
-                                                .width = width, .height = height, .format = gl::Format::r32ui});
+            targets_.emplace_back(
+                context_,
+                gl::RenderTargetDescription{.width = width, .height = height, .format = gl::Format::r32ui});
     });
     binding_.run(buffers.version(), [&] {
         vertices_.reset();

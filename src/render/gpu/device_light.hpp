@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,14 @@ template <class Element>
 [[nodiscard]] gl::Buffer storage(const std::shared_ptr<gl::Context>& context,
                                  const std::vector<Element>& elements) {
     return {context, gl::BufferUse::storage, std::as_bytes(std::span(elements))};
+}
+
+/// Makes a buffer for shaders of at least so many bytes, and at least one; the content is unspecified.
+inline void make_room(const std::shared_ptr<gl::Context>& context, std::optional<gl::Buffer>& buffer,
+                      std::size_t bytes) {
+    if (buffer && buffer->size() >= bytes) return;
+    buffer.reset();
+    buffer.emplace(context, gl::BufferUse::storage, std::max<std::size_t>(bytes, 1), gl::BufferUpdate::fixed);
 }
 
 /// Light of the vertices, or points, first .. first + count - 1 of all: [channel][number][vertex].

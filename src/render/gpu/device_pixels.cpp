@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <glm/vec2.hpp>
-#include <numeric>
 #include <string>
 
 #include "error.hpp"
@@ -15,21 +14,6 @@
 
 namespace nicol {
 namespace {
-
-constexpr std::size_t kBlock = 8192;  // pixels whose points are counted together
-constexpr std::size_t kMostBlocks = 128;
-constexpr std::size_t kMostPoints = 65536;  // of a chunk of several blocks
-
-std::size_t in_whole_groups(std::size_t points) {
-    return (points + kGroupOfVertices - 1) / kGroupOfVertices * kGroupOfVertices;
-}
-
-void make_room_in(const std::shared_ptr<gl::Context>& context, std::optional<gl::Buffer>& buffer,
-                  std::size_t bytes) {
-    if (buffer && buffer->size() >= bytes) return;
-    buffer.reset();
-    buffer.emplace(context, gl::BufferUse::storage, bytes, gl::BufferUpdate::fixed);
-}
 
 void check_size(const gl::Context& context, const WorldGeometry& geometry) {
     const std::size_t most = context.limits().storage_bytes / sizeof(glm::vec3);
@@ -46,42 +30,27 @@ void check_size(const gl::Context& context, const WorldGeometry& geometry) {
 DevicePixels::DevicePixels(std::shared_ptr<gl::Context> context, DevicePixelImage& image)
     : context_(std::move(context)),
       image_(image),
+      list_(context_),
       surface_(gl::Program::compute(context_, "pixel_surface.comp")),
       interpolate_(gl::Program::compute(context_, "pixel_interpolate.comp")) {}
-
-void DevicePixels::compile(std::size_t samples) {
-    compiling_.run(samples, [&] {
-        const std::vector<gl::Define> defines{{.name = "SAMPLES", .value = std::to_string(samples)},
-                                              {.name = "LISTING"}};
-        count_ = gl::Program::compute(context_, "pixel_collect.comp", std::span(defines).first(1));
-        list_ = gl::Program::compute(context_, "pixel_collect.comp", defines);
-        gather_ = gl::Program::compute(context_, "pixel_gather.comp", std::span(defines).first(1));
-    });
-}
 
 std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers, std::size_t most,
                                 Progress& progress, const Shade& shade) {
     check_size(*context_, input.geometry);
     input_ = &input;
     buffers_ = &buffers;
-    const HitImage& hits = input.hits;
-    const std::size_t pixels =
-        static_cast<std::size_t>(hits.width()) * static_cast<std::size_t>(hits.height());
-    sizing_.run(hits.width(), hits.height(), input.channels, [&] { release(); });
-    compile(hits.offsets().size());
-    const std::vector<glm::vec2> offsets(hits.offsets().begin(), hits.offsets().end());
-    offsets_ = storage(context_, offsets);
-    find_groups(input);
-    const std::vector<VertexRange>& surfaces = input.geometry.ranges;
-    const std::vector<std::uint32_t> counts = count();
-    for (const Chunk& chunk : chunks(counts, 2 * surfaces.size(), pixels)) {
-        progress.report("shade", static_cast<double>(chunk.first) / static_cast<double>(pixels));
-        make_room(chunk.size, (chunk.last - chunk.first) * offsets.size());
-        list(chunk);
+    const auto width = static_cast<std::size_t>(input.hits.width());
+    const auto height = static_cast<std::size_t>(input.hits.height());
+    sizing_.run(width, height, input.channels, [&] { release(); });
+    std::uint64_t shaded = 0;
+    for (const DevicePixelList::Chunk& chunk : list_.find(input, buffers, image_)) {
+        progress.report("shade", static_cast<double>(chunk.first) / static_cast<double>(width * height));
+        make_room_for(chunk.size);
+        list_.list(chunk);
         for (std::size_t g = 0; g < chunk.counts.size(); ++g) {
             const std::size_t last = chunk.begin[g] + chunk.counts[g];
             for (std::size_t first = chunk.begin[g]; first < last; first += most) {
-                const PixelRun run{.surface = surfaces[g / 2],
+                const PixelRun run{.surface = input.geometry.ranges[g / 2],
                                    .occluded = g % 2 != 0,
                                    .first = first,
                                    .last = std::min(first + most, last)};
@@ -89,108 +58,28 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
                 if (points_.fractions != nullptr) interpolate_fractions(run);
                 shade(run);
             }
+            shaded += chunk.counts[g];
         }
-        gather(chunk);
+        list_.gather(chunk, points_.stokes);
     }
-    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-}
-
-void DevicePixels::find_groups(const PixelInput& input) {
-    grouping_.run(input.versions.geometry, input.versions.visibility, [&] {
-        std::vector<std::uint32_t> groups;
-        groups.reserve(input.geometry.triangles.size());
-        const auto occluded = [&](std::uint32_t v) {
-            return input.visibility != nullptr && !input.visibility->unoccluded(v);
-        };
-        for (const glm::uvec3& t : input.geometry.triangles) {
-            const auto surface =
-                std::ranges::upper_bound(input.geometry.ranges, t.x, {}, &VertexRange::last) -
-                input.geometry.ranges.begin();
-            const bool any = occluded(t.x) || occluded(t.y) || occluded(t.z);
-            groups.push_back(2 * static_cast<std::uint32_t>(surface) + (any ? 1 : 0));
-        }
-        groups_ = storage(context_, groups);
-    });
-}
-
-void DevicePixels::bind_hits(gl::Program& program, std::size_t first, std::size_t last) {
-    program.set("first", static_cast<int>(first));
-    program.set("count", static_cast<int>(last - first));
-    program.set("width", input_->hits.width());
-    buffers_->indices()->buffer().bind_storage(0);
-    groups_->bind_storage(1);
-    offsets_->bind_storage(2);
-    for (std::size_t s = 0; s < input_->hits.offsets().size(); ++s)
-        input_->hits.texture(s).bind(static_cast<unsigned>(s));
-}
-
-// [block][group]; coverage is found on the way.
-std::vector<std::uint32_t> DevicePixels::count() {
-    const std::size_t pixels = static_cast<std::size_t>(image_.coverage().width()) *
-                               static_cast<std::size_t>(image_.coverage().height());
-    const std::size_t groups = 2 * input_->geometry.ranges.size();
-    std::vector<std::uint32_t> counts((pixels + kBlock - 1) / kBlock * groups);
-    const gl::Buffer buffer(context_, gl::BufferUse::storage, counts.size() * sizeof(std::uint32_t),
-                            gl::BufferUpdate::fixed);
-    constexpr std::size_t step = kMostBlocks * kBlock;
-    for (std::size_t first = 0; first < pixels; first += step) {
-        const std::size_t last = std::min(first + step, pixels);
-        bind_hits(*count_, first, last);
-        count_->set("block", static_cast<int>(kBlock));
-        count_->set("group_count", static_cast<int>(groups));
-        buffer.bind_storage(3);
-        image_.coverage().bind_image();
-        gl::dispatch(*count_, groups_for(last - first));
-    }
-    buffer.read(0, std::as_writable_bytes(std::span(counts)));
-    return counts;
-}
-
-std::vector<DevicePixels::Chunk> DevicePixels::chunks(std::span<const std::uint32_t> counts,
-                                                      std::size_t groups, std::size_t pixels) {
-    std::vector<Chunk> chunks;
-    for (std::size_t block = 0; block * groups < counts.size(); ++block) {
-        const auto of_block = counts.subspan(block * groups, groups);
-        std::size_t size = 0;
-        for (const std::uint32_t points : of_block) size += in_whole_groups(points);
-        const std::size_t first = block * kBlock;
-        if (chunks.empty() || chunks.back().size + size > kMostPoints ||
-            first - chunks.back().first == kMostBlocks * kBlock) {
-            chunks.push_back({.first = first, .last = first, .begin = {}, .counts = {}, .size = 0});
-            chunks.back().counts.resize(groups);
-        }
-        Chunk& chunk = chunks.back();
-        chunk.last = std::min(first + kBlock, pixels);
-        chunk.size += size;
-        for (std::size_t g = 0; g < groups; ++g) chunk.counts[g] += of_block[g];
-    }
-    for (Chunk& chunk : chunks) {
-        std::size_t begin = 0;
-        for (const std::uint32_t points : chunk.counts) {
-            chunk.begin.push_back(static_cast<std::uint32_t>(begin));
-            begin += in_whole_groups(points);
-        }
-    }
-    return chunks;
+    return shaded;
 }
 
 void DevicePixels::release() {
-    for (std::optional<gl::Buffer>* const buffer :
-         {&list_of_points_, &weights_, &positions_, &normals_, &fractions_, &shares_})
+    list_.release();
+    for (std::optional<gl::Buffer>* const buffer : {&weights_, &positions_, &normals_, &fractions_})
         buffer->reset();
     stokes_.clear();
     light_.reset();
 }
 
-void DevicePixels::make_room(std::size_t points, std::size_t shares) {
+void DevicePixels::make_room_for(std::size_t points) {
     const auto floats = [&](std::optional<gl::Buffer>& buffer, std::size_t of_point) {
-        make_room_in(context_, buffer, std::max<std::size_t>(points, 1) * of_point * sizeof(float));
+        make_room(context_, buffer, points * of_point * sizeof(float));
     };
-    floats(list_of_points_, 4);
     floats(weights_, 2);
     floats(positions_, 3);
     floats(normals_, 3);
-    make_room_in(context_, shares_, shares * sizeof(std::uint32_t));
     const bool shadows = input_->high_orders != nullptr && !input_->high_orders->visibility()->empty();
     if (shadows) floats(fractions_, 2);
     stokes_.resize(static_cast<std::size_t>(input_->channels));
@@ -202,15 +91,6 @@ void DevicePixels::make_room(std::size_t points, std::size_t shares) {
     for (const std::optional<gl::Buffer>& channel : stokes_) points_.stokes.push_back(&*channel);
 }
 
-void DevicePixels::list(const Chunk& chunk) {
-    const gl::Buffer places = storage(context_, chunk.begin);
-    bind_hits(*list_, chunk.first, chunk.last);
-    places.bind_storage(3);
-    list_of_points_->bind_storage(4);
-    shares_->bind_storage(5);
-    gl::dispatch(*list_, groups_for(chunk.last - chunk.first));
-}
-
 void DevicePixels::find_surface(const PixelRun& run) {
     const Projection& projection = input_->projection;
     set_view_uniforms(surface_, input_->view);
@@ -219,7 +99,7 @@ void DevicePixels::find_surface(const PixelRun& run) {
     surface_.set("half_size", glm::vec2(projection.half_width, projection.half_height));
     surface_.set("shift", glm::vec2(projection.shift));
     surface_.set("count", static_cast<int>(run.last - run.first));
-    std::ignore = bind_vertices(*list_of_points_, 0, 4, run.first, run.last);
+    std::ignore = bind_vertices(list_.points(), 0, 4, run.first, run.last);
     buffers_->indices()->buffer().bind_storage(1);
     const std::size_t first =
         bind_vertices(*buffers_->positions(), 2, 3, run.surface.first, run.surface.last);
@@ -275,25 +155,10 @@ void DevicePixels::interpolate_fractions(const PixelRun& run) {
 
 void DevicePixels::interpolate(const PixelRun& run, std::size_t numbers) {
     interpolate_.set("count", static_cast<int>(run.last - run.first));
-    std::ignore = bind_vertices(*list_of_points_, 0, 4, run.first, run.last);
+    std::ignore = bind_vertices(list_.points(), 0, 4, run.first, run.last);
     buffers_->indices()->buffer().bind_storage(1);
     std::ignore = bind_vertices(*weights_, 2, 2, run.first, run.last);
     gl::dispatch(interpolate_, groups_for(run.last - run.first), static_cast<unsigned>(numbers));
-}
-
-void DevicePixels::gather(const Chunk& chunk) {
-    gather_->set("first", static_cast<int>(chunk.first));
-    gather_->set("count", static_cast<int>(chunk.last - chunk.first));
-    gather_->set("width", input_->hits.width());
-    glm::vec4 wanted(0);
-    for (std::size_t p = 0; p < input_->most_components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
-    gather_->set("wanted", wanted);
-    shares_->bind_storage(0);
-    for (int c = 0; c < input_->channels; ++c) {
-        points_.stokes[static_cast<std::size_t>(c)]->bind_storage(1);
-        image_.channel(c).bind_image();
-        gl::dispatch(*gather_, groups_for(chunk.last - chunk.first));
-    }
 }
 
 }  // namespace nicol

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// shade at pixels on the device: the points that pixels show, as a list that is shaded like vertices.
+// shade at pixels on the device: the points that pixels show are shaded like vertices.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,9 @@
 #include "gl/program.hpp"
 #include "render/executor.hpp"
 #include "render/gpu/device_light.hpp"
-#include "render/gpu/device_points.hpp"
 #include "render/gpu/device_pixel_image.hpp"
+#include "render/gpu/device_pixel_list.hpp"
+#include "render/gpu/device_points.hpp"
 
 namespace nicol {
 
@@ -24,7 +25,6 @@ struct PixelRun {
     std::size_t last;
 };
 
-/// Which points there are is what PixelShading of threads finds. Only their numbers come back to the host.
 /// All members inside run() of the context.
 class DevicePixels {
 public:
@@ -47,55 +47,29 @@ public:
     void interpolate(const DeviceLight& vertices, const PixelRun& run, DeviceLight& light);
 
 private:
-    // Pixels whose points are listed at once.
-    struct Chunk {
-        std::size_t first;
-        std::size_t last;
-        std::vector<std::uint32_t> begin;   // of each group, in the list
-        std::vector<std::uint32_t> counts;  // points of each group
-        std::size_t size;                   // of the list
-    };
-
-    void compile(std::size_t samples);
-    void find_groups(const PixelInput& input);
-    void bind_hits(gl::Program& program, std::size_t first, std::size_t last);
-    [[nodiscard]] std::vector<std::uint32_t> count();
-    [[nodiscard]] static std::vector<Chunk> chunks(std::span<const std::uint32_t> counts, std::size_t groups,
-                                                   std::size_t pixels);
     void release();
-    void make_room(std::size_t points, std::size_t shares);
-    void list(const Chunk& chunk);
+    void make_room_for(std::size_t points);
     void find_surface(const PixelRun& run);
     void interpolate_fractions(const PixelRun& run);
     // Expects source and result to be bound.
     void interpolate(const PixelRun& run, std::size_t numbers);
-    void gather(const Chunk& chunk);
 
     std::shared_ptr<gl::Context> context_;
     DevicePixelImage& image_;
+    DevicePixelList list_;
     gl::Program surface_;
     gl::Program interpolate_;
-    Stage<std::size_t> compiling_;  // samples
-    std::optional<gl::Program> count_;
-    std::optional<gl::Program> list_;
-    std::optional<gl::Program> gather_;
-    std::optional<gl::Buffer> offsets_;  // of samples
-
-    Stage<Version, Version> grouping_;  // geometry, visibility
-    std::optional<gl::Buffer> groups_;  // of triangles: twice the surface, and 1 where a corner is occluded
 
     // Of the image in work.
     const PixelInput* input_ = nullptr;
     VertexBuffers* buffers_ = nullptr;
 
-    Stage<int, int, int> sizing_;  // width, height, channels
-    std::optional<gl::Buffer> list_of_points_;
+    Stage<std::size_t, std::size_t, int> sizing_;  // width, height, channels
     std::optional<gl::Buffer> weights_;
     std::optional<gl::Buffer> positions_;
     std::optional<gl::Buffer> normals_;
     std::optional<gl::Buffer> fractions_;
     std::vector<std::optional<gl::Buffer>> stokes_;
-    std::optional<gl::Buffer> shares_;
     DevicePoints points_{};
     std::optional<DeviceLight> light_;
 };
