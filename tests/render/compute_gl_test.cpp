@@ -34,7 +34,7 @@ void check_alike(const StokesImage& a, const StokesImage& b, ShadeAt where = Sha
     if (where == ShadeAt::vertices) {
         CHECK(largest_difference(a, b) <= tolerance * largest(a));
     } else {  // where surfaces are seen edge-on, rounding moves the point that a pixel shows
-        CHECK(test::rms_difference(a, b) <= 0.1 * tolerance * test::rms(a));
+        CHECK(test::rms_difference(a, b) <= 0.3 * tolerance * test::rms(a));
         CHECK(largest_difference(a, b) <= 10 * tolerance * largest(a));
     }
 }
