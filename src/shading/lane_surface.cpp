@@ -5,6 +5,7 @@
 
 #include "polarization/lane_points.hpp"
 #include "simd/dispatch.hpp"
+#include "simd/lane_vector.hpp"
 
 namespace nicol {
 namespace {
@@ -34,61 +35,76 @@ void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
     lanes.z[i] = v.z;
 }
 
-[[gnu::always_inline]] inline Vector3<float> lane(const LaneVectors& lanes, std::size_t i) {
-    return {lanes.x.value[i], lanes.y.value[i], lanes.z.value[i]};
+// The compiler's own vectors: loops over lanes with so many choices stay loops over single numbers.
+using Number [[gnu::vector_size(64)]] = float;
+
+[[gnu::always_inline]] inline void load(const Lanes& from, Number& to) {
+    to = *reinterpret_cast<const LaneVector*>(&from);
+}
+
+[[gnu::always_inline]] inline Vector3<Number> load(const LaneVectors& from) {
+    Vector3<Number> to;
+    load(from.x, to.x);
+    load(from.y, to.y);
+    load(from.z, to.z);
+    return to;
+}
+
+[[gnu::always_inline]] inline void store(LaneVectors& to, const Vector3<Number>& from) {
+    store(&to.x, from.x);
+    store(&to.y, from.y);
+    store(&to.z, from.z);
 }
 
 // 0 for what is not a number.
-[[gnu::always_inline]] inline float between_zero_and(float most, float x) {
-    x = x > 0 ? x : 0;
-    return x < most ? x : most;
+[[gnu::always_inline]] inline void move_between_zero_and(const Number& most, Number& x) {
+    x = x > 0 ? x : Number{};
+    x = x < most ? x : most;
 }
 
 // Where ray and plane meet, by Cramer's rule.
 [[gnu::always_inline]] inline void meet(const Rays& rays, const Triangles& triangles, Points& out) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float x = rays.x.value[i];
-        const float y = rays.y.value[i];
-        const Vector3<float> aside{x * rays.right.x + y * rays.up.x, x * rays.right.y + y * rays.up.y,
-                                   x * rays.right.z + y * rays.up.z};
-        const float near = rays.perspective;
-        const Vector3<float> direction{near * aside.x - rays.backward.x, near * aside.y - rays.backward.y,
-                                       near * aside.z - rays.backward.z};
-        const Vector3<float> first = lane(triangles.first, i);
-        const Vector3<float> begin{(1 - near) * aside.x - first.x, (1 - near) * aside.y - first.y,
-                                   (1 - near) * aside.z - first.z};
-        const Vector3<float> second = lane(triangles.second, i);
-        const Vector3<float> third = lane(triangles.third, i);
+    Number x;
+    Number y;
+    load(rays.x, x);
+    load(rays.y, y);
+    const Vector3<Number> aside{x * rays.right.x + y * rays.up.x, x * rays.right.y + y * rays.up.y,
+                                x * rays.right.z + y * rays.up.z};
+    const float near = rays.perspective;
+    const Vector3<Number> direction{near * aside.x - rays.backward.x, near * aside.y - rays.backward.y,
+                                    near * aside.z - rays.backward.z};
+    const Vector3<Number> first = load(triangles.first);
+    const Vector3<Number> begin{(1 - near) * aside.x - first.x, (1 - near) * aside.y - first.y,
+                                (1 - near) * aside.z - first.z};
+    const Vector3<Number> second = load(triangles.second);
+    const Vector3<Number> third = load(triangles.third);
 
-        const Vector3<float> across = cross(direction, third);
-        float determinant = 0;
-        dot(second, across, determinant);
-        const float inverse = 1 / (determinant == 0 ? 1.0F : determinant);
-        float u = 0;
-        dot(begin, across, u);
-        u = between_zero_and(1, u * inverse);
-        float v = 0;
-        dot(direction, cross(begin, second), v);
-        v = between_zero_and(1 - u, v * inverse);
-        const float w = 1 - u - v;
-        out.weights[0].value[i] = w;
-        out.weights[1].value[i] = u;
-        out.weights[2].value[i] = v;
-        out.offset.x.value[i] = u * second.x + v * third.x;
-        out.offset.y.value[i] = u * second.y + v * third.y;
-        out.offset.z.value[i] = u * second.z + v * third.z;
+    const Number one = Number{} + 1.0F;
+    const Vector3<Number> across = cross(direction, third);
+    Number determinant;
+    dot(second, across, determinant);
+    const Number inverse = 1.0F / (determinant == 0.0F ? one : determinant);
+    Number u;
+    dot(begin, across, u);
+    u *= inverse;
+    move_between_zero_and(one, u);
+    Number v;
+    dot(direction, cross(begin, second), v);
+    v *= inverse;
+    move_between_zero_and(one - u, v);
+    const Number w = one - u - v;
+    store(&out.weights[0], w);
+    store(&out.weights[1], u);
+    store(&out.weights[2], v);
+    store(out.offset, {u * second.x + v * third.x, u * second.y + v * third.y, u * second.z + v * third.z});
 
-        const Vector3<float> a = lane(triangles.normals[0], i);
-        const Vector3<float> b = lane(triangles.normals[1], i);
-        const Vector3<float> c = lane(triangles.normals[2], i);
-        const Vector3<float> sum{w * a.x + u * b.x + v * c.x, w * a.y + u * b.y + v * c.y,
-                                 w * a.z + u * b.z + v * c.z};
-        const Vector3<float> back{-direction.x, -direction.y, -direction.z};
-        const Vector3<float> unit = normalized_or(sum, 1e-12F, normalized_or(back, 0.0F, back));
-        out.normal.x.value[i] = unit.x;
-        out.normal.y.value[i] = unit.y;
-        out.normal.z.value[i] = unit.z;
-    }
+    const Vector3<Number> a = load(triangles.normals[0]);
+    const Vector3<Number> b = load(triangles.normals[1]);
+    const Vector3<Number> c = load(triangles.normals[2]);
+    const Vector3<Number> sum{w * a.x + u * b.x + v * c.x, w * a.y + u * b.y + v * c.y,
+                              w * a.z + u * b.z + v * c.z};
+    const Vector3<Number> back{-direction.x, -direction.y, -direction.z};
+    store(out.normal, normalized_or(sum, 1e-12F, normalized_or(back, 0.0F, back)));
 }
 
 }  // namespace
