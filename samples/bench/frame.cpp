@@ -121,8 +121,8 @@ Report bench_frame(const Options& options) {
     const std::vector<FrameTimes> medians = time_frames(contestants, options.seconds);
 
     const double floor = medians[0].camera_draw;
-    Report report({"frame after a change of", "ratio to floor", "ms", "relight ms", "shade ms", "draw ms",
-                   "vertex data MB"});
+    Report report(
+        {"frame after a change of", "ratio to floor", "ms", "relight ms", "shade ms", "draw ms", "kept MB"});
     report.add("floor: one colour", {1, floor, std::nan(""), std::nan(""), floor, std::nan("")});
     for (std::size_t i = 0; i < list.size(); ++i) {
         add_rows(report, list[i].name(), medians[i + 1], floor);

@@ -14,7 +14,7 @@ struct FrameTimes {
     double still = 0;   ///< frame after no change at all
     double camera_shade = 0, camera_draw = 0;
     double light_relight = 0, light_shade = 0, light_draw = 0;
-    double transfer_mb = 0;  ///< run-time buffers of vertices, shadows included
+    double transfer_mb = 0;  ///< kept of vertices, shadows included, and of pixels that are shaded
 };
 
 /// One way to render, with a scene of its own.
