@@ -154,7 +154,8 @@ TEST_CASE("bad bitmaps are refused by name, cut short anywhere too") {
     check_error(ErrorCode::file_not_found, CALL(read_bitmap(folder.path() / "none.png")), "none.png");
     refused("a.png", "", ErrorCode::invalid_file, "is empty");
     refused("a.png", "hello", ErrorCode::unsupported, "expected PNG, JPEG, BMP, TGA or Radiance HDR");
-    refused("a.png", png(40000, 1, 8, 0, Bytes(40001, '\0')), ErrorCode::invalid_file, "of more than 32768 pixels a side");
+    refused("a.png", png(40000, 1, 8, 0, Bytes(40001, '\0')), ErrorCode::invalid_file,
+            "of more than 32768 pixels a side");
     refused("a.png", png(32768, 32768, 8, 0, "\0"), ErrorCode::unsupported, "32768 x 32768 pixels; at most");
     const Bytes photo(reinterpret_cast<const char*>(jpeg.data()), jpeg.size());
     // Of PNG and JPEG the end mark may be missing: all pixels are there.

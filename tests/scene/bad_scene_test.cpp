@@ -83,7 +83,8 @@ TEST_CASE("documents that are not scenes of Mitsuba 3") {
 
 TEST_CASE("plug-ins and elements that do not exist here, with what does") {
     unsupported("\n<shape type='hair'/>",
-                {":3: shape \"hair\"", "obj, ply, off, stl, serialized, sphere, rectangle, cube, shapegroup, instance"});
+                {":3: shape \"hair\"",
+                 "obj, ply, off, stl, serialized, sphere, rectangle, cube, shapegroup, instance"});
     unsupported("<bsdf type='principled'/>",
                 {":2: bsdf \"principled\"",
                  "pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided"});
