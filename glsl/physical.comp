@@ -10,11 +10,15 @@ layout(std430, binding = 0) buffer StokesVectors { vec4 stokes[]; };
 layout(std430, binding = 1) buffer Moved { uint moved; };
 
 uniform int count;
+uniform float noise;
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);
     if (i >= count) return;
-    if (is_physical(stokes[i])) return;
-    atomicAdd(moved, 1u);
-    stokes[i] = made_physical(stokes[i]);
+    if (!is_physical(stokes[i])) {
+        atomicAdd(moved, 1u);
+    } else if (noise == 0.0) {
+        return;
+    }
+    stokes[i] = made_physical(stokes[i], noise);
 }

@@ -669,7 +669,8 @@ typedef struct nicol_render_options {
                                  time and memory to bake and leave less noise in the shadows */
     uint32_t physical; /* 1, the default: Stokes vectors are moved into the physical range (Eq. 70), s0 >= 0
                           and no more polarized than s0, which truncated light may violate: at vertices, or at
-                          pixels if these are shaded; 0: no */
+                          pixels if these are shaded. Where orders are chosen, light that is as weak as the
+                          predicted error becomes less polarized: no false DoLP in the dark. 0: no */
     double dering;     /* against ringing: the light's order l is multiplied by 1 / (1 + dering (l (l +
                           1))^2). 0: not at all; 0.0001 to 0.01 are of use; finite, not negative */
     nicol_progress_callback progress; /* NULL: none. Of the verbs project, bake, relight, shade, draw; of the

@@ -28,6 +28,7 @@ struct ShadeInput : TransferInput {
     const Viewpoint& view;                 ///< in the geometry's axes
     std::span<const std::uint8_t> chosen;  ///< 1 for each vertex to be shaded
     glm::dmat3 light_to_geometry;          ///< rotates the distant light's axes into the geometry's
+    float noise;                           ///< of s0: what the orders left out are predicted to cause, or 0
 };
 
 /// What shading at pixels starts from; chosen are vertices of triangles in view.

@@ -55,8 +55,10 @@ public:
     /// What is kept outside the context.
     [[nodiscard]] std::uint64_t bytes() const;
     /// All that draw() takes, the context's included.
-    [[nodiscard]] static std::uint64_t bytes_per_pixel(std::size_t samples) {
-        return (2 * samples + 1) * sizeof(std::uint32_t);
+    [[nodiscard]] static std::uint64_t bytes_per_pixel(std::size_t samples, Kept kept) {
+        const std::size_t targets = kept == Kept::on_device ? samples : 1;
+        const std::size_t read = kept == Kept::on_device ? 0 : samples;
+        return read * sizeof(std::uint32_t) + targets * (sizeof(std::uint32_t) + sizeof(float));
     }
 
     /// What glsl/hits.glsl reads.

@@ -134,8 +134,10 @@ std::uint64_t image_memory(const RenderOptions& options, int width, int height, 
     const auto planes = static_cast<std::uint64_t>(channels);
     const std::uint64_t at_vertices =
         several ? std::min<std::uint64_t>(Framebuffer::kGroup, planes) * texel + depth : 0;
+    const auto kept =
+        options.executor == Executor::compute ? HitImage::Kept::on_device : HitImage::Kept::on_host;
     const std::uint64_t at_pixels =
-        HitImage::bytes_per_pixel(samples) + PixelImage::kBytesPerPixel + planes * texel;
+        HitImage::bytes_per_pixel(samples, kept) + PixelImage::kBytesPerPixel + planes * texel;
     std::uint64_t bytes = 0;
     if (options.shade_at != ShadeAt::pixels) bytes = at_vertices;
     if (options.shade_at != ShadeAt::vertices) bytes = std::max(bytes, at_pixels);

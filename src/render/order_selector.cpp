@@ -52,7 +52,7 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const SurfaceSta
     measuring_.run(scene.environment(), surfaces.materials, surfaces.versions, [&] {
         choosing_.reset();
         shares_.clear();
-        mean_square_ = 0;
+        mean_square_ = values_ = 0;
         if (scene.environment()) measure(scene, surfaces);
     });
     limiting_.run(scene.geometry_version(), scene.environment(), options.shadows, options.high_order_shadows,
@@ -61,6 +61,7 @@ OrderSelector::Orders OrderSelector::choose(const Scene& scene, const SurfaceSta
     const bool split = options.high_orders == HighOrders::split;
     choosing_.run(options.tolerance, split, highest_low_,
                   [&] { chosen_ = cheapest(options.tolerance, split); });
+    chosen_.rms = values_ > 0 ? std::sqrt(mean_square_ / values_) : 0;
     return chosen_;
 }
 
@@ -142,6 +143,7 @@ void OrderSelector::measure(const Scene& scene, const SurfaceState& surfaces) {
             }
         }
         for (const double value : share.all[0]) mean_square_ += value;
+        values_ += static_cast<double>(count) * scene.channels();
     }
 }
 

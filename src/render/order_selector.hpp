@@ -31,6 +31,7 @@ public:
         int low = 0;
         int high = 0;      ///< equals low where there are no high orders
         double error = 0;  ///< of s0, or of s1 and s2 where that is more; relative to the RMS of s0
+        double rms = 0;    ///< of s0, at the vertices, of light of scale 1
     };
 
     /// The fastest orders for the factored method with a predicted error of at most the options' tolerance,
@@ -80,7 +81,8 @@ private:
     Stage<EnvironmentPtr> projecting_;
     std::vector<std::array<Spectrum, ResponsePower::kParts>> light_;  // energies by order, of each channel
     std::vector<Share> shares_;
-    double mean_square_ = 0;  // of s0
+    double mean_square_ = 0;  // of s0, times `values_`
+    double values_ = 0;       // vertices times channels
     // Geometry, light, the options that matter for memory, and its limit.
     Stage<Version, EnvironmentPtr, bool, bool, int, HighOrders, std::uint64_t> limiting_;
     int highest_low_ = kHighestLow;

@@ -2,6 +2,7 @@
 #include "render/pipeline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/matrix.hpp>
 
 #include "render/interpolation_error.hpp"
@@ -67,7 +68,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
 
     method.relight(input, executor, run);
 
-    const ShadeInput shaded{input, projection.view, {}, light_to_geometry};
+    const ShadeInput shaded{input, projection.view, {}, light_to_geometry, noise_};
     if (pixels_) {
         shade_pixels(scene, shaded, projection, options, high_orders, executor, run, draw_hits);
     } else {
@@ -85,7 +86,10 @@ TransferMethod& Pipeline::method_for(Method method) {
 }
 
 RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& options, RenderRun& run) {
+    // Dark places, where polarization is told from noise, err less than the whole.
+    constexpr double of_dark = 1.0 / 3;
     RenderOptions chosen = options;
+    noise_ = 0;
     const bool predicted =
         options.method == Method::factored && options.high_orders != HighOrders::convolution;
     if (!options.choose_orders || !predicted || !(options.tolerance > 0)) return chosen;
@@ -96,6 +100,9 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
         run.statistics.predicted_error = orders.error;
+        const double noise = of_dark * orders.error * orders.rms * scene.light_scale();
+        // In steps, so that it stays when an object moves.
+        if (noise > 0) noise_ = static_cast<float>(std::exp2(std::round(2 * std::log2(noise)) / 2));
     });
     run.statistics.project_ms += watch.milliseconds();
     return chosen;
@@ -108,8 +115,8 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     if ((options.disabled_optimisations & skip_unchanged) != 0) shading_.reset();
     shading_.update(input, executor.version(), options.method, input.view, input.light_version,
                     distant.version, high_orders ? options.high_orders : HighOrders::none,
-                    high_orders && !high_orders_.visibility()->empty(), options.physical, input.channels,
-                    input.least_components, input.most_components);
+                    high_orders && !high_orders_.visibility()->empty(), options.physical, noise_,
+                    input.channels, input.least_components, input.most_components);
     if (executor.can_choose()) {
         choose_vertices(input.geometry, projection, options, run);
     } else {

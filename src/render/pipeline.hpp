@@ -66,10 +66,11 @@ private:
     DenseMethod dense_;
     HighOrderTransfer high_orders_;
     bool pixels_ = false;
+    float noise_ = 0;  // see make_physical()
 
     // Executor, method, view, light of low and high orders, form of the high orders, with shadows, physical,
-    // channels, least and most components.
-    VertexStage<Version, Method, Viewpoint, Version, Version, HighOrders, bool, bool, int, std::size_t,
+    // noise, channels, least and most components.
+    VertexStage<Version, Method, Viewpoint, Version, Version, HighOrders, bool, bool, float, int, std::size_t,
                 std::size_t>
         shading_{{.on_places = true, .on_materials = true}};
     std::vector<std::uint8_t> chosen_;

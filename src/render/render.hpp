@@ -82,7 +82,8 @@ struct RenderOptions {
     /// 1e-2 are of use.
     double dering = 0;
     /// Moves Stokes vectors into the physical range (Eq. 70): s0 >= 0, no more polarized than s0, where
-    /// light is shaded.
+    /// light is shaded. Where orders are chosen, light that is as weak as what the others are predicted to
+    /// cause becomes less polarized, see make_physical().
     bool physical = false;
     /// Stokes components that the image has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;

@@ -6,14 +6,18 @@
 
 namespace nicol {
 
-std::size_t make_physical(std::span<glm::vec4> stokes) {
+std::size_t make_physical(std::span<glm::vec4> stokes, float noise) {
     std::size_t moved = 0;
     for (glm::vec4& s : stokes) {
         const float polarized2 = s.y * s.y + s.z * s.z + s.w * s.w;
-        if (s.x >= 0 && polarized2 <= s.x * s.x) continue;
-        ++moved;
-        s.x = std::max(s.x, 0.0F);
-        const float factor = polarized2 > 0 ? s.x / std::sqrt(polarized2) : 0.0F;
+        const bool inside = s.x >= 0 && polarized2 <= s.x * s.x;
+        float factor = 1;
+        if (!inside) {
+            ++moved;
+            s.x = std::max(s.x, 0.0F);
+            factor = polarized2 > 0 ? std::min(s.x / std::sqrt(polarized2), 1.0F) : 0.0F;
+        }
+        if (noise > 0) factor /= 1 + noise / s.x * (noise / s.x);
         if (factor < 1) {
             s.y *= factor;
             s.z *= factor;

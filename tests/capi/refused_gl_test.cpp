@@ -136,7 +136,7 @@ CONTEXT_TEST_CASE("meshes that are none are refused") {
                  {"data", [](auto& d) { d.vertex_count = 0; }},
                  {"data", [](auto& d) { d.triangle_count = 0; }},
                  {"data", [](auto& d) { d.indices = outside; }},
-                 {"face 0", [](auto& d) { d.indices = flat; }},
+                 {"none of the 1 triangles has an area", [](auto& d) { d.indices = flat; }},
                  {"data", [](auto& d) { d.positions = broken; }},
                  {"data", [](auto& d) { d.normals = infinite; }}});
 }

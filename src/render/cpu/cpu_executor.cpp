@@ -247,7 +247,8 @@ std::uint64_t CpuExecutor::make_physical(const ShadeInput& input) {
     std::uint64_t moved = 0;
     for (auto& channel : stokes_) {
         for (std::size_t v = 0; v < channel.size(); ++v)
-            if (input.chosen[v] != 0) moved += nicol::make_physical(std::span(channel).subspan(v, 1));
+            if (input.chosen[v] != 0)
+                moved += nicol::make_physical(std::span(channel).subspan(v, 1), input.noise);
     }
     return moved;
 }

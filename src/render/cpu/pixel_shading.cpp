@@ -167,7 +167,7 @@ void PixelShading::shade(std::span<const Pixel> pixels, Batch& batch,
     glm::vec4 wanted(0);
     for (std::size_t p = 0; p < input_.most_components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
     for (std::size_t c = 0; c < out.size(); ++c) {
-        if (input_.physical) make_physical(stokes[c]);
+        if (input_.physical) make_physical(stokes[c], input_.noise);
         for (std::size_t i = 0; i < count; ++i)
             out[c][pixels[i].index] += pixels[i].weight * wanted * stokes[c][i];
     }

@@ -113,7 +113,8 @@ void GpuExecutor::shade_pixels_by(const Method& method, Device& device, const Pi
                 high_orders_.add(*input.high_orders, points.surface.material, points.first, points.last,
                                  input, pixels_->points());
             }
-            if (input.physical) make_physical(pixels_->points(), points.first, points.last, uncounted);
+            if (input.physical)
+                make_physical(pixels_->points(), points.first, points.last, input.noise, uncounted);
         });
     });
 }
@@ -131,14 +132,14 @@ std::uint64_t GpuExecutor::make_physical(const ShadeInput& input) {
         if (!prepare(input)) return 0;
         const gl::Buffer counter(context_, gl::BufferUse::storage, sizeof(std::uint32_t),
                                  gl::BufferUpdate::fixed);
-        make_physical(vertices(input, false), 0, input.geometry.positions.size(), counter);
+        make_physical(vertices(input, false), 0, input.geometry.positions.size(), input.noise, counter);
         std::uint32_t moved = 0;
         counter.read(0, std::as_writable_bytes(std::span(&moved, 1)));
         return moved;
     });
 }
 
-void GpuExecutor::make_physical(const DevicePoints& points, std::size_t first, std::size_t last,
+void GpuExecutor::make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
                                 const gl::Buffer& counter) {
     constexpr std::size_t step = std::size_t{1} << 20;
     if (!physical_) physical_ = gl::Program::compute(context_, "physical.comp");
@@ -148,6 +149,7 @@ void GpuExecutor::make_physical(const DevicePoints& points, std::size_t first, s
             std::ignore = bind_vertices(*stokes, 0, 4, begin, end);
             counter.bind_storage(1);
             physical_->set("count", static_cast<int>(end - begin));
+            physical_->set("noise", noise);
             gl::dispatch(*physical_, groups_for(end - begin));
         }
     }

@@ -49,7 +49,7 @@ private:
     template <class Method, class Device>
     void shade_pixels_by(const Method& method, Device& device, const PixelInput& input, RenderRun& run);
     /// first: a multiple of kGroupOfVertices. Adds the number of those that were moved to `counter`.
-    void make_physical(const DevicePoints& points, std::size_t first, std::size_t last,
+    void make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
                        const gl::Buffer& counter);
 
     std::shared_ptr<gl::Context> context_;
