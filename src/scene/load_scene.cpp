@@ -16,6 +16,7 @@
 #include "material/measured.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "scene/scene_color.hpp"
+#include "scene/values.hpp"
 
 namespace nicol {
 namespace {
@@ -188,6 +189,7 @@ public:
     explicit Meshes(Files& files) : files_(files) {}
 
     std::shared_ptr<const Mesh> of(const ShapeDescription& d) {
+        if (d.kind == ShapeDescription::Kind::mesh) return d.mesh;
         const Key key{d.kind,     d.filename, d.index,        d.center.x,    d.center.y,
                       d.center.z, d.radius,   d.face_normals, d.flip_normals};
         std::shared_ptr<const Mesh>& mesh = made_[key];
@@ -201,6 +203,13 @@ private:
     Files& files_;
     std::map<Key, std::shared_ptr<const Mesh>> made_;
 };
+
+SceneDescription read_scene(const std::filesystem::path& file, const SceneParameters& parameters,
+                            const LoadLimits& limits) {
+    const std::string suffix = scene::lower_case(file.extension().string());
+    if (suffix == ".gltf" || suffix == ".glb") return read_gltf_scene(file, parameters, limits);
+    return read_mitsuba_scene(file, parameters);
+}
 
 Camera make(const SensorDescription& d) {
     Camera camera;
@@ -216,7 +225,7 @@ Camera make(const SensorDescription& d) {
 
 LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters& parameters,
                        const LoadLimits& limits) {
-    const SceneDescription description = read_mitsuba_scene(file, parameters);
+    const SceneDescription description = read_scene(file, parameters, limits);
     Files files(description.files, limits);
     LoadedScene out;
     out.notices = description.notices;

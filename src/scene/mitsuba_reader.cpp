@@ -9,9 +9,6 @@ namespace nicol {
 namespace scene {
 namespace {
 
-/// Memory for instances is not bounded by the size of the files.
-constexpr std::size_t kMaxShapes = 100000;
-
 /// One scene. Materials are numbered in the order in which its shapes use them.
 class Reader {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a Mitsuba 3 scene file says, as plain data.
+// What a scene file says, as plain data.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,14 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "files/file_record.hpp"
+#include "files/load_budget.hpp"
+#include "geometry/mesh.hpp"
 
 namespace nicol {
 
@@ -72,13 +75,14 @@ struct MaterialDescription {
 };
 
 struct ShapeDescription {
-    enum class Kind { obj, ply, off, stl, serialized, sphere, rectangle, cube };
+    enum class Kind { obj, ply, off, stl, serialized, sphere, rectangle, cube, mesh };
     Kind kind = Kind::obj;
-    std::string id;                  ///< of an instance, its own; empty when the file gives none
-    std::filesystem::path filename;  ///< of those before sphere
-    std::size_t index = 0;           ///< serialized: of the file's meshes
-    glm::dvec3 center{0.0};          ///< sphere
-    double radius = 1.0;             ///< sphere
+    std::string id;                    ///< of an instance, its own; empty when the file gives none
+    std::filesystem::path filename;    ///< of those before sphere
+    std::size_t index = 0;             ///< serialized: of the file's meshes
+    glm::dvec3 center{0.0};            ///< sphere
+    double radius = 1.0;               ///< sphere
+    std::shared_ptr<const Mesh> mesh;  ///< mesh: itself, the scene file holds it; validated
     bool flip_normals = false;
     bool face_normals = false;  ///< of those with a file: hard edges everywhere
     glm::dmat4 to_world{1.0};   ///< affine and invertible
@@ -107,6 +111,9 @@ struct SceneDescription {
     std::vector<std::string> notices;  ///< what was read and not followed, one sentence each
 };
 
+/// Most of one scene, instances counted: memory for them is not bounded by the size of its files.
+inline constexpr std::size_t kMaxShapes = 100000;
+
 /// Values for the file's $parameters, by name without the $; they win over <default>.
 using SceneParameters = std::map<std::string, std::string>;
 
@@ -126,5 +133,23 @@ using SceneParameters = std::map<std::string, std::string>;
 /// invalid_argument (an entry of `parameters` that the files never use).
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
                                                   const SceneParameters& parameters = {});
+
+/// Reads the default scene of a glTF 2.0 file, text or binary, with its buffers. Its axes are the world's.
+/// - Shapes are the primitives of triangles, strips and fans of each node; nodes with the same mesh share
+///   it. Without NORMAL they are flat. Colours and texture coordinates (v downwards) are the file's.
+/// - A metallicFactor below 0.5 makes pplastic, else roughconductor, both GGX with alpha = roughness^2.
+/// - The sensor is the first camera; without one it looks along -z, its image 45 degrees high, and the sphere
+///   around the box of the scene fits in. The film is 768 pixels wide and as high as the camera's aspect
+///   ratio says, else 576. There is no emitter.
+/// - Notices name what is not followed: textures, emission, transparency, lights, skins, morph targets,
+///   animations, points and lines, extensions without effect.
+/// Throws Error: file_not_found (also of a buffer); unsupported (another version, an unknown required
+/// extension, KHR_materials_unlit, buffers outside the folder of the file, more than kMaxShapes, what exceeds
+/// `limits`); invalid_file (malformed, references or data out of range, nodes in a circle, nothing to draw),
+/// naming the element; invalid_argument (any parameter; the format has none). Memory is proportional to the
+/// size of the files, times the number of primitives that share data, up to `limits`.
+[[nodiscard]] SceneDescription read_gltf_scene(const std::filesystem::path& file,
+                                               const SceneParameters& parameters = {},
+                                               const LoadLimits& limits = {});
 
 }  // namespace nicol

@@ -3,6 +3,7 @@
 
 import base64
 import io
+import json
 import pathlib
 import struct
 import sys
@@ -184,6 +185,41 @@ SKY = """<scene version="3.0.0"><path value="."/><alias id="m" as="n"/>
 </scene>
 """
 
+
+
+def gltf(binary):
+    """Two nodes with one mesh of two primitives, interleaved and sparse, a camera and materials."""
+    data = struct.pack("<24f", *[0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1])
+    data += struct.pack("<6H4x", 0, 1, 2, 2, 1, 3) + struct.pack("<3f", 1, 1, 2)
+    view = lambda offset, length, stride=0: {"buffer": 0, "byteOffset": offset, "byteLength": length,
+                                             **({"byteStride": stride} if stride else {})}
+    accessor = lambda kind, shape, count, view, **more: {"bufferView": view, "componentType": kind, "type": shape,
+                                                         "count": count, **more}
+    sparse = {"count": 1, "indices": {"bufferView": 1, "byteOffset": 10, "componentType": 5123},
+              "values": {"bufferView": 2}}
+    uri = {} if binary else {"uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}
+    document = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
+        "buffers": [{"byteLength": len(data), **uri}],
+        "bufferViews": [view(0, 96, 24), view(96, 12), view(112, 12)],
+        "accessors": [accessor(5126, "VEC3", 4, 0), accessor(5126, "VEC3", 4, 0, byteOffset=12),
+                      accessor(5123, "SCALAR", 6, 1), accessor(5126, "VEC3", 4, 0, sparse=sparse)],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2, "material": 0},
+                                   {"attributes": {"POSITION": 3}, "mode": 5, "material": 1}]}],
+        "nodes": [{"mesh": 0, "children": [1], "translation": [1, 2, 3], "rotation": [0, 0, 0, 1]},
+                  {"mesh": 0, "scale": [1, 2, -1]}, {"camera": 0, "matrix": [1, 0, 0, 0] + [0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1]}],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 1.5, "znear": 0.1}}],
+        "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [1, 0.5, 0, 1]},
+                       "extensions": {"KHR_materials_ior": {"ior": 1.4}}}, {"doubleSided": True}],
+    }
+    text = json.dumps(document).encode()
+    if not binary:
+        return text
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN") + data
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
 TARGETS = [
     "/scenes/a/image.png?size=64x32&observer=dolp",
     "/scenes/a/image.exr?observer=polarizer&polarizer=30&exposure=1.5",
@@ -238,6 +274,7 @@ SEEDS = {
     "npy": [LIGHT, GREY_LIGHT, MATERIAL],
     "pbsdf": [pbsdf((3, 2, 2), [550]), pbsdf((4, 2, 3), [450, 550, 650]), pbsdf((2, 2, 2), [550], angles=False)],
     "scene": [SCENE, SKY],
+    "gltf": [gltf(False), gltf(True)],
     "http": list(requests()),
     # A byte chooses the function; zeros leave its arguments as they are.
     "capi": [bytes([function]) + bytes(24) for function in range(80)],

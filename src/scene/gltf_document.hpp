@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A glTF file with its buffers in memory.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "error.hpp"
+#include "files/file_record.hpp"
+#include "files/load_budget.hpp"
+#include "scene/tiny_gltf.hpp"
+
+namespace nicol::scene {
+
+/// What the file says, well-formed, of glTF 2 and without an extension that it requires and we lack. Numbers
+/// in it are as the file has them: indices, counts and offsets may be out of range.
+class GltfDocument {
+public:
+    /// Takes the sizes of the file and its buffers off the budget. Throws as read_gltf_scene does.
+    GltfDocument(const std::filesystem::path& file, LoadBudget& budget);
+
+    [[nodiscard]] const tinygltf::Model& model() const { return model_; }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] const std::vector<FileRecord>& files() const { return files_; }
+    /// Of all buffers together.
+    [[nodiscard]] std::uint64_t buffer_bytes() const { return buffer_bytes_; }
+
+    /// Throws an error "file: where: what", `where` an element as "meshes[2].primitives[0]".
+    [[noreturn]] void fail(const std::string& where, const std::string& what,
+                           ErrorCode code = ErrorCode::invalid_file) const;
+
+    /// An element of one of the model's lists, `name` in the file, that `where` refers to. Throws as fail().
+    template <class Element>
+    [[nodiscard]] const Element& at(const std::vector<Element>& list, const char* name, int index,
+                                    const std::string& where) const {
+        if (index < 0 || static_cast<std::size_t>(index) >= list.size())
+            fail(where, "refers to " + std::string(name) + "[" + std::to_string(index) + "]; the file has " +
+                            std::to_string(list.size()));
+        return list[static_cast<std::size_t>(index)];
+    }
+
+private:
+    std::filesystem::path path_;
+    std::vector<FileRecord> files_;
+    tinygltf::Model model_;
+    std::uint64_t buffer_bytes_ = 0;
+};
+
+}  // namespace nicol::scene
