@@ -528,8 +528,9 @@ typedef struct nicol_instance {
 
 /* Empty and dark. */
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
-/* A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
- * that override its <default>s. */
+/* A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
+ * samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
+ * glTF has no light: the scene is dark until nicol_scene_set_environment. */
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
@@ -574,8 +575,9 @@ typedef struct nicol_scene_file {
 #define NICOL_SCENE_FILE_INIT \
     { sizeof(nicol_scene_file), 0, 0, 0, 0 }
 
-/* The files that nicol_scene_load has read, each once: the scene file, those that it includes, then light,
- * materials and meshes. With equal digests the scene is the same. None for a scene that was not loaded. */
+/* The files that nicol_scene_load has read, each once: the scene file, those that it includes (of glTF, its
+ * buffers), then light, materials and meshes. With equal digests the scene is the same. None for a scene that
+ * was not loaded. */
 NICOL_API nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count);
 /* index from 0; beyond the last, NICOL_ERROR_INVALID_ARGUMENT */
 NICOL_API nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene_file* file);

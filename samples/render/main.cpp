@@ -43,6 +43,13 @@ Scene load_scene(nicol_context context, const Options& options) {
     return Scene(scene);
 }
 
+void light(nicol_context context, nicol_scene scene, const std::string& path) {
+    nicol_environment environment = nullptr;
+    check(nicol_environment_load(context, path.c_str(), nullptr, &environment));
+    const Environment holder(environment);
+    check(nicol_scene_set_environment(scene, environment, nullptr, 1));
+}
+
 Framebuffer make_framebuffer(nicol_context context, nicol_scene scene, const Options& options) {
     std::uint32_t width = 0, height = 0, channels = 0;
     check(nicol_scene_get_film_size(scene, &width, &height));
@@ -139,6 +146,7 @@ void run(const Options& options) {
     ProgressBar progress;
     const Context context = make_context(options, progress);
     const Scene scene = load_scene(context.get(), options);
+    if (!options.environment.empty()) light(context.get(), scene.get(), options.environment);
     const Framebuffer framebuffer = make_framebuffer(context.get(), scene.get(), options);
     render(scene.get(), framebuffer.get(), options, progress);
     check(nicol_framebuffer_write_exr(framebuffer.get(), options.output.c_str()));

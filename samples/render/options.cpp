@@ -7,11 +7,14 @@
 #include <string_view>
 
 const char* const usage =
-    "usage: nicol-render SCENE.xml -o OUT.exr [options]\n"
-    "Renders a Mitsuba 3 scene to a Stokes image: channels R G B and S0.R ... S3.B.\n"
+    "usage: nicol-render SCENE -o OUT.exr [options]\n"
+    "Renders a scene, Mitsuba 3's .xml or glTF's .gltf or .glb, to a Stokes image: channels R G B and S0.R "
+    "... "
+    "S3.B.\n"
     "\n"
     "  -o, --output FILE        the OpenEXR image to write\n"
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
+    "      --environment FILE   an environment map that lights the scene, in place of the scene's own light\n"
     "      --images DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "      --device N           the device to use, of those that --list-devices shows\n"
@@ -205,6 +208,8 @@ Options parse_options(int argc, const char* const* argv) {
             options.output = path();
         else if (name == "-D" || name == "--define")
             options.definitions.push_back(parse_definition(value()));
+        else if (name == "--environment")
+            options.environment = path();
         else if (name == "--images")
             options.images = path();
         else if (name == "--backend")
@@ -270,7 +275,7 @@ Options parse_options(int argc, const char* const* argv) {
             options.scene = name;
         if (options.action != Options::Action::render) return options;
     }
-    if (options.scene.empty()) throw Failure("no scene given; usage: nicol-render SCENE.xml -o OUT.exr");
+    if (options.scene.empty()) throw Failure("no scene given; usage: nicol-render SCENE -o OUT.exr");
     if (options.output.empty()) throw Failure("no output given; add -o OUT.exr");
     if (options.order_low && options.order_high && *options.order_high < *options.order_low)
         throw Failure("--order-high: " + std::to_string(*options.order_high) +

@@ -17,6 +17,7 @@ struct Options {
     std::string scene;
     std::string output;
     std::vector<std::string> definitions;  ///< "name=value"
+    std::string environment;               ///< file, empty: the scene's
     std::string images;                    ///< folder, empty: none
     std::string stats;                     ///< file, empty: none
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;

@@ -103,6 +103,24 @@ class Success(RenderTest):
             self.assert_succeeds("good.xml", "-o", "out/a.exr", *arguments)
             self.assertEqual(self.image_size(), size, arguments)
 
+    def test_environment(self):
+        self.write("light.exr", exr(16, 8, 3))
+        lit = '<emitter type="envmap"><string name="filename" value="light.exr"/></emitter>'
+        for name, emitter in (("lit", lit), ("dark", ""), ("bright", EMITTER)):
+            self.write(name + ".xml", scene(emitter=emitter))
+        wanted = self.image_and_statistics("lit.xml")[0]
+        for name in ("dark", "bright"):
+            self.assertNotEqual(self.image_and_statistics(name + ".xml")[0], wanted)
+            self.assertEqual(self.image_and_statistics(name + ".xml", "--environment", "light.exr")[0], wanted)
+
+    def test_gltf(self):
+        self.write("light.exr", exr(16, 8, 3))
+        solids = os.path.join(os.path.dirname(__file__), "..", "..", "samples", "assets", "solids.gltf")
+        run = self.assert_succeeds(solids, "--environment", "light.exr", "-o", "out/a.exr", "--order-low", "4")
+        self.assertEqual(self.image_size(), (768, 512))
+        self.assertEqual(run.stderr.count("notice: "), 1, run.stderr)
+        self.assertIn("no emitter lights the scene", run.stderr)
+
     def test_images_and_statistics(self):
         self.assert_succeeds("good.xml", "-o", "out/a.exr", "--images", "out/deep/er", "--stats", "out/s.json")
         images = sorted(os.listdir(self.path("out/deep/er")))
@@ -313,6 +331,8 @@ class CommandLine(RenderTest):
             (["-D", "res"], "-D res"),
             (["unknown_name"], "-D unknown_name=1"),
             (["--backend", "metal"], "--backend metal"),
+            (["--environment", "the path is empty"], "--environment="),
+            (["none.exr"], "--environment none.exr"),
             (["--method", "'sparse'"], "--method sparse"),
             (["--executor", "'gpu'", "automatic, cpu, compute"], "--executor gpu"),
             (["--shade-at", "'edges'", "automatic, vertices, pixels"], "--shade-at edges"),

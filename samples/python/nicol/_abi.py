@@ -851,8 +851,9 @@ class Scene(Handle):
 
     @classmethod
     def load(cls, context, path, definitions=()):
-        """A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
-        that override its <default>s."""
+        """A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
+        samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
+        glTF has no light: the scene is dark until nicol_scene_set_environment."""
         definitions = texts(definitions)
         scene = cls()
         check(_scene_load(context, text(path), definitions, len(definitions), byref(scene)))
@@ -925,8 +926,9 @@ class Scene(Handle):
         return width.value, height.value
 
     def get_file_count(self):
-        """The files that nicol_scene_load has read, each once: the scene file, those that it includes, then light,
-        materials and meshes. With equal digests the scene is the same. None for a scene that was not loaded."""
+        """The files that nicol_scene_load has read, each once: the scene file, those that it includes (of glTF, its
+        buffers), then light, materials and meshes. With equal digests the scene is the same. None for a scene that
+        was not loaded."""
         count = c_uint32()
         check(_scene_get_file_count(self, byref(count)))
         return count.value

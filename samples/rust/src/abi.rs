@@ -1395,8 +1395,9 @@ extern "C" {
     pub fn nicol_camera_look_at(camera: *mut nicol_camera, origin: *const [f64; 3], target: *const [f64; 3], up: *const [f64; 3]) -> nicol_result;
     /// Empty and dark.
     pub fn nicol_scene_create(context: nicol_context, scene: *mut nicol_scene) -> nicol_result;
-    /// A Mitsuba 3 XML file (the subset that samples/render/README.md lists); definitions are "name=value" strings
-    /// that override its <default>s.
+    /// A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
+    /// samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
+    /// glTF has no light: the scene is dark until nicol_scene_set_environment.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
     /// id may be NULL; ids count up from 0, past those of removed instances too. Materials and environment must
     /// have one colour channel or the same number of them, here and in nicol_scene_set_environment.
@@ -1424,8 +1425,9 @@ extern "C" {
     /// The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
     pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
-    /// The files that nicol_scene_load has read, each once: the scene file, those that it includes, then light,
-    /// materials and meshes. With equal digests the scene is the same. None for a scene that was not loaded.
+    /// The files that nicol_scene_load has read, each once: the scene file, those that it includes (of glTF, its
+    /// buffers), then light, materials and meshes. With equal digests the scene is the same. None for a scene that
+    /// was not loaded.
     pub fn nicol_scene_get_file_count(scene: nicol_scene, count: *mut u32) -> nicol_result;
     /// index from 0; beyond the last, NICOL_ERROR_INVALID_ARGUMENT
     pub fn nicol_scene_get_file(scene: nicol_scene, index: u32, file: *mut nicol_scene_file) -> nicol_result;
