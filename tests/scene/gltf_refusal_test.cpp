@@ -220,9 +220,13 @@ TEST_CASE("glTF in one binary file, or with data in its text, is the same scene"
     for (std::size_t size = 0; size < whole.size(); ++size)
         static_cast<void>(error_of(CALL(read_gltf_scene(folder.write("c.glb", whole.substr(0, size)))),
                                    ErrorCode::invalid_file));
-    for (const std::size_t at : {8U, 12U, 20U + static_cast<unsigned>(whole.size() - 28 - 36)}) {
+    const std::size_t of_data = whole.size() - buffer.bytes.size() - 8;
+    for (const auto& [at, length] : {std::pair{std::size_t{8}, whole.size() + 4},
+                                     {12, whole.size()},
+                                     {of_data, buffer.bytes.size() + 4},
+                                     {of_data, buffer.bytes.size() + 8}}) {
         std::string longer = whole;
-        longer.replace(at, 4, number(static_cast<std::uint32_t>(whole.size() + 8)));
+        longer.replace(at, 4, number(static_cast<std::uint32_t>(length)));
         check_refused(folder.write("c.glb", longer), ErrorCode::invalid_file, "");
     }
 }

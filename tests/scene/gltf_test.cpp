@@ -109,12 +109,12 @@ TEST_CASE("every layout of numbers in glTF gives the same mesh") {
         } else if (layout == "sparse" || layout == "only sparse") {
             const bool only = layout == "only sparse";
             const int dense = buffer.view<glm::vec3>({{0, 0, 0}, {1, 0, 0}, {5, 5, 5}});
-            const int at = only ? buffer.view<std::uint8_t>({1, 2}) : buffer.view<std::uint8_t>({2});
+            const int at = only ? buffer.view<std::uint8_t>({0, 1, 2}) : buffer.view<std::uint8_t>({2});
             const int values =
-                only ? buffer.view<glm::vec3>({{1, 0, 0}, {0, 1, 0}}) : buffer.view<glm::vec3>({{0, 1, 0}});
+                only ? buffer.view<glm::vec3>(a_gltf_triangle) : buffer.view<glm::vec3>({{0, 1, 0}});
             buffer.accessor("VEC3", gltf_float, 3,
                             (only ? "" : GltfBuffer::of(dense)) +
-                                ",\"sparse\":{\"count\":" + (only ? "2" : "1") +
+                                ",\"sparse\":{\"count\":" + (only ? "3" : "1") +
                                 ",\"indices\":{\"componentType\":5121" + GltfBuffer::of(at) +
                                 "},\"values\":{" + GltfBuffer::of(values).substr(1) + "}}");
         } else if (layout == "bytes") {
