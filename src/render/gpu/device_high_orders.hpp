@@ -10,7 +10,7 @@
 #include "gl/program.hpp"
 #include "render/gpu/device_light.hpp"
 #include "render/gpu/device_points.hpp"
-#include "render/high_order_textures.hpp"
+#include "render/gpu/high_order_textures.hpp"
 #include "render/high_orders.hpp"
 
 namespace nicol {

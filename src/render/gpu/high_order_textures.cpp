@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/high_order_textures.hpp"
+#include "render/gpu/high_order_textures.hpp"
 
 #include <algorithm>
 
