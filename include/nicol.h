@@ -610,7 +610,8 @@ typedef uint32_t nicol_high_orders;
 /* Where light becomes the Stokes vector of an image. */
 typedef uint32_t nicol_shade_at;
 /* Pixels, where Stokes vectors between vertices are predicted to err by more than the tolerance: where
- * normals or view directions change much across triangles, for the lobes of the materials. */
+ * normals or view directions change much across triangles, for the lobes of the materials; and for several
+ * samples of a pixel by threads, which cost less there. */
 #define NICOL_SHADE_AT_AUTOMATIC 0
 /* Stokes vectors are interpolated across triangles: fast, and right where triangles cover few pixels. */
 #define NICOL_SHADE_AT_VERTICES 1

@@ -51,6 +51,8 @@ public:
     [[nodiscard]] Version version() const noexcept { return version_; }
     /// Whether shade() and specular() leave out vertices that are not chosen.
     [[nodiscard]] virtual bool can_choose() const noexcept = 0;
+    /// Whether several samples of a pixel cost less where pixels are shaded than drawing vertices as often.
+    [[nodiscard]] virtual bool samples_pixels() const noexcept = 0;
     /// Whether shade_pixels() adds the background; otherwise it is drawn around what shade_pixels() leaves.
     [[nodiscard]] virtual bool adds_background() const noexcept = 0;
 

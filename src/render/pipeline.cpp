@@ -35,7 +35,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     pixels_ =
         options.shade_at == ShadeAt::pixels ||
         (options.shade_at == ShadeAt::automatic &&
-         interpolation_error(surfaces.geometry, projection.view, light_.last_order()) > options.tolerance);
+         ((options.pixel_samples > 1 && executor.samples_pixels()) ||
+          interpolation_error(surfaces.geometry, projection.view, light_.last_order()) > options.tolerance));
     const TransferInput input{
         surfaces,
         light_.layout(),

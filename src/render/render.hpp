@@ -28,7 +28,7 @@ enum class HighOrders {
 
 /// Where light becomes a Stokes vector.
 enum class ShadeAt {
-    automatic,  ///< pixels where interpolation is predicted to miss the tolerance
+    automatic,  ///< pixels where interpolation is predicted to miss the tolerance, or pixels cost less
     vertices,   ///< Stokes vectors are interpolated: the fastest, right where triangles cover few pixels
     pixels,     ///< incident light and visible fractions of lobes are interpolated; normal, view and material
                 ///< are those of the pixel

@@ -241,3 +241,18 @@ GL_TEST_CASE("other numbers of samples are refused") {
                     CALL(render(sphere_on_plate(), with(samples, ShadeAt::vertices))), "pixel_samples",
                     "1, 4 or 8");
 }
+
+GL_TEST_CASE("where nothing else asks for pixels, threads shade several samples there, which costs less") {
+    for (const Executor executor : {Executor::cpu, Executor::compute}) {
+        for (const int samples : {1, 4}) {
+            CAPTURES(executor == Executor::cpu, samples);
+            Studio render(context, 20, 16);
+            RenderOptions options = with(samples, ShadeAt::automatic);
+            options.executor = executor;
+            options.tolerance = 1;
+            render(sphere_on_plate(), options);
+            const bool pixels = render.statistics.pixels_shaded > 0;
+            CHECK(pixels == (samples > 1 && executor == Executor::cpu));
+        }
+    }
+}

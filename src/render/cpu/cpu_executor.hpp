@@ -14,6 +14,7 @@ namespace nicol {
 class CpuExecutor final : public RenderExecutor {
 public:
     [[nodiscard]] bool can_choose() const noexcept override { return true; }
+    [[nodiscard]] bool samples_pixels() const noexcept override { return true; }
     [[nodiscard]] bool adds_background() const noexcept override { return true; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;

@@ -25,6 +25,7 @@ public:
     GpuExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& buffers);
 
     [[nodiscard]] bool can_choose() const noexcept override { return false; }
+    [[nodiscard]] bool samples_pixels() const noexcept override { return false; }
     [[nodiscard]] bool adds_background() const noexcept override { return false; }
     std::uint64_t relight(const FactoredMethod& method, const TransferInput& input,
                           std::span<const std::uint8_t> current, RenderRun& run) override;
