@@ -13,12 +13,12 @@
 #include "files/file_error.hpp"
 #include "files/read_bytes.hpp"
 #include "image/color.hpp"
+#include "image/jpeg.hpp"
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_STDIO
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
 #define STBI_ONLY_HDR
@@ -43,8 +43,7 @@ std::string suffix_of(const path& file) {
 }
 
 bool has_known_mark(std::string_view bytes) {
-    constexpr std::array<std::string_view, 5> marks = {"\x89PNG\r\n\x1a\n", "\xff\xd8\xff", "BM",
-                                                       "#?RADIANCE", "#?RGBE"};
+    constexpr std::array<std::string_view, 4> marks = {"\x89PNG\r\n\x1a\n", "BM", "#?RADIANCE", "#?RGBE"};
     return std::ranges::any_of(marks, [&](std::string_view mark) { return bytes.starts_with(mark); });
 }
 
@@ -115,11 +114,17 @@ bool is_bitmap(const path& file) {
 Bitmap read_bitmap(const path& file) {
     const std::string bytes = read_bytes(file);
     if (bytes.empty()) invalid_file(file, "is empty");
+    Bitmap out;
+    if (is_jpeg(bytes)) {
+        read_jpeg_header(file, bytes, out);
+        check_size(file, out.width, out.height);
+        read_jpeg_pixels(file, bytes, out);
+        return out;
+    }
     if (!has_known_mark(bytes) && suffix_of(file) != ".tga")
         unsupported_file(file, "not an image of a known kind; expected PNG, JPEG, BMP, TGA or Radiance HDR");
     Source head{.left = bytes};
     const stbi_io_callbacks callbacks = head.callbacks();
-    Bitmap out;
     if (stbi_info_from_callbacks(&callbacks, &head, &out.width, &out.height, &out.channels) == 0)
         invalid_file(file, "has a header that is damaged, truncated, or of more than " +
                                std::to_string(kMaxImageSide) + " pixels a side");

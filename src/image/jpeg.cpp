@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "image/jpeg.hpp"
+
+#include <turbojpeg.h>
+
+#include <memory>
+#include <new>
+#include <string>
+
+#include "files/file_error.hpp"
+
+namespace nicol {
+namespace {
+
+struct Destroy {
+    void operator()(void* decoder) const { tjDestroy(decoder); }
+};
+using Decoder = std::unique_ptr<void, Destroy>;
+
+Decoder make_decoder() {
+    Decoder decoder(tjInitDecompress());
+    if (decoder == nullptr) throw std::bad_alloc();
+    return decoder;
+}
+
+[[noreturn]] void fail(const std::filesystem::path& file, const Decoder& decoder) {
+    invalid_file(file, std::string("is damaged or truncated (") + tjGetErrorStr2(decoder.get()) + ")");
+}
+
+const unsigned char* data_of(std::string_view bytes) {
+    return reinterpret_cast<const unsigned char*>(bytes.data());
+}
+
+}  // namespace
+
+bool is_jpeg(std::string_view bytes) {
+    return bytes.starts_with("\xff\xd8\xff");
+}
+
+void read_jpeg_header(const std::filesystem::path& file, std::string_view bytes, Bitmap& out) {
+    const Decoder decoder = make_decoder();
+    int subsampling = 0;
+    int colours = 0;
+    if (tjDecompressHeader3(decoder.get(), data_of(bytes), static_cast<unsigned long>(bytes.size()),
+                            &out.width, &out.height, &subsampling, &colours) != 0)
+        fail(file, decoder);
+    out.channels = colours == TJCS_GRAY ? 1 : 3;
+}
+
+void read_jpeg_pixels(const std::filesystem::path& file, std::string_view bytes, Bitmap& out) {
+    const Decoder decoder = make_decoder();
+    std::vector<unsigned char> pixels(static_cast<std::size_t>(out.width) *
+                                      static_cast<std::size_t>(out.height) *
+                                      static_cast<std::size_t>(out.channels));
+    const int format = out.channels == 1 ? TJPF_GRAY : TJPF_RGB;
+    constexpr int flags = TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
+    if (tjDecompress2(decoder.get(), data_of(bytes), static_cast<unsigned long>(bytes.size()), pixels.data(),
+                      out.width, 0, out.height, format, flags) != 0)
+        fail(file, decoder);
+    out.values.reserve(pixels.size());
+    for (const unsigned char value : pixels) out.values.push_back(static_cast<float>(value) / 255);
+}
+
+}  // namespace nicol
