@@ -74,13 +74,19 @@ struct Source {
     }
 };
 
-void check_size(const path& file, int width, int height) {
+// Pixels of one bit, deflated as far as that goes: no format makes more of a byte.
+constexpr std::size_t kMostPixelsOfByte = std::size_t{8} * 1032;
+
+void check_size(const path& file, std::size_t bytes, int width, int height) {
     const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     if (width < 1 || height < 1) invalid_file(file, "has no pixels");
     if (width > kMaxImageSide || height > kMaxImageSide || pixels > kMaxImagePixels)
         unsupported_file(file, std::to_string(width) + " x " + std::to_string(height) + " pixels; at most " +
                                    std::to_string(kMaxImageSide) + " a side and " +
                                    std::to_string(kMaxImagePixels) + " in all");
+    if (pixels / kMostPixelsOfByte > bytes)
+        invalid_file(file, "is truncated: " + std::to_string(bytes) + " bytes cannot hold " +
+                               std::to_string(width) + " x " + std::to_string(height) + " pixels");
 }
 
 template <class Number>
@@ -117,7 +123,7 @@ Bitmap read_bitmap(const path& file) {
     Bitmap out;
     if (is_jpeg(bytes)) {
         read_jpeg_header(file, bytes, out);
-        check_size(file, out.width, out.height);
+        check_size(file, bytes.size(), out.width, out.height);
         read_jpeg_pixels(file, bytes, out);
         return out;
     }
@@ -128,7 +134,7 @@ Bitmap read_bitmap(const path& file) {
     if (stbi_info_from_callbacks(&callbacks, &head, &out.width, &out.height, &out.channels) == 0)
         invalid_file(file, "has a header that is damaged, truncated, or of more than " +
                                std::to_string(kMaxImageSide) + " pixels a side");
-    check_size(file, out.width, out.height);
+    check_size(file, bytes.size(), out.width, out.height);
 
     const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), 1 << 20));

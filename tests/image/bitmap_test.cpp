@@ -156,6 +156,8 @@ TEST_CASE("bad bitmaps are refused by name, cut short anywhere too") {
     refused("a.png", "hello", ErrorCode::unsupported, "expected PNG, JPEG, BMP, TGA or Radiance HDR");
     refused("a.png", png(40000, 1, 8, 0, Bytes(40001, '\0')), ErrorCode::invalid_file,
             "of more than 32768 pixels a side");
+    refused("a.tga", std::string("\0\0\2\0\0\0\0\0\0\0\0\0\0\x20\0\x20\x18\0\1\2\3", 21),
+            ErrorCode::invalid_file, "21 bytes cannot hold 8192 x 8192 pixels");
     refused("a.png", png(32768, 32768, 8, 0, "\0"), ErrorCode::unsupported, "32768 x 32768 pixels; at most");
     const Bytes photo(reinterpret_cast<const char*>(jpeg.data()), jpeg.size());
     // Of PNG and JPEG the end mark may be missing: all pixels are there.
