@@ -4,16 +4,51 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdint>
+#include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 
 #include "files/file_error.hpp"
 #include "files/read_bytes.hpp"
 #include "image/color.hpp"
 #include "image/jpeg.hpp"
+
+namespace {
+
+/// What stb_image allocates while one of these exists on its thread; freed with it, whatever way it is left.
+class StbMemory {
+public:
+    StbMemory() { current() = this; }
+    ~StbMemory() {
+        current() = nullptr;
+        for (void* block : blocks_) std::free(block);
+    }
+    StbMemory(const StbMemory&) = delete;
+    StbMemory& operator=(const StbMemory&) = delete;
+
+    static void* allocate(void* old, std::size_t size) {
+        void* const block = std::realloc(old, size);
+        if (block == nullptr) return nullptr;
+        if (old != nullptr) current()->blocks_.erase(old);
+        current()->blocks_.insert(block);
+        return block;
+    }
+    static void release(void* block) {
+        current()->blocks_.erase(block);
+        std::free(block);
+    }
+
+private:
+    static StbMemory*& current() {
+        thread_local StbMemory* memory = nullptr;
+        return memory;
+    }
+    std::unordered_set<void*> blocks_;
+};
+
+}  // namespace
 
 #define STB_IMAGE_STATIC
 #define STB_IMAGE_IMPLEMENTATION
@@ -23,6 +58,9 @@
 #define STBI_ONLY_TGA
 #define STBI_ONLY_HDR
 #define STBI_MAX_DIMENSIONS 32768
+#define STBI_MALLOC(size) StbMemory::allocate(nullptr, size)
+#define STBI_REALLOC(block, size) StbMemory::allocate(block, size)
+#define STBI_FREE(block) StbMemory::release(block)
 #include <stb/stb_image.h>
 
 namespace nicol {
@@ -47,28 +85,28 @@ bool has_known_mark(std::string_view bytes) {
     return std::ranges::any_of(marks, [&](std::string_view mark) { return bytes.starts_with(mark); });
 }
 
-/// stb_image goes on with zeros where a file ends; this tells.
+/// stb_image goes on with zeros where a file ends, in some files for ever: this ends it.
+struct Overrun {};
+
 struct Source {
     std::string_view left;
-    bool overrun = false;
 
     [[nodiscard]] stbi_io_callbacks callbacks() const {
         return {.read =
                     [](void* self, char* to, int size) {
-                        auto& source = *static_cast<Source*>(self);
-                        const std::size_t count =
-                            std::min(source.left.size(), static_cast<std::size_t>(size));
-                        if (count == 0) source.overrun = true;
-                        std::memcpy(to, source.left.data(), count);
-                        source.left.remove_prefix(count);
+                        std::string_view& left = static_cast<Source*>(self)->left;
+                        if (left.empty()) throw Overrun();
+                        const std::size_t count = std::min(left.size(), static_cast<std::size_t>(size));
+                        std::memcpy(to, left.data(), count);
+                        left.remove_prefix(count);
                         return static_cast<int>(count);
                     },
                 .skip =
                     [](void* self, int size) {
-                        auto& source = *static_cast<Source*>(self);
+                        std::string_view& left = static_cast<Source*>(self)->left;
                         const auto wanted = static_cast<std::size_t>(std::max(size, 0));
-                        if (wanted > source.left.size()) source.overrun = true;
-                        source.left.remove_prefix(std::min(wanted, source.left.size()));
+                        if (wanted > left.size()) throw Overrun();
+                        left.remove_prefix(wanted);
                     },
                 .eof = [](void* self) { return static_cast<Source*>(self)->left.empty() ? 1 : 0; }};
     }
@@ -89,26 +127,40 @@ void check_size(const path& file, std::size_t bytes, int width, int height) {
                                std::to_string(width) + " x " + std::to_string(height) + " pixels");
 }
 
-template <class Number>
-struct Free {
-    void operator()(Number* pixels) const { stbi_image_free(pixels); }
-};
-
 /// Decodes with one of stb_image's functions; numbers are divided by `one`.
 template <class Number>
 void decode(const path& file, std::string_view bytes, float one, Bitmap& out,
             Number* (*load)(const stbi_io_callbacks*, void*, int*, int*, int*, int)) {
     Source source{.left = bytes};
     const stbi_io_callbacks callbacks = source.callbacks();
-    const std::unique_ptr<Number, Free<Number>> pixels(
-        load(&callbacks, &source, &out.width, &out.height, &out.channels, 0));
+    const Number* const pixels = load(&callbacks, &source, &out.width, &out.height, &out.channels, 0);
     if (pixels == nullptr)
         invalid_file(file, std::string("is damaged or truncated (") + stbi_failure_reason() + ")");
-    if (source.overrun) invalid_file(file, "is truncated");
     const std::size_t count = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) *
                               static_cast<std::size_t>(out.channels);
     out.values.resize(count);
-    for (std::size_t i = 0; i < count; ++i) out.values[i] = static_cast<float>(pixels.get()[i]) / one;
+    for (std::size_t i = 0; i < count; ++i) out.values[i] = static_cast<float>(pixels[i]) / one;
+}
+
+void read_by_stb(const path& file, std::string_view bytes, Bitmap& out) {
+    const StbMemory memory;
+    Source head{.left = bytes};
+    const stbi_io_callbacks callbacks = head.callbacks();
+    if (stbi_info_from_callbacks(&callbacks, &head, &out.width, &out.height, &out.channels) == 0)
+        invalid_file(file, "has a header that is damaged, truncated, or of more than " +
+                               std::to_string(kMaxImageSide) + " pixels a side");
+    check_size(file, bytes.size(), out.width, out.height);
+
+    const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), 1 << 20));
+    if (stbi_is_hdr_from_memory(data, size) != 0) {
+        out.linear = true;
+        decode<float>(file, bytes, 1, out, stbi_loadf_from_callbacks);
+    } else if (stbi_is_16_bit_from_memory(data, size) != 0) {
+        decode<stbi_us>(file, bytes, 65535, out, stbi_load_16_from_callbacks);
+    } else {
+        decode<stbi_uc>(file, bytes, 255, out, stbi_load_from_callbacks);
+    }
 }
 
 }  // namespace
@@ -129,22 +181,10 @@ Bitmap read_bitmap(const path& file) {
     }
     if (!has_known_mark(bytes) && suffix_of(file) != ".tga")
         unsupported_file(file, "not an image of a known kind; expected PNG, JPEG, BMP, TGA or Radiance HDR");
-    Source head{.left = bytes};
-    const stbi_io_callbacks callbacks = head.callbacks();
-    if (stbi_info_from_callbacks(&callbacks, &head, &out.width, &out.height, &out.channels) == 0)
-        invalid_file(file, "has a header that is damaged, truncated, or of more than " +
-                               std::to_string(kMaxImageSide) + " pixels a side");
-    check_size(file, bytes.size(), out.width, out.height);
-
-    const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
-    const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), 1 << 20));
-    if (stbi_is_hdr_from_memory(data, size) != 0) {
-        out.linear = true;
-        decode<float>(file, bytes, 1, out, stbi_loadf_from_callbacks);
-    } else if (stbi_is_16_bit_from_memory(data, size) != 0) {
-        decode<stbi_us>(file, bytes, 65535, out, stbi_load_16_from_callbacks);
-    } else {
-        decode<stbi_uc>(file, bytes, 255, out, stbi_load_from_callbacks);
+    try {
+        read_by_stb(file, bytes, out);
+    } catch (const Overrun&) {
+        invalid_file(file, "is truncated");
     }
     return out;
 }
