@@ -13,8 +13,6 @@
 namespace nicol::geometry {
 namespace {
 
-constexpr std::uint32_t kNone = PolygonMesh::kNone;
-
 // Further vertices at the place of one, by their normals.
 class Splits {
 public:
@@ -38,10 +36,10 @@ private:
 class Triangulation {
 public:
     explicit Triangulation(const PolygonMesh& polygons)
-        : polygons_(polygons), first_of_(polygons.positions.size(), kNone) {
+        : polygons_(polygons), first_of_(polygons.positions.size(), PolygonMesh::kNone) {
         for (const PolygonMesh::Corner& corner : polygons.corners) first_of_[corner.position] = 0;
         for (std::uint32_t p = 0; p < first_of_.size(); ++p)
-            if (first_of_[p] != kNone) first_of_[p] = add(p, glm::vec3(0));
+            if (first_of_[p] != PolygonMesh::kNone) first_of_[p] = add(p, glm::vec3(0));
         taken_.resize(mesh.positions.size(), false);
         unused = polygons.positions.size() - mesh.positions.size();
     }
@@ -77,7 +75,8 @@ public:
 
 private:
     std::uint32_t vertex_of(const PolygonMesh::Corner& corner) {
-        const glm::vec3 normal = corner.normal == kNone ? glm::vec3(0) : polygons_.normals[corner.normal];
+        const glm::vec3 normal =
+            corner.normal == PolygonMesh::kNone ? glm::vec3(0) : polygons_.normals[corner.normal];
         const std::uint32_t first = first_of_[corner.position];
         if (!taken_[first]) {
             taken_[first] = true;

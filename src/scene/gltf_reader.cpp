@@ -28,9 +28,9 @@ bool is_invertible(const glm::dmat4& m) {
 }
 
 /// One scene. Materials are numbered in the order in which its shapes use them.
-class Reader {
+class GltfReader {
 public:
-    Reader(const GltfDocument& document, LoadBudget& budget)
+    GltfReader(const GltfDocument& document, LoadBudget& budget)
         : document_(document), model_(document.model()), budget_(budget), notices_(document.path()) {}
 
     SceneDescription run() {
@@ -244,7 +244,7 @@ SceneDescription read_gltf_scene(const std::filesystem::path& file, const SceneP
                " is not used; glTF files have none");
     LoadBudget budget(limits);
     const scene::GltfDocument document(file, budget);
-    return scene::Reader(document, budget).run();
+    return scene::GltfReader(document, budget).run();
 }
 
 }  // namespace nicol

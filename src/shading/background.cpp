@@ -155,7 +155,7 @@ glm::vec4 Background::at(std::size_t plane, const Pixels& pixels, std::size_t la
     const int lower = std::min(upper + 1, height_ - 1);
     const float right_part = x - static_cast<float>(above);
     const float lower_part = y - static_cast<float>(upper);
-    const std::size_t w = static_cast<std::size_t>(width_);
+    const auto w = static_cast<std::size_t>(width_);
     const glm::vec4* const texels = texels_.data() + plane * w * static_cast<std::size_t>(height_);
     const glm::vec4* const upper_row = texels + static_cast<std::size_t>(upper) * w;
     const glm::vec4* const lower_row = texels + static_cast<std::size_t>(lower) * w;

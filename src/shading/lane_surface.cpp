@@ -93,7 +93,7 @@ using Number [[gnu::vector_size(64)]] = float;
     v *= inverse;
     move_between_zero_and(one - u, v);
     const Number w = one - u - v;
-    store(&out.weights[0], w);
+    store(out.weights.data(), w);
     store(&out.weights[1], u);
     store(&out.weights[2], v);
     store(out.offset, {u * second.x + v * third.x, u * second.y + v * third.y, u * second.z + v * third.z});

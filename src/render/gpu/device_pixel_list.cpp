@@ -11,7 +11,7 @@
 namespace nicol {
 namespace {
 
-constexpr std::size_t kBlock = 8192;  // pixels whose points are counted together
+constexpr std::size_t kPixelsOfBlock = 8192;  // pixels whose points are counted together
 constexpr std::size_t kMostBlocks = 128;
 constexpr std::size_t kMostPoints = 65536;  // of a chunk of several blocks
 
@@ -27,14 +27,14 @@ std::vector<DevicePixelList::Chunk> chunks_of(std::span<const std::uint32_t> cou
         const auto of_block = counts.subspan(block * groups, groups);
         std::size_t size = 0;
         for (const std::uint32_t points : of_block) size += in_whole_groups(points);
-        const std::size_t first = block * kBlock;
+        const std::size_t first = block * kPixelsOfBlock;
         if (chunks.empty() || chunks.back().size + size > kMostPoints ||
-            first - chunks.back().first == kMostBlocks * kBlock) {
+            first - chunks.back().first == kMostBlocks * kPixelsOfBlock) {
             chunks.push_back({.first = first, .last = first, .begin = {}, .counts = {}, .size = 0});
             chunks.back().counts.resize(groups);
         }
         DevicePixelList::Chunk& chunk = chunks.back();
-        chunk.last = std::min(first + kBlock, pixels);
+        chunk.last = std::min(first + kPixelsOfBlock, pixels);
         chunk.size += size;
         for (std::size_t g = 0; g < groups; ++g) chunk.counts[g] += of_block[g];
     }
@@ -106,14 +106,14 @@ void DevicePixelList::bind_hits(gl::Program& program, std::size_t first, std::si
 // Writes the coverage on the way.
 std::vector<std::uint32_t> DevicePixelList::count(std::size_t pixels) {
     const std::size_t groups = 2 * input_->geometry.ranges.size();
-    std::vector<std::uint32_t> counts((pixels + kBlock - 1) / kBlock * groups);
+    std::vector<std::uint32_t> counts((pixels + kPixelsOfBlock - 1) / kPixelsOfBlock * groups);
     const gl::Buffer buffer(context_, gl::BufferUse::storage, counts.size() * sizeof(std::uint32_t),
                             gl::BufferUpdate::fixed);
-    constexpr std::size_t step = kMostBlocks * kBlock;
+    constexpr std::size_t step = kMostBlocks * kPixelsOfBlock;
     for (std::size_t first = 0; first < pixels; first += step) {
         const std::size_t last = std::min(first + step, pixels);
         bind_hits(*count_, first, last);
-        count_->set("block", static_cast<int>(kBlock));
+        count_->set("block", static_cast<int>(kPixelsOfBlock));
         count_->set("group_count", static_cast<int>(groups));
         buffer.bind_storage(3);
         image_->coverage().bind_image();
