@@ -13,9 +13,9 @@ namespace {
 constexpr std::array<std::string_view, 2> kFollowed = {"KHR_materials_ior",
                                                        "KHR_materials_emissive_strength"};
 
-class Reader {
+class GltfMaterial {
 public:
-    Reader(const GltfDocument& document, int index, const tinygltf::Material& material)
+    GltfMaterial(const GltfDocument& document, int index, const tinygltf::Material& material)
         : document_(document), where_("materials[" + std::to_string(index) + "]"), material_(material) {}
 
     MaterialDescription run(GltfNotices& notices) const {
@@ -112,8 +112,9 @@ private:
 }  // namespace
 
 MaterialDescription read_gltf_material(const GltfDocument& document, int index, GltfNotices& notices) {
-    if (index == -1) return Reader(document, index, tinygltf::Material()).run(notices);
-    return Reader(document, index, document.at(document.model().materials, "materials", index, "a primitive"))
+    if (index == -1) return GltfMaterial(document, index, tinygltf::Material()).run(notices);
+    return GltfMaterial(document, index,
+                        document.at(document.model().materials, "materials", index, "a primitive"))
         .run(notices);
 }
 

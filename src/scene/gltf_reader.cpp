@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 #include "arguments.hpp"
@@ -86,8 +87,7 @@ private:
         std::vector<Waiting> waiting;
         const auto wait = [&](const std::vector<int>& nodes, const glm::dmat4& parent,
                               const std::string& of) {
-            for (auto index = nodes.rbegin(); index != nodes.rend(); ++index)
-                waiting.push_back({*index, parent, of});
+            for (const int index : std::ranges::reverse_view(nodes)) waiting.push_back({index, parent, of});
         };
         std::vector<bool> seen(model_.nodes.size(), false);
         wait(roots(), glm::dmat4(1.0), "scene");
