@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "arguments.hpp"
@@ -87,7 +86,7 @@ private:
         std::vector<Waiting> waiting;
         const auto wait = [&](const std::vector<int>& nodes, const glm::dmat4& parent,
                               const std::string& of) {
-            for (const int index : std::ranges::reverse_view(nodes)) waiting.push_back({index, parent, of});
+            for (std::size_t i = nodes.size(); i-- > 0;) waiting.push_back({nodes[i], parent, of});
         };
         std::vector<bool> seen(model_.nodes.size(), false);
         wait(roots(), glm::dmat4(1.0), "scene");
