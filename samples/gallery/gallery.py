@@ -135,6 +135,7 @@ def write_png(path, image):
 
 def main():
     folder = sys.argv[1] if len(sys.argv) > 1 else HERE
+    os.makedirs(folder, exist_ok=True)
     with nicol.Context.create() as context:
         view = (-3.0, 1.75, 4.0), (-0.05, 0.88, 0.0), 37
         stokes = render(context, "snail_hdr.xml", 320, 320, 0, view)
