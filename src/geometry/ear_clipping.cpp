@@ -110,14 +110,15 @@ bool fan_covers(std::span<const glm::dvec3> corners, const glm::dvec3& normal) {
     return true;
 }
 
-}  // namespace
-
+// The normal of a polygon, planar or not, its length twice the area (Newell).
 glm::dvec3 area_normal(std::span<const glm::dvec3> corners) {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         sum += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
     return sum;
 }
+
+}  // namespace
 
 void clip_ears(std::span<const glm::dvec3> corners, std::vector<glm::uvec3>& out) {
     const glm::dvec3 normal = corners.size() == 3 ? glm::dvec3(0) : area_normal(corners);

@@ -9,9 +9,6 @@
 
 namespace nicol::geometry {
 
-/// The normal of a polygon, planar or not, its length twice the area (Newell).
-[[nodiscard]] glm::dvec3 area_normal(std::span<const glm::dvec3> corners);
-
 /// Appends the n - 2 triangles of a polygon of three or more corners to `out`, as indices of corners, with
 /// its orientation. Concave polygons, and those with a bridge to a hole, are covered once, as seen along
 /// their normal; of those that cross themselves nothing is promised but the number. Polygons of more than

@@ -10,14 +10,11 @@
 #include <utility>
 
 #include "error.hpp"
+#include "geometry/finite.hpp"
 #include "geometry/mesh_normals.hpp"
 
 namespace nicol {
 namespace {
-
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 /// The winding of every triangle.
 void reverse(Mesh& mesh) {
@@ -39,8 +36,8 @@ std::size_t validate(Mesh& mesh, std::string_view name) {
         refuse(std::to_string(mesh.normals.size()) + " normals for " + std::to_string(count) +
                " vertices; give one each or none at all");
     for (std::size_t v = 0; v < count; ++v) {
-        if (!finite(mesh.positions[v])) refuse("vertex " + std::to_string(v) + " (0-based) is not finite");
-        if (!mesh.normals.empty() && !finite(mesh.normals[v]))
+        if (!is_finite(mesh.positions[v])) refuse("vertex " + std::to_string(v) + " (0-based) is not finite");
+        if (!mesh.normals.empty() && !is_finite(mesh.normals[v]))
             refuse("the normal of vertex " + std::to_string(v) + " (0-based) is not finite");
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -79,7 +76,7 @@ Mesh transformed(const Mesh& mesh, const glm::dmat4& to_world) {
     const glm::dmat3 for_normals = glm::transpose(glm::inverse(linear));
     for (glm::vec3& p : out.positions) {
         p = glm::vec3(to_world * glm::dvec4(p, 1.0));
-        if (!finite(p))
+        if (!is_finite(p))
             throw Error(ErrorCode::invalid_argument,
                         "a mesh's transform moves vertices out of the range of float");
     }

@@ -2,11 +2,11 @@
 // Loading of mesh files.
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <limits>
 
 #include "error.hpp"
 #include "files/read_bytes.hpp"
+#include "files/suffix.hpp"
 #include "geometry/parse.hpp"
 #include "geometry/polygon_mesh.hpp"
 #include "geometry/tokenizer.hpp"
@@ -34,9 +34,7 @@ constexpr std::array<Format, 5> kFormats = {{{".obj", single<geometry::parse_obj
                                              {".serialized", geometry::parse_serialized}}};
 
 const Format& format_of(const std::filesystem::path& file) {
-    std::string suffix = file.extension().string();
-    std::ranges::transform(suffix, suffix.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string suffix = suffix_of(file);
     const auto format = std::ranges::find(kFormats, std::string_view(suffix), &Format::suffix);
     if (format == kFormats.end())
         throw Error(ErrorCode::unsupported, file.string() + ": unknown kind of mesh \"" + suffix +

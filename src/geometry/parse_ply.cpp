@@ -334,14 +334,16 @@ void read_faces(Values& values, const Element& element, PolygonMesh& out, LeftOu
     }
 }
 
-/// Corners have what their vertices have, but for texture coordinates of their own.
-void complete_corners(Values& values, PolygonMesh& out, std::size_t of_vertices) {
+/// Corners have what their vertices have, but for texture coordinates of their own. Those of the vertices
+/// begin at `first_texcoord`; kNone: there are none.
+void complete_corners(const Values& values, PolygonMesh& out, std::uint32_t first_texcoord) {
     for (std::size_t f = 0, i = 0; f < out.face_ends.size(); ++f) {
         for (; i < out.face_ends[f]; ++i) {
             PolygonMesh::Corner& corner = out.corners[i];
             check_index(values, out, corner.position, f);
             if (!out.normals.empty()) corner.normal = corner.position;
-            if (corner.texcoord == PolygonMesh::kNone && of_vertices > 0) corner.texcoord = corner.position;
+            if (corner.texcoord == PolygonMesh::kNone && first_texcoord != PolygonMesh::kNone)
+                corner.texcoord = first_texcoord + corner.position;
         }
     }
 }
@@ -356,20 +358,12 @@ PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& le
         if (std::ranges::count(header.elements, wanted, &Element::name) != 1)
             values.fail("expected one element \"" + std::string(wanted) + "\" in the header");
     PolygonMesh out;
-    std::size_t of_vertices = 0;
+    std::uint32_t first_texcoord = PolygonMesh::kNone;
     for (const Element& e : header.elements) {
         if (e.name == "vertex") {
-            // Texture coordinates of vertices come first, so that their numbers are the vertices'.
-            PolygonMesh vertices;
-            read_vertices(values, e, vertices, left_out);
-            of_vertices = vertices.texcoords.size();
-            for (PolygonMesh::Corner& corner : out.corners)
-                if (corner.texcoord != PolygonMesh::kNone)
-                    corner.texcoord += static_cast<std::uint32_t>(of_vertices);
-            vertices.texcoords.insert(vertices.texcoords.end(), out.texcoords.begin(), out.texcoords.end());
-            vertices.corners = std::move(out.corners);
-            vertices.face_ends = std::move(out.face_ends);
-            out = std::move(vertices);
+            const auto before = static_cast<std::uint32_t>(out.texcoords.size());
+            read_vertices(values, e, out, left_out);
+            if (out.texcoords.size() > before) first_texcoord = before;
         } else if (e.name == "face") {
             read_faces(values, e, out, left_out);
         } else if (!e.properties.empty()) {
@@ -378,7 +372,7 @@ PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& le
                 for (const Property& p : e.properties) skip(values, p, what);
         }
     }
-    complete_corners(values, out, of_vertices);
+    complete_corners(values, out, first_texcoord);
     return out;
 }
 

@@ -10,11 +10,11 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <new>
 
 #include "error.hpp"
+#include "geometry/finite.hpp"
 #include "geometry/parse.hpp"
 
 namespace nicol::geometry {
@@ -110,10 +110,6 @@ private:
     z_stream inflate_{};
 };
 
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 /// The deflated bytes of a mesh of the file.
 std::string_view mesh_at(std::string_view name, std::string_view bytes, std::size_t shape) {
     if (bytes.size() < kHeader + sizeof(std::uint32_t) || number_at<std::uint16_t>(bytes, 0) != kMagic)
@@ -171,9 +167,10 @@ PolygonMesh parse_serialized(std::string_view name, std::string_view bytes, std:
         read_attributes<float>(stream, flags, vertices, out);
     }
     for (std::size_t v = 0; v < out.positions.size(); ++v)
-        if (!finite(out.positions[v])) fail(name, "vertex " + std::to_string(v) + " (0-based) is not finite");
+        if (!is_finite(out.positions[v]))
+            fail(name, "vertex " + std::to_string(v) + " (0-based) is not finite");
     for (glm::vec3& n : out.normals) {
-        if (finite(n)) continue;
+        if (is_finite(n)) continue;
         left_out.add("normals that are not finite");
         n = glm::vec3(0);
     }

@@ -35,6 +35,20 @@ std::string in_quotes(std::string_view token) {
     return text + (token.size() > 40 ? "...\"" : "\"");
 }
 
+struct Number {
+    float value = 0;
+    bool finite = false;  ///< and in the range of float
+    bool whole = false;   ///< nothing follows in the token
+};
+
+Number leading_number(std::string_view token) {
+    const char* const end = token.data() + token.size();
+    double value = 0.0;
+    const auto [stop, error] = std::from_chars(token.data() + (token.front() == '+' ? 1 : 0), end, value);
+    if (error != std::errc() || !(std::abs(value) <= std::numeric_limits<float>::max())) return {};
+    return {.value = static_cast<float>(value), .finite = true, .whole = stop == end};
+}
+
 }  // namespace
 
 std::string_view Tokenizer::next() {
@@ -65,32 +79,23 @@ void Tokenizer::fail_number(std::string_view what, std::string_view token) const
 
 float Tokenizer::number_at_start(std::string_view what, bool& whole) {
     const std::string_view token = require(what);
-    const char* const end = token.data() + token.size();
-    double value = 0.0;
-    const auto [stop, error] = std::from_chars(token.data() + (token.front() == '+' ? 1 : 0), end, value);
-    if (error != std::errc() || !(std::abs(value) <= std::numeric_limits<float>::max()))
-        fail_number(what, token);
-    if (stop != end) whole = false;
-    return static_cast<float>(value);
+    const Number number = leading_number(token);
+    if (!number.finite) fail_number(what, token);
+    if (!number.whole) whole = false;
+    return number.value;
 }
 
 float Tokenizer::number(std::string_view what) {
-    const Tokenizer before = *this;
-    bool whole = true;
-    const float value = number_at_start(what, whole);
-    if (!whole) fail_number(what, Tokenizer(before).next());
-    return value;
+    const std::string_view token = require(what);
+    const Number number = leading_number(token);
+    if (!number.finite || !number.whole) fail_number(what, token);
+    return number.value;
 }
 
 float Tokenizer::number_or_zero(std::string_view what, bool& finite) {
-    const std::string_view token = require(what);
-    double value = 0.0;
-    const auto [stop, error] =
-        std::from_chars(token.data() + (token.front() == '+' ? 1 : 0), token.data() + token.size(), value);
-    if (error == std::errc() && std::abs(value) <= std::numeric_limits<float>::max())
-        return static_cast<float>(value);
-    finite = false;
-    return 0;
+    const Number number = leading_number(require(what));
+    if (!number.finite) finite = false;
+    return number.value;
 }
 
 std::uint64_t Tokenizer::count(std::string_view what, std::uint64_t max) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include "files/file_error.hpp"
 #include "files/read_bytes.hpp"
+#include "files/suffix.hpp"
 #include "image/color.hpp"
 #include "image/jpeg.hpp"
 
@@ -72,13 +72,6 @@ static_assert(STBI_MAX_DIMENSIONS == kMaxImageSide);
 
 constexpr std::array<std::string_view, 7> kSuffixes = {".png", ".jpg", ".jpeg", ".bmp",
                                                        ".tga", ".hdr", ".rgbe"};
-
-std::string suffix_of(const path& file) {
-    std::string suffix = file.extension().string();
-    std::ranges::transform(suffix, suffix.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return suffix;
-}
 
 bool has_known_mark(std::string_view bytes) {
     constexpr std::array<std::string_view, 4> marks = {"\x89PNG\r\n\x1a\n", "BM", "#?RADIANCE", "#?RGBE"};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Primitives.
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <unordered_map>
 
+#include "geometry/finite.hpp"
 #include "geometry/mesh_normals.hpp"
 #include "scene/gltf_accessor.hpp"
 #include "scene/gltf_readers.hpp"
@@ -100,12 +100,12 @@ private:
 
     void add(std::size_t index) {
         const glm::vec3 position = vector(*positions_, index);
-        if (!finite(position))
+        if (!is_finite(position))
             document_.fail(where_, "POSITION of vertex " + std::to_string(index) + " is not finite");
         mesh_.positions.push_back(position);
         if (normals_) {
             glm::vec3 normal = vector(*normals_, index);
-            if (!finite(normal)) {
+            if (!is_finite(normal)) {
                 left_out_.add("normals that are not finite");
                 normal = glm::vec3(0);
             }
@@ -118,9 +118,6 @@ private:
 
     static glm::vec3 vector(const GltfAccessor& from, std::size_t i) {
         return {from.number(i, 0), from.number(i, 1), from.number(i, 2)};
-    }
-    static bool finite(const glm::vec3& v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
     }
 
     const GltfDocument& document_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/load_scene.hpp"
+#include "files/suffix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -206,7 +207,7 @@ private:
 
 SceneDescription read_scene(const std::filesystem::path& file, const SceneParameters& parameters,
                             const LoadLimits& limits) {
-    const std::string suffix = scene::lower_case(file.extension().string());
+    const std::string suffix = suffix_of(file);
     if (suffix == ".gltf" || suffix == ".glb") return read_gltf_scene(file, parameters, limits);
     return read_mitsuba_scene(file, parameters);
 }

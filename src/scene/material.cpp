@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "files/suffix.hpp"
 #include "scene/plugin.hpp"
 #include "scene/readers.hpp"
 #include "scene/values.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Typed access to parameters.
 #include "scene/plugin.hpp"
+#include "files/suffix.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "files/suffix.hpp"
 #include "scene/plugin.hpp"
 #include "scene/readers.hpp"
 #include "scene/values.hpp"
@@ -17,7 +18,7 @@ constexpr std::array<std::string_view, 8> kKindNames = {"obj",        "ply",    
 
 void read_mesh(Plugin& plugin, ShapeDescription& shape) {
     shape.filename = plugin.filename("filename");
-    if (lower_case(shape.filename.extension().string()) != "." + plugin.type())
+    if (suffix_of(shape.filename) != "." + plugin.type())
         plugin.fail("filename", "is " + in_quotes(shape.filename.filename().string()) +
                                     "; expected a name in ." + plugin.type() +
                                     " as the type of the shape says");

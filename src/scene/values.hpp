@@ -15,9 +15,6 @@
 
 namespace nicol::scene {
 
-/// ASCII letters made small.
-[[nodiscard]] std::string lower_case(std::string text);
-
 /// A finite number and nothing beside it.
 [[nodiscard]] std::optional<double> parsed_number(std::string_view text);
 

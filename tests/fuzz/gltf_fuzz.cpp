@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // glTF files, text and binary.
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "memory_file.hpp"
+#include "drawable_mesh.hpp"
 #include "scene/scene_description.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -16,13 +13,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
         require(!scene.shapes.empty(), "something to draw");
         for (const nicol::ShapeDescription& shape : scene.shapes) {
             require(shape.material < scene.materials.size(), "a material for each shape");
-            const nicol::Mesh& mesh = *shape.mesh;
-            require(mesh.normals.size() == mesh.positions.size(), "a normal for each vertex");
-            for (const glm::vec3& n : mesh.normals)
-                require(std::abs(glm::length(n) - 1.0F) < 1e-3F, "normals have length 1");
-            for (const glm::uvec3& t : mesh.triangles)
-                for (glm::length_t i = 0; i < 3; ++i)
-                    require(t[i] < mesh.positions.size(), "triangles use vertices that exist");
+            nicol::fuzz::require_drawable(*shape.mesh);
         }
     });
     return 0;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+
+namespace nicol {
+
+/// ASCII letters made small.
+[[nodiscard]] inline std::string lower_case(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// ".obj" of "Cube.OBJ".
+[[nodiscard]] inline std::string suffix_of(const std::filesystem::path& file) {
+    return lower_case(file.extension().string());
+}
+
+}  // namespace nicol
