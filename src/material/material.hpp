@@ -13,6 +13,8 @@
 
 namespace nicol {
 
+struct SpatialVariation;
+
 /// An isotropic pBRDF without the cosine, as a sum of colourless terms with one weight a colour channel:
 /// M(channel) = sum over t of weight(t, channel) * evaluate(t, ...). Immutable.
 class Material {
@@ -58,6 +60,10 @@ public:
     /// The coefficient matrix of a channel, cosine included, where the material is defined by one; else null.
     /// evaluate() is then its reconstruction, and tables are made from it without integrating.
     [[nodiscard]] virtual const IsotropicMatrix* matrix(int channel) const;
+
+    /// How the material varies over a surface; null: it is the same everywhere. All other functions are then
+    /// of its mean.
+    [[nodiscard]] virtual const SpatialVariation* variation() const noexcept { return nullptr; }
 
 protected:
     Material() = default;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Materials made of others and textures. Each is a Material whose own values are its mean over the textures;
+// how it varies is Material::variation(). Textures of one value fold away: what varies nowhere has no
+// variation.
+#pragma once
+
+#include <functional>
+
+#include "material/material.hpp"
+#include "material/texture.hpp"
+
+namespace nicol {
+
+/// All throw Error(invalid_argument), naming what is wrong: a null, channels that do not fit, parts that are
+/// not two-sided alike, or turn their normals by different textures.
+
+/// The material times a texture.
+[[nodiscard]] MaterialPtr scaled(MaterialPtr material, TexturePtr scale);
+/// Both together.
+[[nodiscard]] MaterialPtr sum(MaterialPtr first, MaterialPtr second);
+/// first (1 - t) + second t, t the first channel of a texture, moved to 0..1 (Mitsuba's blendbsdf).
+[[nodiscard]] MaterialPtr blend(MaterialPtr first, MaterialPtr second, TexturePtr weight);
+/// make(alpha) with alpha from the first channel of a texture, moved to 0.001..1: an interpolation, linear in
+/// the square of alpha, between as many values as it needs; exact for a texture of up to 16 values.
+[[nodiscard]] MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make,
+                                         TexturePtr alpha);
+
+/// Normals from a texture, see NormalVariation. `mirrored_y`: there.
+[[nodiscard]] MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals, bool mirrored_y = false);
+[[nodiscard]] MaterialPtr bump_mapped(MaterialPtr material, TexturePtr heights, double scale);
+
+/// Cut out where the opacity is below 0.5.
+[[nodiscard]] MaterialPtr masked(MaterialPtr material, TexturePtr opacity);
+
+}  // namespace nicol

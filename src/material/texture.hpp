@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Textures: values that vary over a surface.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <vector>
+
+namespace nicol {
+
+/// A point of a surface, as a texture sees it.
+struct TexturePoint {
+    glm::vec2 uv{0};     ///< texture coordinates; v points down: an image's first row begins at v = 0
+    glm::vec2 du{0};     ///< change of uv to the next pixel on the right ...
+    glm::vec2 dv{0};     ///< ... and below; both 0: no footprint, the finest level of a mipmap
+    glm::vec3 color{1};  ///< the mesh's vertex colour there, interpolated
+};
+
+/// Immutable; all functions may be called from several threads at once.
+class Texture {
+public:
+    virtual ~Texture() = default;
+    Texture(const Texture&) = delete;
+    Texture& operator=(const Texture&) = delete;
+
+    /// 1 (the same for every colour), 3, or 4 (with coverage).
+    [[nodiscard]] virtual int channels() const noexcept = 0;
+    /// Red, green, blue, coverage: linear, not clipped. One channel: three equal values; without coverage: 1.
+    [[nodiscard]] virtual glm::vec4 at(const TexturePoint& point) const = 0;
+    /// Of the first channel by u and by v: central differences over a texel, as for bump maps.
+    [[nodiscard]] virtual glm::vec2 gradient(const TexturePoint& point) const = 0;
+    /// Of at() over the whole texture.
+    [[nodiscard]] virtual glm::vec4 mean() const = 0;
+    /// Least and largest value of the first channel that at() yields.
+    [[nodiscard]] virtual glm::vec2 range() const = 0;
+    /// The values of the first channel, ascending, where there are few (as a checkerboard's two, without
+    /// interpolation between them); else empty.
+    [[nodiscard]] virtual std::vector<float> values() const { return {}; }
+    /// Whether at() is mean() everywhere.
+    [[nodiscard]] virtual bool constant() const noexcept = 0;
+    /// Whether at() needs texture coordinates, or the colours of vertices.
+    [[nodiscard]] virtual bool needs_texcoords() const noexcept = 0;
+    [[nodiscard]] virtual bool needs_colors() const noexcept = 0;
+
+protected:
+    Texture() = default;
+};
+
+using TexturePtr = std::shared_ptr<const Texture>;
+
+/// How an image becomes a function of u and v.
+struct TextureSampling {
+    enum class Filter { nearest, bilinear, mipmap };  ///< mipmap: bilinear in two levels, linear between them
+    enum class Wrap { repeat, mirror, clamp };
+    Filter filter = Filter::bilinear;
+    Wrap wrap = Wrap::repeat;
+    /// Applied to (u, v, 1) before the look-up; its last row must be (0, 0, 1).
+    glm::dmat3 to_uv{1.0};
+};
+
+/// An image in memory, rows from the top: values of `channels` (1, 3 or 4) a pixel, linear.
+struct TextureImage {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    std::vector<float> values;
+};
+
+/// Throws Error(invalid_argument): no pixels, sizes that do not fit, a value that is not finite, a transform
+/// that is not finite and affine.
+[[nodiscard]] TexturePtr image_texture(TextureImage image, const TextureSampling& sampling = {});
+
+/// PNG, JPEG, BMP, TGA, Radiance HDR, EXR (the first of its parts with R, G, B or Y; with A as coverage).
+/// raw: the file's numbers as they are, n / 255 or n / 65535 for integers; else those of 8 and 16 bits are
+/// decoded from sRGB (coverage never is). Throws Error: file_not_found, invalid_file, unsupported; as
+/// image_texture().
+[[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, bool raw);
+
+/// Mitsuba's checkerboard: color0 where floor(2u) + floor(2v) is even, else color1, u and v after to_uv and
+/// without their whole part. Both of 1 or 3 channels.
+[[nodiscard]] TexturePtr checkerboard_texture(const glm::vec3& color0, const glm::vec3& color1, int channels,
+                                              const glm::dmat3& to_uv = glm::dmat3(1.0));
+
+/// The colours of the mesh's vertices.
+[[nodiscard]] TexturePtr vertex_color_texture();
+
+/// One value everywhere; 1, 3 or 4 channels.
+[[nodiscard]] TexturePtr constant_texture(const glm::vec4& value, int channels);
+
+}  // namespace nicol
