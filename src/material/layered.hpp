@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "material/material.hpp"
+#include "material/spatial_variation.hpp"
 #include "material/texture.hpp"
 
 namespace nicol {
@@ -14,14 +15,17 @@ namespace nicol {
 /// All throw Error(invalid_argument), naming what is wrong: a null, channels that do not fit, parts that are
 /// not two-sided alike, or turn their normals by different textures.
 
+/// The material that a variation describes.
+[[nodiscard]] MaterialPtr layered(SpatialVariation variation);
+
 /// The material times a texture.
 [[nodiscard]] MaterialPtr scaled(MaterialPtr material, TexturePtr scale);
 /// Both together.
 [[nodiscard]] MaterialPtr sum(MaterialPtr first, MaterialPtr second);
 /// first (1 - t) + second t, t the first channel of a texture, moved to 0..1 (Mitsuba's blendbsdf).
 [[nodiscard]] MaterialPtr blend(MaterialPtr first, MaterialPtr second, TexturePtr weight);
-/// make(alpha) with alpha from the first channel of a texture, moved to 0.001..1: an interpolation, linear in
-/// the square of alpha, between as many values as it needs; exact for a texture of up to 16 values.
+/// make(alpha) with alpha from the first channel of a texture, moved to 0.01..1: an interpolation, linear in
+/// 1 / alpha, between alphas that differ by a fifth at most; exact for a texture of up to 16 values.
 [[nodiscard]] MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make,
                                          TexturePtr alpha);
 

@@ -15,22 +15,28 @@ namespace nicol {
 struct LayerFactor {
     enum class Kind {
         value,       ///< t, a value for each colour
-        complement,  ///< 1 - t, of the first channel, within 0 and 1
-        hat,         ///< of the first channel: 1 at `middle`, 0 at `low` and `high` and beyond, linear in t^2
-              ///< between; low == middle (or high == middle): 1 from there on down (up)
+        fraction,    ///< the first channel of t, moved to 0..1
+        complement,  ///< 1 - fraction
+        hat          ///< of the first channel, see below
     };
     Kind kind;
-    TexturePtr texture;
+    std::size_t texture;  ///< of SpatialVariation::textures
+    /// hat: 1 at `middle`, 0 at `low` and `high` and beyond, linear in 1 / t between; all above 0. Where low
+    /// (high) equals middle: 1 from there on down (up).
     float low = 0, middle = 0, high = 0;
 };
 
-/// A material that is the same everywhere, times the product of its factors.
+/// Of red, green and blue, or three equal ones, for the value of its texture.
+[[nodiscard]] glm::vec3 factor_value(const LayerFactor& factor, const glm::vec4& texture);
+
+/// A material that is the same everywhere, times a constant and the product of its factors.
 struct MaterialLayer {
-    MaterialPtr material;  ///< without variation
-    std::vector<LayerFactor> factors;
+    MaterialPtr material;            ///< without variation
+    glm::vec3 scale = glm::vec3(1);  ///< of red, green and blue, or three equal ones
+    std::vector<LayerFactor> factors = {};
 };
 
-/// What turns the interpolated normal. Both are without effect where their texture is constant and flat.
+/// What turns the interpolated normal.
 struct NormalVariation {
     enum class Kind {
         none,
@@ -43,10 +49,15 @@ struct NormalVariation {
     /// map: y along the direction in which v grows, as in glTF (there -v), whatever the handedness of u and
     /// v; else y completes a right-handed frame, as in Mitsuba.
     bool mirrored_y = false;
+
+    bool operator==(const NormalVariation&) const = default;
 };
 
 /// M(point, channel) = sum of layers, weight(layer, point, channel) M_layer(channel).
 struct SpatialVariation {
+    static constexpr std::size_t kMostTextures = 16;
+
+    std::vector<TexturePtr> textures;  ///< of the factors, each once, at most kMostTextures
     std::vector<MaterialLayer> layers;
     NormalVariation normal;
     /// The fourth channel (of four) or the first: the surface is there where it is 0.5 or more. Null:
@@ -56,7 +67,7 @@ struct SpatialVariation {
     [[nodiscard]] bool needs_texcoords() const;
     [[nodiscard]] bool needs_colors() const;
 
-    /// out[layer]: its weight for red, green and blue, or three equal ones.
+    /// out[layer], of all layers: its weight for red, green and blue, or three equal ones.
     void weights(const TexturePoint& point, std::span<glm::vec3> out) const;
 };
 

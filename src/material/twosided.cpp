@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "material/layered.hpp"
 #include "material/material.hpp"
 
 namespace nicol {
@@ -50,6 +51,11 @@ private:
 MaterialPtr twosided(MaterialPtr material) {
     if (material == nullptr)
         throw Error(ErrorCode::invalid_argument, "twosided: the material is null; give one");
+    if (const SpatialVariation* variation = material->variation()) {
+        SpatialVariation both = *variation;
+        for (MaterialLayer& layer : both.layers) layer.material = twosided(layer.material);
+        return layered(std::move(both));
+    }
     return std::make_shared<Twosided>(std::move(material));
 }
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "material/layered.hpp"
+
+#include "directions.hpp"
+#include "error.hpp"
+#include "function_texture.hpp"
+#include "material/conductor.hpp"
+#include "material/response_table.hpp"
+#include "test.hpp"
+
+using namespace nicol;
+using doctest::Approx;
+
+namespace {
+
+MaterialPtr gloss(double alpha) {
+    return pplastic({.diffuse_reflectance = {0}, .specular_reflectance = {1}, .alpha = alpha});
+}
+
+/// M of a channel at texture coordinates, by the definition.
+Mueller matrix_at(const Material& material, int channel, glm::vec2 uv, const glm::dvec3& light,
+                  const glm::dvec3& viewer) {
+    const SpatialVariation* const variation = material.variation();
+    if (variation == nullptr) return evaluate(material, channel, light, viewer);
+    std::vector<glm::vec3> weights(variation->layers.size());
+    variation->weights({.uv = uv}, weights);
+    Mueller sum;
+    for (std::size_t l = 0; l < weights.size(); ++l)
+        sum += static_cast<double>(weights[l][channel]) *
+               evaluate(*variation->layers[l].material, channel, light, viewer);
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("materials of others and textures are what their names say at every point") {
+    const MaterialPtr red = diffuse({0.8, 0.1, 0.1});
+    const MaterialPtr metal =
+        rough_conductor({.eta = {{0.2, -3.2}}, .alpha = 0.3, .distribution = Distribution::ggx});
+    const TexturePtr u = ramp_texture();
+    const auto colour = std::make_shared<FunctionTexture>(
+        3, [](glm::vec2 uv) { return glm::vec4(uv.x, uv.y, 0.25F, 1); }, glm::vec4(0.5F, 0.5F, 0.25F, 1));
+    const auto rough = std::make_shared<FunctionTexture>(
+        1, [](glm::vec2 uv) { return glm::vec4(0.1F + 0.4F * uv.x); }, glm::vec4(0.3F),
+        glm::vec2(0.1F, 0.5F));
+    using Expected = std::function<Mueller(int, glm::vec2, const glm::dvec3&, const glm::dvec3&)>;
+    const struct {
+        const char* name;
+        MaterialPtr material;
+        Expected expected;
+        double tolerance;
+    } rows[] = {
+        {"scaled", scaled(red, colour),
+         [&](int c, glm::vec2 uv, auto& l, auto& v) {
+             return static_cast<double>((*colour).at({.uv = uv})[c]) * evaluate(*red, c, l, v);
+         },
+         1e-7},
+        {"blend", blend(red, metal, u),
+         [&](int c, glm::vec2 uv, auto& l, auto& v) {
+             return (1.0 - static_cast<double>(uv.x)) * evaluate(*red, c, l, v) +
+                    static_cast<double>(uv.x) * evaluate(*metal, c, l, v);
+         },
+         1e-6},
+        {"sum of a scaled blend", sum(scaled(blend(red, metal, u), colour), metal),
+         [&](int c, glm::vec2 uv, auto& l, auto& v) {
+             const double x = static_cast<double>(uv.x);
+             const Mueller mixed = (1.0 - x) * evaluate(*red, c, l, v) + x * evaluate(*metal, c, l, v);
+             return static_cast<double>((*colour).at({.uv = uv})[c]) * mixed + evaluate(*metal, c, l, v);
+         },
+         1e-6},
+        {"roughness", with_roughness(gloss, rough),
+         [&](int c, glm::vec2 uv, auto& l, auto& v) {
+             return evaluate(*gloss(0.1 + 0.4 * static_cast<double>(uv.x)), c, l, v);
+         },
+         0.05},
+        {"two-sided", twosided(blend(red, metal, u)),
+         [&](int c, glm::vec2 uv, auto& l, auto& v) {
+             return (1.0 - static_cast<double>(uv.x)) * evaluate(*red, c, l, v) +
+                    static_cast<double>(uv.x) * evaluate(*metal, c, l, v);
+         },
+         1e-6}};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(0, 1);
+    for (const auto& row : rows) {
+        CAPTURE(row.name);
+        REQUIRE(row.material->variation() != nullptr);
+        CHECK(row.material->variation()->needs_texcoords());
+        for (int i = 0; i < 50; ++i) {
+            const glm::vec2 uv(unit(random), unit(random));
+            const glm::dvec3 light = random_direction_within(random, 1.4);
+            const glm::dvec3 viewer = random_direction_within(random, 1.4);
+            for (int c = 0; c < row.material->channels(); ++c) {
+                const Mueller expected = row.expected(c, uv, light, viewer);
+                CHECK(largest_difference(matrix_at(*row.material, c, uv, light, viewer), expected) <=
+                      row.tolerance * std::max(expected(0, 0), 0.01));
+            }
+        }
+    }
+    CHECK(twosided(blend(red, metal, u))->twosided());
+}
+
+TEST_CASE("between its alphas a roughness texture misses about one percent of a response") {
+    const LightLayout layout(9, LightKind::linear);
+    for (const double alpha : {0.05, 0.2, 0.5}) {
+        const auto values = std::make_shared<FunctionTexture>(
+            1, [](glm::vec2 uv) { return glm::vec4(uv.x); }, glm::vec4(static_cast<float>(alpha)),
+            glm::vec2(alpha, 1.2 * alpha));
+        const MaterialPtr material = with_roughness(gloss, values);
+        REQUIRE(material->variation()->layers.size() == 2);
+        const double middle = 1.095 * alpha;
+        std::vector<glm::vec3> weights(2);
+        material->variation()->weights({.uv = glm::vec2(middle, 0)}, weights);
+        CHECK(weights[0].x + weights[1].x == Approx(1).epsilon(1e-6));
+        const ResponseTable exact(*gloss(middle), layout, 1);
+        const ResponseTable low(*material->variation()->layers[0].material, layout, 1);
+        const ResponseTable high(*material->variation()->layers[1].material, layout, 1);
+        double off = 0;
+        double all = 0;
+        for (std::size_t i = 0; i < exact.data().size(); ++i) {
+            const double mixed =
+                static_cast<double>(weights[0].x * low.data()[i] + weights[1].x * high.data()[i]);
+            off += (mixed - static_cast<double>(exact.data()[i])) *
+                   (mixed - static_cast<double>(exact.data()[i]));
+            all += static_cast<double>(exact.data()[i]) * static_cast<double>(exact.data()[i]);
+        }
+        CHECK(std::sqrt(off / all) < 0.015);
+    }
+}
+
+TEST_CASE("what varies nowhere has no variation") {
+    const MaterialPtr base = pplastic({});
+    const TexturePtr half = constant_texture(glm::vec4(0.5F), 1);
+    const TexturePtr flat = constant_texture(glm::vec4(0.5F, 0.5F, 1, 1), 3);
+    const TexturePtr clear = constant_texture(glm::vec4(1), 1);
+    CHECK(normal_mapped(base, flat) == base);
+    CHECK(bump_mapped(base, half, 3) == base);
+    CHECK(masked(base, clear) == base);
+    CHECK(scaled(base, clear) == base);
+    const glm::dvec3 light = glm::normalize(glm::dvec3(0.3, 0.2, 0.8));
+    const glm::dvec3 viewer = glm::normalize(glm::dvec3(-0.5, 0.1, 0.6));
+    const Mueller whole = evaluate(*base, 0, light, viewer);
+    const struct {
+        MaterialPtr material;
+        Mueller expected;
+    } rows[] = {{scaled(base, half), 0.5 * whole},
+                {blend(base, scaled(base, half), half), 0.75 * whole},
+                {scaled(base, constant_texture(glm::vec4(0), 1)), 0.0 * whole},
+                {with_roughness(gloss, constant_texture(glm::vec4(0.25F), 1)),
+                 evaluate(*gloss(0.25), 0, light, viewer)}};
+    for (const auto& row : rows) {
+        CHECK(row.material->variation() == nullptr);
+        CHECK(largest_difference(evaluate(*row.material, 0, light, viewer), row.expected) <=
+              1e-6 * whole(0, 0));
+    }
+}
+
+TEST_CASE("the mean of a material that varies is that of its textures") {
+    const MaterialPtr red = diffuse({0.8, 0.1, 0.1});
+    const MaterialPtr material = scaled(red, ramp_texture());
+    const glm::dvec3 up(0, 0, 1);
+    CHECK(evaluate(*material, 0, up, up)(0, 0) == Approx(0.5 * evaluate(*red, 0, up, up)(0, 0)));
+    CHECK(material->channels() == 3);
+}
+
+TEST_CASE("parts that do not go together are refused") {
+    const MaterialPtr base = pplastic({});
+    const TexturePtr u = ramp_texture();
+    const auto normals = std::make_shared<FunctionTexture>(
+        3, [](glm::vec2) { return glm::vec4(0.6F, 0.5F, 0.9F, 1); }, glm::vec4(0.6F, 0.5F, 0.9F, 1));
+    const auto message = [](const std::function<void()>& call) {
+        try {
+            call();
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::invalid_argument);
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK(message([&] { static_cast<void>(scaled(nullptr, u)); }).find("material is null") !=
+          std::string::npos);
+    CHECK(message([&] { static_cast<void>(scaled(base, nullptr)); }).find("texture is null") !=
+          std::string::npos);
+    CHECK(message([&] { static_cast<void>(sum(normal_mapped(base, normals), base)); }).find("normal maps") !=
+          std::string::npos);
+    CHECK(message([&] { static_cast<void>(normal_mapped(base, u)); }).find("1 channel") != std::string::npos);
+    CHECK(message([&] {
+              static_cast<void>(normal_mapped(normal_mapped(base, normals), normals));
+          }).find("already") != std::string::npos);
+    CHECK(message([&] { static_cast<void>(blend(base, twosided(base), u)); }).find("two-sided") !=
+          std::string::npos);
+    CHECK(message([&] {
+              static_cast<void>(blend(diffuse({0.1, 0.2, 0.3, 0.4}), scaled(base, normals), u));
+          }).find("channels") != std::string::npos);
+    CHECK(message([&] { static_cast<void>(masked(masked(base, u), u)); }).find("already") !=
+          std::string::npos);
+}
