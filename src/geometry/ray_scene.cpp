@@ -42,6 +42,17 @@ float check(std::size_t index, const RaySurface& surface) {
     return largest;
 }
 
+// Leaves out hits where the surface is not there.
+void filter(const RTCFilterFunctionNArguments* hits) {
+    const auto& present = *static_cast<const Presence*>(hits->geometryUserPtr);
+    for (unsigned i = 0; i < hits->N; ++i) {
+        if (hits->valid[i] == 0) continue;
+        if (!present(RTCHitN_primID(hits->hit, hits->N, i), RTCHitN_u(hits->hit, hits->N, i),
+                     RTCHitN_v(hits->hit, hits->N, i)))
+            hits->valid[i] = 0;
+    }
+}
+
 }  // namespace
 
 struct RayScene::Embree {
@@ -71,7 +82,8 @@ struct RayScene::Embree {
                     "Embree failed with error " + std::to_string(static_cast<int>(error)));
     }
 
-    void add(const RaySurface& surface, unsigned id, float scale) {
+    /// `present` must outlive the scene; null: everywhere.
+    void add(const RaySurface& surface, const Presence* present, unsigned id, float scale) {
         RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
         const std::size_t vertices = surface.positions.size();
         const std::size_t triangles = surface.triangles.size();
@@ -83,6 +95,12 @@ struct RayScene::Embree {
             std::ranges::transform(surface.positions, static_cast<glm::vec3*>(positions),
                                    [scale](const glm::vec3& p) { return scale * p; });
             std::ranges::copy(surface.triangles, static_cast<glm::uvec3*>(indices));
+            if (present != nullptr) {
+                // Embree hands the pointer on, and the filter only reads.
+                rtcSetGeometryUserData(geometry, const_cast<Presence*>(present));
+                rtcSetGeometryIntersectFilterFunction(geometry, filter);
+                rtcSetGeometryOccludedFilterFunction(geometry, filter);
+            }
             rtcCommitGeometry(geometry);
             rtcAttachGeometryByID(scene.get(), geometry, id);
         }
@@ -100,8 +118,11 @@ RayScene::RayScene(std::span<const RaySurface> surfaces) {
     if (largest > 0 && largest < kSmallestScene) scale_ = std::ldexp(1.0, -std::ilogb(largest));
     embree_ = std::make_unique<Embree>();
     for (std::size_t s = 0; s < surfaces.size(); ++s) {
-        if (!surfaces[s].triangles.empty())
-            embree_->add(surfaces[s], static_cast<unsigned>(s), static_cast<float>(scale_));
+        if (surfaces[s].triangles.empty()) continue;
+        const Presence* present = nullptr;
+        if (surfaces[s].present)
+            present = presences_.emplace_back(std::make_unique<const Presence>(surfaces[s].present)).get();
+        embree_->add(surfaces[s], present, static_cast<unsigned>(s), static_cast<float>(scale_));
     }
     rtcCommitScene(embree_->scene.get());
     embree_->check();

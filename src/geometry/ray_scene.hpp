@@ -5,18 +5,25 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace nicol {
+
+/// Whether a surface is there, at a point of one of its triangles; b1 and b2 are the barycentric weights of
+/// the triangle's corners 1 and 2. Called from several threads at once; must not throw.
+using Presence = std::function<bool(std::uint32_t triangle, float b1, float b2)>;
 
 /// Triangles of one surface in the world: indices into positions.
 struct RaySurface {
     std::span<const glm::vec3> positions;
     std::span<const glm::uvec3> triangles;
+    Presence present = {};  ///< empty: everywhere. Rays pass where it is not.
 };
 
 struct Ray {
@@ -70,6 +77,7 @@ public:
 
 private:
     struct Embree;
+    std::vector<std::unique_ptr<const Presence>> presences_;
     std::unique_ptr<Embree> embree_;
     double offset_ = 0;
     double scale_ = 1;  ///< from the world to Embree's: a power of two, so that nothing is rounded

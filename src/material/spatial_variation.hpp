@@ -36,18 +36,18 @@ struct MaterialLayer {
     std::vector<LayerFactor> factors = {};
 };
 
-/// What turns the interpolated normal.
+/// What turns the interpolated normal; see turned_normal().
 struct NormalVariation {
     enum class Kind {
         none,
-        map,  ///< 2 t - 1 is the normal in the frame of the surface: x along the direction in which u grows
+        map,  ///< 2 t - 1 is the normal in the surface's frame, x along the direction in which u grows
         bump  ///< the surface is displaced along its normal by scale times t
     };
     Kind kind = Kind::none;
     TexturePtr texture;
     double scale = 1;
-    /// map: y along the direction in which v grows, as in glTF (there -v), whatever the handedness of u and
-    /// v; else y completes a right-handed frame, as in Mitsuba.
+    /// map: false: y completes a right-handed frame, as in Mitsuba. True: y points to where v falls, which
+    /// differs where texture coordinates are mirrored, as in glTF.
     bool mirrored_y = false;
 
     bool operator==(const NormalVariation&) const = default;
