@@ -47,6 +47,12 @@ bool SpatialVariation::needs_colors() const {
     return any_texture(*this, [](const Texture& texture) { return texture.needs_colors(); });
 }
 
+bool SpatialVariation::present(const TexturePoint& point) const {
+    if (opacity == nullptr) return true;
+    const glm::vec4 value = opacity->at(point);
+    return (opacity->channels() == 4 ? value.w : value.x) >= 0.5F;
+}
+
 void SpatialVariation::weights(const TexturePoint& point, std::span<glm::vec3> out) const {
     std::array<glm::vec4, kMostTextures> values;
     for (std::size_t t = 0; t < textures.size(); ++t) values[t] = textures[t]->at(point);

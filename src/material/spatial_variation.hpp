@@ -67,6 +67,8 @@ struct SpatialVariation {
     [[nodiscard]] bool needs_texcoords() const;
     [[nodiscard]] bool needs_colors() const;
 
+    /// Whether the surface is there.
+    [[nodiscard]] bool present(const TexturePoint& point) const;
     /// out[layer], of all layers: its weight for red, green and blue, or three equal ones.
     void weights(const TexturePoint& point, std::span<glm::vec3> out) const;
 };

@@ -2,17 +2,53 @@
 #include "reference/direct_light.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "material/spatial_variation.hpp"
+#include "shading/normal_variation.hpp"
+
 namespace nicol {
+namespace {
+
+TexturePoint texture_point(const Mesh& mesh, std::uint32_t triangle, const glm::vec3& weights) {
+    TexturePoint point;
+    if (!mesh.texcoords.empty()) {
+        const glm::uvec3& corners = mesh.texcoord_triangles[triangle];
+        point.uv = glm::vec2(0);
+        for (glm::length_t i = 0; i < 3; ++i) point.uv += weights[i] * mesh.texcoords[corners[i]];
+    }
+    if (!mesh.colors.empty()) {
+        const glm::uvec3& corners = mesh.triangles[triangle];
+        point.color = glm::vec3(0);
+        for (glm::length_t i = 0; i < 3; ++i) point.color += weights[i] * mesh.colors[corners[i]];
+    }
+    return point;
+}
+
+TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
+    if (mesh.texcoords.empty()) return {};
+    std::array<glm::vec3, 3> positions;
+    std::array<glm::vec2, 3> texcoords;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        positions[static_cast<std::size_t>(i)] = mesh.positions[mesh.triangles[triangle][i]];
+        texcoords[static_cast<std::size_t>(i)] = mesh.texcoords[mesh.texcoord_triangles[triangle][i]];
+    }
+    return nicol::texture_axes(positions, texcoords);
+}
+
+}  // namespace
 
 struct DirectLight::Hit {
     const Surface& surface;
     glm::dvec3 position;
     glm::dvec3 geometric_normal;
+    glm::dvec3 unturned;        ///< the interpolated normal, on the side of the shading normal
     Frame frame;                ///< z = the shading normal, of a two-sided material on the viewer's side
     glm::dvec3 towards_viewer;  ///< in that frame
+    TexturePoint point;
 };
 
 DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
@@ -35,12 +71,31 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
         const Instance& instance = scene.instances()[i];
         const Material& material = *instance.material;
         channels_ = std::max(channels_, material.channels());
-        const SurfaceSampler& sampler = samplers_.try_emplace(&material, material).first->second;
-        surfaces_.push_back({placed(*instance.mesh, instance.to_world, ids_[i]), &material, &sampler});
-        triangles.push_back({surfaces_.back().mesh.positions, surfaces_.back().mesh.triangles});
+        Surface& surface = surfaces_.emplace_back(Surface{
+            .mesh = placed(*instance.mesh, instance.to_world, ids_[i]), .material = &material, .layers = {}});
+        const auto add_layer = [&](const Material& layer) {
+            const SurfaceSampler& sampler = samplers_.try_emplace(&layer, layer).first->second;
+            surface.layers.push_back({.material = &layer, .sampler = &sampler});
+        };
+        if (const SpatialVariation* const variation = material.variation()) {
+            for (const MaterialLayer& layer : variation->layers) add_layer(*layer.material);
+        } else {
+            add_layer(material);
+        }
+        triangles.push_back({.positions = surface.mesh.positions,
+                             .triangles = surface.mesh.triangles,
+                             .present = presence_of(surface)});
         triangles_ += surfaces_.back().mesh.triangles.size();
     }
     rays_ = std::make_unique<RayScene>(triangles);
+}
+
+Presence DirectLight::presence_of(const Surface& surface) const {
+    const SpatialVariation* const variation = surface.material->variation();
+    if (variation == nullptr || variation->opacity == nullptr) return {};
+    return [&mesh = surface.mesh, variation](std::uint32_t triangle, float b1, float b2) {
+        return variation->present(texture_point(mesh, triangle, {1 - b1 - b2, b1, b2}));
+    };
 }
 
 std::optional<DirectLight::Surfel> DirectLight::first_surface(const Ray& ray) const {
@@ -60,15 +115,16 @@ bool DirectLight::add(const Ray& ray, const Frame& received, const glm::dvec2& l
     }
     const Hit hit = hit_at(*found, -ray.direction);
     if (!(hit.towards_viewer.z > 0)) return true;
+    weigh_layers(hit, workspace);
 
     if (strategy_ != Strategy::surface && !light_sampler_->dark()) {
         const LightSample light = light_sampler_->sample(light_point);
         const glm::dvec3 towards_light = (light_to_world_ * light.towards_light) * hit.frame;
-        add_reflected(hit, towards_light, pdf(hit, towards_light), received, sum, workspace);
+        add_reflected(hit, towards_light, pdf(hit, towards_light, workspace), received, sum, workspace);
     }
     if (strategy_ != Strategy::light) {
-        const glm::dvec3 towards_light = hit.surface.sampler->sample(hit.towards_viewer, surface_point);
-        add_reflected(hit, towards_light, pdf(hit, towards_light), received, sum, workspace);
+        const glm::dvec3 towards_light = sample(hit, surface_point, workspace);
+        add_reflected(hit, towards_light, pdf(hit, towards_light, workspace), received, sum, workspace);
     }
     return true;
 }
@@ -93,13 +149,54 @@ DirectLight::Hit DirectLight::hit_at(const RayHit& hit, const glm::dvec3& toward
         shading_normal = normal;
     }
     const bool behind = glm::dot(shading_normal, towards_viewer) < 0;
-    const Frame frame =
-        theta_phi_frame(behind && surface.material->twosided() ? -shading_normal : shading_normal);
-    return {.surface = surface,
+    const bool back = behind && surface.material->twosided();
+    if (back) shading_normal = -shading_normal;
+    Hit out{.surface = surface,
             .position = positions * weights,
             .geometric_normal = normal,
-            .frame = frame,
-            .towards_viewer = glm::normalize(towards_viewer * frame)};
+            .unturned = shading_normal,
+            .frame = {},
+            .towards_viewer = {},
+            .point = {}};
+    if (const SpatialVariation* const variation = surface.material->variation()) {
+        out.point = texture_point(surface.mesh, hit.triangle, glm::vec3(weights));
+        if (variation->normal.kind != NormalVariation::Kind::none)
+            shading_normal = glm::normalize(glm::dvec3(turned_normal(variation->normal, out.point,
+                                                                     texture_axes(surface.mesh, hit.triangle),
+                                                                     glm::vec3(shading_normal), back)));
+    }
+    out.frame = theta_phi_frame(shading_normal);
+    out.towards_viewer = glm::normalize(towards_viewer * out.frame);
+    return out;
+}
+
+void DirectLight::weigh_layers(const Hit& hit, Workspace& workspace) const {
+    const std::size_t layers = hit.surface.layers.size();
+    workspace.weights.assign(layers, glm::vec3(1));
+    workspace.shares.assign(layers, 1);
+    const SpatialVariation* const variation = hit.surface.material->variation();
+    if (variation == nullptr) return;
+    variation->weights(hit.point, workspace.weights);
+    double sum = 0;
+    for (std::size_t l = 0; l < layers; ++l) {
+        const glm::vec3& weight = workspace.weights[l];
+        workspace.shares[l] =
+            static_cast<double>(std::abs(weight.x) + std::abs(weight.y) + std::abs(weight.z));
+        sum += workspace.shares[l];
+    }
+    for (double& share : workspace.shares) share = sum > 0 ? share / sum : 1 / static_cast<double>(layers);
+}
+
+// The first coordinate chooses the layer, and what is left of it samples.
+glm::dvec3 DirectLight::sample(const Hit& hit, const glm::dvec2& point, const Workspace& workspace) const {
+    double x = point.x;
+    std::size_t chosen = 0;
+    while (chosen + 1 < workspace.shares.size() && x >= workspace.shares[chosen])
+        x -= workspace.shares[chosen++];
+    // What rounding leaves may reach a layer that has no share.
+    while (chosen > 0 && workspace.shares[chosen] == 0) --chosen;
+    const double within = std::min(x / workspace.shares[chosen], 1 - 1e-16);
+    return hit.surface.layers[chosen].sampler->sample(hit.towards_viewer, {within, point.y});
 }
 
 void DirectLight::add_background(const glm::dvec3& direction, const Frame& received,
@@ -114,37 +211,50 @@ void DirectLight::add_reflected(const Hit& hit, const glm::dvec3& towards_light,
                                 const Frame& received, std::span<Stokes> sum, Workspace& workspace) const {
     if (!(towards_light.z > 0) || !(pdf > 0)) return;
     const glm::dvec3 in_world = glm::normalize(hit.frame * towards_light);
+    // A turned normal sees light from below the surface, which hides it.
+    if (!(glm::dot(in_world, hit.unturned) > 0)) return;
     if (shadows_) {
         ++workspace.shadow_rays;
         if (rays_->occluded(hit.position, hit.geometric_normal, in_world)) return;
     }
 
-    const Material& material = *hit.surface.material;
-    const int terms = material.terms();
-    workspace.terms.resize(static_cast<std::size_t>(terms));
-    material.evaluate_terms(towards_light, hit.towards_viewer, workspace.terms);
     const glm::dvec3 in_light = glm::normalize(in_world * light_to_world_);
     const double rotate_in = environment_->polarized()
                                  ? angle_between(light_to_world_ * theta_phi_frame(-in_light),
                                                  hit.frame * theta_phi_frame(-towards_light))
                                  : 0;
     const double rotate_out = angle_between(hit.frame * theta_phi_frame(hit.towards_viewer), received);
-    for (int c = 0; c < channels_; ++c) {
-        const Stokes incident = rotated(radiance(c, in_light), rotate_in);
-        Stokes reflected(0.0);
-        for (int t = 0; t < terms; ++t) {
-            const double weight = material.weight(t, material.channels() == 1 ? 0 : c);
-            reflected += weight * (workspace.terms[static_cast<std::size_t>(t)] * incident);
+    for (std::size_t l = 0; l < hit.surface.layers.size(); ++l) {
+        if (workspace.shares[l] == 0) continue;
+        const Material& material = *hit.surface.layers[l].material;
+        const int terms = material.terms();
+        workspace.terms.resize(static_cast<std::size_t>(terms));
+        material.evaluate_terms(towards_light, hit.towards_viewer, workspace.terms);
+        for (int c = 0; c < channels_; ++c) {
+            const Stokes incident = rotated(radiance(c, in_light), rotate_in);
+            Stokes reflected(0.0);
+            for (int t = 0; t < terms; ++t) {
+                const double weight = material.weight(t, material.channels() == 1 ? 0 : c);
+                reflected += weight * (workspace.terms[static_cast<std::size_t>(t)] * incident);
+            }
+            // Textures of colours are for three channels; of others all three weights are equal.
+            const double weight = workspace.weights[l][channels_ == 3 ? c : 0];
+            sum[static_cast<std::size_t>(c)] +=
+                rotated(weight * towards_light.z / pdf * reflected, rotate_out);
         }
-        sum[static_cast<std::size_t>(c)] += rotated(towards_light.z / pdf * reflected, rotate_out);
     }
 }
 
-double DirectLight::pdf(const Hit& hit, const glm::dvec3& towards_light) const {
+double DirectLight::pdf(const Hit& hit, const glm::dvec3& towards_light, const Workspace& workspace) const {
     double sum = 0;
     if (strategy_ != Strategy::surface)
         sum += light_sampler_->pdf(glm::normalize((hit.frame * towards_light) * light_to_world_));
-    if (strategy_ != Strategy::light) sum += hit.surface.sampler->pdf(hit.towards_viewer, towards_light);
+    if (strategy_ != Strategy::light) {
+        for (std::size_t l = 0; l < hit.surface.layers.size(); ++l)
+            if (workspace.shares[l] > 0)
+                sum += workspace.shares[l] *
+                       hit.surface.layers[l].sampler->pdf(hit.towards_viewer, towards_light);
+    }
     return sum;
 }
 

@@ -28,6 +28,8 @@ public:
     /// What one thread needs: room for one reflection, and its count.
     struct Workspace {
         std::vector<Mueller> terms;
+        std::vector<glm::vec3> weights;  ///< of the layers of the surface's material
+        std::vector<double> shares;      ///< the chance of each to be sampled
         std::uint64_t shadow_rays = 0;
     };
 
@@ -38,7 +40,8 @@ public:
     struct Surfel {
         std::uint32_t instance;  ///< id
         glm::dvec3 position;
-        glm::dvec3 normal;  ///< shading, unit; of a two-sided material on the viewer's side
+        glm::dvec3
+            normal;  ///< shading, unit, by its texture too; of a two-sided material on the viewer's side
     };
     [[nodiscard]] std::optional<Surfel> first_surface(const Ray& ray) const;
 
@@ -49,18 +52,27 @@ public:
              const glm::dvec2& surface_point, std::span<Stokes> sum, Workspace& workspace) const;
 
 private:
-    struct Surface {
-        Mesh mesh;  ///< in the world
+    struct Layer {
         const Material* material;
         const SurfaceSampler* sampler;
     };
+    struct Surface {
+        Mesh mesh;  ///< in the world
+        const Material* material;
+        std::vector<Layer> layers;  ///< of a material that varies; else itself
+    };
     struct Hit;
 
+    [[nodiscard]] Presence presence_of(const Surface& surface) const;
     [[nodiscard]] Hit hit_at(const RayHit& hit, const glm::dvec3& towards_viewer) const;
+    void weigh_layers(const Hit& hit, Workspace& workspace) const;
+    [[nodiscard]] glm::dvec3 sample(const Hit& hit, const glm::dvec2& point,
+                                    const Workspace& workspace) const;
     void add_background(const glm::dvec3& direction, const Frame& received, std::span<Stokes> sum) const;
     void add_reflected(const Hit& hit, const glm::dvec3& towards_light, double pdf, const Frame& received,
                        std::span<Stokes> sum, Workspace& workspace) const;
-    [[nodiscard]] double pdf(const Hit& hit, const glm::dvec3& towards_light) const;
+    [[nodiscard]] double pdf(const Hit& hit, const glm::dvec3& towards_light,
+                             const Workspace& workspace) const;
     [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const;
 
     const Environment* environment_;
