@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "material/textured.hpp"
+
+#include <functional>
+#include <utility>
+
+#include "material/layered.hpp"
+
+namespace nicol {
+namespace {
+
+MaterialPtr times(MaterialPtr material, const TexturePtr& reflectance) {
+    return reflectance ? scaled(std::move(material), reflectance) : material;
+}
+
+MaterialPtr at_roughness(const std::function<MaterialPtr(double alpha)>& make, double alpha,
+                         const TexturePtr& texture) {
+    return texture ? with_roughness(make, texture) : make(alpha);
+}
+
+}  // namespace
+
+MaterialPtr pplastic(const PplasticParameters& parameters, const PplasticTextures& textures) {
+    if (!textures.diffuse_reflectance && !textures.specular_reflectance && !textures.alpha)
+        return pplastic(parameters);
+    // The base does not depend on the roughness of the boundary above it.
+    PplasticParameters base = parameters;
+    base.specular_reflectance = {0};
+    if (textures.diffuse_reflectance) base.diffuse_reflectance = {1};
+    PplasticParameters boundary = parameters;
+    boundary.diffuse_reflectance = {0};
+    if (textures.specular_reflectance) boundary.specular_reflectance = {1};
+
+    const auto make_boundary = [boundary](double alpha) {
+        PplasticParameters of_alpha = boundary;
+        of_alpha.alpha = alpha;
+        return pplastic(of_alpha);
+    };
+    return sum(
+        times(pplastic(base), textures.diffuse_reflectance),
+        times(at_roughness(make_boundary, parameters.alpha, textures.alpha), textures.specular_reflectance));
+}
+
+MaterialPtr rough_conductor(const RoughConductorParameters& parameters, const ConductorTextures& textures) {
+    RoughConductorParameters facets = parameters;
+    if (textures.specular_reflectance) facets.specular_reflectance = {1};
+    const auto make_facets = [facets](double alpha) {
+        RoughConductorParameters of_alpha = facets;
+        of_alpha.alpha = alpha;
+        return rough_conductor(of_alpha);
+    };
+    return times(at_roughness(make_facets, parameters.alpha, textures.alpha), textures.specular_reflectance);
+}
+
+}  // namespace nicol

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Reflectance models whose parameters are textures.
+#pragma once
+
+#include "material/conductor.hpp"
+#include "material/material.hpp"
+#include "material/texture.hpp"
+
+namespace nicol {
+
+/// Each replaces the number of its name; null: the number holds. Reflectances take the texture's colours,
+/// which are meant to lie in 0..1 but may exceed it; alpha takes its first channel, moved to 0.001..1.
+struct PplasticTextures {
+    TexturePtr diffuse_reflectance;
+    TexturePtr specular_reflectance;
+    TexturePtr alpha;
+};
+/// Throws as pplastic() and as the functions of layered.hpp.
+[[nodiscard]] MaterialPtr pplastic(const PplasticParameters& parameters, const PplasticTextures& textures);
+
+struct ConductorTextures {
+    TexturePtr specular_reflectance;
+    TexturePtr alpha;
+};
+[[nodiscard]] MaterialPtr rough_conductor(const RoughConductorParameters& parameters,
+                                          const ConductorTextures& textures);
+
+}  // namespace nicol
