@@ -5,15 +5,9 @@
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
 
-#include <cmath>
-#include <cstdint>
-#include <exception>
-#include <fstream>
-
 #include "error.hpp"
-#include "files/file_error.hpp"
+#include "image/exr_input.hpp"
 #include "image/exr_layout.hpp"
-#include "image/exr_structure.hpp"
 #include "image/stokes_image.hpp"
 
 namespace nicol {
@@ -21,9 +15,8 @@ namespace {
 
 using std::filesystem::path;
 
-StokesImage read_pixels(const path& file, std::span<const double> wavelengths) {
-    // No OpenEXR threads (0): its pool is one per process and belongs to the host.
-    Imf::MultiPartInputFile input(file.c_str(), 0);
+StokesImage read_pixels(const path& file, Imf::MultiPartInputFile& input,
+                        std::span<const double> wavelengths) {
     const Imf::Header& header = input.header(0);
     const ExrLayout layout = find_exr_layout(file, header, wavelengths);
     const Imath::Box2i window = header.dataWindow();
@@ -59,15 +52,8 @@ StokesImage read_pixels(const path& file, std::span<const double> wavelengths) {
         for (std::size_t p = 0; p < 4; ++p) {
             const std::string& name = layout.names[c][p];
             if (name.empty()) continue;
-            for (std::size_t i = first + p; i < first + plane_floats; i += 4) {
-                if (std::isfinite(image.data[i])) continue;
-                const std::size_t pixel = (i - first) / 4;
-                const auto columns = static_cast<std::size_t>(width);
-                invalid_file(file, "channel " + name + ", pixel (" + std::to_string(pixel % columns) + ", " +
-                                       std::to_string(pixel / columns) + ") is " +
-                                       (std::isnan(image.data[i]) ? "not a number" : "infinite") +
-                                       "; all values must be finite");
-            }
+            for (std::size_t i = first + p; i < first + plane_floats; i += 4)
+                require_finite_pixel(file, name, (i - first) / 4, width, image.data[i]);
         }
         if (layout.left_handed)
             for (std::size_t i = first + 3; i < first + plane_floats; i += 4) image.data[i] = -image.data[i];
@@ -78,25 +64,10 @@ StokesImage read_pixels(const path& file, std::span<const double> wavelengths) {
 }  // namespace
 
 StokesImage read_exr(const path& file, std::span<const double> wavelengths) {
-    std::error_code error;
-    const std::uintmax_t size =
-        std::filesystem::is_directory(file, error) ? 0 : std::filesystem::file_size(file, error);
-    if (error || size == 0 || !std::ifstream(file)) {
-        if (!error && std::filesystem::is_regular_file(file, error) && size == 0)
-            invalid_file(file, "is empty");
-        throw Error(ErrorCode::file_not_found, file.string() + ": cannot be opened for reading" +
-                                                   (error ? " (" + error.message() + ")" : ""));
-    }
-    try {
-        check_exr_structure(file, size);
-        return read_pixels(file, wavelengths);
-    } catch (const Error&) {
-        throw;
-    } catch (const std::bad_alloc&) {
-        throw;
-    } catch (const std::exception& e) {
-        invalid_file(file, std::string("is damaged or truncated (") + e.what() + ")");
-    }
+    StokesImage image;
+    read_exr_input(file,
+                   [&](Imf::MultiPartInputFile& input) { image = read_pixels(file, input, wavelengths); });
+    return image;
 }
 
 }  // namespace nicol

@@ -32,7 +32,8 @@ public:
     [[nodiscard]] virtual int channels() const noexcept = 0;
     /// Red, green, blue, coverage: linear, not clipped. One channel: three equal values; without coverage: 1.
     [[nodiscard]] virtual glm::vec4 at(const TexturePoint& point) const = 0;
-    /// Of the first channel by u and by v: central differences over a texel, as for bump maps.
+    /// Of the first channel by u and by v, of an image as at() interpolates it, but of one without a filter
+    /// as of a bilinear one; 0 of other textures.
     [[nodiscard]] virtual glm::vec2 gradient(const TexturePoint& point) const = 0;
     /// Of at() over the whole texture.
     [[nodiscard]] virtual glm::vec4 mean() const = 0;
@@ -75,10 +76,13 @@ struct TextureImage {
 /// that is not finite and affine.
 [[nodiscard]] TexturePtr image_texture(TextureImage image, const TextureSampling& sampling = {});
 
-/// PNG, JPEG, BMP, TGA, Radiance HDR, EXR (the first of its parts with R, G, B or Y; with A as coverage).
-/// raw: the file's numbers as they are, n / 255 or n / 65535 for integers; else those of 8 and 16 bits are
-/// decoded from sRGB (coverage never is). Throws Error: file_not_found, invalid_file, unsupported; as
-/// image_texture().
+/// Decodes colours of 0..1 from sRGB; coverage stays.
+void decode_srgb(TextureImage& image);
+
+/// PNG, JPEG, BMP, TGA, Radiance HDR, EXR (R G B or Y of its first part; with A as coverage). Grey with
+/// coverage becomes four channels. raw: the file's numbers as they are, n / 255 or n / 65535 for integers;
+/// else those of 8 and 16 bits are decoded from sRGB. Throws Error: file_not_found, invalid_file,
+/// unsupported.
 [[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, bool raw);
 
 /// Mitsuba's checkerboard: color0 where floor(2u) + floor(2v) is even, else color1, u and v after to_uv and
@@ -86,7 +90,7 @@ struct TextureImage {
 [[nodiscard]] TexturePtr checkerboard_texture(const glm::vec3& color0, const glm::vec3& color1, int channels,
                                               const glm::dmat3& to_uv = glm::dmat3(1.0));
 
-/// The colours of the mesh's vertices.
+/// The colours of the mesh's vertices, which it does not know: mean() is 0.5, range() 0 to 1.
 [[nodiscard]] TexturePtr vertex_color_texture();
 
 /// One value everywhere; 1, 3 or 4 channels.

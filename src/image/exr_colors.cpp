@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "image/exr_colors.hpp"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputPart.h>
+
+#include <string>
+#include <vector>
+
+#include "files/file_error.hpp"
+#include "image/exr_input.hpp"
+
+namespace nicol {
+namespace {
+
+using std::filesystem::path;
+
+std::vector<std::string> names_of(const path& file, const Imf::ChannelList& list) {
+    const auto has = [&](const std::string& name) { return list.findChannel(name) != nullptr; };
+    std::vector<std::string> names;
+    if (has("RY") || has("BY"))
+        unsupported_file(file, "stores luminance and chroma (RY, BY); write R G B instead");
+    if (has("R") && has("G") && has("B"))
+        names = {"R", "G", "B"};
+    else if (has("Y"))
+        names = {"Y"};
+    else
+        invalid_file(file, "has neither R G B nor Y");
+    if (has("A")) names.emplace_back("A");
+    for (const std::string& name : names) {
+        const Imf::Channel& channel = *list.findChannel(name);
+        if (channel.xSampling != 1 || channel.ySampling != 1)
+            unsupported_file(file, "channel " + name + " is subsampled; write it at full resolution");
+    }
+    return names;
+}
+
+Bitmap read_pixels(const path& file, Imf::MultiPartInputFile& input) {
+    const Imf::Header& header = input.header(0);
+    const Imath::Box2i window = header.dataWindow();
+    const std::vector<std::string> names = names_of(file, header.channels());
+    Bitmap out{.width = window.max.x - window.min.x + 1,
+               .height = window.max.y - window.min.y + 1,
+               .channels = static_cast<int>(names.size()),
+               .linear = true,
+               .values = {}};
+    const auto columns = static_cast<std::size_t>(out.width), rows = static_cast<std::size_t>(out.height);
+    out.values.resize(columns * rows * names.size());
+    Imf::FrameBuffer buffer;
+    const std::size_t step = names.size() * sizeof(float);
+    for (std::size_t c = 0; c < names.size(); ++c)
+        buffer.insert(names[c],
+                      Imf::Slice::Make(Imf::FLOAT, out.values.data() + c, window, step, step * columns));
+    Imf::InputPart part(input, 0);
+    part.setFrameBuffer(buffer);
+    part.readPixels(window.min.y, window.max.y);
+    for (std::size_t i = 0; i < out.values.size(); ++i)
+        require_finite_pixel(file, names[i % names.size()], i / names.size(), out.width, out.values[i]);
+    return out;
+}
+
+}  // namespace
+
+Bitmap read_exr_colors(const path& file) {
+    Bitmap out;
+    read_exr_input(file, [&](Imf::MultiPartInputFile& input) { out = read_pixels(file, input); });
+    return out;
+}
+
+}  // namespace nicol

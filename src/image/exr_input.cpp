@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "image/exr_input.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <new>
+
+#include "error.hpp"
+#include "files/file_error.hpp"
+#include "image/exr_structure.hpp"
+
+namespace nicol {
+
+void read_exr_input(const std::filesystem::path& file,
+                    const std::function<void(Imf::MultiPartInputFile& input)>& read) {
+    std::error_code error;
+    const std::uintmax_t size =
+        std::filesystem::is_directory(file, error) ? 0 : std::filesystem::file_size(file, error);
+    if (error || size == 0 || !std::ifstream(file)) {
+        if (!error && std::filesystem::is_regular_file(file, error) && size == 0)
+            invalid_file(file, "is empty");
+        throw Error(ErrorCode::file_not_found, file.string() + ": cannot be opened for reading" +
+                                                   (error ? " (" + error.message() + ")" : ""));
+    }
+    try {
+        check_exr_structure(file, size);
+        // No OpenEXR threads (0): its pool is one per process and belongs to the host.
+        Imf::MultiPartInputFile input(file.c_str(), 0);
+        read(input);
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& e) {
+        invalid_file(file, std::string("is damaged or truncated (") + e.what() + ")");
+    }
+}
+
+void require_finite_pixel(const std::filesystem::path& file, const std::string& channel, std::size_t pixel,
+                          int width, float value) {
+    if (std::isfinite(value)) return;
+    const auto columns = static_cast<std::size_t>(width);
+    invalid_file(file, "channel " + channel + ", pixel (" + std::to_string(pixel % columns) + ", " +
+                           std::to_string(pixel / columns) + ") is " +
+                           (std::isnan(value) ? "not a number" : "infinite") + "; all values must be finite");
+}
+
+}  // namespace nicol

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// OpenEXR files opened with care.
+#pragma once
+
+#include <ImfMultiPartInputFile.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace nicol {
+
+/// Calls read() with the file, whose structure has been checked. Throws Error(file_not_found), as
+/// check_exr_structure(), and Error(invalid_file) where OpenEXR finds the file damaged.
+void read_exr_input(const std::filesystem::path& file,
+                    const std::function<void(Imf::MultiPartInputFile& input)>& read);
+
+/// Throws Error(invalid_file) naming channel and pixel, which is counted from the top left, unless the value
+/// is finite.
+void require_finite_pixel(const std::filesystem::path& file, const std::string& channel, std::size_t pixel,
+                          int width, float value);
+
+}  // namespace nicol

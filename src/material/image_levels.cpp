@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "material/image_levels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace nicol {
+namespace {
+
+/// What a texel of the next level covers along one axis: two texels of this one, or parts of three.
+struct Taps {
+    int first = 0;
+    std::array<float, 3> weights{};
+};
+
+std::vector<Taps> halving_taps(int size) {
+    const int half = std::max(1, size / 2);
+    const double step = static_cast<double>(size) / half;
+    std::vector<Taps> taps(static_cast<std::size_t>(half));
+    for (int i = 0; i < half; ++i) {
+        Taps& of_texel = taps[static_cast<std::size_t>(i)];
+        const double begin = i * step;
+        of_texel.first = static_cast<int>(begin);
+        for (int k = 0; k < 3; ++k) {
+            const int texel = of_texel.first + k;
+            const double covered = std::min(begin + step, texel + 1.0) - std::max(begin, double(texel));
+            // Rounding must not reach for a texel beyond the end.
+            if (texel < size && covered > 1e-9)
+                of_texel.weights[static_cast<std::size_t>(k)] = static_cast<float>(covered / step);
+        }
+    }
+    return taps;
+}
+
+/// Halves one axis of [outer][size][inner].
+std::vector<float> halved(const std::vector<float>& values, std::size_t outer, int size, std::size_t inner) {
+    const std::vector<Taps> taps = halving_taps(size);
+    std::vector<float> out(outer * taps.size() * inner);
+    float* to = out.data();
+    for (std::size_t o = 0; o < outer; ++o) {
+        const float* const line = values.data() + o * static_cast<std::size_t>(size) * inner;
+        for (const Taps& of_texel : taps) {
+            const float* from = line + static_cast<std::size_t>(of_texel.first) * inner;
+            for (std::size_t k = 0; k < of_texel.weights.size(); ++k, from += inner) {
+                const float weight = of_texel.weights[k];
+                for (std::size_t i = 0; weight > 0 && i < inner; ++i) to[i] += weight * from[i];
+            }
+            to += inner;
+        }
+    }
+    return out;
+}
+
+TextureImage next_level(const TextureImage& image) {
+    const auto columns = static_cast<std::size_t>(std::max(1, image.width / 2));
+    const auto rows = static_cast<std::size_t>(image.height);
+    const auto channels = static_cast<std::size_t>(image.channels);
+    TextureImage next{.width = std::max(1, image.width / 2),
+                      .height = std::max(1, image.height / 2),
+                      .channels = image.channels,
+                      .values = halved(image.values, rows, image.width, channels)};
+    next.values = halved(next.values, 1, image.height, columns * channels);
+    return next;
+}
+
+}  // namespace
+
+std::vector<TextureImage> image_levels(TextureImage image) {
+    std::vector<TextureImage> levels;
+    levels.push_back(std::move(image));
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(next_level(levels.back()));
+    return levels;
+}
+
+}  // namespace nicol
