@@ -2,7 +2,9 @@
 // A scene's instances as one list of vertices and triangles.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -29,9 +31,16 @@ struct WorldGeometry {
     std::size_t one_sided = 0;          ///< how many of them
     std::vector<VertexRange> ranges;
 
+    /// Of the corners of triangles, in their order, 0 for meshes without any; empty unless the materials that
+    /// vary need them.
+    std::vector<std::array<glm::vec2, 3>> texcoords;
+    /// Likewise colours of vertices; 1 for meshes without any.
+    std::vector<std::array<glm::vec3, 3>> colors;
+
     [[nodiscard]] std::size_t bytes() const noexcept {
         return (positions.size() + normals.size()) * sizeof(glm::vec3) +
-               triangles.size() * sizeof(glm::uvec3);
+               triangles.size() * sizeof(glm::uvec3) + texcoords.size() * sizeof(texcoords.front()) +
+               colors.size() * sizeof(colors.front());
     }
 };
 

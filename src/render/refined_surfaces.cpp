@@ -2,7 +2,9 @@
 #include "render/refined_surfaces.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -13,6 +15,48 @@ std::vector<std::uint8_t> same(const std::vector<glm::vec3>& before, const std::
     std::vector<std::uint8_t> out(after.size(), 0);
     const std::size_t both = std::min(before.size(), after.size());
     for (std::size_t i = 0; i < both; ++i) out[i] = before[i] == after[i] ? 1 : 0;
+    return out;
+}
+
+// Where the triangles of a refinement lie in those that were given.
+std::vector<TrianglePart> parts_of(const WorldGeometry& geometry, const Refinement& refinement) {
+    const std::size_t given = geometry.positions.size();
+    std::vector<TrianglePart> parts;
+    parts.reserve(refinement.triangles.size());
+    // Vertices of the same source, whose parts follow one another. Parents have smaller numbers.
+    std::map<std::uint32_t, glm::vec3> known;
+    const std::function<glm::vec3(std::uint32_t, const glm::uvec3&)> weights = [&](std::uint32_t vertex,
+                                                                                   const glm::uvec3& source) {
+        if (vertex < given) {
+            return glm::vec3(source.x == vertex ? 1 : 0, source.y == vertex ? 1 : 0,
+                             source.z == vertex ? 1 : 0);
+        }
+        if (const auto found = known.find(vertex); found != known.end()) return found->second;
+        const glm::uvec2 parents = refinement.parents[vertex - given];
+        return known[vertex] = 0.5F * weights(parents.x, source) + 0.5F * weights(parents.y, source);
+    };
+    for (std::size_t i = 0; i < refinement.triangles.size(); ++i) {
+        const std::uint32_t source = refinement.sources[i];
+        if (i > 0 && source != refinement.sources[i - 1]) known.clear();
+        const glm::uvec3& t = refinement.triangles[i];
+        const glm::uvec3& of = geometry.triangles[source];
+        parts.push_back(
+            {.source = source, .corners = {weights(t.x, of), weights(t.y, of), weights(t.z, of)}});
+    }
+    return parts;
+}
+
+template <class Value>
+std::vector<std::array<Value, 3>> of_parts(const std::vector<std::array<Value, 3>>& given,
+                                           std::span<const TrianglePart> parts) {
+    std::vector<std::array<Value, 3>> out;
+    if (given.empty()) return out;
+    out.reserve(parts.size());
+    for (const TrianglePart& part : parts) {
+        const std::array<Value, 3>& from = given[part.source];
+        const auto at = [&](const glm::vec3& w) { return w.x * from[0] + w.y * from[1] + w.z * from[2]; };
+        out.push_back({at(part.corners[0]), at(part.corners[1]), at(part.corners[2])});
+    }
     return out;
 }
 
@@ -60,13 +104,22 @@ RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinem
         range.last = first;
         out.ranges.push_back(std::move(range));
     }
-    return {.geometry = std::move(out), .visibility = refinement.visibility.selected(order)};
+    return {.geometry = std::move(out),
+            .visibility = refinement.visibility.selected(order),
+            .parts = parts_of(geometry, refinement)};
 }
 
-void RefinedSurfaces::update(const SceneGeometry& surfaces, const std::shared_ptr<WorldGeometry>& refined) {
+void RefinedSurfaces::update(const SceneGeometry& surfaces, const std::shared_ptr<WorldGeometry>& refined,
+                             std::span<const TrianglePart> parts) {
     to_world_ = surfaces.to_world();
-    for (std::size_t r = 0; refined && r < refined->ranges.size(); ++r)
-        refined->ranges[r].material = surfaces.geometry().ranges[r].material;
+    const WorldGeometry& given = surfaces.geometry();
+    if (refined && (refined != geometry_ || corners_ != surfaces.material_version())) {
+        for (std::size_t r = 0; r < refined->ranges.size(); ++r)
+            refined->ranges[r].material = given.ranges[r].material;
+        refined->texcoords = of_parts(given.texcoords, parts);
+        refined->colors = of_parts(given.colors, parts);
+        corners_ = surfaces.material_version();
+    }
     const std::shared_ptr<const WorldGeometry> next = refined ? refined : surfaces.shared_geometry();
     if (next != geometry_) {
         change_ = {.before = version_,

@@ -2,9 +2,12 @@
 // A scene's surfaces as they are drawn: with the vertices that the bake added.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "render/geometry.hpp"
@@ -14,24 +17,33 @@
 
 namespace nicol {
 
+/// Where a triangle of a refinement lies in the triangle it is a part of.
+struct TrianglePart {
+    std::uint32_t source;
+    std::array<glm::vec3, 3> corners;  ///< barycentric
+};
+
 /// A geometry with the triangles of a refinement of it, and the visibility of its vertices. Added vertices
 /// follow those of the range that they lie in; positions and normals are interpolated, the normals then made
-/// unit length.
+/// unit length. Corners have neither texture coordinates nor colours: RefinedSurfaces interpolates these.
 struct RefinedGeometry {
     WorldGeometry geometry;
     Visibility visibility;
+    std::vector<TrianglePart> parts;  ///< by triangle
 };
 [[nodiscard]] RefinedGeometry refined(const WorldGeometry& geometry, const Refinement& refinement);
 
 class RefinedSurfaces {
 public:
-    /// Takes over changes of the surfaces and of their refinement; null: there is none.
-    void update(const SceneGeometry& surfaces, const std::shared_ptr<WorldGeometry>& refined);
+    /// Takes over changes of the surfaces and of their refinement; null: there is none. Materials and what
+    /// corners have are set in `refined`.
+    void update(const SceneGeometry& surfaces, const std::shared_ptr<WorldGeometry>& refined,
+                std::span<const TrianglePart> parts);
 
     [[nodiscard]] const WorldGeometry& geometry() const noexcept { return *geometry_; }
     /// Of vertices and triangles.
     [[nodiscard]] Version version() const noexcept { return version_; }
-    /// Of the ranges and their materials.
+    /// Of the ranges and their materials, and of what corners have.
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
     /// From geometry()'s axes to the world's: a rotation and a shift.
     [[nodiscard]] const glm::dmat4& to_world() const noexcept { return to_world_; }
@@ -51,6 +63,7 @@ private:
     glm::dmat4 to_world_{1.0};
     Version version_ = 0;
     Version material_version_ = new_version();
+    Version corners_ = 0;  // of the surfaces' materials that the corners are of
     Change change_;
 };
 

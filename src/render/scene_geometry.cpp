@@ -11,6 +11,7 @@
 
 #include "error.hpp"
 #include "geometry/principal_axes.hpp"
+#include "material/spatial_variation.hpp"
 #include "render/rigid_motion.hpp"
 
 namespace nicol {
@@ -57,6 +58,21 @@ void append_triangles(const Mesh& mesh, bool flipped, std::size_t first, std::ve
     }
 }
 
+// What the corners of a mesh's triangles have: `values` by `triangles`, or `missing` where there are none.
+template <class Value>
+void append_corners(const std::vector<Value>& values, const std::vector<glm::uvec3>& triangles,
+                    std::size_t count, const Value& missing, bool flipped,
+                    std::vector<std::array<Value, 3>>& corners) {
+    for (std::size_t i = 0; i < count; ++i) {
+        std::array<Value, 3> of{missing, missing, missing};
+        if (!values.empty()) {
+            const glm::uvec3& t = triangles[i];
+            of = {values[t.x], values[flipped ? t.z : t.y], values[flipped ? t.y : t.z]};
+        }
+        corners.push_back(of);
+    }
+}
+
 }  // namespace
 
 void SceneGeometry::update(const Scene& scene) {
@@ -67,6 +83,7 @@ void SceneGeometry::update(const Scene& scene) {
         if (!same) build(scene, pieces);
     });
     assigning_.run(scene.material_version(), [&] { set_materials(scene); });
+    completing_.run(version_, material_version_, [&] { set_corners(); });
 }
 
 void SceneGeometry::find_axes(const Scene& scene, std::size_t largest) {
@@ -194,6 +211,38 @@ void SceneGeometry::set_materials(const Scene& scene) {
         changed = true;
     }
     if (changed) material_version_ = new_version();
+}
+
+void SceneGeometry::set_corners() {
+    bool texcoords = false;
+    bool colors = false;
+    for (const VertexRange& range : geometry_->ranges) {
+        const SpatialVariation* const variation = range.material->variation();
+        texcoords = texcoords || (variation != nullptr && variation->needs_texcoords());
+        colors = colors || (variation != nullptr && variation->needs_colors());
+    }
+    geometry_->texcoords.clear();
+    geometry_->colors.clear();
+    for (const bool twosided : {false, true}) {
+        for (const Piece& piece : pieces_) {
+            if (piece.twosided != twosided) continue;
+            const Mesh& mesh = *piece.mesh;
+            const bool mirrored = glm::determinant(glm::dmat3(piece.placement)) < 0;
+            const std::size_t count = mesh.triangles.size();
+            for (const bool back : {false, true}) {
+                if (back && !twosided) continue;
+                const bool flipped = mirrored != back;
+                if (texcoords) {
+                    append_corners(mesh.texcoords, mesh.texcoord_triangles, count, glm::vec2(0), flipped,
+                                   geometry_->texcoords);
+                }
+                if (colors) {
+                    append_corners(mesh.colors, mesh.triangles, count, glm::vec3(1), flipped,
+                                   geometry_->colors);
+                }
+            }
+        }
+    }
 }
 
 }  // namespace nicol

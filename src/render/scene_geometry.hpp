@@ -26,11 +26,12 @@ public:
     void update(const Scene& scene);
 
     [[nodiscard]] const WorldGeometry& geometry() const noexcept { return *geometry_; }
-    /// Its ranges get other materials in place; for other vertices or triangles there is a new object.
+    /// Its ranges get other materials in place, and its corners what these need; for other vertices or
+    /// triangles there is a new object.
     [[nodiscard]] std::shared_ptr<const WorldGeometry> shared_geometry() const noexcept { return geometry_; }
     /// Of vertices and triangles.
     [[nodiscard]] Version version() const noexcept { return version_; }
-    /// Of the ranges and their materials.
+    /// Of the ranges and their materials, and of what corners have.
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
 
     /// From geometry()'s axes to the world's: a rotation and a shift.
@@ -64,6 +65,7 @@ private:
     void find_axes(const Scene& scene, std::size_t largest);
     void build(const Scene& scene, std::vector<Piece>& pieces);
     void set_materials(const Scene& scene);
+    void set_corners();
 
     std::shared_ptr<WorldGeometry> geometry_ = std::make_shared<WorldGeometry>();
     std::vector<Piece> pieces_;
@@ -77,6 +79,7 @@ private:
     Version material_version_ = 0;
     Stage<Version> placing_;    // of the scene's geometry
     Stage<Version> assigning_;  // of its materials
+    Stage<Version, Version> completing_;
     Change change_;
 };
 

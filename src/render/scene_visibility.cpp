@@ -37,7 +37,7 @@ void SceneVisibility::update(const SceneGeometry& surfaces, bool lit, const Rend
     const bool carried = options.shadows && lit && bake(surfaces, options, workers, progress, statistics);
     const bool baked = options.shadows && baked_geometry_ == surfaces.version();
     if (baked) refine(surfaces, options, workers, progress, statistics);
-    surfaces_.update(surfaces, baked ? refined_ : nullptr);
+    surfaces_.update(surfaces, baked ? refined_ : nullptr, parts_);
 
     const std::size_t vertices = surfaces_.geometry().positions.size();
     const std::size_t unoccluded = baked ? (*visible_)->unoccluded_count() : vertices;
@@ -127,6 +127,7 @@ void SceneVisibility::refine(const SceneGeometry& surfaces, const RenderOptions&
             if (refinement.parents.empty()) return;
             RefinedGeometry split = refined(surfaces.geometry(), refinement);
             refined_ = std::make_shared<WorldGeometry>(std::move(split.geometry));
+            parts_ = std::move(split.parts);
             visible = std::make_shared<const Visibility>(std::move(split.visibility));
         });
         if (shadow_all) {

@@ -54,6 +54,7 @@ private:
     // Bake, tolerance, bound, whether unoccluded vertices count as occluded.
     Stage<Version, double, std::uint64_t, bool> refining_;
     std::shared_ptr<WorldGeometry> refined_;                // null: nothing was split
+    std::vector<TrianglePart> parts_;                       // its triangles
     Versioned<std::shared_ptr<const Visibility>> visible_;  // from surfaces_
     RefinedSurfaces surfaces_;
 
