@@ -160,10 +160,13 @@ DirectLight::Hit DirectLight::hit_at(const RayHit& hit, const glm::dvec3& toward
             .point = {}};
     if (const SpatialVariation* const variation = surface.material->variation()) {
         out.point = texture_point(surface.mesh, hit.triangle, glm::vec3(weights));
-        if (variation->normal.kind != NormalVariation::Kind::none)
-            shading_normal = glm::normalize(glm::dvec3(turned_normal(variation->normal, out.point,
-                                                                     texture_axes(surface.mesh, hit.triangle),
-                                                                     glm::vec3(shading_normal), back)));
+        if (variation->normal.kind != NormalVariation::Kind::none) {
+            const glm::vec3 normal_of_mesh(shading_normal);
+            const glm::vec3 turned = turned_normal(
+                variation->normal, out.point, texture_axes(surface.mesh, hit.triangle), normal_of_mesh, back);
+            shading_normal =
+                glm::normalize(glm::dvec3(facing(turned, normal_of_mesh, glm::vec3(towards_viewer))));
+        }
     }
     out.frame = theta_phi_frame(shading_normal);
     out.towards_viewer = glm::normalize(towards_viewer * out.frame);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shading/normal_variation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -53,7 +54,14 @@ glm::vec3 turned_normal(const NormalVariation& variation, const TexturePoint& po
     const glm::vec3 turned = variation.kind == NormalVariation::Kind::map
                                  ? mapped(variation, point, axes, front)
                                  : bumped(variation, point, axes, front);
-    return back ? -turned : turned;
+    return back ? turned - 2 * glm::dot(turned, front) * front : turned;
+}
+
+glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal, const glm::vec3& towards_viewer) {
+    const float least = std::min(0.0F, glm::dot(normal, towards_viewer));
+    const float cosine = glm::dot(turned, towards_viewer);
+    if (cosine >= least) return turned;
+    return direction(turned + (least - cosine) * towards_viewer, normal);
 }
 
 }  // namespace nicol

@@ -30,4 +30,9 @@ struct TextureAxes {
 [[nodiscard]] glm::vec3 turned_normal(const NormalVariation& variation, const TexturePoint& point,
                                       const TextureAxes& axes, const glm::vec3& normal, bool back);
 
+/// A turned normal that faces away from the viewer, more than the interpolated one does, is moved to where it
+/// does not: that side of the surface cannot be seen. All unit.
+[[nodiscard]] glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal,
+                               const glm::vec3& towards_viewer);
+
 }  // namespace nicol
