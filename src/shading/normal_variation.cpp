@@ -58,7 +58,9 @@ glm::vec3 turned_normal(const NormalVariation& variation, const TexturePoint& po
 }
 
 glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal, const glm::vec3& towards_viewer) {
-    const float least = std::min(0.0F, glm::dot(normal, towards_viewer));
+    // Microfacets have no limit at the horizon itself.
+    constexpr float edge_on = 0.02F;
+    const float least = std::min(edge_on, glm::dot(normal, towards_viewer));
     const float cosine = glm::dot(turned, towards_viewer);
     if (cosine >= least) return turned;
     return direction(turned + (least - cosine) * towards_viewer, normal);

@@ -31,7 +31,7 @@ struct TextureAxes {
                                       const TextureAxes& axes, const glm::vec3& normal, bool back);
 
 /// A turned normal that faces away from the viewer, more than the interpolated one does, is moved to where it
-/// does not: that side of the surface cannot be seen. All unit.
+/// does not, about a degree from edge-on: the other side of the surface cannot be seen. All unit.
 [[nodiscard]] glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal,
                                const glm::vec3& towards_viewer);
 
