@@ -22,6 +22,9 @@ public:
     [[nodiscard]] bool constant() const noexcept override { return true; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return false; }
     [[nodiscard]] bool needs_colors() const noexcept override { return false; }
+    [[nodiscard]] TextureDescription describe() const override {
+        return {.kind = TextureDescription::Kind::constant, .colors = {value_, {}}};
+    }
 
 private:
     glm::vec4 value_;

@@ -77,6 +77,11 @@ public:
     [[nodiscard]] bool constant() const noexcept override { return false; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return true; }
     [[nodiscard]] bool needs_colors() const noexcept override { return false; }
+    [[nodiscard]] TextureDescription describe() const override {
+        return {.kind = TextureDescription::Kind::image,
+                .sampling = {.filter = filter_, .wrap = wrap_, .to_uv = to_uv_.matrix()},
+                .levels = levels_};
+    }
 
     [[nodiscard]] glm::vec4 at(const TexturePoint& point) const override {
         const glm::vec2 uv = wrapped(point);

@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace nicol {
@@ -19,6 +20,38 @@ struct TexturePoint {
     glm::vec2 du{0};     ///< change of uv to the next pixel on the right ...
     glm::vec2 dv{0};     ///< ... and below; both 0: no footprint, the finest level of a mipmap
     glm::vec3 color{1};  ///< the mesh's vertex colour there, interpolated
+};
+
+/// How an image becomes a function of u and v.
+struct TextureSampling {
+    enum class Filter { nearest, bilinear, mipmap };  ///< mipmap: bilinear in two levels, linear between them
+    enum class Wrap { repeat, mirror, clamp };
+    Filter filter = Filter::bilinear;
+    Wrap wrap = Wrap::repeat;
+    /// Applied to (u, v, 1) before the look-up; its last row must be (0, 0, 1).
+    glm::dmat3 to_uv{1.0};
+};
+
+/// An image in memory, rows from the top: values of `channels` (1, 3 or 4) a pixel, linear.
+struct TextureImage {
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    std::vector<float> values;
+};
+
+class Texture;
+using TexturePtr = std::shared_ptr<const Texture>;
+
+/// What a texture is, for those who evaluate it elsewhere.
+struct TextureDescription {
+    enum class Kind { constant, image, checkerboard, vertex_color, product };
+    Kind kind;
+    TextureSampling sampling = {};         ///< image; of a checkerboard to_uv alone
+    std::array<glm::vec4, 2> colors = {};  ///< constant: the first; checkerboard: both
+    std::span<const TextureImage> levels =
+        {};                                  ///< image: the finest first; values may be followed by one more
+    std::array<TexturePtr, 2> factors = {};  ///< product
 };
 
 /// Immutable; all functions may be called from several threads at once.
@@ -48,28 +81,11 @@ public:
     [[nodiscard]] virtual bool needs_texcoords() const noexcept = 0;
     [[nodiscard]] virtual bool needs_colors() const noexcept = 0;
 
+    /// Valid as long as the texture.
+    [[nodiscard]] virtual TextureDescription describe() const = 0;
+
 protected:
     Texture() = default;
-};
-
-using TexturePtr = std::shared_ptr<const Texture>;
-
-/// How an image becomes a function of u and v.
-struct TextureSampling {
-    enum class Filter { nearest, bilinear, mipmap };  ///< mipmap: bilinear in two levels, linear between them
-    enum class Wrap { repeat, mirror, clamp };
-    Filter filter = Filter::bilinear;
-    Wrap wrap = Wrap::repeat;
-    /// Applied to (u, v, 1) before the look-up; its last row must be (0, 0, 1).
-    glm::dmat3 to_uv{1.0};
-};
-
-/// An image in memory, rows from the top: values of `channels` (1, 3 or 4) a pixel, linear.
-struct TextureImage {
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    std::vector<float> values;
 };
 
 /// Throws Error(invalid_argument): no pixels, sizes that do not fit, a value that is not finite, a transform

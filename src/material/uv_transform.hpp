@@ -25,6 +25,10 @@ struct UvTransform {
 
     [[nodiscard]] glm::vec2 operator()(const glm::vec2& uv) const { return linear * uv + offset; }
 
+    [[nodiscard]] glm::dmat3 matrix() const {
+        return {glm::dvec3(linear[0], 0), glm::dvec3(linear[1], 0), glm::dvec3(offset, 1)};
+    }
+
     glm::mat2 linear;
     glm::vec2 offset;
 };

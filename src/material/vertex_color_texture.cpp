@@ -16,6 +16,9 @@ public:
     [[nodiscard]] bool constant() const noexcept override { return false; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return false; }
     [[nodiscard]] bool needs_colors() const noexcept override { return true; }
+    [[nodiscard]] TextureDescription describe() const override {
+        return {.kind = TextureDescription::Kind::vertex_color};
+    }
 };
 
 }  // namespace

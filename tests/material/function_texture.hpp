@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
 #include "material/texture.hpp"
@@ -30,6 +31,9 @@ public:
     [[nodiscard]] bool constant() const noexcept override { return false; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return true; }
     [[nodiscard]] bool needs_colors() const noexcept override { return false; }
+    [[nodiscard]] TextureDescription describe() const override {
+        throw std::logic_error("a function has no description");
+    }
 
 private:
     int channels_;

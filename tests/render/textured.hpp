@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
 #include "geometry/mesh.hpp"
@@ -36,6 +37,9 @@ public:
     [[nodiscard]] bool constant() const noexcept override { return false; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return !of_colors_; }
     [[nodiscard]] bool needs_colors() const noexcept override { return of_colors_; }
+    [[nodiscard]] TextureDescription describe() const override {
+        throw std::logic_error("a function has no description");
+    }
 
 private:
     Function function_;
