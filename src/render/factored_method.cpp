@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "render/plain_materials.hpp"
+
 namespace nicol {
 
 void FactoredMethod::set_cache(std::filesystem::path folder, CacheNotice notice) {
@@ -18,18 +20,18 @@ void FactoredMethod::project(const TransferInput& input, RenderRun& run) {
         Tables& known = tables_.change();
         sizing_.run(input.channels, order, kind, [&] { known.clear(); });
         Tables tables;
-        for (const VertexRange& range : input.geometry.ranges) {
-            if (tables.contains(range.material)) continue;
-            if (auto kept = known.extract(range.material)) {
+        const std::vector<MaterialPtr> materials = plain_materials(input.geometry.ranges);
+        for (const MaterialPtr& material : materials) {
+            if (auto kept = known.extract(material)) {
                 tables.insert(std::move(kept));
                 continue;
             }
-            run.progress.report("project", static_cast<double>(tables.size()) /
-                                               static_cast<double>(input.geometry.ranges.size()));
+            run.progress.report("project",
+                                static_cast<double>(tables.size()) / static_cast<double>(materials.size()));
             ++run.statistics.materials_projected;
             run.workers.run([&] {
-                tables.emplace(range.material, load_or_build(*range.material, input.layout, input.channels,
-                                                             folder_, notice_));
+                tables.emplace(material,
+                               load_or_build(*material, input.layout, input.channels, folder_, notice_));
             });
         }
         known = std::move(tables);

@@ -25,6 +25,7 @@ public:
     void shade_pixels(const PixelInput& input, RenderExecutor& executor, RenderRun& run) const override;
     void count(const TransferInput& input, Statistics& statistics) const override;
 
+    /// Of plain_materials().
     using Tables = std::map<MaterialPtr, ResponseTable>;
     [[nodiscard]] const Versioned<Tables>& tables() const noexcept { return tables_; }
     /// None where nothing casts shadows.

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <utility>
 
+#include "render/plain_materials.hpp"
 #include "specular/convolution_kernel.hpp"
 #include "specular/high_order_cache.hpp"
 
@@ -43,16 +44,15 @@ void HighOrderTransfer::fit(const TransferInput& input, const DistantLight& ligh
     Parts& known = parts_.change();
     Parts parts;
     std::map<MaterialPtr, std::vector<ConvolutionKernel>> kernels;
-    for (const VertexRange& range : input.geometry.ranges) {
-        const MaterialPtr& material = range.material;
-        if (parts.contains(material)) continue;
+    const std::vector<MaterialPtr> materials = plain_materials(input.geometry.ranges);
+    for (const MaterialPtr& material : materials) {
         if (auto kept = kernels_.extract(material)) kernels.insert(std::move(kept));
         if (auto kept = known.extract(material)) {
             parts.insert(std::move(kept));
             continue;
         }
-        run.progress.report(
-            "project", static_cast<double>(parts.size()) / static_cast<double>(input.geometry.ranges.size()));
+        run.progress.report("project",
+                            static_cast<double>(parts.size()) / static_cast<double>(materials.size()));
         ++run.statistics.materials_projected;
         run.workers.run([&] {
             Part part{.factors = HighOrderFactors::mirror(), .convolved = {}, .maps = {}};
@@ -132,6 +132,15 @@ VisibilityBlocks HighOrderTransfer::expanded(const TransferInput& input, int ord
             }
         });
     return next;
+}
+
+double HighOrderTransfer::lobe_width(const MaterialPtr& material) const {
+    std::vector<int> lobes;
+    for (const MaterialPtr& plain : plain_materials(material))
+        lobes.push_back(parts_->at(plain).factors.central_lobe());
+    const auto middle = lobes.begin() + static_cast<std::ptrdiff_t>(lobes.size() / 2);
+    std::ranges::nth_element(lobes, middle);
+    return kLobeWidths[static_cast<std::size_t>(*middle)];
 }
 
 void HighOrderTransfer::count(Statistics& statistics) const {

@@ -41,7 +41,7 @@ public:
     /// Adds what it keeps to the statistics.
     void count(Statistics& statistics) const;
 
-    /// A material with the maps and factors for its high orders.
+    /// A material without variation with the maps and factors for its high orders.
     struct Part {
         HighOrderFactors factors;
         std::optional<LobeMap> convolved;  ///< of the published form
@@ -52,11 +52,9 @@ public:
     [[nodiscard]] const Versioned<Parts>& parts() const noexcept { return parts_; }
     /// Of twice the order that high orders begin above; empty where nothing casts shadows.
     [[nodiscard]] const Versioned<VisibilityBlocks>& visibility() const noexcept { return visibility_; }
-    /// Of a material's lobe about the mirror direction, radians; visible fractions are computed for this
-    /// lobe.
-    [[nodiscard]] double lobe_width(const MaterialPtr& material) const {
-        return kLobeWidths[static_cast<std::size_t>(parts_->at(material).factors.central_lobe())];
-    }
+    /// Of a material's lobe about the mirror direction, radians, where it varies of the middle one of its
+    /// layers; visible fractions are computed for this lobe.
+    [[nodiscard]] double lobe_width(const MaterialPtr& material) const;
 
 private:
     void fit(const TransferInput& input, const DistantLight& light, HighOrders form, RenderRun& run);

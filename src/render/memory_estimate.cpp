@@ -24,6 +24,7 @@ namespace {
 struct Size {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
+    std::uint64_t corner = 0;  // bytes of what textures need of one
 };
 
 // With both sides of two-sided surfaces.
@@ -34,6 +35,7 @@ Size size_of(const Scene& scene) {
         size.vertices += sides * instance.mesh->positions.size();
         size.triangles += sides * instance.mesh->triangles.size();
     }
+    if (scene.varies()) size.corner = sizeof(glm::vec2) + sizeof(glm::vec3);
     return size;
 }
 
@@ -101,7 +103,8 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
         // Shadows of unoccluded vertices, too, are a second set of bits.
         if ((options.disabled_optimisations & skip_unoccluded) != 0) estimate.visibility *= 2;
     }
-    estimate.transfer = in_world + size.vertices * (1 + channels * sizeof(glm::vec4));
+    estimate.transfer =
+        in_world + size.triangles * 3 * size.corner + size.vertices * (1 + channels * sizeof(glm::vec4));
     estimate.buffers = in_world + size.vertices * channels * sizeof(glm::vec4);
     if (size.vertices == 0) return estimate;
 

@@ -9,7 +9,6 @@
 #include "render/rigid_motion.hpp"
 
 namespace nicol {
-
 void Pipeline::set_cache(const std::filesystem::path& folder, const CacheNotice& notice) {
     visibility_.set_cache(folder, notice);
     factored_.set_cache(folder, notice);
@@ -35,7 +34,7 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     pixels_ =
         options.shade_at == ShadeAt::pixels ||
         (options.shade_at == ShadeAt::automatic &&
-         ((options.pixel_samples > 1 && executor.samples_pixels()) ||
+         ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() ||
           interpolation_error(surfaces.geometry, projection.view, light_.last_order()) > options.tolerance));
     const TransferInput input{
         surfaces,

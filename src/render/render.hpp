@@ -28,15 +28,17 @@ enum class HighOrders {
 
 /// Where light becomes a Stokes vector.
 enum class ShadeAt {
-    automatic,  ///< pixels where interpolation is predicted to miss the tolerance, or pixels cost less
-    vertices,   ///< Stokes vectors are interpolated: the fastest, right where triangles cover few pixels
+    automatic,  ///< pixels where interpolation is predicted to miss the tolerance, pixels cost less, or a
+                ///< material varies over a surface
+    vertices,   ///< Stokes vectors are interpolated: the fastest, right where triangles cover few pixels; not
+                ///< for materials that vary
     pixels,     ///< incident light and visible fractions of lobes are interpolated; normal, view and material
                 ///< are those of the pixel
 };
 
 /// Where relight and shade run; the results agree.
 enum class Executor {
-    automatic,  ///< compute, unless the processor rasterises or the driver cannot
+    automatic,  ///< compute, unless the processor rasterises, the driver cannot, or a material varies
     cpu,        ///< threads
     compute,    ///< compute shaders
 };

@@ -53,6 +53,20 @@ void check(const RenderOptions& options) {
     }
 }
 
+// Of a scene with a material that varies.
+void check_varying(const RenderOptions& options) {
+    const auto refuse_unsupported = [](const std::string& message) {
+        throw Error(ErrorCode::unsupported, "a material of the scene varies by a texture: " + message);
+    };
+    if (options.method == Method::reference) return;
+    if (options.shade_at == ShadeAt::vertices)
+        refuse_unsupported("textures are shaded at pixels; set shade_at to automatic or pixels");
+    if (options.method == Method::dense)
+        refuse_unsupported("the dense method has no textures; set method to factored or reference");
+    if (options.executor == Executor::compute)
+        refuse_unsupported("compute shaders have no textures; set executor to automatic or cpu");
+}
+
 // Which triangle each sample shows is kept while pixels are shaded.
 void check_size(const RenderOptions& options, const Framebuffer& target) {
     constexpr std::uint64_t most = std::uint64_t{1} << 27;
@@ -76,9 +90,9 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       hits_(context),
       painter_(std::move(context)) {}
 
-bool Renderer::on_device(const RenderOptions& options) const {
+bool Renderer::on_device(const Scene& scene, const RenderOptions& options) const {
     const Executor executor = options.executor;
-    if (executor == Executor::cpu) return false;
+    if (executor == Executor::cpu || scene.varies()) return false;
     const std::string obstacle = GpuExecutor::obstacle(*context_);
     if (executor == Executor::automatic) return !context_->info().software && obstacle.empty();
     if (!obstacle.empty()) {
@@ -87,8 +101,8 @@ bool Renderer::on_device(const RenderOptions& options) const {
     return true;
 }
 
-RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
-    if (on_device(options)) {
+RenderExecutor& Renderer::executor_for(const Scene& scene, const RenderOptions& options) {
+    if (on_device(scene, options)) {
         cpu_.reset();
         if (!gpu_) gpu_.emplace(context_, buffers_);
         return *gpu_;
@@ -108,6 +122,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
                "; they must agree, or be 1 and 3 for the luminance");
     }
     check(options);
+    if (scene.varies()) check_varying(options);
     check_size(options, target);
     memory_limit_.check(scene, options, target.width(), target.height());
     if (!grey || options.method == Method::reference) return render_into(scene, camera, options, target);
@@ -152,7 +167,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
-    RenderExecutor& executor = executor_for(options);
+    RenderExecutor& executor = executor_for(scene, options);
     statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);

@@ -59,6 +59,11 @@ int Scene::channels() const {
     return channels_without(kNone);
 }
 
+bool Scene::varies() const {
+    return std::ranges::any_of(
+        instances_, [](const Instance& instance) { return instance.material->variation() != nullptr; });
+}
+
 std::uint32_t Scene::add(Instance instance) {
     if (!instance.mesh) refuse("the instance has no mesh");
     if (!instance.material) refuse("the instance has no material");

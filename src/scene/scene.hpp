@@ -47,6 +47,8 @@ public:
     [[nodiscard]] double light_scale() const noexcept { return scale_; }
     /// Colour channels: the largest number of any part; parts of one channel serve all.
     [[nodiscard]] int channels() const;
+    /// Whether a material varies over its surface.
+    [[nodiscard]] bool varies() const;
 
     /// Of where triangles are and which of their sides reflect.
     [[nodiscard]] Version geometry_version() const noexcept { return geometry_version_; }

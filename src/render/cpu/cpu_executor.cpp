@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
 
 #include "render/dense_method.hpp"
 #include "render/factored_method.hpp"
 #include "render/high_orders.hpp"
 #include "render/hit_image.hpp"
 #include "render/pixel_image.hpp"
+#include "render/plain_materials.hpp"
 #include "render/vertex_buffers.hpp"
 #include "shading/physical_range.hpp"
 #include "shading/shade.hpp"
@@ -145,16 +147,22 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
     const FrameRotation rotation(input.layout);
     const Relight unoccluded(input.layout, input.light);
     std::vector<PixelSurface> surfaces;
+    std::uint32_t last_instance = 0;
     for (const VertexRange& range : input.geometry.ranges) {
-        surfaces.push_back({.first = range.first,
-                            .last = range.last,
-                            .shade = &shade,
-                            .response = &method.tables()->at(range.material),
-                            .light = &light_,
-                            .first_row = 0,
-                            .rotation = &rotation,
-                            .unoccluded = &unoccluded,
-                            .high_orders = nullptr});
+        PixelSurface& surface =
+            surfaces.emplace_back(PixelSurface{.first = range.first,
+                                               .last = range.last,
+                                               .shade = &shade,
+                                               .layers = {},
+                                               .variation = range.material->variation(),
+                                               .back = !surfaces.empty() && last_instance == range.instance,
+                                               .light = &light_,
+                                               .first_row = 0,
+                                               .rotation = &rotation,
+                                               .unoccluded = &unoccluded});
+        for (const MaterialPtr& material : plain_materials(range.material))
+            surface.layers.push_back({.response = &method.tables()->at(material), .high_orders = nullptr});
+        last_instance = range.instance;
     }
     run_pixels(input, surfaces, run);
 }
@@ -172,26 +180,28 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
         surfaces.push_back({.first = runs[i].first,
                             .last = runs[i].first + runs[i].matrices.vertices(),
                             .shade = &shades[i],
-                            .response = runs[i].response.get(),
+                            .layers = {{.response = runs[i].response.get(), .high_orders = nullptr}},
+                            .variation = nullptr,
+                            .back = false,
                             .light = &outgoing_[i],
                             .first_row = runs[i].first,
                             .rotation = &rotations[i],
-                            .unoccluded = nullptr,
-                            .high_orders = nullptr});
+                            .unoccluded = nullptr});
     }
     run_pixels(input, surfaces, run);
 }
 
 void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run) {
-    std::vector<HighOrder> high_orders;
+    std::deque<HighOrder> high_orders;  // which stay where they are
     if (input.high_orders != nullptr) {
         compute_fractions(*input.high_orders, input, run);
-        high_orders.reserve(surfaces.size());
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
-            const HighOrderTransfer::Part& part =
-                input.high_orders->parts()->at(input.geometry.ranges[i].material);
-            surfaces[i].high_orders =
-                &high_orders.emplace_back(part.factors, part.maps, input.light_to_geometry);
+            const std::vector<MaterialPtr> materials = plain_materials(input.geometry.ranges[i].material);
+            for (std::size_t l = 0; l < materials.size(); ++l) {
+                const HighOrderTransfer::Part& part = input.high_orders->parts()->at(materials[l]);
+                surfaces[i].layers[l].high_orders =
+                    &high_orders.emplace_back(part.factors, part.maps, input.light_to_geometry);
+            }
         }
     }
     const std::size_t pixels =

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <tuple>
 
+#include "render/cpu/textured_pixels.hpp"
 #include "render/hit_image.hpp"
 #include "shading/lane_surface.hpp"
 #include "shading/physical_range.hpp"
@@ -25,6 +26,15 @@ constexpr std::array<std::uint8_t, kBatch> kAll = [] {
     return all;
 }();
 
+// Stokes vectors of a batch by channel, one after another in `all`.
+std::vector<std::span<glm::vec4>> parts_of(std::vector<glm::vec4>& all, std::size_t channels,
+                                           std::size_t count) {
+    all.resize(channels * kBatch);
+    std::vector<std::span<glm::vec4>> out;
+    for (std::size_t c = 0; c < channels; ++c) out.push_back(std::span(all).subspan(c * kBatch, count));
+    return out;
+}
+
 bool share_corner(const glm::uvec3& a, const glm::uvec3& b) {
     const auto in_b = [&b](std::uint32_t v) { return v == b.x || v == b.y || v == b.z; };
     return in_b(a.x) || in_b(a.y) || in_b(a.z);
@@ -39,6 +49,11 @@ struct PixelShading::Batch {
     std::array<glm::vec2, kBatch> fractions;
     VertexLight light;
     std::vector<glm::vec4> stokes;
+    // Where the material varies.
+    TexturedPixels textures;
+    std::vector<SurfacePoint> points;
+    std::vector<Pixel> sorted;
+    std::vector<glm::vec4> layer;  // Stokes vectors of one
 };
 
 // Samples of one smooth surface in one pixel.
@@ -140,29 +155,20 @@ std::size_t PixelShading::run(std::size_t first, std::size_t last,
     return pixels.size();
 }
 
-void PixelShading::shade(std::span<const Pixel> pixels, Batch& batch,
+void PixelShading::shade(std::span<const Pixel> given, Batch& batch,
                          std::span<const std::span<glm::vec4>> out) const {
-    const PixelSurface& surface = surfaces_[pixels.front().surface];
+    const PixelSurface& surface = surfaces_[given.front().surface];
+    find_points(given, batch);
+    const std::span pixels = surface.variation != nullptr ? find_textures(surface, given, batch) : given;
     const std::size_t count = pixels.size();
-    find_points(pixels, batch);
     find_light(surface, pixels, batch);
+    if (!fractions_.empty()) find_fractions(pixels, batch);
 
-    batch.stokes.resize(out.size() * kBatch);
-    std::vector<std::span<glm::vec4>> stokes;
-    for (std::size_t c = 0; c < out.size(); ++c)
-        stokes.push_back(std::span(batch.stokes).subspan(c * kBatch, count));
-    const std::span positions = std::span(batch.positions).first(count);
-    const std::span normals = std::span(batch.normals).first(count);
-    const std::span chosen = std::span(kAll).first(count);
-    surface.shade->run(*surface.response, batch.light, input_.view, positions, normals, chosen, 0, count,
-                       stokes);
-    if (surface.high_orders != nullptr) {
-        HighOrderShadows shadows;
-        if (!fractions_.empty()) {
-            find_fractions(pixels, batch);
-            shadows.fractions = std::span(batch.fractions).first(count);
-        }
-        surface.high_orders->run(input_.view, positions, normals, chosen, shadows, 0, count, stokes);
+    const std::vector<std::span<glm::vec4>> stokes = parts_of(batch.stokes, out.size(), count);
+    if (surface.variation != nullptr) {
+        shade_layers(surface, batch, stokes);
+    } else {
+        shade_layer(surface, surface.layers.front(), batch, kAll, stokes);
     }
     glm::vec4 wanted(0);
     for (std::size_t p = 0; p < input_.most_components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
@@ -171,6 +177,64 @@ void PixelShading::shade(std::span<const Pixel> pixels, Batch& batch,
         for (std::size_t i = 0; i < count; ++i)
             out[c][pixels[i].index] += pixels[i].weight * wanted * stokes[c][i];
     }
+}
+
+void PixelShading::shade_layer(const PixelSurface& surface, const PixelLayer& layer, const Batch& batch,
+                               std::span<const std::uint8_t> chosen,
+                               std::span<const std::span<glm::vec4>> out) const {
+    const std::size_t count = out.front().size();
+    const std::span positions = std::span(batch.positions).first(count);
+    const std::span normals = std::span(batch.normals).first(count);
+    surface.shade->run(*layer.response, batch.light, input_.view, positions, normals, chosen, 0, count, out);
+    if (layer.high_orders == nullptr) return;
+    HighOrderShadows shadows;
+    if (!fractions_.empty()) shadows.fractions = std::span(batch.fractions).first(count);
+    layer.high_orders->run(input_.view, positions, normals, chosen, shadows, 0, count, out);
+}
+
+void PixelShading::shade_layers(const PixelSurface& surface, Batch& batch,
+                                std::span<const std::span<glm::vec4>> out) const {
+    for (const std::span<glm::vec4> channel : out) std::ranges::fill(channel, glm::vec4(0));
+    const std::size_t count = out.front().size();
+    const std::vector<std::span<glm::vec4>> part = parts_of(batch.layer, out.size(), count);
+    std::array<std::uint8_t, kBatch> shown;
+    for (std::size_t l = 0; l < surface.layers.size(); ++l) {
+        if (!batch.textures.shown(l, std::span(shown).first(count))) continue;
+        shade_layer(surface, surface.layers[l], batch, shown, part);
+        batch.textures.add(l, part, out);
+    }
+}
+
+std::span<const PixelShading::Pixel> PixelShading::find_textures(const PixelSurface& surface,
+                                                                 std::span<const Pixel> pixels,
+                                                                 Batch& batch) const {
+    batch.points.clear();
+    for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+        const std::array<Lanes, 3>& weights = batch.surfaces[i / kLanes].weights;
+        const std::size_t lane = i % kLanes;
+        batch.points.push_back({.triangle = pixels[i].triangle,
+                                .pixel = i,
+                                .weights = {weights[0][lane], weights[1][lane], weights[2][lane]},
+                                .position = batch.positions[i],
+                                .normal = batch.normals[i]});
+    }
+    batch.textures.find(*surface.variation, surface.back,
+                        {.geometry = input_.geometry,
+                         .projection = input_.projection,
+                         .width = input_.hits.width(),
+                         .height = input_.hits.height()},
+                        batch.points);
+    batch.sorted.clear();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const SurfacePoint& point = batch.points[i];
+        batch.sorted.push_back(pixels[point.pixel]);
+        batch.positions[i] = point.position;
+        batch.normals[i] = point.normal;
+        std::array<Lanes, 3>& weights = batch.surfaces[i / kLanes].weights;
+        for (glm::length_t k = 0; k < 3; ++k)
+            weights[static_cast<std::size_t>(k)][i % kLanes] = point.weights[k];
+    }
+    return batch.sorted;
 }
 
 void PixelShading::find_points(std::span<const Pixel> pixels, Batch& batch) const {

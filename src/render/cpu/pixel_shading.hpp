@@ -18,17 +18,24 @@
 
 namespace nicol {
 
+/// A material that is the same everywhere.
+struct PixelLayer {
+    const ResponseTable* response;
+    const HighOrder* high_orders;  ///< or null
+};
+
 /// What the pixels of some of the geometry's vertices are shaded by.
 struct PixelSurface {
     std::size_t first;  ///< vertex
     std::size_t last;
     const Shade* shade;
-    const ResponseTable* response;
-    const VertexLight* light;       ///< as rows
-    std::size_t first_row;          ///< the vertex that its first row is of
-    const FrameRotation* rotation;  ///< of the light
-    const Relight* unoccluded;      ///< for pixels between unoccluded vertices, or null
-    const HighOrder* high_orders;   ///< or null
+    std::vector<PixelLayer> layers;     ///< of the variation, else one
+    const SpatialVariation* variation;  ///< of the material, or null
+    bool back;                          ///< of a two-sided instance
+    const VertexLight* light;           ///< as rows
+    std::size_t first_row;              ///< the vertex that its first row is of
+    const FrameRotation* rotation;      ///< of the light
+    const Relight* unoccluded;          ///< for pixels between unoccluded vertices, or null
 };
 
 /// Shades the pixels of an image that show a surface. Calls for different pixels may run side by side.
@@ -63,8 +70,16 @@ private:
     void add(const Patch& patch, std::size_t index, std::size_t& surface, std::vector<Pixel>& out) const;
     // Pixels of one group, at most as many as a batch has room for.
     void shade(std::span<const Pixel> pixels, Batch& batch, std::span<const std::span<glm::vec4>> out) const;
+    // The Stokes vectors of the batch.
+    void shade_layer(const PixelSurface& surface, const PixelLayer& layer, const Batch& batch,
+                     std::span<const std::uint8_t> chosen, std::span<const std::span<glm::vec4>> out) const;
+    void shade_layers(const PixelSurface& surface, Batch& batch,
+                      std::span<const std::span<glm::vec4>> out) const;
     void find_points(std::span<const Pixel> pixels, Batch& batch) const;
     void find_light(const PixelSurface& surface, std::span<const Pixel> pixels, Batch& batch) const;
+    // Sorts the batch by the layers that pixels use, and turns its normals. Returns the pixels in that order.
+    [[nodiscard]] std::span<const Pixel> find_textures(const PixelSurface& surface,
+                                                       std::span<const Pixel> pixels, Batch& batch) const;
     void find_fractions(std::span<const Pixel> pixels, Batch& batch) const;
     [[nodiscard]] PixelRays rays() const;
 
