@@ -163,7 +163,10 @@ bool is_bitmap(const path& file) {
 }
 
 Bitmap read_bitmap(const path& file) {
-    const std::string bytes = read_bytes(file);
+    return read_bitmap(file, read_bytes(file));
+}
+
+Bitmap read_bitmap(const path& file, std::string_view bytes) {
     if (bytes.empty()) invalid_file(file, "is empty");
     Bitmap out;
     if (is_jpeg(bytes)) {

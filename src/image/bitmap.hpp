@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "image/stokes_image.hpp"
@@ -24,6 +25,8 @@ struct Bitmap {
 /// lengths, progressive JPEG. Throws Error(file_not_found); Error(unsupported) for another format or more
 /// than kMaxImageSide or kMaxImagePixels; Error(invalid_file) where it is empty, damaged or truncated.
 [[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file);
+/// The same of the bytes of a file with this name, which is not opened.
+[[nodiscard]] Bitmap read_bitmap(const std::filesystem::path& file, std::string_view bytes);
 
 /// Its colours as unpolarized light, one channel where it is grey; alpha is not used.
 [[nodiscard]] StokesImage unpolarized_image(const Bitmap& bitmap);

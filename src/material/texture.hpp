@@ -10,6 +10,7 @@
 #include <glm/vec4.hpp>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace nicol {
@@ -30,6 +31,8 @@ struct TextureSampling {
     Wrap wrap = Wrap::repeat;
     /// Applied to (u, v, 1) before the look-up; its last row must be (0, 0, 1).
     glm::dmat3 to_uv{1.0};
+
+    bool operator==(const TextureSampling&) const = default;
 };
 
 /// An image in memory, rows from the top: values of `channels` (1, 3 or 4) a pixel, linear.
@@ -100,6 +103,9 @@ void decode_srgb(TextureImage& image);
 /// else those of 8 and 16 bits are decoded from sRGB. Throws Error: file_not_found, invalid_file,
 /// unsupported.
 [[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, bool raw);
+/// The same of the bytes of a file with this name, which is not opened; not EXR.
+[[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, std::string_view bytes,
+                                              bool raw);
 
 /// Mitsuba's checkerboard: color0 where floor(2u) + floor(2v) is even, else color1, u and v after to_uv and
 /// without their whole part. Both of 1 or 3 channels.
@@ -111,5 +117,9 @@ void decode_srgb(TextureImage& image);
 
 /// One value everywhere; 1, 3 or 4 channels.
 [[nodiscard]] TexturePtr constant_texture(const glm::vec4& value, int channels);
+
+/// Of two textures. Its gradient is 0, and its mean that of factors that do not depend on each other. Throws
+/// Error(invalid_argument) for null, and for channels other than 1 or 3.
+[[nodiscard]] TexturePtr product_texture(TexturePtr first, TexturePtr second);
 
 }  // namespace nicol

@@ -34,6 +34,16 @@ std::vector<float> four_channels(const std::vector<float>& two) {
     return out;
 }
 
+TextureImage image_of(Bitmap bitmap, bool raw) {
+    TextureImage image{
+        .width = bitmap.width,
+        .height = bitmap.height,
+        .channels = bitmap.channels == 2 ? 4 : bitmap.channels,
+        .values = bitmap.channels == 2 ? four_channels(bitmap.values) : std::move(bitmap.values)};
+    if (!raw && !bitmap.linear) decode_srgb(image);
+    return image;
+}
+
 }  // namespace
 
 void decode_srgb(TextureImage& image) {
@@ -48,14 +58,11 @@ void decode_srgb(TextureImage& image) {
 }
 
 TextureImage load_texture_image(const std::filesystem::path& file, bool raw) {
-    Bitmap bitmap = suffix_of(file) == ".exr" ? read_exr_colors(file) : read_bitmap(file);
-    TextureImage image{
-        .width = bitmap.width,
-        .height = bitmap.height,
-        .channels = bitmap.channels == 2 ? 4 : bitmap.channels,
-        .values = bitmap.channels == 2 ? four_channels(bitmap.values) : std::move(bitmap.values)};
-    if (!raw && !bitmap.linear) decode_srgb(image);
-    return image;
+    return image_of(suffix_of(file) == ".exr" ? read_exr_colors(file) : read_bitmap(file), raw);
+}
+
+TextureImage load_texture_image(const std::filesystem::path& file, std::string_view bytes, bool raw) {
+    return image_of(read_bitmap(file, bytes), raw);
 }
 
 }  // namespace nicol

@@ -309,3 +309,18 @@ TEST_CASE("textures that cannot be are refused by name") {
     check_error(invalid, CALL(constant_texture(glm::vec4(missing), 1)), "not finite");
     check_error(invalid, CALL(constant_texture(glm::vec4(1), 2)), "has 2 channels");
 }
+
+TEST_CASE("a product of textures is that of their values") {
+    const TexturePtr board = checkerboard_texture({0.5F, 0.5F, 0.5F}, {1, 1, 1}, 1);
+    const TexturePtr product = product_texture(board, vertex_color_texture());
+    const TexturePoint point{.uv = {0.25F, 0.25F}, .color = {1, 0.5F, 0.25F}};
+    CHECK(product->channels() == 3);
+    CHECK(product->at(point) == glm::vec4(0.5F, 0.25F, 0.125F, 1));
+    CHECK(product->needs_texcoords());
+    CHECK(product->needs_colors());
+    CHECK_FALSE(product->constant());
+    CHECK(product->range() == glm::vec2(0, 1));
+    CHECK(product_texture(constant_texture({-2, -2, -2, 1}, 1), board)->range() == glm::vec2(-2, -1));
+    CHECK_INVALID(static_cast<void>(product_texture(board, nullptr)));
+    CHECK_INVALID(static_cast<void>(product_texture(board, constant_texture({1, 1, 1, 1}, 4))));
+}
