@@ -8,10 +8,11 @@ using namespace nicol::capi;
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh) {
     return load(context, path, mesh, "mesh", [&](LoadBudget& budget, const Session& session) {
         budget.take_file(path);
-        auto loaded = std::make_shared<const Mesh>(
-            load_mesh(path, [&](const std::string& text) { session.notice(text); }));
+        const auto loaded =
+            std::make_shared<Mesh>(load_mesh(path, [&](const std::string& text) { session.notice(text); }));
+        if (has_upward_texcoords(path)) flip_texcoords(*loaded);
         budget.take_instance(path, loaded->positions.size(), loaded->triangles.size());
-        return loaded;
+        return std::shared_ptr<const Mesh>(loaded);
     });
 }
 

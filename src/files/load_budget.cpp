@@ -21,8 +21,18 @@ void LoadBudget::take_file(const std::filesystem::path& file) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     // A file that cannot be read is left to its reader to report.
-    if (!error) take(bytes_, size, limits_.bytes, file, "bytes in all files of the load", "load_bytes_limit");
+    if (!error) take_bytes(file, size);
     check_time(file);
+}
+
+void LoadBudget::take_pixels(const std::filesystem::path& file, std::uint64_t pixels) {
+    take_bytes(file, 16 * pixels);
+    check_time(file);
+}
+
+void LoadBudget::take_bytes(const std::filesystem::path& file, std::uint64_t bytes) {
+    take(bytes_, bytes, limits_.bytes, file, "bytes in all files and textures of the load",
+         "load_bytes_limit");
 }
 
 void LoadBudget::take_instance(const std::filesystem::path& file, std::uint64_t vertices,

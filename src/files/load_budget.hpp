@@ -11,7 +11,7 @@ namespace nicol {
 
 /// Of one mesh, light or material from a file, or of one scene with all that it names.
 struct LoadLimits {
-    std::uint64_t bytes = std::uint64_t{8} << 30;      ///< of all files together
+    std::uint64_t bytes = std::uint64_t{8} << 30;      ///< of all files and pixels of textures together
     std::uint64_t vertices = std::uint64_t{1} << 26;   ///< of all instances together, also of one mesh
     std::uint64_t triangles = std::uint64_t{1} << 27;  ///< likewise
     double seconds = 600;
@@ -25,10 +25,13 @@ public:
 
     /// Before the file is read.
     void take_file(const std::filesystem::path& file);
+    /// Of an image that `file` holds, 16 bytes each, before a texture is made of it.
+    void take_pixels(const std::filesystem::path& file, std::uint64_t pixels);
     /// Before an instance of a mesh becomes a part of what `file` describes.
     void take_instance(const std::filesystem::path& file, std::uint64_t vertices, std::uint64_t triangles);
 
 private:
+    void take_bytes(const std::filesystem::path& file, std::uint64_t bytes);
     void check_time(const std::filesystem::path& file) const;
 
     LoadLimits limits_;

@@ -57,6 +57,10 @@ std::size_t validate(Mesh& mesh, std::string_view name) {
     return flat;
 }
 
+void flip_texcoords(Mesh& mesh) {
+    for (glm::vec2& uv : mesh.texcoords) uv.y = 1 - uv.y;
+}
+
 void flip_normals(Mesh& mesh) {
     for (glm::vec3& n : mesh.normals) n = -n;
     reverse(mesh);

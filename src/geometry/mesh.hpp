@@ -61,6 +61,12 @@ void smooth_normals(Mesh& mesh);
 /// passed validate().
 [[nodiscard]] Mesh with_face_normals(const Mesh& mesh);
 
+/// Whether files of this kind count v from an image's last row upwards: OBJ, as Mitsuba takes it.
+[[nodiscard]] bool has_upward_texcoords(const std::filesystem::path& file);
+
+/// v becomes 1 - v: counted from the image's first row downwards where it was upwards.
+void flip_texcoords(Mesh& mesh);
+
 /// Swaps front and back: normals negated, winding reversed.
 void flip_normals(Mesh& mesh);
 

@@ -59,6 +59,10 @@ Mesh geometry::mesh_of(const std::filesystem::path& file, std::string_view bytes
     return mesh;
 }
 
+bool has_upward_texcoords(const std::filesystem::path& file) {
+    return suffix_of(file) == ".obj";
+}
+
 Mesh load_mesh(const std::filesystem::path& file, const std::function<void(const std::string&)>& notice,
                std::size_t shape) {
     static_cast<void>(format_of(file));  // of an unknown kind nothing is read

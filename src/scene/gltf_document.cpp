@@ -76,14 +76,7 @@ struct Buffers {
     std::vector<FileRecord>& files;
 
     std::string read(const std::string& uri) {
-        const std::filesystem::path name = uri;
-        const bool is_below =
-            !name.is_absolute() && std::ranges::find(name, std::filesystem::path("..")) == name.end();
-        if (!is_below || uri.find("://") != std::string::npos || uri.starts_with("data:"))
-            unsupported_file(scene, "a buffer's uri is " + in_quotes(uri) +
-                                        "; expected a relative one, of a file in the folder of the scene or "
-                                        "below, or \"data:application/octet-stream;base64,...\"");
-        const std::filesystem::path file = scene.parent_path() / name;
+        const std::filesystem::path file = gltf_file(scene, uri, "a buffer");
         std::error_code status;
         if (!std::filesystem::is_regular_file(file, status))
             throw Error(ErrorCode::file_not_found,
@@ -123,9 +116,14 @@ std::string shortened(std::string text) {
 tinygltf::Model parsed(const std::string& bytes, Buffers& buffers) {
     tinygltf::TinyGLTF parser;
     parser.SetFsCallbacks(callbacks_to(buffers));
-    parser.SetImageLoader([](tinygltf::Image*, int, std::string*, std::string*, int, int,
-                             const unsigned char*, int, void*) { return true; },
-                          nullptr);
+    // Keeps the bytes of images in data URIs, as they are.
+    parser.SetImageLoader(
+        [](tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
+           int size, void*) {
+            if (image->bufferView < 0) image->image.assign(bytes, bytes + size);
+            return true;
+        },
+        nullptr);
     tinygltf::Model model;
     std::string error, warning;
     const auto size = static_cast<unsigned int>(bytes.size());
@@ -151,6 +149,18 @@ tinygltf::Model parsed(const std::string& bytes, Buffers& buffers) {
 }
 
 }  // namespace
+
+std::filesystem::path gltf_file(const std::filesystem::path& scene, const std::string& uri,
+                                const std::string& what) {
+    const std::filesystem::path name = uri;
+    const bool is_below =
+        !name.is_absolute() && std::ranges::find(name, std::filesystem::path("..")) == name.end();
+    if (!is_below || uri.find("://") != std::string::npos || uri.starts_with("data:"))
+        unsupported_file(scene, what + "'s uri is " + in_quotes(uri) +
+                                    "; expected a relative one, of a file in the folder of the scene or "
+                                    "below, or data:...;base64,...");
+    return scene.parent_path() / name;
+}
 
 GltfDocument::GltfDocument(const std::filesystem::path& file, LoadBudget& budget) : path_(file) {
     budget.take_file(file);

@@ -14,6 +14,11 @@
 
 namespace nicol::scene {
 
+/// The file that a relative uri names, in the folder of the scene's file or below. Throws Error(unsupported)
+/// for any other uri, of `what`.
+[[nodiscard]] std::filesystem::path gltf_file(const std::filesystem::path& scene, const std::string& uri,
+                                              const std::string& what);
+
 /// What the file says, well-formed, of glTF 2 and without an extension that it requires and we lack. Numbers
 /// in it are as the file has them: indices, counts and offsets may be out of range.
 class GltfDocument {

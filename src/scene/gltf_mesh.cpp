@@ -15,12 +15,12 @@ namespace {
 class Primitive {
 public:
     Primitive(const GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& where,
-              geometry::LeftOut& left_out)
+              int texcoord_set, geometry::LeftOut& left_out)
         : document_(document), primitive_(primitive), where_(where), left_out_(left_out) {
         positions_ = attribute("POSITION", 3, 3);
         if (!positions_) document_.fail(where_, "has no POSITION");
         normals_ = attribute("NORMAL", 3, 3);
-        texcoords_ = attribute("TEXCOORD_0", 2, 2);
+        texcoords_ = attribute("TEXCOORD_" + std::to_string(texcoord_set), 2, 2);
         colors_ = attribute("COLOR_0", 3, 4);
         if (colors_ && !colors_->is_real())
             document_.fail(where_, "COLOR_0 has integers that are not normalized");
@@ -54,16 +54,15 @@ public:
     }
 
 private:
-    std::optional<GltfAccessor> attribute(const char* name, std::size_t least, std::size_t most) {
+    std::optional<GltfAccessor> attribute(const std::string& name, std::size_t least, std::size_t most) {
         const auto found = primitive_.attributes.find(name);
         if (found == primitive_.attributes.end()) return std::nullopt;
         std::optional<GltfAccessor> accessor(std::in_place, document_, found->second, where_ + ": " + name);
         if (accessor->components() < least || accessor->components() > most)
-            document_.fail(where_, std::string(name) + " has elements of " +
-                                       std::to_string(accessor->components()) + " numbers; expected " +
-                                       std::to_string(least));
+            document_.fail(where_, name + " has elements of " + std::to_string(accessor->components()) +
+                                       " numbers; expected " + std::to_string(least));
         if (positions_ && accessor->count() < positions_->count())
-            document_.fail(where_, std::string(name) + " has " + std::to_string(accessor->count()) +
+            document_.fail(where_, name + " has " + std::to_string(accessor->count()) +
                                        " elements and POSITION " + std::to_string(positions_->count()));
         return accessor;
     }
@@ -133,15 +132,15 @@ private:
 
 std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
                                                 const tinygltf::Primitive& primitive,
-                                                const std::string& where, LoadBudget& budget,
-                                                geometry::LeftOut& left_out) {
+                                                const std::string& where, int texcoord_set,
+                                                LoadBudget& budget, geometry::LeftOut& left_out) {
     if (primitive.mode >= TINYGLTF_MODE_POINTS && primitive.mode < TINYGLTF_MODE_TRIANGLES) {
         left_out.add("primitives of points or lines");
         return nullptr;
     }
     if (primitive.mode < 0 || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
         document.fail(where, "mode is " + std::to_string(primitive.mode) + "; expected 0 to 6");
-    Primitive reader(document, primitive, where, left_out);
+    Primitive reader(document, primitive, where, texcoord_set, left_out);
     budget.take_instance(document.path(), 0, reader.triangle_count());
     Mesh mesh = reader.mesh();
     if (mesh.triangles.empty()) {

@@ -31,7 +31,11 @@ bool is_invertible(const glm::dmat4& m) {
 class GltfReader {
 public:
     GltfReader(const GltfDocument& document, LoadBudget& budget)
-        : document_(document), model_(document.model()), budget_(budget), notices_(document.path()) {}
+        : document_(document),
+          model_(document.model()),
+          budget_(budget),
+          notices_(document.path()),
+          textures_(document, notices_) {}
 
     SceneDescription run() {
         read_nodes();
@@ -54,6 +58,10 @@ private:
     struct Made {
         std::shared_ptr<const Mesh> mesh;  ///< null: nothing to draw
         GltfBounds bounds;
+    };
+    struct ReadMaterial {
+        GltfMaterial material;
+        std::optional<std::size_t> index;  ///< into SceneDescription::materials, once a shape uses it
     };
     struct PlacedNode {
         const tinygltf::Node* node = nullptr;
@@ -164,7 +172,7 @@ private:
             shape.id = node.name.empty() ? mesh.name : node.name;
             shape.mesh = made.mesh;
             shape.to_world = placed.to_world;
-            shape.material = material(mesh.primitives[p].material);
+            shape.material = index_of(material(mesh.primitives[p]));
             extend(made.bounds, placed.to_world);
             scene_.shapes.push_back(std::move(shape));
         }
@@ -182,16 +190,25 @@ private:
             if (!source.targets.empty())
                 notices_.add("morph targets are not followed; the rest pose is drawn");
             Made& made = entry->second;
-            made.mesh = read_gltf_primitive(document_, source, where, budget_, left_out_);
+            made.mesh = read_gltf_primitive(document_, source, where, material(source).material.texcoord_set,
+                                            budget_, left_out_);
             if (made.mesh) made.bounds = bounds_of(*made.mesh);
         }
         return entry->second;
     }
 
-    std::size_t material(int index) {
-        const auto [entry, is_new] = materials_.try_emplace(index, scene_.materials.size());
-        if (is_new) scene_.materials.push_back(read_gltf_material(document_, index, notices_));
+    ReadMaterial& material(const tinygltf::Primitive& primitive) {
+        const auto [entry, is_new] = materials_.try_emplace(GltfSurface(primitive));
+        if (is_new) entry->second.material = read_gltf_material(document_, entry->first, textures_, notices_);
         return entry->second;
+    }
+
+    std::size_t index_of(ReadMaterial& read) {
+        if (!read.index) {
+            read.index = scene_.materials.size();
+            scene_.materials.push_back(read.material.description);
+        }
+        return *read.index;
     }
 
     static GltfBounds bounds_of(const Mesh& mesh) {
@@ -219,12 +236,13 @@ private:
     const tinygltf::Model& model_;
     LoadBudget& budget_;
     GltfNotices notices_;
+    GltfTextures textures_;
     geometry::LeftOut left_out_;
     SceneDescription scene_;
     GltfBounds bounds_;
     std::optional<PlacedNode> camera_;
     std::map<std::pair<int, std::size_t>, Made> made_;
-    std::map<int, std::size_t> materials_;
+    std::map<GltfSurface, ReadMaterial> materials_;
 };
 
 }  // namespace

@@ -13,22 +13,11 @@
 #include "geometry/left_out.hpp"
 #include "geometry/mesh.hpp"
 #include "scene/gltf_document.hpp"
+#include "scene/gltf_notices.hpp"
+#include "scene/gltf_textures.hpp"
 #include "scene/scene_description.hpp"
 
 namespace nicol::scene {
-
-/// What is read and not followed, a sentence for each kind.
-class GltfNotices {
-public:
-    explicit GltfNotices(const std::filesystem::path& file) : name_(file.string()) {}
-    /// Keeps a sentence, once.
-    void add(const std::string& sentence);
-    [[nodiscard]] std::vector<std::string> take() { return std::move(sentences_); }
-
-private:
-    std::string name_;
-    std::vector<std::string> sentences_;
-};
 
 /// The extent of shapes in the world.
 struct GltfBounds {
@@ -38,16 +27,31 @@ struct GltfBounds {
 
 // Each throws as read_gltf_scene does.
 
-/// The triangles of a primitive, `where` in the file, with its colours and texture coordinates; null where
-/// none has an area. `left_out` counts what is not drawn.
+/// The triangles of a primitive, `where` in the file, with its colours and the texture coordinates of this
+/// set, if it has them; null where none has an area. `left_out` counts what is not drawn.
 [[nodiscard]] std::shared_ptr<const Mesh> read_gltf_primitive(const GltfDocument& document,
                                                               const tinygltf::Primitive& primitive,
-                                                              const std::string& where, LoadBudget& budget,
+                                                              const std::string& where, int texcoord_set,
+                                                              LoadBudget& budget,
                                                               geometry::LeftOut& left_out);
 
-/// The material of this index; that of primitives without one for -1.
-[[nodiscard]] MaterialDescription read_gltf_material(const GltfDocument& document, int index,
-                                                     GltfNotices& notices);
+/// What a primitive says of its material.
+struct GltfSurface {
+    int material = -1;               ///< -1: none, which is white metal
+    bool colors = false;             ///< it has COLOR_0
+    std::vector<int> texcoord_sets;  ///< n of each TEXCOORD_n that it has
+
+    explicit GltfSurface(const tinygltf::Primitive& primitive);
+    auto operator<=>(const GltfSurface&) const = default;
+};
+
+/// A material as such primitives have it, and the texture coordinates that its textures take.
+struct GltfMaterial {
+    MaterialDescription description;
+    int texcoord_set = 0;
+};
+[[nodiscard]] GltfMaterial read_gltf_material(const GltfDocument& document, const GltfSurface& surface,
+                                              GltfTextures& textures, GltfNotices& notices);
 
 /// The camera of a node that `to_world` places, its scale without effect.
 [[nodiscard]] SensorDescription read_gltf_camera(const GltfDocument& document, const tinygltf::Node& node,

@@ -11,6 +11,8 @@
 namespace nicol::scene {
 namespace {
 
+constexpr int kMostParts = 64;
+
 struct NamedIor {
     std::string_view name;
     double ior;
@@ -37,11 +39,33 @@ double refractive_index(Plugin& plugin, const std::string& name, double otherwis
     plugin.fail(name, "is " + in_quotes(text) + "; expected a number or one of " + list);
 }
 
-/// The roughness, given once or alike for both directions; Mitsuba's parameters.
-double roughness(Plugin& plugin, double otherwise) {
+TexturedColor color(const XmlDocument& document, Plugin& plugin, const char* name, double otherwise,
+                    double most) {
+    if (const pugi::xml_node texture = plugin.texture(name)) return read_texture(document, texture);
+    return plugin.color(name, otherwise, most);
+}
+
+/// A number, or a texture.
+struct Roughness {
+    double alpha;
+    TextureSpecificationPtr texture;
+
+    [[nodiscard]] bool same_as(const Roughness& o) const {
+        return texture && o.texture ? *texture == *o.texture : !texture && !o.texture && alpha == o.alpha;
+    }
+};
+
+Roughness roughness(const XmlDocument& document, Plugin& plugin, const char* name, double otherwise) {
     // What the tables of a material resolve.
     constexpr double least = 0.001, most = 1.0;
-    const double alpha = plugin.number("alpha", otherwise, least, most);
+    if (const pugi::xml_node texture = plugin.texture(name))
+        return {otherwise, read_texture(document, texture)};
+    return {plugin.number(name, otherwise, least, most), nullptr};
+}
+
+/// Given once or alike for both directions; Mitsuba's parameters.
+Roughness roughness(const XmlDocument& document, Plugin& plugin, double otherwise) {
+    Roughness alpha = roughness(document, plugin, "alpha", otherwise);
     if (!plugin.has("alpha_u") && !plugin.has("alpha_v")) {
         plugin.pass_over({"alpha_u", "alpha_v"});
         return alpha;
@@ -50,28 +74,30 @@ double roughness(Plugin& plugin, double otherwise) {
     if (!plugin.has("alpha_u") || !plugin.has("alpha_v"))
         plugin.fail(plugin.has("alpha_u") ? "alpha_u" : "alpha_v",
                     "is given alone; expected alpha, or both alpha_u and alpha_v");
-    const double alpha_u = plugin.number("alpha_u", otherwise, least, most);
-    if (alpha_u != plugin.number("alpha_v", otherwise, least, most))
+    alpha = roughness(document, plugin, "alpha_u", otherwise);
+    if (!alpha.same_as(roughness(document, plugin, "alpha_v", otherwise)))
         plugin.fail("alpha_v", "differs from alpha_u; only isotropic materials are supported",
                     ErrorCode::unsupported);
-    return alpha_u;
+    return alpha;
 }
 
-void read_facets(Plugin& plugin, MaterialDescription& material) {
+void read_facets(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
     material.distribution =
         static_cast<MaterialDescription::Distribution>(plugin.choice("distribution", 0, {"beckmann", "ggx"}));
-    material.alpha = roughness(plugin, material.alpha);
+    const Roughness alpha = roughness(document, plugin, material.alpha);
+    material.alpha = alpha.alpha;
+    material.alpha_texture = alpha.texture;
     plugin.pass_over({"sample_visible"});
 }
 
-void read_pplastic(Plugin& plugin, MaterialDescription& material) {
+void read_pplastic(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
     material.kind = MaterialDescription::Kind::pplastic;
-    material.diffuse_reflectance = plugin.color("diffuse_reflectance", 0.5, 1.0);
-    material.specular_reflectance = plugin.color("specular_reflectance", 1.0, 1.0);
+    material.diffuse_reflectance = color(document, plugin, "diffuse_reflectance", 0.5, 1.0);
+    material.specular_reflectance = color(document, plugin, "specular_reflectance", 1.0, 1.0);
     material.int_ior = refractive_index(plugin, "int_ior", material.int_ior);
     material.ext_ior = refractive_index(plugin, "ext_ior", material.ext_ior);
     if (material.int_ior == material.ext_ior) plugin.fail("int_ior", "equals ext_ior; they must differ");
-    read_facets(plugin, material);
+    read_facets(document, plugin, material);
 }
 
 struct NamedMetal {
@@ -91,7 +117,7 @@ constexpr std::array<NamedMetal, 10> kNamedMetals = {{{"none", ""},
                                                       {"aluminium", "Al"},
                                                       {"aluminum", "Al"}}};
 
-void read_conductor(Plugin& plugin, MaterialDescription& material) {
+void read_conductor(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
     const bool rough = plugin.type() == "roughconductor";
     material.kind = rough ? MaterialDescription::Kind::roughconductor : MaterialDescription::Kind::conductor;
     const std::string name = lower_case(plugin.string("material", "none"));
@@ -109,40 +135,30 @@ void read_conductor(Plugin& plugin, MaterialDescription& material) {
         for (glm::length_t i = 0; i < 3; ++i)
             if (material.eta.rgb[i] == 0.0 && material.k.rgb[i] == 0.0)
                 plugin.fail(plugin.has("k") ? "k" : "eta", "and the other part of the index are both 0");
-    material.specular_reflectance = plugin.color("specular_reflectance", 1.0, 1.0);
-    if (rough) read_facets(plugin, material);
+    material.specular_reflectance = color(document, plugin, "specular_reflectance", 1.0, 1.0);
+    if (rough) read_facets(document, plugin, material);
 }
 
-void read_measured(Plugin& plugin, MaterialDescription& material) {
-    material.kind = MaterialDescription::Kind::measured_polarized;
+/// Parameters of materials that are a table in a file.
+void read_tabulated(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
     material.filename = plugin.filename("filename");
+    material.scale = color(document, plugin, "scale", 1.0, kNoLimit);
+    material.symmetrize = plugin.boolean("symmetrize", false);
+    if (!material.scale.spectrum.empty())
+        plugin.fail("scale", "is a table over the wavelength; expected one value or three",
+                    ErrorCode::unsupported);
+}
+
+void read_measured(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
+    material.kind = MaterialDescription::Kind::measured_polarized;
+    read_tabulated(document, plugin, material);
     const double wavelength = plugin.number("wavelength", -1.0);
     if (wavelength != -1.0) material.wavelength = plugin.number("wavelength", 0.0, 0.0, kNoLimit, true);
-    material.symmetrize = plugin.boolean("symmetrize", false);
     plugin.pass_over({"alpha_sample"});
-}
-
-MaterialDescription read_twosided(const XmlDocument& document, const Plugin& plugin) {
-    const std::vector<NestedObject> sides = plugin.objects({"bsdf"});
-    if (sides.empty()) plugin.fail("", "has no bsdf inside; expected one");
-    for (const NestedObject& side : sides) {
-        // This ends circles too.
-        if (std::string_view(side.node.attribute("type").value()) == "twosided")
-            document.fail(side.place, "a bsdf \"twosided\" inside another");
-        if (side.node != sides.front().node)
-            document.fail(side.place, "a second bsdf in a \"twosided\"; both sides must be the same",
-                          ErrorCode::unsupported);
-    }
-    MaterialDescription material = read_material(document, sides.front().node);
-    material.twosided = true;
-    material.id = plugin.id();
-    return material;
 }
 
 /// Why a plug-in of Mitsuba is not there.
 std::string reason(const std::string& type) {
-    if (type == "mask") return "surfaces are opaque";
-    if (type == "bumpmap" || type == "normalmap") return "normals come from the mesh alone";
     if (type.find("dielectric") != std::string::npos) return "nothing passes through a surface";
     if (type == "plastic" || type == "roughplastic") return "its polarized form is pplastic";
     return "";
@@ -150,36 +166,43 @@ std::string reason(const std::string& type) {
 
 }  // namespace
 
-MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node) {
+MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node, int& left) {
+    // This ends circles, and trees that a few <ref>s make large.
+    if (left-- == 0)
+        document.fail(node, "a bsdf made of more than " + std::to_string(kMostParts) +
+                                ", itself counted; does one refer to itself?");
     Plugin plugin(document, node);
     MaterialDescription material;
-    material.id = plugin.id();
-    if (plugin.type() == "pplastic") {
-        read_pplastic(plugin, material);
-    } else if (plugin.type() == "diffuse") {
-        material.reflectance = plugin.color("reflectance", 0.5, 1.0);
-    } else if (plugin.type() == "conductor" || plugin.type() == "roughconductor") {
-        read_conductor(plugin, material);
-    } else if (plugin.type() == "measured_polarized") {
-        read_measured(plugin, material);
-    } else if (plugin.type() == "psh") {
-        material.kind = MaterialDescription::Kind::psh;
-        material.filename = plugin.filename("filename");
-        material.scale = plugin.color("scale", 1.0);
-        material.symmetrize = plugin.boolean("symmetrize", false);
-        if (!material.scale.spectrum.empty())
-            plugin.fail("scale", "is a table over the wavelength; expected one value or three",
-                        ErrorCode::unsupported);
-    } else if (plugin.type() == "twosided") {
-        plugin.finish();
-        return read_twosided(document, plugin);
+    if (auto nested = read_nested_material(document, plugin, left)) {
+        material = std::move(*nested);
     } else {
-        plugin.fail_type("pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided",
-                         reason(plugin.type()));
+        if (plugin.type() == "pplastic") {
+            read_pplastic(document, plugin, material);
+        } else if (plugin.type() == "diffuse") {
+            material.reflectance = color(document, plugin, "reflectance", 0.5, 1.0);
+        } else if (plugin.type() == "conductor" || plugin.type() == "roughconductor") {
+            read_conductor(document, plugin, material);
+        } else if (plugin.type() == "measured_polarized") {
+            read_measured(document, plugin, material);
+        } else if (plugin.type() == "psh") {
+            material.kind = MaterialDescription::Kind::psh;
+            read_tabulated(document, plugin, material);
+        } else {
+            plugin.fail_type(
+                "pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided, "
+                "normalmap, bumpmap, mask, blendbsdf",
+                reason(plugin.type()));
+        }
+        plugin.finish();
+        static_cast<void>(plugin.objects({}));
     }
-    plugin.finish();
-    static_cast<void>(plugin.objects({}));
+    material.id = plugin.id();
     return material;
+}
+
+MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node) {
+    int left = kMostParts;
+    return read_material(document, node, left);
 }
 
 }  // namespace nicol::scene

@@ -29,7 +29,7 @@ private:
     void read(pugi::xml_node place) {
         const NestedObject object = checked_object(
             document_, place, "<scene>",
-            {"integrator", "sensor", "emitter", "bsdf", "shape", "film", "sampler", "rfilter"});
+            {"integrator", "sensor", "emitter", "bsdf", "texture", "shape", "film", "sampler", "rfilter"});
         const pugi::xml_node node = object.node;
         const std::string_view name = node.name();
         if (name == "integrator") {
@@ -50,6 +50,8 @@ private:
         } else if (name == "bsdf") {
             // Checked here, listed where a shape uses it.
             static_cast<void>(read_material(document_, node));
+        } else if (name == "texture") {
+            static_cast<void>(read_texture(document_, node));
         } else if (name == "shape") {
             shape(place, node);
         }

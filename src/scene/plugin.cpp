@@ -16,9 +16,19 @@ constexpr std::array<std::string_view, 9> kParameterTags = {
     "float", "integer", "string", "boolean", "rgb", "spectrum", "point", "vector", "transform"};
 
 bool is_parameter(pugi::xml_node node) {
-    // <spectrum type="..."> is an object, as a texture is.
+    // <spectrum type="..."> is an object.
     return std::ranges::find(kParameterTags, std::string_view(node.name())) != kParameterTags.end() &&
            !node.attribute("type");
+}
+
+/// What a node stands for: itself or, of a <ref>, the element it names.
+pugi::xml_node target(const XmlDocument& document, pugi::xml_node place) {
+    if (std::string_view(place.name()) != "ref") return place;
+    check_attributes(document, place, {"name", "id"});
+    const std::string id = place.attribute("id").value();
+    const pugi::xml_node node = document.with_id(id);
+    if (!node) document.fail(place, "<ref> to " + in_quotes(id) + ", an id that no element has");
+    return node;
 }
 
 std::string text_of(double number) {
@@ -27,9 +37,12 @@ std::string text_of(double number) {
     return {text.data(), end};
 }
 
+constexpr std::string_view kTexture = "texture";
+
 std::string joined(auto&& names) {
     std::string list;
-    for (const auto& name : names) list.append(list.empty() ? "" : ", ").append(name);
+    for (const std::string_view name : names)
+        if (!name.empty()) list.append(list.empty() ? "" : ", ").append(name);
     return list.empty() ? "none" : list;
 }
 
@@ -37,21 +50,17 @@ std::string joined(auto&& names) {
 
 NestedObject checked_object(const XmlDocument& document, pugi::xml_node place, const std::string& holder,
                             std::initializer_list<std::string_view> accepted) {
-    pugi::xml_node node = place;
+    const pugi::xml_node node = target(document, place);
     std::string found = tag(node) + " inside " + holder;
-    if (std::string_view(place.name()) == "ref") {
-        check_attributes(document, place, {"name", "id"});
-        const std::string id = place.attribute("id").value();
-        node = document.with_id(id);
-        if (!node) document.fail(place, "<ref> to " + in_quotes(id) + ", an id that no element has");
-        found = "<ref> to " + in_quotes(id) + ", which is a " + tag(node) + ", inside " + holder;
-    }
+    if (node != place)
+        found = "<ref> to " + in_quotes(place.attribute("id").value()) + ", which is a " + tag(node) +
+                ", inside " + holder;
     const std::string_view name = node.name();
     if (std::ranges::find(accepted, name) != accepted.end()) return {place, node};
     const ErrorCode code = place == node ? ErrorCode::unsupported : ErrorCode::invalid_file;
     std::string reason = "accepted elements: " + joined(accepted);
-    if (name == "texture" || name == "spectrum")
-        reason = "textures are not supported; give one value as <rgb>, <spectrum> or <float>";
+    if (name == "spectrum")
+        reason = "a <spectrum> with a type is not supported; give its value as <rgb>, <spectrum> or <float>";
     if (name == "emitter")
         reason =
             "only distant light is supported, an <emitter> of type envmap, constant, psh or sky in <scene>";
@@ -69,9 +78,17 @@ Plugin::Plugin(const XmlDocument& document, pugi::xml_node node)
     for (const pugi::xml_node child : document.elements(node)) {
         if (is_parameter(child))
             add_parameter(child);
+        else if (const pugi::xml_node object = target(document, child); object.name() == kTexture)
+            add_texture(child, object);
         else
             objects_.push_back(child);
     }
+}
+
+void Plugin::add_texture(pugi::xml_node place, pugi::xml_node node) {
+    const std::string name = place.attribute("name").value();
+    if (!textures_.try_emplace(name, NestedObject{place, node}).second || values_.contains(name))
+        document_.fail(place, label() + ": parameter " + in_quotes(name) + " is given twice");
 }
 
 void Plugin::add_parameter(pugi::xml_node child) {
@@ -81,7 +98,7 @@ void Plugin::add_parameter(pugi::xml_node child) {
     const std::string name = child.attribute("name").value();
     const std::string_view kind = child.name();
     if (name.empty()) document_.fail(child, label() + ": a " + tag(child) + " without a name");
-    if (!values_.try_emplace(name, child).second)
+    if (!values_.try_emplace(name, child).second || textures_.contains(name))
         document_.fail(child, label() + ": parameter " + in_quotes(name) + " is given twice");
     if (kind == "transform") return;
     if (kind == "spectrum" && child.attribute("filename"))
@@ -98,13 +115,20 @@ void Plugin::add_parameter(pugi::xml_node child) {
                        label() + ": parameter " + in_quotes(name) + " has elements inside; expected none");
 }
 
+void Plugin::ask(const std::string& name) {
+    if (std::ranges::find(asked_, name) == asked_.end()) asked_.push_back(name);
+}
+
 bool Plugin::has_tag(const std::string& name, std::string_view tag) const {
     const auto entry = values_.find(name);
     return entry != values_.end() && entry->second.name() == tag;
 }
 
 pugi::xml_node Plugin::find(const std::string& name, std::initializer_list<std::string_view> tags) {
-    asked_.push_back(name);
+    ask(name);
+    if (textures_.contains(name))
+        fail(name, "is a texture; expected one value, as <" + std::string(*tags.begin()) + ">",
+             ErrorCode::unsupported);
     const auto entry = values_.find(name);
     if (entry == values_.end()) return {};
     if (std::ranges::find(tags, std::string_view(entry->second.name())) == tags.end())
@@ -210,8 +234,20 @@ glm::dmat4 Plugin::transform(const std::string& name) {
     return node ? parsed_transform(document_, node) : glm::dmat4(1.0);
 }
 
+pugi::xml_node Plugin::texture(const std::string& name) {
+    ask(name);
+    const auto entry = textures_.find(name);
+    return entry == textures_.end() ? pugi::xml_node() : entry->second.node;
+}
+
+pugi::xml_node Plugin::only_texture() {
+    if (textures_.size() != 1)
+        fail("", "has " + std::to_string(textures_.size()) + " textures inside; expected one");
+    return texture(textures_.begin()->first);
+}
+
 void Plugin::pass_over(std::initializer_list<const char*> names) {
-    asked_.insert(asked_.end(), names.begin(), names.end());
+    for (const char* name : names) ask(name);
 }
 
 std::vector<NestedObject> Plugin::objects(std::initializer_list<std::string_view> accepted) const {
@@ -235,6 +271,10 @@ void Plugin::finish() const {
     for (const auto& [name, node] : values_)
         if (std::ranges::find(asked_, name) == asked_.end())
             fail(name, "is unknown; accepted: " + joined(asked_));
+    for (const auto& [name, texture] : textures_)
+        if (std::ranges::find(asked_, name) == asked_.end())
+            document_.fail(texture.place, label() + ": texture " + in_quotes(name) +
+                                              " is unknown; accepted parameters: " + joined(asked_));
 }
 
 std::string Plugin::label() const {
@@ -244,9 +284,12 @@ std::string Plugin::label() const {
 }
 
 void Plugin::fail(const std::string& parameter, const std::string& message, ErrorCode code) const {
-    const auto entry = values_.find(parameter);
+    const auto value = values_.find(parameter);
+    const auto texture = textures_.find(parameter);
     document_.fail(
-        entry == values_.end() ? node_ : entry->second,
+        value != values_.end()       ? value->second
+        : texture != textures_.end() ? texture->second.place
+                                     : node_,
         label() + ": " + (parameter.empty() ? "" : "parameter " + in_quotes(parameter) + " ") + message,
         code);
 }

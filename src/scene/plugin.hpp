@@ -38,7 +38,9 @@ public:
 
     [[nodiscard]] const std::string& type() const { return type_; }
     [[nodiscard]] std::string id() const { return node_.attribute("id").value(); }
-    [[nodiscard]] bool has(const std::string& name) const { return values_.contains(name); }
+    [[nodiscard]] bool has(const std::string& name) const {
+        return values_.contains(name) || textures_.contains(name);
+    }
     /// True if the file gives the parameter as an element of this name.
     [[nodiscard]] bool has_tag(const std::string& name, std::string_view tag) const;
 
@@ -59,10 +61,14 @@ public:
     ColorDescription color(const std::string& name, const ColorDescription& otherwise,
                            double most = kNoLimit);
     glm::dmat4 transform(const std::string& name);
+    /// The <texture> that the file gives for a parameter, null if it gives none.
+    pugi::xml_node texture(const std::string& name);
+    /// The only <texture>, whatever its name.
+    pugi::xml_node only_texture();
     /// Known parameters that make no difference here.
     void pass_over(std::initializer_list<const char*> names);
 
-    /// Nested objects in file order, each of one of the `accepted` names.
+    /// Nested objects but textures in file order, each of one of the `accepted` names.
     [[nodiscard]] std::vector<NestedObject> objects(std::initializer_list<std::string_view> accepted) const;
     /// The same, at most one of each name.
     [[nodiscard]] std::vector<NestedObject> single_objects(
@@ -76,7 +82,9 @@ public:
     [[noreturn]] void fail_type(const std::string& accepted, const std::string& reason = "") const;
 
 private:
+    void ask(const std::string& name);
     void add_parameter(pugi::xml_node child);
+    void add_texture(pugi::xml_node place, pugi::xml_node node);
     /// The element of a parameter, null if the file does not give it.
     pugi::xml_node find(const std::string& name, std::initializer_list<std::string_view> tags);
     [[nodiscard]] std::string label() const;
@@ -85,6 +93,7 @@ private:
     pugi::xml_node node_;
     std::string type_;
     std::map<std::string, pugi::xml_node> values_;
+    std::map<std::string, NestedObject> textures_;
     std::vector<pugi::xml_node> objects_;
     std::vector<std::string> asked_;
 };

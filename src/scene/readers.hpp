@@ -2,6 +2,7 @@
 // One reader for each kind of object in a scene.
 #pragma once
 
+#include <optional>
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "scene/xml_document.hpp"
 
 namespace nicol::scene {
+
+class Plugin;
 
 /// What is read and makes no difference, collected into one sentence; and sentences of their own.
 class Notices {
@@ -31,7 +34,13 @@ private:
 
 [[nodiscard]] SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node,
                                             Notices& notices);
+/// `left`: how many bsdfs it may still be made of, itself counted; the other form begins a tree of them.
+[[nodiscard]] MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node, int& left);
 [[nodiscard]] MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node);
+/// One that is made of others; none if the plug-in is of another type. The id is left empty.
+[[nodiscard]] std::optional<MaterialDescription> read_nested_material(const XmlDocument& document,
+                                                                      Plugin& plugin, int& left);
+[[nodiscard]] TextureSpecificationPtr read_texture(const XmlDocument& document, pugi::xml_node node);
 [[nodiscard]] EmitterDescription read_emitter(const XmlDocument& document, pugi::xml_node node,
                                               Notices& notices);
 void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices);

@@ -10,27 +10,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "files/file_record.hpp"
 #include "files/load_budget.hpp"
 #include "geometry/mesh.hpp"
+#include "scene/color_description.hpp"
+#include "scene/texture_specification.hpp"
 
 namespace nicol {
-
-/// A value for each colour: three of linear RGB, or a table over the wavelength.
-struct ColorDescription {
-    struct Sample {
-        double wavelength;  ///< nm, above 0
-        double value;
-    };
-
-    ColorDescription(double grey) : rgb(grey) {}
-    ColorDescription(const glm::dvec3& linear) : rgb(linear) {}
-
-    glm::dvec3 rgb{0.0};           ///< without meaning beside a table
-    std::vector<Sample> spectrum;  ///< empty, or two and more by increasing wavelength
-};
 
 /// A camera and the size of its image. Camera space: +z forward, +x image LEFT, +y image up.
 struct SensorDescription {
@@ -51,27 +40,55 @@ struct SensorDescription {
 /// The horizontal field of view in degrees of a perspective sensor, whatever its fov_axis.
 [[nodiscard]] double horizontal_fov(const SensorDescription& sensor);
 
+/// A colour that a texture may give.
+struct TexturedColor : ColorDescription {
+    using ColorDescription::ColorDescription;
+    TexturedColor(const ColorDescription& color) : ColorDescription(color) {}
+    TexturedColor(TextureSpecificationPtr of) : ColorDescription(0.0), texture(std::move(of)) {}
+
+    TextureSpecificationPtr texture;  ///< not null: in place of the values
+};
+
+/// A reflectance model, or one made of others, which are its parts.
 struct MaterialDescription {
-    enum class Kind { pplastic, diffuse, psh, conductor, roughconductor, measured_polarized };
+    enum class Kind {
+        pplastic,
+        diffuse,
+        psh,
+        conductor,
+        roughconductor,
+        measured_polarized,
+        normalmap,
+        bumpmap,
+        mask,
+        blendbsdf
+    };
     enum class Distribution { beckmann, ggx };
     Kind kind = Kind::diffuse;
-    std::string id;                              ///< of the outermost bsdf; empty when the file gives none
-    bool twosided = false;                       ///< the back reflects as the front does
-    ColorDescription reflectance{0.5};           ///< diffuse
-    ColorDescription diffuse_reflectance{0.5};   ///< pplastic
-    ColorDescription specular_reflectance{1.0};  ///< pplastic, conductor, roughconductor
-    double int_ior = 1.49;                       ///< pplastic, inside
-    double ext_ior = 1.000277;                   ///< pplastic, outside
+    std::string id;                           ///< of the outermost bsdf; empty when the file gives none
+    bool twosided = false;                    ///< the back reflects as the front does
+    TexturedColor reflectance{0.5};           ///< diffuse
+    TexturedColor diffuse_reflectance{0.5};   ///< pplastic
+    TexturedColor specular_reflectance{1.0};  ///< pplastic, conductor, roughconductor
+    double int_ior = 1.49;                    ///< pplastic, inside
+    double ext_ior = 1.000277;                ///< pplastic, outside
     std::string metal;          ///< conductor, roughconductor: Au, Ag, Cu or Al; empty: eta and k hold
     ColorDescription eta{0.0};  ///< conductor, roughconductor: real part of the index, 0 to 100
     ColorDescription k{1.0};    ///< conductor, roughconductor: imaginary part, 0 to 100
     double alpha = 0.1;         ///< pplastic, roughconductor: roughness, 0.001 to 1
+    TextureSpecificationPtr alpha_texture;               ///< not null: in place of alpha
     Distribution distribution = Distribution::beckmann;  ///< pplastic, roughconductor
     std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
-    ColorDescription scale{1.0};     ///< psh
+    TexturedColor scale{1.0};        ///< psh, measured_polarized
     std::optional<double>
         wavelength;           ///< measured_polarized: the only one to use, nm; none: all of the table
     bool symmetrize = false;  ///< psh, measured_polarized: without what breaks mirror symmetry
+
+    /// normalmap, bumpmap, mask: one; blendbsdf: two, the first where its texture is 0.
+    std::vector<MaterialDescription> parts;
+    TextureSpecificationPtr texture;  ///< of a kind with parts: normals, heights, opacity, weight; not null
+    double bump_scale = 1.0;          ///< bumpmap
+    bool mirrored_y = false;          ///< normalmap: see NormalVariation
 };
 
 struct ShapeDescription {
@@ -84,9 +101,10 @@ struct ShapeDescription {
     double radius = 1.0;               ///< sphere
     std::shared_ptr<const Mesh> mesh;  ///< mesh: itself, the scene file holds it; validated
     bool flip_normals = false;
-    bool face_normals = false;  ///< of those with a file: hard edges everywhere
-    glm::dmat4 to_world{1.0};   ///< affine and invertible
-    std::size_t material = 0;   ///< index into SceneDescription::materials
+    bool face_normals = false;     ///< of those with a file: hard edges everywhere
+    bool flip_tex_coords = false;  ///< of those with a file: v becomes 1 - v
+    glm::dmat4 to_world{1.0};      ///< affine and invertible
+    std::size_t material = 0;      ///< index into SceneDescription::materials
 };
 
 struct EmitterDescription {
@@ -120,7 +138,8 @@ using SceneParameters = std::map<std::string, std::string>;
 /// Reads a scene of Mitsuba 3's XML format. Defaults are Mitsuba's, and so is the meaning of each parameter;
 /// beside its plug-ins (sensors perspective, orthographic; shapes obj, ply, serialized, sphere, rectangle,
 /// cube, shapegroup, instance; bsdfs pplastic, diffuse, conductor, roughconductor, measured_polarized,
-/// twosided; emitters envmap, constant) these are ours: shapes off and stl, bsdf psh, emitters psh and sky.
+/// twosided, normalmap, bumpmap, mask, blendbsdf; textures bitmap, checkerboard, mesh_attribute, rawconstant;
+/// emitters envmap, constant) these are ours: shapes off and stl, bsdf psh, emitters psh and sky.
 /// An instance becomes a shape for each member of its group. Integrator, sampler and reconstruction filter
 /// are not followed, which one notice says. <rgb> takes one value, three, or #rrggbb, which is linear n /
 /// 255. Filenames are not opened, but looked for: in the folders of <path>, the newest first, in the folder

@@ -26,7 +26,7 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
         shape.index =
             static_cast<std::size_t>(plugin.integer("shape_index", 0, 0, std::numeric_limits<int>::max()));
     shape.face_normals = plugin.boolean("face_normals", false);
-    plugin.pass_over({"flip_tex_coords"});
+    shape.flip_tex_coords = plugin.boolean("flip_tex_coords", has_upward_texcoords(shape.filename));
 }
 
 }  // namespace

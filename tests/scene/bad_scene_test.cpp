@@ -88,9 +88,6 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
     unsupported("<bsdf type='principled'/>",
                 {":2: bsdf \"principled\"",
                  "pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided"});
-    unsupported("<bsdf type='mask'/>", {"bsdf \"mask\"", "opaque"});
-    unsupported("<bsdf type='bumpmap'/>", {"bsdf \"bumpmap\"", "mesh alone"});
-    unsupported("<bsdf type='normalmap'/>", {"bsdf \"normalmap\"", "mesh alone"});
     unsupported("<bsdf type='roughdielectric'/>", {"bsdf \"roughdielectric\"", "nothing passes"});
     unsupported("<bsdf type='roughplastic'/>", {"pplastic"});
     unsupported("<integrator type='aov'/>", {"integrator \"aov\"", "stokes, direct, path"});
@@ -99,19 +96,17 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
                 {"sensor \"thinlens\"", "in focus", "perspective, orthographic"});
     unsupported(sensor_with("<float name='fov' value='40'/><film type='specfilm'/>"),
                 {"film \"specfilm\"", "hdrfilm"});
-    unsupported("<texture type='bitmap'/>", {"<texture> inside <scene>", "textures are not supported"});
-    unsupported("<float name='x' value='1'/>",
-                {"<float> inside <scene>",
-                 "accepted elements: integrator, sensor, emitter, bsdf, shape, film, sampler, rfilter"});
+    unsupported(
+        "<float name='x' value='1'/>",
+        {"<float> inside <scene>",
+         "accepted elements: integrator, sensor, emitter, bsdf, texture, shape, film, sampler, rfilter"});
     unsupported(a_sensor + scene(""), {"<scene> inside <scene>"});
     unsupported(shape_with("<emitter type='area'/>"),
                 {"<emitter> inside shape \"sphere\"", "only distant light"});
     unsupported(shape_with("<medium type='homogeneous'/>"), {"<medium> inside shape", "opaque"});
     unsupported(shape_with("<sensor type='irradiancemeter'/>"), {"<sensor> inside shape", "elements: bsdf"});
-    unsupported(plastic_with("<texture name='diffuse_reflectance' type='bitmap'/>"),
-                {"<texture> inside bsdf \"pplastic\"", "textures are not"});
     unsupported(plastic_with("<spectrum name='diffuse_reflectance' type='d65'/>"),
-                {"<spectrum> inside", "textures are not"});
+                {"<spectrum> inside", "a <spectrum> with a type is not supported"});
     unsupported(plastic_with("<spectrum name='diffuse_reflectance' filename='a.spd'/>"),
                 {":6: bsdf \"pplastic\": parameter \"diffuse_reflectance\" is the file \"a.spd\"",
                  "wavelength:value"});

@@ -36,15 +36,15 @@ void check_refused(const std::filesystem::path& file, ErrorCode code, const std:
 
 TEST_CASE("what is read of glTF and not followed is one notice for each kind") {
     const std::string texture = ",\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"none.png\"}]";
+    const std::string textured = "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}";
     struct Case {
         std::string rest, notice;
     };
     for (const Case& c : {
              Case{one_mesh() + a_node, "no emitter lights the scene."},
-             Case{with_material("\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}") + texture,
-                  "textures are not followed"},
-             Case{with_material("\"pbrMetallicRoughness\":{\"metallicFactor\":0.7}"),
-                  "metallicFactor between"},
+             Case{with_material(textured) + texture,
+                  "textures are left out of primitives that lack the texture coordinates"},
+             Case{with_material("\"occlusionTexture\":{\"index\":0}") + texture, "occlusion textures"},
              Case{with_material("\"emissiveFactor\":[1,0,0]"), "emit light"},
              Case{with_material("\"alphaMode\":\"BLEND\""), "alphaMode BLEND"},
              Case{with_material("\"extensions\":{\"KHR_materials_transmission\":{}}"),

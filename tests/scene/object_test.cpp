@@ -229,7 +229,6 @@ TEST_CASE("objects by reference") {
     CHECK(s.sensor.width == 33);
     REQUIRE(s.notices.size() == 1);
     CHECK(s.notices[0].find("rfilter \"tent\", sampler \"multijitter\"") != std::string::npos);
-    refused("<texture type='bitmap' id='t'/>", unsupported, 2, {"textures are not supported"});
     refused("<sensor type='orthographic'/>" + a_shape + "<shape type='sphere'>\n<ref id='none'/></shape>",
             invalid, 4, {"<ref> to \"none\", an id that no element has"});
     refused("<rfilter type='box' id='f'/><sensor type='orthographic'>\n<ref id='f'/></sensor>", invalid, 3,

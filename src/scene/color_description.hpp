@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What a scene file says of a colour, as plain data.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace nicol {
+
+/// A value for each colour: three of linear RGB, or a table over the wavelength.
+struct ColorDescription {
+    struct Sample {
+        double wavelength;  ///< nm, above 0
+        double value;
+
+        bool operator==(const Sample&) const = default;
+    };
+
+    ColorDescription(double grey) : rgb(grey) {}
+    ColorDescription(const glm::dvec3& linear) : rgb(linear) {}
+
+    bool operator==(const ColorDescription&) const = default;
+
+    glm::dvec3 rgb{0.0};           ///< without meaning beside a table
+    std::vector<Sample> spectrum;  ///< empty, or two and more by increasing wavelength
+};
+
+}  // namespace nicol

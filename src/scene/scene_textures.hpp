@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The textures of a scene, while it is loaded.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec4.hpp>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "material/texture.hpp"
+#include "scene/scene_color.hpp"
+#include "scene/scene_files.hpp"
+#include "scene/texture_specification.hpp"
+
+namespace nicol::scene {
+
+/// Each file is read once, and equal descriptions are one texture.
+class SceneTextures {
+public:
+    /// Both must outlive this.
+    SceneTextures(const SceneChannels& channels, SceneFiles& files) : channels_(channels), files_(files) {}
+
+    /// Of a colour, one channel or red, green and blue. Throws as reflectance() for colours that the scene's
+    /// channels cannot have, and what reading the file throws.
+    [[nodiscard]] TexturePtr color(const TextureSpecification& description);
+    /// Of a number, one channel: of colours their luminance. Throws Error(unsupported) for vertex colours.
+    [[nodiscard]] TexturePtr number(const TextureSpecification& description);
+    /// Of a normal or another vector: as color(), whatever the scene's channels.
+    [[nodiscard]] TexturePtr vector(const TextureSpecification& description);
+
+private:
+    enum class Use { color, number, vector };
+    [[nodiscard]] TexturePtr of(const TextureSpecification& description, Use use);
+    [[nodiscard]] glm::vec4 value(const ColorDescription& color, Use use) const;
+    [[nodiscard]] TexturePtr made(const TextureSpecification& description, Use use);
+    [[nodiscard]] const TextureImage& image(const TextureSpecification& description);
+
+    const SceneChannels& channels_;
+    SceneFiles& files_;
+    /// By name, and whether raw.
+    std::map<std::pair<std::filesystem::path, bool>, TextureImage> images_;
+    struct Made {
+        TextureSpecification description;
+        Use use;
+        TexturePtr texture;
+    };
+    std::map<std::filesystem::path, std::vector<Made>> made_;
+};
+
+}  // namespace nicol::scene

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What a scene file says of a texture, as plain data.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+
+#include "material/texture.hpp"
+#include "scene/color_description.hpp"
+
+namespace nicol {
+
+struct TextureSpecification {
+    enum class Kind { constant, checkerboard, image };
+    /// Of an image: its colours, or one of its channels as a number.
+    enum class Part { color, green, blue, coverage };
+
+    Kind kind = Kind::constant;
+    ColorDescription color0{0.4};    ///< constant; checkerboard, where floor(2u) + floor(2v) is even
+    ColorDescription color1{0.2};    ///< checkerboard, elsewhere
+    std::filesystem::path filename;  ///< image; also names one that is in `bytes`
+    std::shared_ptr<const std::string> bytes;  ///< image: its file, where the scene file holds it; else null
+    bool raw = false;                          ///< image: see load_texture_image()
+    Part part = Part::color;                   ///< image
+    glm::dvec3 factor{1.0};  ///< image: t becomes factor t + offset, of red, green and blue; one number: red
+    glm::dvec3 offset{0.0};  ///< image
+    bool squared = false;    ///< image: after that
+    TextureSampling sampling;          ///< image; checkerboard: to_uv alone
+    bool times_vertex_colors = false;  ///< any: the colours of the mesh's vertices are a factor
+
+    bool operator==(const TextureSpecification&) const = default;
+};
+
+using TextureSpecificationPtr = std::shared_ptr<const TextureSpecification>;
+
+}  // namespace nicol

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// PNG files for tests.
+#pragma once
+
+#include <png.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The bytes of a file of these samples, 8 bits each, rows from the top: 1 (grey), 3 or 4 a pixel.
+inline std::string png_bytes(unsigned int width, unsigned int height, unsigned int channels,
+                             const std::vector<std::uint8_t>& samples) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = width;
+    image.height = height;
+    image.format = channels == 1 ? PNG_FORMAT_GRAY : channels == 3 ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
+    png_alloc_size_t size = 0;
+    png_image_write_to_memory(&image, nullptr, &size, 0, samples.data(), 0, nullptr);
+    std::string bytes(size, '\0');
+    png_image_write_to_memory(&image, bytes.data(), &size, 0, samples.data(), 0, nullptr);
+    return bytes;
+}

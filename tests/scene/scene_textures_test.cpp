@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Textures of a scene under light whose channels are not red, green and blue.
+#include "scene/scene_textures.hpp"
+
+#include "scene/png_file.hpp"
+#include "temporary_folder.hpp"
+#include "test.hpp"
+
+using namespace nicol;
+
+TEST_CASE("colours of textures under light of other channels are refused, grey ones are not") {
+    const TemporaryFolder folder;
+    folder.write("a.png", png_bytes(2, 1, 3, {255, 0, 0, 51, 51, 51}));
+    folder.write("grey.png", png_bytes(2, 1, 3, {255, 255, 255, 51, 51, 51}));
+    const SceneChannels five{.count = 5, .wavelengths = {}};
+    scene::SceneFiles files({}, {});
+    scene::SceneTextures textures(five, files);
+    TextureSpecification image;
+    image.kind = TextureSpecification::Kind::image;
+    image.filename = folder / "grey.png";
+    CHECK(textures.color(image)->channels() == 1);
+    CHECK(textures.vector(image)->channels() == 1);
+    image.filename = folder / "a.png";
+    CHECK(textures.number(image)->channels() == 1);
+    CHECK(textures.vector(image)->channels() == 3);
+    CHECK(error_of(CALL(textures.color(image)), ErrorCode::unsupported).find("of 5 other channels") !=
+          std::string::npos);
+    TextureSpecification constant;
+    constant.color0 = glm::dvec3(1, 0, 0);
+    static_cast<void>(error_of(CALL(textures.color(constant)), ErrorCode::unsupported));
+    constant.color0 = 0.5;
+    CHECK(textures.color(constant)->channels() == 1);
+    constant.times_vertex_colors = true;
+    static_cast<void>(error_of(CALL(textures.color(constant)), ErrorCode::unsupported));
+    static_cast<void>(error_of(CALL(textures.number(constant)), ErrorCode::unsupported));
+}
