@@ -22,34 +22,60 @@ void reverse(Mesh& mesh) {
         for (glm::uvec3& t : *triangles) std::swap(t.y, t.z);
 }
 
+[[noreturn]] void refuse(std::string_view name, const std::string& message) {
+    throw Error(ErrorCode::invalid_file, std::string(name) + ": " + message);
+}
+
+/// One value a vertex, or none at all.
+void check_count(std::size_t values, std::size_t vertices, const char* what, std::string_view name) {
+    if (values != 0 && values != vertices)
+        refuse(name, std::to_string(values) + " " + what + " for " + std::to_string(vertices) +
+                         " vertices; give one each or none at all");
+}
+
+template <class Vector>
+void check_finite(const std::vector<Vector>& values, const char* what, std::string_view name) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!is_finite(values[i])) refuse(name, what + std::to_string(i) + " (0-based) is not finite");
+}
+
+void check_vertices(const Mesh& mesh, std::string_view name) {
+    const std::size_t count = mesh.positions.size();
+    if (count == 0 || mesh.triangles.empty())
+        refuse(name, "an empty mesh: " + std::to_string(count) + " vertices and " +
+                         std::to_string(mesh.triangles.size()) + " faces; it needs at least 3 and 1");
+    check_count(mesh.normals.size(), count, "normals", name);
+    check_count(mesh.colors.size(), count, "colours", name);
+    check_finite(mesh.positions, "vertex ", name);
+    check_finite(mesh.normals, "the normal of vertex ", name);
+    check_finite(mesh.colors, "the colour of vertex ", name);
+    check_finite(mesh.texcoords, "texture coordinate ", name);
+}
+
+void check_indices(const std::vector<glm::uvec3>& triangles, std::size_t count, const char* what,
+                   std::string_view name) {
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        for (glm::length_t k = 0; k < 3; ++k)
+            if (triangles[i][k] >= count)
+                refuse(name, "face " + std::to_string(i) + " (0-based) uses " + what +
+                                 std::to_string(triangles[i][k]) + ", but there are only " +
+                                 std::to_string(count));
+}
+
 }  // namespace
 
 std::size_t validate(Mesh& mesh, std::string_view name) {
-    const auto refuse = [&](const std::string& message) {
-        throw Error(ErrorCode::invalid_file, std::string(name) + ": " + message);
-    };
-    const std::size_t count = mesh.positions.size();
-    if (count == 0 || mesh.triangles.empty())
-        refuse("an empty mesh: " + std::to_string(count) + " vertices and " +
-               std::to_string(mesh.triangles.size()) + " faces; it needs at least 3 and 1");
-    if (!mesh.normals.empty() && mesh.normals.size() != count)
-        refuse(std::to_string(mesh.normals.size()) + " normals for " + std::to_string(count) +
-               " vertices; give one each or none at all");
-    for (std::size_t v = 0; v < count; ++v) {
-        if (!is_finite(mesh.positions[v])) refuse("vertex " + std::to_string(v) + " (0-based) is not finite");
-        if (!mesh.normals.empty() && !is_finite(mesh.normals[v]))
-            refuse("the normal of vertex " + std::to_string(v) + " (0-based) is not finite");
-    }
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3& t = mesh.triangles[i];
-        for (glm::length_t k = 0; k < 3; ++k)
-            if (t[k] >= count)
-                refuse("face " + std::to_string(i) + " (0-based) uses vertex " + std::to_string(t[k]) +
-                       ", but there are only " + std::to_string(count));
-    }
+    check_vertices(mesh, name);
+    check_indices(mesh.triangles, mesh.positions.size(), "vertex ", name);
+    const std::size_t with_texcoords = mesh.texcoord_triangles.size();
+    if (with_texcoords != mesh.triangles.size() && with_texcoords + mesh.texcoords.size() != 0)
+        refuse(name, "texture coordinates at " + std::to_string(with_texcoords) + " faces of " +
+                         std::to_string(mesh.triangles.size()) + "; give them at each or at none");
+    check_indices(mesh.texcoord_triangles, mesh.texcoords.size(), "texture coordinate ", name);
     const std::size_t flat = geometry::remove_flat_triangles(mesh);
     if (mesh.triangles.empty())
-        refuse("none of the " + std::to_string(flat) + " triangles has an area; a mesh needs one that has");
+        refuse(name,
+               "none of the " + std::to_string(flat) + " triangles has an area; a mesh needs one that has");
     if (mesh.normals.empty())
         smooth_normals(mesh);
     else

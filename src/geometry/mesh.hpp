@@ -50,7 +50,8 @@ inline constexpr double kStlCreaseDegrees = 40.0;
 ///   there (by +z where no face uses the vertex). Every normal ends up with unit length.
 /// Triangles without area (two corners that share a vertex or a position, or three on one line) are removed;
 /// returns how many. Throws Error(invalid_file): no vertices, no triangles with an area, a count of normals
-/// that is not the count of positions, a position or normal that is not finite, an index out of range.
+/// or colours that is not the count of positions, texture coordinates at some faces only, a value that is not
+/// finite, an index out of range.
 std::size_t validate(Mesh& mesh, std::string_view name);
 
 /// Normals averaged over the faces at each vertex, weighted by the face's angle there, so that they do not
@@ -79,16 +80,18 @@ void flip_normals(Mesh& mesh);
 /// A sphere of 14,442 vertices: an icosahedron whose edges are cut in 38. Vertices lie on the sphere, its
 /// points on the coordinate axes among them, and normals are exact. No edge spans more than 2.0 degrees, so
 /// shading interpolated between vertices misses a function of order l by at most 1.6e-4 l^2 of its amplitude,
-/// and the flat triangles lie at most 2.1e-4 radius below the sphere. Throws Error(invalid_argument) unless
-/// the centre is finite and the radius positive and finite.
+/// and the flat triangles lie at most 2.1e-4 radius below the sphere. u is the azimuth about z, from +x
+/// towards +y, over 2 pi, and exceeds 1 in triangles that cross the seam; v is the angle from +z over pi.
+/// Throws Error(invalid_argument) unless the centre is finite and the radius positive and finite.
 [[nodiscard]] Mesh make_sphere(const glm::dvec3& center = glm::dvec3(0.0), double radius = 1.0);
 
-/// The square [-1, 1]^2 at z = 0 with normal +z as `cells` x `cells` squares of two triangles. Throws
-/// Error(invalid_argument) unless 1 <= cells <= 1024.
+/// The square [-1, 1]^2 at z = 0 with normal +z as `cells` x `cells` squares of two triangles; u = (x + 1) /
+/// 2, v = (y + 1) / 2. Throws Error(invalid_argument) unless 1 <= cells <= 1024.
 [[nodiscard]] Mesh make_rectangle(int cells = 1);
 
-/// The cube [-1, 1]^3 with hard edges and outward normals, each side as make_rectangle(cells).
-/// Throws Error(invalid_argument) unless 1 <= cells <= 1024.
+/// The cube [-1, 1]^3 with hard edges and outward normals, each side as make_rectangle(cells). u and v run
+/// over 0..1 on each side, in the directions of Mitsuba's cube. Throws Error(invalid_argument) unless 1 <=
+/// cells <= 1024.
 [[nodiscard]] Mesh make_cube(int cells = 1);
 
 }  // namespace nicol

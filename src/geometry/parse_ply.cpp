@@ -326,8 +326,7 @@ void read_faces(Values& values, const Element& element, PolygonMesh& out, LeftOu
         if (texcoords.size() == 2 * (out.corners.size() - first)) {
             for (std::size_t i = 0; i < texcoords.size(); i += 2) {
                 out.corners[first + i / 2].texcoord = static_cast<std::uint32_t>(out.texcoords.size());
-                const glm::vec2 uv(texcoords[i], texcoords[i + 1]);
-                out.texcoords.push_back(std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : glm::vec2(0));
+                out.texcoords.emplace_back(texcoords[i], texcoords[i + 1]);
             }
         }
         out.end_face(left_out);

@@ -7,6 +7,7 @@
 
 #include "error.hpp"
 #include "geometry/ear_clipping.hpp"
+#include "geometry/finite.hpp"
 #include "geometry/mesh_normals.hpp"
 #include "geometry/position_hash.hpp"
 
@@ -46,6 +47,8 @@ public:
 
     void run() {
         mesh.texcoords = polygons_.texcoords;
+        for (glm::vec2& uv : mesh.texcoords)
+            if (!is_finite(uv)) uv = glm::vec2(0);
         if (!mesh.texcoords.empty()) mesh.texcoords.emplace_back(0);  // of corners that have none
         std::vector<glm::dvec3> points;
         std::vector<glm::uvec3> triangles;
@@ -95,7 +98,10 @@ private:
     std::uint32_t add(std::uint32_t position, const glm::vec3& normal) {
         mesh.positions.push_back(polygons_.positions[position]);
         mesh.normals.push_back(normal);
-        if (!polygons_.colors.empty()) mesh.colors.push_back(polygons_.colors[position]);
+        if (!polygons_.colors.empty()) {
+            const glm::vec3& color = polygons_.colors[position];
+            mesh.colors.push_back(is_finite(color) ? color : glm::vec3(1));
+        }
         return static_cast<std::uint32_t>(mesh.positions.size() - 1);
     }
 

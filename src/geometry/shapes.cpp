@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -98,16 +99,18 @@ private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edges_;
 };
 
-/// Adds the square through `center` spanned by -u..u and -v..v; the normal is u x v.
-void append_square(Mesh& mesh, const glm::vec3& center, const glm::vec3& u, const glm::vec3& v, int cells) {
+/// Adds the square through `center` spanned by -s..s and -t..t; the normal is s x t. Texture coordinates grow
+/// along u and v.
+void append_square(Mesh& mesh, const glm::vec3& center, const glm::vec3& s, const glm::vec3& t,
+                   const glm::vec3& u, const glm::vec3& v, int cells) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const auto n = static_cast<std::uint32_t>(cells);
     for (std::uint32_t j = 0; j <= n; ++j)
         for (std::uint32_t i = 0; i <= n; ++i) {
-            const auto s = float(2.0 * i / n - 1.0);
-            const auto t = float(2.0 * j / n - 1.0);
-            mesh.positions.push_back(center + s * u + t * v);
-            mesh.normals.push_back(glm::cross(u, v));
+            const glm::vec3 inside = float(2.0 * i / n - 1.0) * s + float(2.0 * j / n - 1.0) * t;
+            mesh.positions.push_back(center + inside);
+            mesh.normals.push_back(glm::cross(s, t));
+            mesh.texcoords.push_back((1.0F + glm::vec2(glm::dot(inside, u), glm::dot(inside, v))) / 2.0F);
         }
     for (std::uint32_t j = 0; j < n; ++j)
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -115,6 +118,37 @@ void append_square(Mesh& mesh, const glm::vec3& center, const glm::vec3& u, cons
             mesh.triangles.emplace_back(corner, corner + 1, corner + n + 2);
             mesh.triangles.emplace_back(corner, corner + n + 2, corner + n + 1);
         }
+}
+
+/// Texture coordinates of Mitsuba's sphere, by the vertices' unit directions.
+void add_spherical_texcoords(Mesh& mesh, const std::vector<glm::dvec3>& directions) {
+    const auto is_pole = [](const glm::dvec3& p) { return p.x == 0 && p.y == 0; };
+    for (const glm::dvec3& p : directions) {
+        const double azimuth = std::atan2(p.y, p.x) / (2 * std::numbers::pi);
+        mesh.texcoords.emplace_back(azimuth < 0 ? azimuth + 1 : azimuth,
+                                    std::atan2(std::hypot(p.x, p.y), p.z) / std::numbers::pi);
+    }
+    const auto with_u = [&](std::uint32_t vertex, float u) {
+        mesh.texcoords.emplace_back(u, mesh.texcoords[vertex].y);
+        return static_cast<std::uint32_t>(mesh.texcoords.size() - 1);
+    };
+    for (const glm::uvec3& t : mesh.triangles) {
+        glm::uvec3 corners = t;
+        float most = 0;
+        for (glm::length_t k = 0; k < 3; ++k)
+            if (!is_pole(directions[t[k]])) most = std::max(most, mesh.texcoords[t[k]].x);
+        // No triangle is half a turn wide: what is that far behind lies past the seam.
+        for (glm::length_t k = 0; k < 3; ++k)
+            if (!is_pole(directions[t[k]]) && mesh.texcoords[t[k]].x < most - 0.5F)
+                corners[k] = with_u(t[k], mesh.texcoords[t[k]].x + 1);
+        // At a pole u has no value: between those of the other corners it bends the image least.
+        for (glm::length_t k = 0; k < 3; ++k)
+            if (is_pole(directions[t[k]]))
+                corners[k] = with_u(
+                    t[k],
+                    (mesh.texcoords[corners[(k + 1) % 3]].x + mesh.texcoords[corners[(k + 2) % 3]].x) / 2);
+        mesh.texcoord_triangles.push_back(corners);
+    }
 }
 
 void check_cells(int cells) {
@@ -136,27 +170,33 @@ Mesh make_sphere(const glm::dvec3& center, double radius) {
         mesh.positions.emplace_back(center + radius * p);
         mesh.normals.emplace_back(p);
     }
+    add_spherical_texcoords(mesh, sphere.points);
     return mesh;
 }
 
 Mesh make_rectangle(int cells) {
     check_cells(cells);
     Mesh mesh;
-    append_square(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, cells);
+    append_square(mesh, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, cells);
+    mesh.texcoord_triangles = mesh.triangles;
     return mesh;
 }
 
 Mesh make_cube(int cells) {
     check_cells(cells);
     Mesh mesh;
-    for (const float sign : {1.0f, -1.0f})
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            glm::vec3 normal(0.0f);
-            glm::vec3 u(0.0f);
-            normal[axis] = sign;
-            u[(axis + 1) % 3] = 1.0f;
-            append_square(mesh, normal, u, glm::cross(normal, u), cells);
-        }
+    struct Side {
+        glm::vec3 normal, u, v;
+    };
+    constexpr Side sides[] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, -1}},
+                              {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}},  {{-1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                              {{0, -1, 0}, {0, 0, 1}, {1, 0, 0}}, {{0, 0, -1}, {0, -1, 0}, {1, 0, 0}}};
+    for (const auto& [normal, u, v] : sides) {
+        // The axis after that of the normal.
+        const glm::vec3 s(std::abs(normal.z), std::abs(normal.x), std::abs(normal.y));
+        append_square(mesh, normal, s, glm::cross(normal, s), u, v, cells);
+    }
+    mesh.texcoord_triangles = mesh.triangles;
     return mesh;
 }
 

@@ -110,9 +110,14 @@ private:
             }
             mesh_.normals.push_back(normal);
         }
-        if (colors_) mesh_.colors.push_back(vector(*colors_, index));
-        if (texcoords_)
-            mesh_.texcoords.emplace_back(texcoords_->number(index, 0), texcoords_->number(index, 1));
+        if (colors_) {
+            const glm::vec3 color = vector(*colors_, index);
+            mesh_.colors.push_back(is_finite(color) ? color : glm::vec3(1));
+        }
+        if (texcoords_) {
+            const glm::vec2 uv(texcoords_->number(index, 0), texcoords_->number(index, 1));
+            mesh_.texcoords.push_back(is_finite(uv) ? uv : glm::vec2(0));
+        }
     }
 
     static glm::vec3 vector(const GltfAccessor& from, std::size_t i) {

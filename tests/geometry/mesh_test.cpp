@@ -49,6 +49,23 @@ TEST_CASE("validate refuses what no renderer can draw, by index") {
     check_refused(mesh, "2 normals for 3 vertices");
     mesh.normals = {{0, 0, 1}, {0, nan, 0}, {0, 0, 1}};
     check_refused(mesh, "the normal of vertex 1 (0-based) is not finite");
+    mesh = triangle();
+    mesh.colors = {{0, 0, 1}, {0, 0, 1}};
+    check_refused(mesh, "2 colours for 3 vertices");
+    mesh.colors.emplace_back(0, 0, infinity);
+    check_refused(mesh, "the colour of vertex 2 (0-based) is not finite");
+    mesh = triangle();
+    mesh.texcoords = {{0, 0}, {1, 0}, {0, 1}};
+    check_refused(mesh, "texture coordinates at 0 faces of 1; give them at each or at none");
+    mesh.texcoord_triangles = {{0, 1, 3}};
+    check_refused(mesh, "face 0 (0-based) uses texture coordinate 3, but there are only 3");
+    mesh.texcoord_triangles = {{0, 1, 2}, {0, 1, 2}};
+    check_refused(mesh, "texture coordinates at 2 faces of 1");
+    mesh.texcoord_triangles.pop_back();
+    mesh.texcoords[1].y = nan;
+    check_refused(mesh, "texture coordinate 1 (0-based) is not finite");
+    mesh.texcoords.clear();
+    check_refused(mesh, "face 0 (0-based) uses texture coordinate 0, but there are only 0");
 }
 
 TEST_CASE("validate removes triangles without area, and says how many") {

@@ -101,6 +101,37 @@ TEST_CASE("a sphere elsewhere and of another size") {
     CHECK_THROWS_AS(nicol::make_sphere(glm::dvec3(nan, 0, 0), 1.0), nicol::Error);
 }
 
+TEST_CASE("texture coordinates of a sphere are its angles, across the seam and at the poles too") {
+    const Mesh mesh = nicol::make_sphere({1, 2, 3}, 2);
+    REQUIRE(mesh.texcoord_triangles.size() == mesh.triangles.size());
+    int seam = 0, poles = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        std::array<glm::dvec2, 3> uv;
+        for (glm::length_t k = 0; k < 3; ++k)
+            uv[static_cast<std::size_t>(k)] = mesh.texcoords.at(mesh.texcoord_triangles[i][k]);
+        double least = 9, most = -9;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 n(mesh.normals[mesh.triangles[i][static_cast<glm::length_t>(k)]]);
+            CHECK(uv[k].y == doctest::Approx(std::acos(n.z) / pi).epsilon(1e-4));
+            least = std::min(least, uv[k].x);
+            most = std::max(most, uv[k].x);
+            if (n.x == 0 && n.y == 0) {
+                ++poles;
+                CHECK(uv[k].x == doctest::Approx((uv[(k + 1) % 3].x + uv[(k + 2) % 3].x) / 2));
+                continue;
+            }
+            CHECK(std::sin(2 * pi * uv[k].x) == doctest::Approx(n.y / std::hypot(n.x, n.y)).epsilon(1e-3));
+            CHECK(std::cos(2 * pi * uv[k].x) == doctest::Approx(n.x / std::hypot(n.x, n.y)).epsilon(1e-3));
+        }
+        // None of them spans the image the wrong way round.
+        CHECK(most - least <= 0.5);
+        CHECK(least >= 0);
+        if (most > 1) ++seam;
+    }
+    CHECK(poles == 12);
+    CHECK(seam > 20);
+}
+
 TEST_CASE("a rectangle is the square [-1, 1]^2 facing +z") {
     for (const int cells : {1, 7, 64}) {
         Mesh mesh = nicol::make_rectangle(cells);
@@ -111,6 +142,9 @@ TEST_CASE("a rectangle is the square [-1, 1]^2 facing +z") {
             CHECK(glm::distance(face_normal(mesh, t), glm::vec3(0, 0, 1)) < 1e-5f);
         }
         CHECK(area(mesh) == doctest::Approx(4.0));
+        CHECK(mesh.texcoord_triangles == mesh.triangles);
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+            CHECK(glm::distance(2.0F * mesh.texcoords[v] - 1.0F, glm::vec2(mesh.positions[v])) < 1e-6F);
         for (const float x : {-1.0f, 1.0f})
             for (const float y : {-1.0f, 1.0f})
                 CHECK(std::ranges::count(mesh.positions, glm::vec3(x, y, 0)) == 1);
@@ -131,4 +165,34 @@ TEST_CASE("a cube is [-1, 1]^3 with hard edges") {
     CHECK(volume(mesh) == doctest::Approx(8.0));
     CHECK(std::ranges::count(mesh.positions, glm::vec3(1, 1, 1)) == 3);
     CHECK_THROWS_AS(nicol::make_cube(0), nicol::Error);
+}
+
+TEST_CASE("every side of a cube has the whole image, as Mitsuba's has it") {
+    // Mitsuba's corners: of each side those at (0, 1), (1, 1), (1, 0) and (0, 0).
+    const std::array<std::array<glm::vec3, 4>, 6> sides = {
+        {{{{1, -1, -1}, {1, -1, 1}, {-1, -1, 1}, {-1, -1, -1}}},
+         {{{1, 1, -1}, {-1, 1, -1}, {-1, 1, 1}, {1, 1, 1}}},
+         {{{1, -1, -1}, {1, 1, -1}, {1, 1, 1}, {1, -1, 1}}},
+         {{{1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {-1, -1, 1}}},
+         {{{-1, -1, 1}, {-1, 1, 1}, {-1, 1, -1}, {-1, -1, -1}}},
+         {{{1, 1, -1}, {1, -1, -1}, {-1, -1, -1}, {-1, 1, -1}}}}};
+    const std::array<glm::vec2, 4> corners = {{{0, 1}, {1, 1}, {1, 0}, {0, 0}}};
+    const Mesh mesh = nicol::make_cube();
+    CHECK(mesh.texcoord_triangles == mesh.triangles);
+    REQUIRE(mesh.texcoords.size() == 24);
+    for (const auto& side : sides) {
+        const glm::vec3 normal = 0.5F * (side[0] + side[2]);
+        for (std::size_t k = 0; k < 4; ++k) {
+            int found = 0;
+            for (std::size_t v = 0; v < 24; ++v)
+                if (mesh.positions[v] == side[k] && mesh.normals[v] == normal) {
+                    ++found;
+                    CHECK(mesh.texcoords[v] == corners[k]);
+                }
+            CHECK(found == 1);
+        }
+    }
+    const Mesh fine = nicol::make_cube(8);
+    for (std::size_t v = 0; v < 81; ++v)  // the side +x
+        CHECK(fine.texcoords[v] == glm::vec2((1 + fine.positions[v].y) / 2, (1 - fine.positions[v].z) / 2));
 }
