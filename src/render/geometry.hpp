@@ -44,6 +44,12 @@ struct WorldGeometry {
     }
 };
 
+/// Whether a range is the second side of a two-sided instance.
+[[nodiscard]] inline bool is_back(const WorldGeometry& geometry, const VertexRange& range) {
+    const auto* const first = geometry.ranges.data();
+    return &range != first && (&range)[-1].instance == range.instance;
+}
+
 /// 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one side of the view by
 /// half a pixel, as far as samples are from centres; the others cannot reach the image. Resizes `visible`;
 /// returns how many are 0. Runs on the calling thread's TBB arena.

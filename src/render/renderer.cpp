@@ -63,8 +63,6 @@ void check_varying(const RenderOptions& options) {
         refuse_unsupported("textures are shaded at pixels; set shade_at to automatic or pixels");
     if (options.method == Method::dense)
         refuse_unsupported("the dense method has no textures; set method to factored or reference");
-    if (options.executor == Executor::compute)
-        refuse_unsupported("compute shaders have no textures; set executor to automatic or cpu");
 }
 
 // Which triangle each sample shows is kept while pixels are shaded.
@@ -90,9 +88,9 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       hits_(context),
       painter_(std::move(context)) {}
 
-bool Renderer::on_device(const Scene& scene, const RenderOptions& options) const {
+bool Renderer::on_device(const RenderOptions& options) const {
     const Executor executor = options.executor;
-    if (executor == Executor::cpu || scene.varies()) return false;
+    if (executor == Executor::cpu) return false;
     const std::string obstacle = GpuExecutor::obstacle(*context_);
     if (executor == Executor::automatic) return !context_->info().software && obstacle.empty();
     if (!obstacle.empty()) {
@@ -101,8 +99,8 @@ bool Renderer::on_device(const Scene& scene, const RenderOptions& options) const
     return true;
 }
 
-RenderExecutor& Renderer::executor_for(const Scene& scene, const RenderOptions& options) {
-    if (on_device(scene, options)) {
+RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
+    if (on_device(options)) {
         cpu_.reset();
         if (!gpu_) gpu_.emplace(context_, buffers_);
         return *gpu_;
@@ -167,7 +165,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
-    RenderExecutor& executor = executor_for(scene, options);
+    RenderExecutor& executor = executor_for(options);
     statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);

@@ -85,16 +85,27 @@ std::size_t DeviceDense::prepare_pixels(const DenseMethod& /*method*/, const Pix
                                       std::max(largest.size(), DeviceRotation::work_space(largest)));
 }
 
-void DeviceDense::shade_pixels(const PixelInput& /*input*/, const PixelRun& run, DevicePixels& pixels,
-                               DeviceShade& shade) {
-    const auto of_surface =
-        std::ranges::find(pieces_, run.surface.first, [](const Piece& piece) { return piece.light.first(); });
-    DeviceLight& light = pixels.light(run, of_surface->light.numbers(), of_surface->light.channels());
-    for (auto piece = of_surface; piece != pieces_.end(); ++piece)
-        pixels.interpolate(piece->light, run, light);
-    rotation_->set_layout(of_surface->material->outgoing());
+const DeviceDense::Piece& DeviceDense::first_piece(const PixelRun& run) const {
+    return *std::ranges::find(pieces_, run.surface.first,
+                              [](const Piece& piece) { return piece.light.first(); });
+}
+
+void DeviceDense::light_pixels(const PixelInput& /*input*/, const PixelRun& run, DevicePixels& pixels) {
+    const Piece& first = first_piece(run);
+    DeviceLight& light = pixels.light(run, first.light.numbers(), first.light.channels());
+    for (const Piece& piece : pieces_) {
+        if (piece.light.first() >= first.light.first()) pixels.interpolate(piece.light, run, light);
+    }
+    rotation_->set_layout(first.material->outgoing());
     rotation_->into_frames(*pixels.points().normals, light);
-    shade.run(*of_surface->table, light, run.first, run.last, pixels.points());
+}
+
+void DeviceDense::shade_pixels(const MaterialPtr& /*material*/, const PixelInput& /*input*/,
+                               const PixelRun& run, DevicePixels& pixels, DeviceShade& shade,
+                               const DevicePoints& points) {
+    const Piece& piece = first_piece(run);
+    const DeviceLight& light = pixels.light(run, piece.light.numbers(), piece.light.channels());
+    shade.run(*piece.table, light, run.first, run.last, points);
 }
 
 }  // namespace nicol

@@ -27,7 +27,10 @@ public:
 
     /// The most points that shading at pixels takes at once.
     [[nodiscard]] std::size_t prepare_pixels(const DenseMethod& method, const PixelInput& input);
-    void shade_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels, DeviceShade& shade);
+    /// The light that leaves a run's points.
+    void light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels);
+    void shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
+                      DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points);
 
 private:
     // Vertices of one instance whose matrices one binding reaches.
@@ -39,6 +42,7 @@ private:
         DeviceLight light;
     };
 
+    [[nodiscard]] const Piece& first_piece(const PixelRun& run) const;
     void copy(const DenseMethod& method, int light_channels);
     void multiply(const TransferInput& input, Piece& piece);
 

@@ -87,8 +87,7 @@ std::size_t DeviceFactored::prepare_pixels(const FactoredMethod& method, const P
     return most_points(input);
 }
 
-void DeviceFactored::shade_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels,
-                                  DeviceShade& shade) {
+void DeviceFactored::light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels) {
     const DevicePoints& points = pixels.points();
     DeviceLight& light = pixels.light(run, input.layout.size(), input.light.channels());
     if (run.occluded) {
@@ -97,7 +96,12 @@ void DeviceFactored::shade_pixels(const PixelInput& input, const PixelRun& run, 
     } else {
         rotation_->run(*points.normals, light);
     }
-    shade.run(tables_.at(run.surface.material), light, run.first, run.last, points);
+}
+
+void DeviceFactored::shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
+                                  DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points) {
+    const DeviceLight& light = pixels.light(run, input.layout.size(), input.light.channels());
+    shade.run(tables_.at(material), light, run.first, run.last, points);
 }
 
 }  // namespace nicol

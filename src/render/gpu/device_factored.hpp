@@ -29,7 +29,11 @@ public:
 
     /// Copies what shading at pixels needs. Returns the most points that it takes at once.
     std::size_t prepare_pixels(const FactoredMethod& method, const PixelInput& input);
-    void shade_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels, DeviceShade& shade);
+    /// The light of a run's points.
+    void light_pixels(const PixelInput& input, const PixelRun& run, DevicePixels& pixels);
+    /// What a material, one that is the same everywhere, reflects of it.
+    void shade_pixels(const MaterialPtr& material, const PixelInput& input, const PixelRun& run,
+                      DevicePixels& pixels, DeviceShade& shade, const DevicePoints& points);
 
 private:
     void copy_tables(const FactoredMethod& method, const TransferInput& input);

@@ -40,6 +40,10 @@ public:
 
     /// While shade() runs: the points.
     [[nodiscard]] const DevicePoints& points() const noexcept { return points_; }
+    /// As glsl/pixel_points.glsl has them.
+    [[nodiscard]] const gl::Buffer& listed() const { return list_.points(); }
+    /// A vec2 a point: the weights of its triangle's second and third corner.
+    [[nodiscard]] const gl::Buffer& barycentric() const { return weights_.value(); }
     /// Memory for the light of its points, until the next call. Numbers: of a point in a channel.
     [[nodiscard]] DeviceLight& light(const PixelRun& run, std::size_t numbers, int channels);
     /// light = that of the vertices between which its points are, for all vertices of the surface after calls

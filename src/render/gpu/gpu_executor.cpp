@@ -6,6 +6,7 @@
 
 #include "gl/draw.hpp"
 #include "render/hit_image.hpp"
+#include "render/plain_materials.hpp"
 
 namespace nicol {
 
@@ -28,6 +29,7 @@ GpuExecutor::GpuExecutor(std::shared_ptr<gl::Context> context, VertexBuffers& bu
     : context_(context),
       buffers_(buffers),
       image_(context_),
+      textures_(context_),
       factored_(context),
       dense_(context),
       high_orders_(std::move(context)) {}
@@ -107,11 +109,19 @@ void GpuExecutor::shade_pixels_by(const Method& method, Device& device, const Pi
                                    gl::BufferUpdate::fixed);
         if (input.high_orders != nullptr) high_orders_.compute_fractions(*input.high_orders, input, buffers_);
         const std::size_t most = device.prepare_pixels(method, input);
+        textures_.prepare(input);
         return pixels_->run(input, buffers_, most, run.progress, [&](const PixelRun& points) {
-            device.shade_pixels(input, points, *pixels_, shade);
-            if (input.high_orders != nullptr) {
-                high_orders_.add(*input.high_orders, points.surface.material, points.first, points.last,
-                                 input, pixels_->points());
+            const bool varies = points.surface.material->variation() != nullptr;
+            if (varies) textures_.find(input, points, *pixels_);
+            device.light_pixels(input, points, *pixels_);
+            std::size_t layer = 0;
+            for (const MaterialPtr& material : plain_materials(points.surface.material)) {
+                const DevicePoints& to =
+                    varies ? textures_.layer_points(pixels_->points()) : pixels_->points();
+                device.shade_pixels(material, input, points, *pixels_, shade, to);
+                if (input.high_orders != nullptr)
+                    high_orders_.add(*input.high_orders, material, points.first, points.last, input, to);
+                if (varies) textures_.add(layer++, points, pixels_->points());
             }
             if (input.physical)
                 make_physical(pixels_->points(), points.first, points.last, input.noise, uncounted);

@@ -13,6 +13,7 @@
 #include "render/gpu/device_high_orders.hpp"
 #include "render/gpu/device_pixels.hpp"
 #include "render/gpu/device_shade.hpp"
+#include "render/gpu/device_textures.hpp"
 
 namespace nicol {
 
@@ -56,6 +57,7 @@ private:
     std::shared_ptr<gl::Context> context_;
     VertexBuffers& buffers_;
     DevicePixelImage image_;
+    DeviceTextures textures_;
     std::optional<DeviceShade> shade_;
     DeviceFactored factored_;
     DeviceDense dense_;

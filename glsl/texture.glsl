@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Textures and the layers of a material, in words and texels as DeviceVariation lays them out; as src/material evaluates
+// them.
+
+// TABLE, TEXELS: bindings. TEXTURES: how many textures there are.
+layout(std430, binding = TABLE) readonly buffer Table { uint table[]; };
+layout(std430, binding = TEXELS) readonly buffer Texels { float texels[]; };
+
+// Words of a texture: kind, channels, filter, wrap, levels, the first level's word, to_uv by columns, two colours, of a
+// product two textures before it. Of a level: first texel, width, height.
+const uint TEXTURE_WORDS = 24u;
+const uint LEVEL_WORDS = 3u;
+const uint KIND_CONSTANT = 0u;
+const uint KIND_IMAGE = 1u;
+const uint KIND_CHECKERBOARD = 2u;
+const uint KIND_VERTEX_COLOR = 3u;
+const uint FILTER_NEAREST = 0u;
+const uint FILTER_MIPMAP = 2u;
+const uint WRAP_REPEAT = 0u;
+const uint WRAP_MIRROR = 1u;
+
+// What textures are looked up at; see TexturePoint.
+struct TexturePoint {
+    vec2 uv;
+    vec2 du;
+    vec2 dv;
+    vec3 color;
+};
+
+float number_at(uint word) { return uintBitsToFloat(table[word]); }
+
+vec4 color_at(uint word) {
+    return vec4(number_at(word), number_at(word + 1u), number_at(word + 2u), number_at(word + 3u));
+}
+
+mat2 linear_of(uint texture) {
+    return mat2(number_at(texture + 6u), number_at(texture + 7u), number_at(texture + 8u), number_at(texture + 9u));
+}
+
+vec2 transformed(uint texture, vec2 uv) {
+    return linear_of(texture) * uv + vec2(number_at(texture + 10u), number_at(texture + 11u));
+}
+
+// Not a number becomes the lower end.
+float within_int(float x) {
+    const float most = 1073741824.0;
+    return x > -most ? min(x, most) : -most;
+}
+
+float wrapped(uint wrap, float t) {
+    if (wrap != WRAP_REPEAT && wrap != WRAP_MIRROR) return t > 0.0 ? min(t, 1.0) : 0.0;
+    float within = within_int(t);
+    if (wrap == WRAP_REPEAT) return within - floor(within);
+    float of_two = within - 2.0 * floor(0.5 * within);
+    return min(of_two, 2.0 - of_two);
+}
+
+ivec2 neighbours(uint wrap, int i, int size) {
+    if (wrap == WRAP_REPEAT) return ivec2(i < 0 ? size - 1 : i, i + 1 == size ? 0 : i + 1);
+    return ivec2(max(i, 0), min(i + 1, size - 1));
+}
+
+vec4 texel_at(uint first, uint channels, int index) {
+    uint at = first + channels * uint(index);
+    if (channels == 1u) return vec4(vec3(texels[at]), 1.0);
+    return vec4(texels[at], texels[at + 1u], texels[at + 2u], channels == 4u ? texels[at + 3u] : 1.0);
+}
+
+// The four texels around a point and where it lies between them; centres are at (i + 0.5) / size.
+struct Cell {
+    vec2 size;
+    vec2 at;
+    vec4 a, b, c, d;
+};
+
+Cell cell_of(uint texture, uint level, vec2 uv) {
+    uint entry = table[texture + 5u] + LEVEL_WORDS * level;
+    uint first = table[entry];
+    uint channels = table[texture + 1u];
+    ivec2 size = ivec2(table[entry + 1u], table[entry + 2u]);
+    vec2 texel = uv * vec2(size) - 0.5;
+    vec2 low = floor(texel);
+    ivec2 x = neighbours(table[texture + 3u], int(low.x), size.x);
+    ivec2 y = neighbours(table[texture + 3u], int(low.y), size.y);
+    return Cell(vec2(size), texel - low, texel_at(first, channels, y.x * size.x + x.x),
+                texel_at(first, channels, y.x * size.x + x.y), texel_at(first, channels, y.y * size.x + x.x),
+                texel_at(first, channels, y.y * size.x + x.y));
+}
+
+vec4 value_of(Cell cell) { return mix(mix(cell.a, cell.b, cell.at.x), mix(cell.c, cell.d, cell.at.x), cell.at.y); }
+
+// Of the first channel by u and v.
+vec2 gradient_of(Cell cell) {
+    return cell.size * vec2(mix(cell.b.x - cell.a.x, cell.d.x - cell.c.x, cell.at.y),
+                            mix(cell.c.x - cell.a.x, cell.d.x - cell.b.x, cell.at.x));
+}
+
+// A level, and how far towards the next one.
+float level_of(uint texture, TexturePoint point) {
+    uint entry = table[texture + 5u];
+    vec2 size = vec2(table[entry + 1u], table[entry + 2u]);
+    mat2 linear = linear_of(texture);
+    vec2 du = size * (linear * point.du);
+    vec2 dv = size * (linear * point.dv);
+    float squared = max(dot(du, du), dot(dv, dv));
+    return squared > 1.0 ? min(0.5 * log2(squared), float(table[texture + 4u] - 1u)) : 0.0;
+}
+
+vec2 within_image(uint texture, vec2 uv) {
+    return vec2(wrapped(table[texture + 3u], uv.x), wrapped(table[texture + 3u], uv.y));
+}
+
+vec4 image_at(uint texture, TexturePoint point) {
+    vec2 uv = within_image(texture, transformed(texture, point.uv));
+    uint filtering = table[texture + 2u];
+    if (filtering == FILTER_NEAREST) {
+        uint entry = table[texture + 5u];
+        ivec2 size = ivec2(table[entry + 1u], table[entry + 2u]);
+        ivec2 at = min(ivec2(uv * vec2(size)), size - 1);
+        return texel_at(table[entry], table[texture + 1u], at.y * size.x + at.x);
+    }
+    float level = filtering == FILTER_MIPMAP ? level_of(texture, point) : 0.0;
+    float fine = floor(level);
+    vec4 value = value_of(cell_of(texture, uint(fine), uv));
+    if (level == fine) return value;
+    return mix(value, value_of(cell_of(texture, uint(fine) + 1u, uv)), level - fine);
+}
+
+// The change of the first channel with u and v, of an image; of others 0.
+vec2 texture_gradient(uint texture, TexturePoint point) {
+    if (table[texture] != KIND_IMAGE) return vec2(0.0);
+    vec2 at = transformed(texture, point.uv);
+    vec2 uv = within_image(texture, at);
+    float level = table[texture + 2u] == FILTER_MIPMAP ? level_of(texture, point) : 0.0;
+    float fine = floor(level);
+    vec2 slope = gradient_of(cell_of(texture, uint(fine), uv));
+    if (level > fine) slope = mix(slope, gradient_of(cell_of(texture, uint(fine) + 1u, uv)), level - fine);
+    if (table[texture + 3u] == WRAP_MIRROR) {
+        vec2 even = floor(vec2(within_int(at.x), within_int(at.y)));
+        slope *= 1.0 - 2.0 * (even - 2.0 * floor(0.5 * even));
+    }
+    return slope * linear_of(texture);
+}
+
+// values[t] of the textures whose words begin at `first`.
+void evaluate_textures(uint first, TexturePoint point, out vec4 values[TEXTURES]) {
+    for (int t = 0; t < TEXTURES; ++t) {
+        uint texture = first + TEXTURE_WORDS * uint(t);
+        uint kind = table[texture];
+        if (kind == KIND_CONSTANT) {
+            values[t] = color_at(texture + 12u);
+        } else if (kind == KIND_IMAGE) {
+            values[t] = image_at(texture, point);
+        } else if (kind == KIND_CHECKERBOARD) {
+            vec2 uv = transformed(texture, point.uv);
+            float squares = floor(within_int(2.0 * uv.x)) + floor(within_int(2.0 * uv.y));
+            bool second = squares - 2.0 * floor(0.5 * squares) != 0.0;
+            values[t] = color_at(texture + (second ? 16u : 12u));
+        } else if (kind == KIND_VERTEX_COLOR) {
+            values[t] = vec4(point.color, 1.0);
+        } else {
+            values[t] = values[table[texture + 12u]] * values[table[texture + 13u]];
+        }
+    }
+}

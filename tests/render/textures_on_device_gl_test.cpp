@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Materials that vary by textures, shaded at pixels by compute shaders: the threads' pictures.
+#include <random>
+
+#include "gl/contexts.hpp"
+#include "image_difference.hpp"
+#include "render/scenes.hpp"
+#include "render/textured.hpp"
+
+using namespace nicol;
+using test::falling_light;
+using test::rms;
+using test::rms_difference;
+using test::Studio;
+
+namespace {
+
+TextureImage noise(int channels, float least = 0, float most = 1) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> values(least, most);
+    TextureImage image{.width = 13, .height = 9, .channels = channels};
+    for (int i = 0; i < image.width * image.height * channels; ++i) image.values.push_back(values(random));
+    return image;
+}
+
+TexturePtr image(int channels, TextureSampling::Filter filter, TextureSampling::Wrap wrap) {
+    const glm::dmat3 to_uv(1.9, 0.4, 0, -0.3, 1.6, 0, -0.2, 0.1, 1);
+    return image_texture(noise(channels), {.filter = filter, .wrap = wrap, .to_uv = to_uv});
+}
+
+/// A mesh with texture coordinates, and a colour of its own at each vertex.
+std::shared_ptr<const Mesh> colored(const Mesh& mesh) {
+    Mesh out = *test::with_texcoords(mesh);
+    for (const glm::vec3& p : out.positions) out.colors.push_back(glm::abs(glm::fract(0.37F * p + 0.2F)));
+    return std::make_shared<const Mesh>(std::move(out));
+}
+
+Scene ball_over(const MaterialPtr& ball, const MaterialPtr& floor) {
+    static const auto round = colored(*test::coarse_sphere(6));
+    static const auto flat = colored(make_rectangle(2));
+    Scene scene;
+    scene.add({.mesh = round, .material = ball, .to_world = test::at(0.2, 0, 0.1, 0.7)});
+    scene.add({.mesh = flat, .material = floor, .to_world = test::plate_at(-1, 2)});
+    scene.set_environment(falling_light(9, true, 3), theta_phi_frame(glm::normalize(glm::dvec3(1, -2, 0.7))),
+                          0.7);
+    return scene;
+}
+
+}  // namespace
+
+GL_TEST_CASE("compute shaders texture as threads do") {
+    if (!GpuExecutor::obstacle(*context).empty()) return;
+    using Filter = TextureSampling::Filter;
+    using Wrap = TextureSampling::Wrap;
+    const MaterialPtr grey = diffuse({0.5});
+    const MaterialPtr metal = test::some_metal(0.2);
+    const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.3});
+    const auto gloss = [](double alpha) { return pplastic({.alpha = alpha}); };
+    const TexturePtr rough = image_texture(noise(1, 0.2F, 0.5F));
+    const TexturePtr bumps = image_texture(noise(3, 0.3F, 1));
+    const TexturePtr checks = checkerboard_texture(glm::vec3(0.9F, 0.2F, 0.1F), glm::vec3(0.1F, 0.3F, 0.8F),
+                                                   3, glm::dmat3(7, 0, 0, 0, 5, 0, 0.2, -0.1, 1));
+    const struct {
+        const char* name;
+        MaterialPtr ball;
+        MaterialPtr floor;
+    } rows[] = {
+        {"nearest, repeat; bilinear, mirror", scaled(plastic, image(3, Filter::nearest, Wrap::repeat)),
+         scaled(metal, image(1, Filter::bilinear, Wrap::mirror))},
+        {"mipmap, clamp; mipmap, repeat", scaled(plastic, image(4, Filter::mipmap, Wrap::clamp)),
+         scaled(grey, image(3, Filter::mipmap, Wrap::repeat))},
+        {"checkerboard, colours of vertices", scaled(plastic, vertex_color_texture()), scaled(grey, checks)},
+        {"a product, a plain one", scaled(grey, product_texture(checks, vertex_color_texture())), plastic},
+        {"roughness, a blend", with_roughness(gloss, rough),
+         blend(metal, plastic, image(1, Filter::bilinear, Wrap::repeat))},
+        {"normal maps, two-sided", normal_mapped(plastic, bumps),
+         twosided(normal_mapped(scaled(metal, checks), bumps, true))},
+        {"bump maps", bump_mapped(plastic, image(1, Filter::mipmap, Wrap::mirror), 0.1),
+         bump_mapped(grey, image(3, Filter::bilinear, Wrap::repeat), 0.05)}};
+    for (const auto& row : rows)
+        for (const int high : {4, 9}) {
+            CAPTURE(row.name);
+            CAPTURE(high);
+            const Scene scene = ball_over(row.ball, row.floor);
+            RenderOptions options{.executor = Executor::cpu,
+                                  .bake_directions = 512,
+                                  .order_low = 4,
+                                  .order_high = high,
+                                  .shade_at = ShadeAt::pixels};
+            Studio threads(context);
+            const StokesImage expected = threads(scene, options);
+            options.executor = Executor::compute;
+            Studio device(context);
+            const StokesImage actual = device(scene, options);
+            CHECK(device.statistics.compute);
+            CHECK(device.statistics.pixels_shaded == threads.statistics.pixels_shaded);
+            // Single pixels lie on the two sides of an edge of texels or of roundings of the ray.
+            CHECK(rms_difference(actual, expected) < 3e-6 * rms(expected));
+        }
+}
