@@ -7,6 +7,13 @@ layout(location = 0) in vec3 vertex_position;
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 0) out vec4 pixel[ATTACHMENTS];
 
+// CUT_OUT: the surface is not there everywhere.
+#ifdef CUT_OUT
+#include "cut_out.glsl"
+layout(location = 2) in vec3 surface_position;
+uniform uint first;  // of the triangles that are drawn
+#endif
+
 #ifdef DEPTH
 uniform vec3 eye;       // the camera's position in the world
 uniform vec3 eye_rest;  // its rounding error in single precision
@@ -17,6 +24,9 @@ uniform uint instance;
 #endif
 
 void main() {
+#ifdef CUT_OUT
+    if (!present(first + uint(gl_PrimitiveID), surface_position)) discard;
+#endif
     float value[4 * ATTACHMENTS];
     for (int i = 0; i < 4 * ATTACHMENTS; ++i) value[i] = 0.0;
 #ifdef NORMALS

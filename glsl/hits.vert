@@ -3,6 +3,15 @@
 
 layout(location = 0) in vec3 position;
 
+#ifdef CUT_OUT
+layout(location = 0) out vec3 surface_position;
+#endif
+
 uniform mat4 to_clip;
 
-void main() { gl_Position = to_clip * vec4(position, 1.0); }
+void main() {
+#ifdef CUT_OUT
+    surface_position = position;
+#endif
+    gl_Position = to_clip * vec4(position, 1.0);
+}

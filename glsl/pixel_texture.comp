@@ -13,7 +13,7 @@
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Points { PixelPoint points[]; };
-// By triangle, `corner_numbers`: u and v of corners, how a point moves as u and v grow, colours of corners.
+// By triangle, `corner_numbers`: see DeviceCorners.
 layout(std430, binding = 1) readonly buffer Corners { float corners[]; };
 layout(std430, binding = 2) readonly buffer Barycentric { vec2 barycentric[]; };  // of second and third corner
 layout(std430, binding = 3) readonly buffer Positions { float positions[]; };

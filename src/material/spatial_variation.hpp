@@ -73,4 +73,10 @@ struct SpatialVariation {
     void weights(const TexturePoint& point, std::span<glm::vec3> out) const;
 };
 
+/// Null for a material that is there everywhere.
+[[nodiscard]] inline TexturePtr opacity_of(const Material& material) {
+    const SpatialVariation* const variation = material.variation();
+    return variation != nullptr ? variation->opacity : nullptr;
+}
+
 }  // namespace nicol

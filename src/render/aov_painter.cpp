@@ -39,8 +39,8 @@ glm::vec4 AovLayout::background(int attachment) const {
     return values;
 }
 
-void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t mask,
-                         std::span<const glm::dvec2> samples, Framebuffer& target) {
+void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, const CutOuts& cut_outs,
+                         std::uint32_t mask, std::span<const glm::dvec2> samples, Framebuffer& target) {
     attachments_.reset();
     mask_ = mask;
     samples_ = samples;
@@ -54,17 +54,19 @@ void AovPainter::prepare(const WorldGeometry& geometry, VertexBuffers& buffers, 
         return;
     }
     binding_.run(buffers.version(), [&] { bind(geometry, buffers); });
-    program("aovs.vert", "aovs.frag");
+    for (const Batch& batch : batches_)
+        program("aovs.vert", "aovs.frag", cut_outs.textures(batch.triangles.range));
     if (samples.size() > 1) program("fullscreen.vert", "aovs_merge.frag");
     attachments_ = target.aov_attachments(drawn_);
     prepare_sample();
 }
 
-gl::Program& AovPainter::program(const char* vertex, const char* fragment) {
-    const auto key = std::make_pair(std::string(fragment), drawn_);
+gl::Program& AovPainter::program(const char* vertex, const char* fragment, int textures) {
+    const std::tuple key(std::string(fragment), drawn_, textures);
     auto found = programs_.find(key);
     if (found == programs_.end()) {
-        const std::vector<gl::Define> defines = defines_of(AovLayout(drawn_));
+        std::vector<gl::Define> defines = defines_of(AovLayout(drawn_));
+        for (gl::Define& define : CutOuts::defines(textures)) defines.push_back(std::move(define));
         found = programs_.emplace(key, gl::Program::graphics(context_, vertex, fragment, defines)).first;
     }
     return found->second;
@@ -89,30 +91,19 @@ void AovPainter::bind(const WorldGeometry& geometry, VertexBuffers& buffers) {
             {.location = 0, .components = 3, .buffer = buffers.positions()},
             {.location = 1, .components = 3, .buffer = buffers.normals(geometry)}};
         vertices_.emplace(context_, attributes, buffers.indices());
-        std::size_t range = 0;
-        for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
-            const std::size_t vertex = geometry.triangles[i].x;
-            const bool another = batches_.empty() || vertex < geometry.ranges[range].first ||
-                                 vertex >= geometry.ranges[range].last;
-            if (another) {
-                const auto found = std::ranges::upper_bound(geometry.ranges, vertex, {}, &VertexRange::last);
-                range = static_cast<std::size_t>(found - geometry.ranges.begin());
-                batches_.push_back({.instance = geometry.ranges[range].instance,
-                                    .two_sided = i >= geometry.one_sided,
-                                    .first = 3 * i,
-                                    .last = 3 * i});
-            }
-            batches_.back().last = 3 * (i + 1);
-        }
+        for (const TriangleBatch& batch : triangle_batches(geometry))
+            batches_.push_back({.triangles = batch, .instance = geometry.ranges[batch.range].instance});
     }
 }
 
-void AovPainter::draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target) {
+void AovPainter::draw(const CutOuts& cut_outs, const Projection& projection, const glm::dmat4& to_world,
+                      Framebuffer& target) {
     if (mask_ != 0) {
         clear(*attachments_);
         for (std::size_t s = 0; s < samples_.size(); ++s) {
             if (sample_) clear(*sample_);
-            draw_surfaces(jittered(projection, samples_[s]), to_world, sample_ ? *sample_ : *attachments_);
+            draw_surfaces(cut_outs, jittered(projection, samples_[s]), to_world,
+                          sample_ ? *sample_ : *attachments_);
             if (sample_) merge(s);
         }
     }
@@ -126,16 +117,23 @@ void AovPainter::clear(gl::RenderTarget& image) const {
     image.clear_depth();
 }
 
-void AovPainter::draw_surfaces(const Projection& projection, const glm::dmat4& to_world,
-                               gl::RenderTarget& image) {
-    gl::Program& surface = program("aovs.vert", "aovs.frag");
-    if (surface.uses("to_world")) surface.set("to_world", glm::mat4(to_world));
-    set_view_uniforms(surface, projection.view);
-    surface.set("to_clip", glm::mat4(projection.world_to_clip * to_world));
+void AovPainter::draw_surfaces(const CutOuts& cut_outs, const Projection& projection,
+                               const glm::dmat4& to_world, gl::RenderTarget& image) {
+    const glm::mat4 to_clip(projection.world_to_clip * to_world);
     for (const Batch& batch : batches_) {
+        const TriangleBatch& triangles = batch.triangles;
+        const int textures = cut_outs.textures(triangles.range);
+        gl::Program& surface = program("aovs.vert", "aovs.frag", textures);
+        if (surface.uses("to_world")) surface.set("to_world", glm::mat4(to_world));
+        set_view_uniforms(surface, projection.view);
+        surface.set("to_clip", to_clip);
         if ((drawn_ & aov_instances) != 0) surface.set("instance", batch.instance);
-        gl::draw(image, surface, *vertices_, batch.first, batch.last - batch.first,
-                 {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
+        if (textures > 0) {
+            surface.set("first", static_cast<std::uint32_t>(triangles.first));
+            cut_outs.bind(surface, triangles.range);
+        }
+        gl::draw(image, surface, *vertices_, 3 * triangles.first, 3 * (triangles.last - triangles.first),
+                 {.cull = triangles.two_sided ? gl::Cull::back : gl::Cull::none});
     }
 }
 

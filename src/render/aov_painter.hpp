@@ -9,10 +9,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "gl/draw.hpp"
+#include "render/cut_outs.hpp"
 #include "render/framebuffer.hpp"
 #include "render/vertex_buffers.hpp"
 #include "scene/projection.hpp"
@@ -27,31 +29,33 @@ public:
 
     /// Allocates all that draw() needs; the framebuffer keeps its content. `mask`: bits of AovBit. `samples`:
     /// of a pixel, as sample_pattern() has them.
-    void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, std::uint32_t mask,
-                 std::span<const glm::dvec2> samples, Framebuffer& target);
+    void prepare(const WorldGeometry& geometry, VertexBuffers& buffers, const CutOuts& cut_outs,
+                 std::uint32_t mask, std::span<const glm::dvec2> samples, Framebuffer& target);
     /// Draws what was prepared. `projection` is of the world, to which the rigid motion `to_world` takes the
     /// geometry.
-    void draw(const Projection& projection, const glm::dmat4& to_world, Framebuffer& target);
+    void draw(const CutOuts& cut_outs, const Projection& projection, const glm::dmat4& to_world,
+              Framebuffer& target);
 
 private:
     // Consecutive triangles of one side of one instance.
     struct Batch {
+        TriangleBatch triangles;
         std::uint32_t instance;
-        bool two_sided;
-        std::size_t first;  // index
-        std::size_t last;
     };
 
     void bind(const WorldGeometry& geometry, VertexBuffers& buffers);
     void prepare_sample();
-    gl::Program& program(const char* vertex, const char* fragment);
+    // textures: of an opacity.
+    gl::Program& program(const char* vertex, const char* fragment, int textures = 0);
     void clear(gl::RenderTarget& image) const;
-    void draw_surfaces(const Projection& projection, const glm::dmat4& to_world, gl::RenderTarget& image);
+    void draw_surfaces(const CutOuts& cut_outs, const Projection& projection, const glm::dmat4& to_world,
+                       gl::RenderTarget& image);
     // Adds what sample_ has to the attachments.
     void merge(std::size_t sample);
 
     std::shared_ptr<gl::Context> context_;
-    std::map<std::pair<std::string, std::uint32_t>, gl::Program> programs_;  // by fragment shader and mask
+    // By fragment shader, mask, textures of an opacity.
+    std::map<std::tuple<std::string, std::uint32_t, int>, gl::Program> programs_;
     std::optional<gl::VertexArray> vertices_;
     std::vector<Batch> batches_;
     Stage<Version> binding_;  // buffers

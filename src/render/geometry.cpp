@@ -10,6 +10,45 @@
 
 namespace nicol {
 
+std::size_t range_of(const WorldGeometry& geometry, std::size_t vertex) {
+    const auto found = std::ranges::upper_bound(geometry.ranges, vertex, {}, &VertexRange::last);
+    return static_cast<std::size_t>(found - geometry.ranges.begin());
+}
+
+std::vector<TriangleBatch> triangle_batches(const WorldGeometry& geometry) {
+    std::vector<TriangleBatch> batches;
+    for (std::size_t i = 0; i < geometry.triangles.size(); ++i) {
+        const std::size_t vertex = geometry.triangles[i].x;
+        const VertexRange* const known = batches.empty() ? nullptr : &geometry.ranges[batches.back().range];
+        if (known == nullptr || vertex < known->first || vertex >= known->last)
+            batches.push_back({.range = range_of(geometry, vertex),
+                               .two_sided = i >= geometry.one_sided,
+                               .first = i,
+                               .last = i});
+        batches.back().last = i + 1;
+    }
+    return batches;
+}
+
+Presence presence_of(const WorldGeometry& geometry) {
+    const auto cut_out = [](const VertexRange& range) { return opacity_of(*range.material) != nullptr; };
+    if (std::ranges::none_of(geometry.ranges, cut_out)) return {};
+    return [&geometry](std::uint32_t triangle, float b1, float b2) {
+        const SpatialVariation* const variation =
+            geometry.ranges[range_of(geometry, geometry.triangles[triangle].x)].material->variation();
+        if (variation == nullptr || variation->opacity == nullptr) return true;
+        TexturePoint point;
+        const glm::vec3 weights(1 - b1 - b2, b1, b2);
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const auto corner = static_cast<std::size_t>(k);
+            if (!geometry.texcoords.empty()) point.uv += weights[k] * geometry.texcoords[triangle][corner];
+            if (!geometry.colors.empty())
+                point.color += weights[k] * (geometry.colors[triangle][corner] - glm::vec3(1));
+        }
+        return variation->present(point);
+    };
+}
+
 std::size_t find_visible(const WorldGeometry& geometry, const Projection& projection,
                          std::vector<std::uint8_t>& visible) {
     using Range = tbb::blocked_range<std::size_t>;

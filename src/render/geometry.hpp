@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "geometry/ray_scene.hpp"
+#include "material/spatial_variation.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
 
@@ -49,6 +51,21 @@ struct WorldGeometry {
     const auto* const first = geometry.ranges.data();
     return &range != first && (&range)[-1].instance == range.instance;
 }
+
+/// The number of the range that a vertex is in.
+[[nodiscard]] std::size_t range_of(const WorldGeometry& geometry, std::size_t vertex);
+
+/// Consecutive triangles of one range.
+struct TriangleBatch {
+    std::size_t range;  ///< its number
+    bool two_sided;
+    std::size_t first;
+    std::size_t last;
+};
+[[nodiscard]] std::vector<TriangleBatch> triangle_batches(const WorldGeometry& geometry);
+
+/// Where the geometry's triangles are, for rays; it must outlive the result. Empty where all are whole.
+[[nodiscard]] Presence presence_of(const WorldGeometry& geometry);
 
 /// 1 for each vertex of a triangle that faces the viewpoint and is not wholly outside one side of the view by
 /// half a pixel, as far as samples are from centres; the others cannot reach the image. Resizes `visible`;

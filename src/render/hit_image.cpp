@@ -6,9 +6,10 @@
 
 namespace nicol {
 
-void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const Projection& projection,
-                    int width, int height, std::span<const glm::dvec2> offsets, Kept kept) {
-    if (!program_) program_ = gl::Program::graphics(context_, "hits.vert", "hits.frag", {});
+void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const CutOuts& cut_outs,
+                    const Projection& projection, int width, int height, std::span<const glm::dvec2> offsets,
+                    Kept kept) {
+    batching_.run(buffers.version(), cut_outs.version(), [&] { find_batches(geometry, cut_outs); });
     const std::size_t targets = kept == Kept::on_host ? 1 : offsets.size();
     sizing_.run(width, height, targets, [&] {
         targets_.clear();
@@ -30,26 +31,51 @@ void HitImage::draw(const WorldGeometry& geometry, VertexBuffers& buffers, const
         if (s >= offsets.size() || kept == Kept::on_device) texels = {};
         if (s >= offsets.size()) continue;
         gl::RenderTarget& target = targets_[kept == Kept::on_host ? 0 : s];
-        draw_sample(geometry, jittered(projection, offsets[s]).world_to_clip, target);
+        draw_sample(cut_outs, jittered(projection, offsets[s]).world_to_clip, target);
         if (kept == Kept::on_device) continue;
         texels.resize(pixels);
         target.read(0, texels);
     }
 }
 
-void HitImage::draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_clip,
-                           gl::RenderTarget& target) {
+// Those of whole surfaces together, as few draws as there can be.
+void HitImage::find_batches(const WorldGeometry& geometry, const CutOuts& cut_outs) {
+    batches_.clear();
+    for (const TriangleBatch& batch : triangle_batches(geometry)) {
+        const bool joins = !batches_.empty() && batches_.back().two_sided == batch.two_sided &&
+                           cut_outs.textures(batches_.back().range) == 0 &&
+                           cut_outs.textures(batch.range) == 0;
+        if (joins)
+            batches_.back().last = batch.last;
+        else
+            batches_.push_back(batch);
+    }
+}
+
+gl::Program& HitImage::program(int textures) {
+    auto found = programs_.find(textures);
+    if (found == programs_.end()) {
+        const std::vector<gl::Define> defines = CutOuts::defines(textures);
+        found =
+            programs_.emplace(textures, gl::Program::graphics(context_, "hits.vert", "hits.frag", defines))
+                .first;
+    }
+    return found->second;
+}
+
+void HitImage::draw_sample(const CutOuts& cut_outs, const glm::dmat4& to_clip, gl::RenderTarget& target) {
     target.clear();
     if (!vertices_) return;
-    program_->set("to_clip", glm::mat4(to_clip));
-    const auto draw_some = [&](std::size_t first, std::size_t last, gl::Cull cull) {
-        if (first == last) return;
-        program_->set("first", static_cast<std::uint32_t>(first));
-        gl::draw(target, *program_, *vertices_, 3 * first, 3 * (last - first), {.cull = cull});
-    };
-    // Of two-sided surfaces each side has triangles of its own.
-    draw_some(0, geometry.one_sided, gl::Cull::none);
-    draw_some(geometry.one_sided, geometry.triangles.size(), gl::Cull::back);
+    for (const TriangleBatch& batch : batches_) {
+        const int textures = cut_outs.textures(batch.range);
+        gl::Program& program = this->program(textures);
+        program.set("to_clip", glm::mat4(to_clip));
+        program.set("first", static_cast<std::uint32_t>(batch.first));
+        if (textures > 0) cut_outs.bind(program, batch.range);
+        // Of two-sided surfaces each side has triangles of its own.
+        gl::draw(target, program, *vertices_, 3 * batch.first, 3 * (batch.last - batch.first),
+                 {.cull = batch.two_sided ? gl::Cull::back : gl::Cull::none});
+    }
 }
 
 void HitImage::clear() {

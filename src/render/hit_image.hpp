@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include "gl/draw.hpp"
 #include "gl/program.hpp"
 #include "gl/render_target.hpp"
+#include "render/cut_outs.hpp"
 #include "render/sample_pattern.hpp"
 #include "render/vertex_buffers.hpp"
 #include "scene/projection.hpp"
@@ -36,10 +38,11 @@ public:
         on_device,  ///< texture() has them
     };
 
-    /// `buffers` are of `geometry`, and the projection of its axes. `offsets`: of the samples, as
-    /// sample_pattern() has them. Inside run() of the context.
-    void draw(const WorldGeometry& geometry, VertexBuffers& buffers, const Projection& projection, int width,
-              int height, std::span<const glm::dvec2> offsets, Kept kept);
+    /// `buffers` and `cut_outs` are of `geometry`, and the projection of its axes. `offsets`: of the samples,
+    /// as sample_pattern() has them. Inside run() of the context.
+    void draw(const WorldGeometry& geometry, VertexBuffers& buffers, const CutOuts& cut_outs,
+              const Projection& projection, int width, int height, std::span<const glm::dvec2> offsets,
+              Kept kept);
 
     /// Of the last draw().
     [[nodiscard]] std::span<const glm::dvec2> offsets() const { return offsets_; }
@@ -72,14 +75,18 @@ public:
 private:
     static constexpr std::uint32_t kFront = 0x80000000;  // as hits.frag
 
-    void draw_sample(const WorldGeometry& geometry, const glm::dmat4& to_clip, gl::RenderTarget& target);
+    void find_batches(const WorldGeometry& geometry, const CutOuts& cut_outs);
+    gl::Program& program(int textures);
+    void draw_sample(const CutOuts& cut_outs, const glm::dmat4& to_clip, gl::RenderTarget& target);
 
     std::shared_ptr<gl::Context> context_;
-    std::optional<gl::Program> program_;
+    std::map<int, gl::Program> programs_;    // by textures of an opacity
+    std::vector<TriangleBatch> batches_;     // those of whole surfaces together
     std::vector<gl::RenderTarget> targets_;  // of every sample, or one for all that are read back
     Stage<int, int, std::size_t> sizing_;    // width, height, targets
     std::optional<gl::VertexArray> vertices_;
     Stage<Version> binding_;
+    Stage<Version, Version> batching_;  // buffers, cut-outs
     std::span<const glm::dvec2> offsets_;
     std::array<std::vector<std::uint32_t>, kMostPixelSamples> texels_;  // by sample
 };

@@ -39,15 +39,15 @@ Painter::Painter(std::shared_ptr<gl::Context> context)
     : context_(std::move(context)), pixels_(context_), aovs_(context_) {}
 
 void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBuffers& buffers,
-                   const RenderExecutor* pixels, const Wanted& wanted, const Projection& projection,
-                   Framebuffer& target) {
+                   const CutOuts& cut_outs, const RenderExecutor* pixels, const Wanted& wanted,
+                   const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();
     binding_.run(buffers.version(), channels, [&] { bind_vertices(buffers, channels); });
     const bool behind = scene.environment() != nullptr && !(pixels != nullptr && pixels->adds_background());
     if (behind)
         uploading_.run(scene.environment(), channels,
                        [&] { upload_environment(*scene.environment(), channels); });
-    aovs_.prepare(surfaces.geometry(), buffers, wanted.aovs, wanted.samples, target);
+    aovs_.prepare(surfaces.geometry(), buffers, cut_outs, wanted.aovs, wanted.samples, target);
 
     prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
     if (pixels != nullptr) {
@@ -64,7 +64,7 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
             draw_samples(scene, surfaces, wanted, projection, g, target);
         }
     }
-    aovs_.draw(projection, surfaces.to_world(), target);
+    aovs_.draw(cut_outs, projection, surfaces.to_world(), target);
     gl::finish(*context_);
 }
 

@@ -85,6 +85,7 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       threads_(threads),
       workers_(threads),
       buffers_(context),
+      cut_outs_(context_),
       hits_(context),
       painter_(std::move(context)) {}
 
@@ -160,6 +161,11 @@ void Renderer::render_into(const Scene& scene, const Camera& camera, const Rende
     if (!rendered) target.statistics().nothing_ran();
 }
 
+void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {
+    buffers_.update(surfaces.geometry(), surfaces.version(), channels);
+    cut_outs_.update(surfaces.geometry(), surfaces.version(), surfaces.material_version(), buffers_);
+}
+
 void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOptions& options,
                     Framebuffer& target) {
     const Projection projection = project(camera, target.width(), target.height());
@@ -176,8 +182,8 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     const auto draw_hits = [&]() -> const HitImage& {
         context_->run([&] {
             const RefinedSurfaces& surfaces = pipeline_.surfaces();
-            buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
-            hits_.draw(surfaces.geometry(), buffers_, in_axes(projection, surfaces.to_world()),
+            update_buffers(surfaces, target.channels());
+            hits_.draw(surfaces.geometry(), buffers_, cut_outs_, in_axes(projection, surfaces.to_world()),
                        target.width(), target.height(), sample_pattern(options.pixel_samples),
                        gpu_ ? HitImage::Kept::on_device : HitImage::Kept::on_host);
         });
@@ -189,13 +195,13 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     const Stopwatch watch;
     context_->run([&] {
         const RefinedSurfaces& surfaces = pipeline_.surfaces();
-        buffers_.update(surfaces.geometry(), surfaces.version(), target.channels());
+        update_buffers(surfaces, target.channels());
         const bool at_pixels = pipeline_.shaded_pixels();
         if (!at_pixels) {
             hits_.clear();
             executor.store(buffers_);
         }
-        painter_.draw(scene, surfaces, buffers_, at_pixels ? &executor : nullptr,
+        painter_.draw(scene, surfaces, buffers_, cut_outs_, at_pixels ? &executor : nullptr,
                       {.components = options.components,
                        .aovs = options.aovs,
                        .samples = sample_pattern(options.pixel_samples)},

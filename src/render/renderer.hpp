@@ -42,6 +42,8 @@ private:
     void render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
                      Framebuffer& target);
     void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
+    // Copies surfaces to the device, inside run() of the context.
+    void update_buffers(const RefinedSurfaces& surfaces, int channels);
     // Whether compute shaders are the executor.
     [[nodiscard]] bool on_device(const RenderOptions& options) const;
     [[nodiscard]] RenderExecutor& executor_for(const RenderOptions& options);
@@ -53,6 +55,7 @@ private:
     Workers workers_;
     Pipeline pipeline_;
     VertexBuffers buffers_;
+    CutOuts cut_outs_;
     HitImage hits_;
     std::optional<CpuExecutor> cpu_;  // one or the other
     std::optional<GpuExecutor> gpu_;

@@ -121,6 +121,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
             pieces.emplace_back(Piece{.id = scene.ids()[i],
                                       .mesh = instance.mesh,
                                       .twosided = instance.material->twosided(),
+                                      .opacity = opacity_of(*instance.material),
                                       .placement = moved ? from_world * instance.to_world : instance.to_world,
                                       .first = 0,
                                       .last = 0,
@@ -128,7 +129,7 @@ std::vector<SceneGeometry::Piece> SceneGeometry::place(const Scene& scene) {
                                       .former = kNone});
         const auto former = std::ranges::lower_bound(pieces_, piece.id, {}, &Piece::id);
         if (former == pieces_.end() || former->id != piece.id || former->mesh != piece.mesh ||
-            former->twosided != piece.twosided) {
+            former->twosided != piece.twosided || former->opacity != piece.opacity) {
             continue;
         }
         const double shift = glm::length(glm::dvec3(instance.to_world[3])) +

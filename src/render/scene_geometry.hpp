@@ -53,6 +53,7 @@ private:
         std::uint32_t id;
         std::shared_ptr<const Mesh> mesh;
         bool twosided;
+        TexturePtr opacity;    // which shadows depend on
         glm::dmat4 placement;  // in geometry()'s axes
         std::size_t first;     // vertex
         std::size_t last;

@@ -12,7 +12,10 @@ namespace {
 
 BakeGeometry bake_geometry(const SceneGeometry& surfaces) {
     const WorldGeometry& world = surfaces.geometry();
-    return {.positions = world.positions, .normals = world.normals, .triangles = world.triangles};
+    return {.positions = world.positions,
+            .normals = world.normals,
+            .triangles = world.triangles,
+            .present = presence_of(world)};
 }
 
 void count_bake(const BakeStatistics& baked, const Stopwatch& watch, Statistics& statistics) {

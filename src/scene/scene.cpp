@@ -10,6 +10,7 @@
 
 #include "arguments.hpp"
 #include "geometry/largest_coordinate.hpp"
+#include "material/spatial_variation.hpp"
 
 namespace nicol {
 namespace {
@@ -100,7 +101,9 @@ void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     check_channels(material->channels(), channels_without(index));
     Instance& instance = instances_[index];
     if (instance.material == material) return;
-    if (instance.material->twosided() != material->twosided()) geometry_version_ = new_version();
+    if (instance.material->twosided() != material->twosided() ||
+        opacity_of(*instance.material) != opacity_of(*material))
+        geometry_version_ = new_version();
     material_version_ = new_version();
     instance.material = std::move(material);
 }

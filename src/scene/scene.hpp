@@ -50,7 +50,7 @@ public:
     /// Whether a material varies over its surface.
     [[nodiscard]] bool varies() const;
 
-    /// Of where triangles are and which of their sides reflect.
+    /// Of where triangles are, which of their sides reflect, and what is cut out of them.
     [[nodiscard]] Version geometry_version() const noexcept { return geometry_version_; }
     /// Of which materials there are, and where.
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }

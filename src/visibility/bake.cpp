@@ -79,7 +79,8 @@ Visibility bake(const BakeGeometry& geometry, const DirectionSet& directions, co
 
     report(0);
     const Stopwatch building;
-    const RaySurface surface{.positions = geometry.positions, .triangles = geometry.triangles};
+    const RaySurface surface{
+        .positions = geometry.positions, .triangles = geometry.triangles, .present = geometry.present};
     const RayScene scene({&surface, 1});
     const std::vector<glm::vec3> origins = bake_origins(geometry, normals);
     std::vector<std::size_t> before;

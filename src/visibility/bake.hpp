@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "geometry/ray_scene.hpp"
 #include "visibility/visibility.hpp"
 
 namespace nicol {
@@ -17,6 +18,7 @@ struct BakeGeometry {
     std::span<const glm::vec3> positions;
     std::span<const glm::vec3> normals;  ///< of vertices; any length but zero
     std::span<const glm::uvec3> triangles;
+    Presence present = {};  ///< empty: triangles are whole
 };
 
 struct BakeStatistics {

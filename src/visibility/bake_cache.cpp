@@ -115,7 +115,8 @@ std::string write(const CacheFile& file, const Refinement& refinement, const Vis
 Visibility load_or_bake(const BakeGeometry& geometry, const DirectionSet& directions,
                         const std::filesystem::path& folder, const CacheNotice& notice,
                         const BakeProgress& progress, BakeStatistics* statistics) {
-    if (folder.empty()) return bake(geometry, directions, progress, statistics);
+    // What a surface lacks has no name that a file could be found by.
+    if (folder.empty() || geometry.present) return bake(geometry, directions, progress, statistics);
     const CacheFile file(folder, kMagic, kVersion, key_of("visibility", geometry, directions).text(),
                          ".visibility");
     if (std::optional<Visibility> kept = read(file, directions.size(), geometry.positions.size(), notice)) {
@@ -133,7 +134,7 @@ Refinement load_or_refine(const BakeGeometry& geometry, const DirectionSet& dire
                           const Visibility& visibility, const RefineOptions& options,
                           const std::filesystem::path& folder, const CacheNotice& notice,
                           const BakeProgress& progress, BakeStatistics& statistics) {
-    if (folder.empty() || visibility.unoccluded_count() == visibility.vertices())
+    if (folder.empty() || geometry.present || visibility.unoccluded_count() == visibility.vertices())
         return refine(geometry, directions, visibility, options, progress, statistics);
     const CacheFile file(folder, kRefinementMagic, kRefinementVersion,
                          key_of("refinement", geometry, directions)

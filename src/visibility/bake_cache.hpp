@@ -11,7 +11,8 @@
 namespace nicol {
 
 /// bake(), or its result from `folder` if it is there; else it is kept there (as a file named after the
-/// geometry). The folder is made if it is missing; an empty path means no cache.
+/// geometry), unless triangles are not whole. The folder is made if it is missing; an empty path means no
+/// cache.
 ///
 /// A file is used only if format version, every byte of the geometry, directions and checksum match the
 /// request and its length is exact; anything else is baked and overwritten, with a notice. Files appear

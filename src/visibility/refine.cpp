@@ -46,7 +46,8 @@ public:
           baked_(baked),
           options_(options),
           progress_(progress),
-          surface_{.positions = geometry.positions, .triangles = geometry.triangles},
+          surface_{
+              .positions = geometry.positions, .triangles = geometry.triangles, .present = geometry.present},
           scene_({&surface_, 1}),
           mesh_(geometry.positions, geometry.triangles),
           normals_(geometry.normals.begin(), geometry.normals.end()) {

@@ -368,19 +368,15 @@ GL_TEST_CASE("what has no textures is refused, and nothing else") {
     vertices.shade_at = ShadeAt::vertices;
     RenderOptions dense = options(4);
     dense.method = Method::dense;
-    RenderOptions compute = options();
-    compute.executor = Executor::compute;
-    for (const Case& one : {Case{vertices, "shade_at"}, {dense, "method"}, {compute, "executor"}}) {
+    for (const Case& one : {Case{vertices, "shade_at"}, {dense, "method"}}) {
         CAPTURES(one.field);
         check_error(ErrorCode::unsupported, CALL(render(varying, one.options)), "texture", one.field);
     }
     CHECK_NOTHROW(render(plain, vertices));
     CHECK_NOTHROW(render(plain, dense));
     RenderOptions any = options();
-    any.executor = Executor::automatic;
     any.shade_at = ShadeAt::automatic;
     any.pixel_samples = 4;
     CHECK_NOTHROW(render(varying, any));
-    CHECK(!render.statistics.compute);
     CHECK(render.statistics.pixels_shaded > 0);
 }

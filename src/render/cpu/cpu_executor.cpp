@@ -147,22 +147,19 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
     const FrameRotation rotation(input.layout);
     const Relight unoccluded(input.layout, input.light);
     std::vector<PixelSurface> surfaces;
-    std::uint32_t last_instance = 0;
     for (const VertexRange& range : input.geometry.ranges) {
-        PixelSurface& surface =
-            surfaces.emplace_back(PixelSurface{.first = range.first,
-                                               .last = range.last,
-                                               .shade = &shade,
-                                               .layers = {},
-                                               .variation = range.material->variation(),
-                                               .back = !surfaces.empty() && last_instance == range.instance,
-                                               .light = &light_,
-                                               .first_row = 0,
-                                               .rotation = &rotation,
-                                               .unoccluded = &unoccluded});
+        PixelSurface& surface = surfaces.emplace_back(PixelSurface{.first = range.first,
+                                                                   .last = range.last,
+                                                                   .shade = &shade,
+                                                                   .layers = {},
+                                                                   .variation = range.material->variation(),
+                                                                   .back = is_back(input.geometry, range),
+                                                                   .light = &light_,
+                                                                   .first_row = 0,
+                                                                   .rotation = &rotation,
+                                                                   .unoccluded = &unoccluded});
         for (const MaterialPtr& material : plain_materials(range.material))
             surface.layers.push_back({.response = &method.tables()->at(material), .high_orders = nullptr});
-        last_instance = range.instance;
     }
     run_pixels(input, surfaces, run);
 }

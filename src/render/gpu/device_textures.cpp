@@ -2,55 +2,22 @@
 #include "render/gpu/device_textures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 
-#include "error.hpp"
-#include "gl/context.hpp"
 #include "gl/draw.hpp"
 #include "render/hit_image.hpp"
 #include "scene/projection.hpp"
-#include "shading/normal_variation.hpp"
 
 namespace nicol {
 
 void DeviceTextures::prepare(const PixelInput& input) {
-    copying_corners_.run(input.versions.geometry, input.materials, [&] { copy_corners(input.geometry); });
-    copying_variations_.run(input.materials, [&] {
+    copying_.run(input.materials, [&] {
         variations_.clear();
         for (const VertexRange& range : input.geometry.ranges)
             if (const SpatialVariation* const variation = range.material->variation())
                 variations_.try_emplace(range.material, context_, *variation);
     });
-}
-
-// As glsl/pixel_texture.comp reads them.
-void DeviceTextures::copy_corners(const WorldGeometry& geometry) {
-    corners_.reset();
-    const bool colored = !geometry.colors.empty();
-    corner_numbers_ = colored ? 21 : 12;
-    const std::size_t numbers = geometry.triangles.size() * static_cast<std::size_t>(corner_numbers_);
-    const std::size_t most = context_->limits().storage_bytes / sizeof(float);
-    if (numbers > most)
-        throw Error(ErrorCode::unsupported,
-                    "compute shaders of " + context_->info().renderer + " texture at most " +
-                        std::to_string(most / static_cast<std::size_t>(corner_numbers_)) +
-                        " triangles, and the scene has " + std::to_string(geometry.triangles.size()) +
-                        "; set executor to cpu");
-    std::vector<float> all;
-    all.reserve(numbers);
-    for (std::size_t t = 0; t < geometry.triangles.size(); ++t) {
-        std::array<glm::vec2, 3> texcoords{};
-        if (!geometry.texcoords.empty()) texcoords = geometry.texcoords[t];
-        for (const glm::vec2& uv : texcoords) all.insert(all.end(), {uv.x, uv.y});
-        const glm::uvec3& c = geometry.triangles[t];
-        const TextureAxes axes = texture_axes(
-            {geometry.positions[c.x], geometry.positions[c.y], geometry.positions[c.z]}, texcoords);
-        for (const glm::vec3& axis : {axes.by_u, axes.by_v}) all.insert(all.end(), {axis.x, axis.y, axis.z});
-        if (!colored) continue;
-        for (const glm::vec3& color : geometry.colors[t]) all.insert(all.end(), {color.x, color.y, color.z});
-    }
-    if (!all.empty()) corners_.emplace(storage(context_, all));
+    if (!variations_.empty()) corners_.update(input.geometry, input.versions.geometry, input.materials);
 }
 
 gl::Program& DeviceTextures::program(int textures) {
@@ -77,11 +44,11 @@ void DeviceTextures::find(const PixelInput& input, const PixelRun& run, const De
                                         2 * projection.half_height / input.hits.height()));
     program.set("count", static_cast<int>(count));
     program.set("stride", static_cast<int>(stride_));
-    program.set("corner_numbers", corner_numbers_);
-    program.set("colored", input.geometry.colors.empty() ? 0 : 1);
+    program.set("corner_numbers", corners_.numbers());
+    program.set("colored", corners_.colored() ? 1 : 0);
     program.set("back", is_back(input.geometry, run.surface) ? 1 : 0);
     std::ignore = bind_vertices(pixels.listed(), 0, 4, run.first, run.last);
-    corners_->bind_storage(1);
+    corners_.bind(1);
     std::ignore = bind_vertices(pixels.barycentric(), 2, 2, run.first, run.last);
     std::ignore = bind_vertices(*pixels.points().positions, 3, 3, run.first, run.last);
     std::ignore = bind_vertices(*pixels.points().normals, 4, 3, run.first, run.last);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gl/program.hpp"
+#include "render/gpu/device_corners.hpp"
 #include "render/gpu/device_pixels.hpp"
 #include "render/gpu/device_variation.hpp"
 #include "versioned.hpp"
@@ -17,7 +18,8 @@ namespace nicol {
 /// All members inside run() of the context.
 class DeviceTextures {
 public:
-    explicit DeviceTextures(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
+    explicit DeviceTextures(std::shared_ptr<gl::Context> context)
+        : context_(std::move(context)), corners_(context_) {}
 
     /// Copies what the scene has of textures, as far as changes make it necessary. Throws Error(unsupported)
     /// for more of it than the driver lets a shader reach.
@@ -32,16 +34,13 @@ public:
     void add(std::size_t layer, const PixelRun& run, const DevicePoints& points);
 
 private:
-    void copy_corners(const WorldGeometry& geometry);
     [[nodiscard]] gl::Program& program(int textures);
 
     std::shared_ptr<gl::Context> context_;
     std::map<int, gl::Program> programs_;  // by textures
     std::optional<gl::Program> add_;
-    Stage<Version, Version> copying_corners_;  // geometry, materials
-    std::optional<gl::Buffer> corners_;
-    int corner_numbers_ = 0;
-    Stage<Version> copying_variations_;  // materials
+    DeviceCorners corners_;
+    Stage<Version> copying_;  // materials
     std::map<MaterialPtr, DeviceVariation> variations_;
     std::optional<gl::Buffer> weights_;
     std::size_t stride_ = 0;

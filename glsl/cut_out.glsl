@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Where a surface is not there everywhere.
+
+// TEXTURES: see texture.glsl; the last of them is the opacity.
+#define TABLE 3
+#define TEXELS 4
+#include "texture.glsl"
+
+layout(std430, binding = 0) readonly buffer OpacityCorners { float opacity_corners[]; };  // see DeviceCorners
+layout(std430, binding = 1) readonly buffer OpacityIndices { uint opacity_indices[]; };
+layout(std430, binding = 2) readonly buffer OpacityPositions { float opacity_positions[]; };
+
+uniform int corner_numbers;
+uniform bool colored;
+
+const uint FIRST_OPACITY_TEXTURE = 8u;
+
+vec3 opacity_position(uint index) {
+    uint at = 3u * opacity_indices[index];
+    return vec3(opacity_positions[at], opacity_positions[at + 1u], opacity_positions[at + 2u]);
+}
+
+// Whether the surface is there, at a position on a triangle, in the axes of the vertices.
+bool present(uint triangle, vec3 position) {
+    vec3 first = opacity_position(3u * triangle);
+    vec3 second = opacity_position(3u * triangle + 1u) - first;
+    vec3 third = opacity_position(3u * triangle + 2u) - first;
+    vec3 normal = cross(second, third);
+    float squared = max(dot(normal, normal), 1e-37);
+    vec3 away = position - first;
+    float b = dot(cross(away, third), normal) / squared;
+    float c = dot(cross(second, away), normal) / squared;
+    vec3 weight = vec3(1.0 - b - c, b, c);
+    int corner = corner_numbers * int(triangle);
+    TexturePoint point = TexturePoint(vec2(0.0), vec2(0.0), vec2(0.0), vec3(1.0));
+    for (int k = 0; k < 3; ++k) {
+        point.uv += weight[k] * vec2(opacity_corners[corner + 2 * k], opacity_corners[corner + 2 * k + 1]);
+        int color = corner + 12 + 3 * k;
+        if (colored)
+            point.color += weight[k] * (vec3(opacity_corners[color], opacity_corners[color + 1],
+                                             opacity_corners[color + 2]) - 1.0);
+    }
+    vec4 values[TEXTURES];
+    evaluate_textures(FIRST_OPACITY_TEXTURE, point, values);
+    uint channels = table[FIRST_OPACITY_TEXTURE + TEXTURE_WORDS * uint(TEXTURES - 1) + 1u];
+    return (channels == 4u ? values[TEXTURES - 1].w : values[TEXTURES - 1].x) >= 0.5;
+}

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Surfaces that a texture cuts out, against meshes that lack those parts.
+#include "gl/contexts.hpp"
+#include "image_difference.hpp"
+#include "reference/render_reference.hpp"
+#include "render/scenes.hpp"
+#include "render/textured.hpp"
+
+using namespace nicol;
+using test::falling_light;
+using test::rms;
+using test::rms_difference;
+using test::Studio;
+
+namespace {
+
+constexpr int kCells = 8;
+
+/// Whether a cell of an 8 x 8 board is there.
+bool there(int x, int y) {
+    return (x + y) % 2 == 0;
+}
+
+/// The square of make_rectangle() in 8 x 8 cells of two triangles, with texture coordinates; `whole`, or
+/// without the cells that are not there.
+std::shared_ptr<const Mesh> board(bool whole) {
+    const Mesh full = *test::with_texcoords(make_rectangle(kCells));
+    Mesh out = full;
+    out.triangles.clear();
+    out.texcoord_triangles.clear();
+    for (std::size_t t = 0; t < full.triangles.size(); ++t) {
+        glm::vec2 middle(0);
+        for (glm::length_t k = 0; k < 3; ++k)
+            middle += full.texcoords[full.texcoord_triangles[t][k]] * (kCells / 3.0F);
+        if (!whole && !there(static_cast<int>(middle.x), static_cast<int>(middle.y))) continue;
+        out.triangles.push_back(full.triangles[t]);
+        out.texcoord_triangles.push_back(full.texcoord_triangles[t]);
+    }
+    return std::make_shared<const Mesh>(std::move(out));
+}
+
+TexturePtr opacity(int channels) {
+    TextureImage image{.width = kCells, .height = kCells, .channels = channels};
+    for (int y = 0; y < kCells; ++y)
+        for (int x = 0; x < kCells; ++x)
+            for (int c = 0; c < channels; ++c)
+                image.values.push_back(channels == 4 && c < 3 ? 0.7F : there(x, y) ? 0.9F : 0.2F);
+    return image_texture(std::move(image), {.filter = TextureSampling::Filter::nearest});
+}
+
+/// The board above a floor.
+Scene board_over(const std::shared_ptr<const Mesh>& mesh, const MaterialPtr& material) {
+    Scene scene;
+    scene.add({.mesh = mesh, .material = material, .to_world = test::plate_at(0.1, 1)});
+    scene.add({.mesh = std::make_shared<const Mesh>(make_rectangle(16)),
+               .material = diffuse({0.5}),
+               .to_world = test::plate_at(-0.6, 2)});
+    scene.set_environment(falling_light(9, true, 3), theta_phi_frame(glm::normalize(glm::dvec3(1, -2, 0.7))),
+                          0.7);
+    return scene;
+}
+
+RenderOptions options(Executor executor, int samples = 1) {
+    RenderOptions out{.executor = executor, .bake_directions = 1024, .order_low = 4};
+    out.refine_tolerance = 0;
+    out.aovs = aov_instances | aov_alpha;
+    out.shade_at = ShadeAt::pixels;
+    out.pixel_samples = samples;
+    return out;
+}
+
+/// Pixels of two images that differ, without those at edges, where rounding decides.
+int differing(const StokesImage& a, const StokesImage& b, float tolerance) {
+    int count = 0;
+    for (std::size_t i = 0; i < a.data.size(); i += 4)
+        count += std::abs(a.data[i] - b.data[i]) > tolerance ? 1 : 0;
+    return count;
+}
+
+}  // namespace
+
+GL_TEST_CASE("a surface that is cut out looks and hides like a mesh without those parts") {
+    const bool device = GpuExecutor::obstacle(*context).empty();
+    const struct {
+        const char* name;
+        MaterialPtr plain;
+        int channels;
+    } rows[] = {{"two-sided", twosided(pplastic({.alpha = 0.3})), 1},
+                {"coverage of a coloured texture", diffuse({0.5}), 4}};
+    for (const auto& row : rows)
+        for (const Executor executor : {Executor::cpu, Executor::compute})
+            for (const int samples : {1, 4}) {
+                if (executor == Executor::compute && !device) continue;
+                CAPTURE(row.name);
+                CAPTURE(samples);
+                const Scene cut = board_over(board(true), masked(row.plain, opacity(row.channels)));
+                const Scene lacking = board_over(board(false), row.plain);
+                Studio render(context);
+                Framebuffer actual(context, 96, 72, 3);
+                Framebuffer expected(context, 96, 72, 3);
+                render.renderer.render(lacking, test::some_camera(), options(executor, samples), expected);
+                render.renderer.render(cut, test::some_camera(), options(executor, samples), actual);
+                const double scale = rms(expected.image());
+                // Cells that touch at a corner share its vertex, whose light differs by the corner's own
+                // shadow.
+                CHECK(differing(actual.image(), expected.image(), static_cast<float>(0.05 * scale)) < 60);
+                CHECK(rms_difference(actual.image(), expected.image()) < 0.04 * scale);
+                int other_ids = 0;
+                int seen = 0;
+                for (std::size_t p = 0; p < actual.aovs().instances.size(); ++p) {
+                    other_ids += actual.aovs().instances[p] != expected.aovs().instances[p] ? 1 : 0;
+                    seen += expected.aovs().instances[p] == 0 ? 1 : 0;
+                }
+                CHECK(seen > 200);
+                CHECK(other_ids < 10);
+            }
+}
+
+TEST_CASE("rays pass where a surface is cut out") {
+    const MaterialPtr plain = twosided(pplastic({.alpha = 0.3}));
+    const Projection projection = project(test::some_camera(), 48, 36);
+    ReferenceStatistics statistics;
+    const auto trace = [&](const Scene& scene) {
+        return render_reference(scene, projection, 48, 36, {.samples = 64}, statistics);
+    };
+    const StokesImage expected = trace(board_over(board(false), plain));
+    const StokesImage actual = trace(board_over(board(true), masked(plain, opacity(1))));
+    const StokesImage whole = trace(board_over(board(true), plain));
+    CHECK(rms_difference(actual, expected) < 1e-3 * rms(expected));
+    CHECK(rms_difference(whole, expected) > 0.05 * rms(expected));
+}
+
+GL_TEST_CASE("what is cut out changes with the material, and its shadow too") {
+    const MaterialPtr plain = twosided(pplastic({.alpha = 0.3}));
+    Scene scene = board_over(board(true), plain);
+    Studio render(context);
+    static_cast<void>(render(scene, options(Executor::cpu)));
+    for (const MaterialPtr& material : {masked(plain, opacity(1)), plain, masked(plain, opacity(4))}) {
+        scene.set_material(0, material);
+        const StokesImage changed = render(scene, options(Executor::cpu));
+        Studio fresh(context);
+        const StokesImage expected = fresh(scene, options(Executor::cpu));
+        CHECK(rms_difference(changed, expected) < 1e-6 * rms(expected));
+    }
+}
