@@ -34,6 +34,18 @@ void check_channels(int channels, int others) {
            std::to_string(others) + "; it must have 1 or as many");
 }
 
+// Of instance `id`, which has or would have them.
+void check_attributes(const Mesh& mesh, const Material& material, std::uint32_t id) {
+    const SpatialVariation* variation = material.variation();
+    if (variation == nullptr) return;
+    const std::string instance = "instance " + std::to_string(id) + ": the material ";
+    if (variation->needs_texcoords() && mesh.texcoords.empty())
+        refuse(instance +
+               "has textures, which need texture coordinates, and the mesh has none; give it u, v");
+    if (variation->needs_colors() && mesh.colors.empty())
+        refuse(instance + "has the colours of vertices, and the mesh has none; give it a colour a vertex");
+}
+
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
@@ -71,6 +83,7 @@ std::uint32_t Scene::add(Instance instance) {
     if (next_id_ == std::numeric_limits<std::uint32_t>::max()) refuse("the scene has had too many instances");
     check_transform(instance.to_world);
     check_channels(instance.material->channels(), channels());
+    check_attributes(*instance.mesh, *instance.material, next_id_);
     if (ids_.size() == ids_.capacity()) ids_.reserve(2 * ids_.size() + 1);
     instances_.push_back(std::move(instance));
     ids_.push_back(next_id_);
@@ -100,6 +113,7 @@ void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     if (!material) refuse("the instance would have no material");
     check_channels(material->channels(), channels_without(index));
     Instance& instance = instances_[index];
+    check_attributes(*instance.mesh, *material, id);
     if (instance.material == material) return;
     if (instance.material->twosided() != material->twosided() ||
         opacity_of(*instance.material) != opacity_of(*material))

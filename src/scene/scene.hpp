@@ -26,8 +26,9 @@ struct Instance {
 class Scene {
 public:
     /// Returns the new instance's id. They count up from 0 and are never given twice. Throws
-    /// Error(invalid_argument) for null pointers, a transform that is not affine and invertible, or channels
-    /// that do not fit the scene's.
+    /// Error(invalid_argument) for null pointers, a transform that is not affine and invertible, channels
+    /// that do not fit the scene's, or a mesh without the texture coordinates or colours that its material
+    /// needs.
     std::uint32_t add(Instance instance);
     /// These throw Error(invalid_argument) for ids of no instance, and as add().
     void remove(std::uint32_t id);
