@@ -31,6 +31,8 @@ const char* name(HandleKind kind) {
             return "nicol_context";
         case HandleKind::environment:
             return "nicol_environment";
+        case HandleKind::texture:
+            return "nicol_texture";
         case HandleKind::material:
             return "nicol_material";
         case HandleKind::mesh:

@@ -19,6 +19,7 @@
 #include "job.hpp"
 #include "light/environment.hpp"
 #include "material/material.hpp"
+#include "material/texture.hpp"
 #include "render/framebuffer.hpp"
 #include "render/renderer.hpp"
 #include "scene/camera.hpp"
@@ -140,6 +141,7 @@ struct Handle {
 enum class HandleKind : std::uint8_t {
     context,
     environment,
+    texture,
     material,
     mesh,
     scene,
@@ -172,6 +174,9 @@ struct nicol_context_impl : nicol::capi::Handle<const nicol::gl::ContextInfo> {
 };
 struct nicol_environment_impl : nicol::capi::Handle<const nicol::Environment> {
     static constexpr auto kKind = nicol::capi::HandleKind::environment;
+};
+struct nicol_texture_impl : nicol::capi::Handle<const nicol::Texture> {
+    static constexpr auto kKind = nicol::capi::HandleKind::texture;
 };
 struct nicol_material_impl : nicol::capi::Handle<const nicol::Material> {
     static constexpr auto kKind = nicol::capi::HandleKind::material;

@@ -53,13 +53,13 @@ nicol_result nicol_context_create_host(const nicol_host* host, const nicol_conte
 }
 
 nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel,
-                                           nicol_texture* texture) {
+                                           nicol_gl_texture* texture) {
     return guarded([&] {
         const nicol_framebuffer_impl& self = resolve(framebuffer);
         static_cast<void>(of_host(self));
         require_channel(*self.content, channel);
         const gl::Texture2D& from = channel_texture(*self.content, static_cast<int>(channel));
-        nicol_texture out = NICOL_TEXTURE_INIT;
+        nicol_gl_texture out = NICOL_GL_TEXTURE_INIT;
         out.name = from.id();
         out.target = 0x0DE1;           // GL_TEXTURE_2D
         out.internal_format = 0x8814;  // GL_RGBA32F

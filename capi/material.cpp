@@ -6,8 +6,10 @@
 
 #include "assets.hpp"
 #include "material/conductor.hpp"
+#include "material/layered.hpp"
 #include "material/measured.hpp"
 #include "material/psh_matrix_file.hpp"
+#include "material/textured.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
@@ -44,15 +46,54 @@ std::vector<std::complex<double>> index_of(const nicol_conductor& given) {
     return index;
 }
 
-MaterialPtr make(const nicol_conductor& given) {
+// The texture of a descriptor's field; null where it has none.
+TexturePtr texture_of(nicol_texture given, const nicol_context_impl& context) {
+    if (given == nullptr) return nullptr;
+    const nicol_texture_impl texture = resolve(given);
+    require_same_context(context, texture);
+    return texture.content;
+}
+
+MaterialPtr make(const nicol_pplastic& given, const nicol_context_impl& context) {
+    if (given.reserved != 0) refuse("parameters->reserved must be 0");
+    return pplastic(
+        {.diffuse_reflectance = spectrum(given.diffuse_reflectance, 0.5, 1, "diffuse_reflectance"),
+         .specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance"),
+         .int_ior = static_cast<double>(given.int_ior),
+         .ext_ior = static_cast<double>(given.ext_ior),
+         .alpha = static_cast<double>(given.alpha),
+         .distribution = distribution_of(given.distribution)},
+        {.diffuse_reflectance = texture_of(given.diffuse_reflectance_texture, context),
+         .specular_reflectance = texture_of(given.specular_reflectance_texture, context),
+         .alpha = texture_of(given.alpha_texture, context)});
+}
+
+MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
     const Distribution distribution = distribution_of(given.distribution);
-    std::vector<double> reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance");
-    if (given.alpha == 0) return conductor(index_of(given), std::move(reflectance));
-    return rough_conductor({.eta = index_of(given),
-                            .specular_reflectance = std::move(reflectance),
-                            .alpha = static_cast<double>(given.alpha),
-                            .distribution = distribution});
+    const bool smooth = given.alpha == 0 && given.alpha_texture == nullptr;
+    return rough_conductor(
+        {.eta = index_of(given),
+         .specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance"),
+         .alpha = smooth ? kSmoothAlpha : static_cast<double>(given.alpha),
+         .distribution = smooth ? Distribution::beckmann : distribution},
+        {.specular_reflectance = texture_of(given.specular_reflectance_texture, context),
+         .alpha = texture_of(given.alpha_texture, context)});
+}
+
+// A material made of another one and a texture: combine(base, texture).
+template <class Combine>
+nicol_result create_textured(nicol_context context, nicol_material base, nicol_texture texture,
+                             nicol_material* material, Combine&& combine) {
+    return guarded([&] {
+        require(material, "material");
+        const nicol_context_impl session = resolve(context);
+        const nicol_material_impl of = resolve(base);
+        const nicol_texture_impl by = resolve(texture);
+        require_same_context(session, of);
+        require_same_context(session, by);
+        *material = make_handle<nicol_material_impl>(session.session, combine(of.content, by.content));
+    });
 }
 
 MaterialPtr measured(const char* path, const nicol_measured* options, const Session& session) {
@@ -94,16 +135,8 @@ private:
 nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
                                             nicol_material* material) {
     return create(context, material, "material", [&] {
-        const nicol_pplastic given =
-            read_struct(parameters, nicol_pplastic NICOL_PPLASTIC_INIT, "parameters");
-        PplasticParameters p;
-        p.distribution = distribution_of(given.distribution);
-        p.diffuse_reflectance = spectrum(given.diffuse_reflectance, 0.5, 1, "diffuse_reflectance");
-        p.specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance");
-        p.int_ior = static_cast<double>(given.int_ior);
-        p.ext_ior = static_cast<double>(given.ext_ior);
-        p.alpha = static_cast<double>(given.alpha);
-        return pplastic(p);
+        return make(read_struct(parameters, nicol_pplastic NICOL_PPLASTIC_INIT, "parameters"),
+                    resolve(context));
     });
 }
 
@@ -118,7 +151,8 @@ nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_sp
 nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters,
                                              nicol_material* material) {
     return create(context, material, "material", [&] {
-        return make(read_struct(parameters, nicol_conductor NICOL_CONDUCTOR_INIT, "parameters"));
+        return make(read_struct(parameters, nicol_conductor NICOL_CONDUCTOR_INIT, "parameters"),
+                    resolve(context));
     });
 }
 
@@ -150,6 +184,40 @@ nicol_result nicol_material_create_twosided(nicol_context context, nicol_materia
         require_same_context(session, source);
         *material = make_handle<nicol_material_impl>(session.session, twosided(source.content));
     });
+}
+
+nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base, nicol_texture scale,
+                                          nicol_material* material) {
+    return create_textured(context, base, scale, material, scaled);
+}
+
+nicol_result nicol_material_create_blend(nicol_context context, nicol_material first, nicol_material second,
+                                         nicol_texture weight, nicol_material* material) {
+    return create_textured(context, first, weight, material, [&](MaterialPtr a, TexturePtr t) {
+        const nicol_material_impl other = resolve(second);
+        require_same_context(resolve(context), other);
+        return blend(std::move(a), other.content, std::move(t));
+    });
+}
+
+nicol_result nicol_material_create_normal_map(nicol_context context, nicol_material base,
+                                              nicol_texture normals, uint32_t mirrored_y,
+                                              nicol_material* material) {
+    return create_textured(context, base, normals, material, [&](MaterialPtr of, TexturePtr by) {
+        return normal_mapped(std::move(of), std::move(by), switch_from(mirrored_y, "mirrored_y"));
+    });
+}
+
+nicol_result nicol_material_create_bump_map(nicol_context context, nicol_material base, nicol_texture heights,
+                                            double scale, nicol_material* material) {
+    return create_textured(context, base, heights, material, [&](MaterialPtr of, TexturePtr by) {
+        return bump_mapped(std::move(of), std::move(by), scale);
+    });
+}
+
+nicol_result nicol_material_create_mask(nicol_context context, nicol_material base, nicol_texture opacity,
+                                        nicol_material* material) {
+    return create_textured(context, base, opacity, material, masked);
 }
 
 nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material* parameters,

@@ -1,9 +1,46 @@
 // SPDX-License-Identifier: MIT
 // Meshes.
+#include <cstring>
+
 #include "assets.hpp"
 
 using namespace nicol;
 using namespace nicol::capi;
+
+namespace {
+
+template <glm::length_t n, class Number>
+std::vector<glm::vec<n, Number>> vectors(const Number* from, std::uint32_t count) {
+    std::vector<glm::vec<n, Number>> out;
+    if (from == nullptr) return out;
+    out.resize(count);
+    std::memcpy(out.data(), from, count * sizeof(out[0]));
+    return out;
+}
+
+Mesh mesh_of(const nicol_mesh_data& given) {
+    require(given.positions, "data->positions");
+    require(given.indices, "data->indices");
+    if (given.texcoords == nullptr && (given.texcoord_count != 0 || given.texcoord_indices != nullptr))
+        refuse("data has texcoord_count or texcoord_indices, but no texcoords");
+    const std::uint32_t texcoords = given.texcoord_count != 0 ? given.texcoord_count : given.vertex_count;
+    if (given.texcoord_indices == nullptr && texcoords != given.vertex_count)
+        refuse("data->texcoord_count is " + std::to_string(texcoords) +
+               "; without texcoord_indices it must be vertex_count, " + std::to_string(given.vertex_count));
+    Mesh out;
+    out.positions = vectors<3>(given.positions, given.vertex_count);
+    out.normals = vectors<3>(given.normals, given.vertex_count);
+    out.triangles = vectors<3>(given.indices, given.triangle_count);
+    out.colors = vectors<3>(given.colors, given.vertex_count);
+    out.texcoords = vectors<2>(given.texcoords, texcoords);
+    if (given.texcoord_indices != nullptr)
+        out.texcoord_triangles = vectors<3>(given.texcoord_indices, given.triangle_count);
+    else if (given.texcoords != nullptr)
+        out.texcoord_triangles = out.triangles;
+    return out;
+}
+
+}  // namespace
 
 nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh) {
     return load(context, path, mesh, "mesh", [&](LoadBudget& budget, const Session& session) {
@@ -19,21 +56,7 @@ nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh
 nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data, nicol_mesh* mesh) {
     return create(context, mesh, "mesh", [&] {
         const nicol_mesh_data given = read_struct(data, nicol_mesh_data NICOL_MESH_DATA_INIT, "data");
-        require(given.positions, "data->positions");
-        require(given.indices, "data->indices");
-        if (given.reserved != 0) refuse("data->reserved must be 0");
-        Mesh out;
-        for (std::uint32_t v = 0; v < given.vertex_count; ++v) {
-            const float* p = given.positions + 3 * std::size_t{v};
-            out.positions.emplace_back(p[0], p[1], p[2]);
-            if (given.normals == nullptr) continue;
-            const float* n = given.normals + 3 * std::size_t{v};
-            out.normals.emplace_back(n[0], n[1], n[2]);
-        }
-        for (std::uint32_t t = 0; t < given.triangle_count; ++t) {
-            const std::uint32_t* i = given.indices + 3 * std::size_t{t};
-            out.triangles.emplace_back(i[0], i[1], i[2]);
-        }
+        Mesh out = mesh_of(given);
         try {
             const std::size_t flat = validate(out, "data");
             if (flat > 0)

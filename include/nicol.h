@@ -102,6 +102,7 @@ typedef int32_t (*nicol_progress_callback)(void* user, const char* verb, double 
 
 typedef struct nicol_context_impl* nicol_context;         /* an OpenGL context on a thread of its own */
 typedef struct nicol_environment_impl* nicol_environment; /* light from infinitely far; immutable */
+typedef struct nicol_texture_impl* nicol_texture;         /* values that vary over a surface; immutable */
 typedef struct nicol_material_impl* nicol_material;       /* a polarimetric BRDF; immutable */
 typedef struct nicol_mesh_impl* nicol_mesh;               /* triangles; immutable */
 typedef struct nicol_scene_impl* nicol_scene;             /* instances and one environment; may change */
@@ -322,7 +323,77 @@ NICOL_API nicol_result nicol_environment_get_info(nicol_environment environment,
 NICOL_API nicol_result nicol_environment_retain(nicol_environment environment);
 NICOL_API nicol_result nicol_environment_release(nicol_environment environment);
 
+/* ---------------------------------------------------------------- texture */
+
+/* Values over a surface, by the texture coordinates u and v or the colours of its mesh. v points down: the
+ * first row of an image begins at v = 0. An image covers u and v from 0 to 1, the centre of a texel is at (i
+ * + 0.5) / width. Values are linear, of one channel, of red, green and blue, or of these and coverage. */
+
+typedef uint32_t nicol_texture_filter;
+#define NICOL_TEXTURE_FILTER_NEAREST 0
+#define NICOL_TEXTURE_FILTER_BILINEAR 1
+#define NICOL_TEXTURE_FILTER_MIPMAP \
+    2 /* as bilinear, of ever smaller images where a pixel covers many texels */
+
+typedef uint32_t nicol_texture_wrap; /* beyond 0 to 1 */
+#define NICOL_TEXTURE_WRAP_REPEAT 0
+#define NICOL_TEXTURE_WRAP_MIRROR 1
+#define NICOL_TEXTURE_WRAP_CLAMP 2
+
+typedef uint32_t nicol_texel;
+#define NICOL_TEXEL_UINT8 0  /* uint8_t, n / 255 */
+#define NICOL_TEXEL_UINT16 1 /* uint16_t, n / 65535 */
+#define NICOL_TEXEL_FLOAT32 2
+
+typedef struct nicol_texture_image {
+    uint32_t struct_size;
+    nicol_texel type;
+    uint32_t width, height; /* 1 to 32768 each, and at most 3 * 2^26 pixels */
+    uint32_t channels;      /* 1, 3 (red, green, blue) or 4 (and coverage) */
+    uint32_t reserved;      /* 0 */
+    const void* pixels;     /* [row][column][channel], first row at the top; finite */
+    uint64_t row_stride;    /* bytes from row to row; 0: tightly packed */
+    uint64_t byte_size;     /* of all that pixels points to; checked */
+} nicol_texture_image;
+#define NICOL_TEXTURE_IMAGE_INIT \
+    { sizeof(nicol_texture_image), 0, 0, 0, 0, 0, 0, 0, 0 }
+
+typedef struct nicol_texture_options {
+    uint32_t struct_size;
+    nicol_texture_filter filter; /* default bilinear */
+    nicol_texture_wrap wrap;     /* default repeat */
+    /* 0, the default: numbers of 8 and 16 bits are decoded from sRGB, coverage apart. 1: they are values as
+     * they are, as for roughness, normals and heights. Floats always are. */
+    uint32_t raw;
+    double to_uv[9]; /* 3 x 3: (u, v, 1) of the surface to that of the texture, last row 0 0 1 */
+} nicol_texture_options;
+/* clang-format off */
+#define NICOL_TEXTURE_OPTIONS_INIT \
+    { sizeof(nicol_texture_options), NICOL_TEXTURE_FILTER_BILINEAR, 0, 0, { 1, 0, 0, 0, 1, 0, 0, 0, 1 } }
+/* clang-format on */
+
+/* Copies the pixels. options may be NULL: all defaults. */
+NICOL_API nicol_result nicol_texture_create_image(nicol_context context, const nicol_texture_image* image,
+                                                  const nicol_texture_options* options,
+                                                  nicol_texture* texture);
+/* PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; with A as coverage. options may be NULL: all
+ * defaults. */
+NICOL_API nicol_result nicol_texture_load(nicol_context context, const char* path,
+                                          const nicol_texture_options* options, nicol_texture* texture);
+/* Mitsuba 3's checkerboard: four squares a unit of u and v, color0 at u = v = 0. Colours of 1 or 3 values;
+ * NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity. */
+NICOL_API nicol_result nicol_texture_create_checkerboard(nicol_context context, const nicol_spectrum* color0,
+                                                         const nicol_spectrum* color1, const double to_uv[9],
+                                                         nicol_texture* texture);
+/* The colours of the mesh's vertices, interpolated. */
+NICOL_API nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_texture* texture);
+NICOL_API nicol_result nicol_texture_retain(nicol_texture texture);
+NICOL_API nicol_result nicol_texture_release(nicol_texture texture);
+
 /* ---------------------------------------------------------------- material */
+
+/* Where a material takes a texture, each point of a surface has its own value. Its instance then needs a mesh
+ * with texture coordinates, or with colours. */
 
 typedef uint32_t nicol_distribution;
 #define NICOL_DISTRIBUTION_BECKMANN 0
@@ -337,9 +408,17 @@ typedef struct nicol_pplastic {
     float int_ior;                       /* default 1.49 */
     float ext_ior;                       /* default 1.000277 */
     float alpha;                         /* 0.001 to 1, default 0.1 */
+    uint32_t reserved;                   /* 0 */
+    /* Each stands for the number of its name; NULL: the number holds. */
+    nicol_texture diffuse_reflectance_texture;
+    nicol_texture specular_reflectance_texture;
+    nicol_texture alpha_texture; /* of it the first channel, moved to 0.01 to 1 */
 } nicol_pplastic;
-#define NICOL_PPLASTIC_INIT \
-    { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 1.49f, 1.000277f, 0.1f }
+/* clang-format off */
+#define NICOL_PPLASTIC_INIT                                                                        \
+    { sizeof(nicol_pplastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 1.49f, 1.000277f, 0.1f, \
+      0, 0, 0, 0 }
+/* clang-format on */
 
 /* NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
 NICOL_API nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
@@ -364,11 +443,14 @@ typedef struct nicol_conductor {
     /* Of a named metal, a channel each, nm, 400 to 800. count 0: those of red, green and blue. */
     nicol_spectrum wavelengths;
     nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
+    /* As of nicol_pplastic; with a texture alpha has no effect. */
+    nicol_texture specular_reflectance_texture;
+    nicol_texture alpha_texture;
 } nicol_conductor;
 /* clang-format off */
 #define NICOL_CONDUCTOR_INIT                                                                        \
     { sizeof(nicol_conductor), 0, 0, 0, 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT,                \
-      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT }
+      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0 }
 /* clang-format on */
 
 /* Likewise; a metal that is not known is refused with the names of those that are. */
@@ -415,6 +497,31 @@ NICOL_API nicol_result nicol_material_load_psh(nicol_context context, const char
 NICOL_API nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front,
                                                       nicol_material* material);
 
+/* A material times a texture: a diffuse one of reflectance 1 then has the texture's colours. The handles
+ * given may be released afterwards, here and below. */
+NICOL_API nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base,
+                                                    nicol_texture scale, nicol_material* material);
+/* first (1 - t) + second t, t the weight's first channel, moved to 0 to 1: Mitsuba 3's blendbsdf. Both must
+ * be two-sided, or neither. */
+NICOL_API nicol_result nicol_material_create_blend(nicol_context context, nicol_material first,
+                                                   nicol_material second, nicol_texture weight,
+                                                   nicol_material* material);
+/* Shading normals 2 t - 1 in the frame of the surface, x along growing u: Mitsuba 3's normalmap. The texture
+ * is raw. y completes a right-handed frame; with mirrored_y 1 it points to where v falls, which differs where
+ * texture coordinates are mirrored, as in glTF. */
+NICOL_API nicol_result nicol_material_create_normal_map(nicol_context context, nicol_material base,
+                                                        nicol_texture normals, uint32_t mirrored_y,
+                                                        nicol_material* material);
+/* Shading normals of a surface that is displaced along its normal by scale times the texture's first channel,
+ * in the scene's units: Mitsuba 3's bumpmap. */
+NICOL_API nicol_result nicol_material_create_bump_map(nicol_context context, nicol_material base,
+                                                      nicol_texture heights, double scale,
+                                                      nicol_material* material);
+/* Cut out where the texture's coverage, or of fewer than four channels its first one, is below 0.5: Mitsuba
+ * 3's mask of opacities 0 and 1. */
+NICOL_API nicol_result nicol_material_create_mask(nicol_context context, nicol_material base,
+                                                  nicol_texture opacity, nicol_material* material);
+
 /* Writes the Mueller matrix of one colour channel, 16 row-major doubles, 1/sr and without the cosine, for
  * light from the direction `towards_light` into the direction `towards_viewer`: unit vectors in the surface's
  * frame, whose normal is z; both have z > 0. Both Stokes frames have x along the s-axis towards_light x
@@ -451,20 +558,24 @@ NICOL_API nicol_result nicol_material_release(nicol_material material);
 
 /* ---------------------------------------------------------------- mesh */
 
-/* Positions and normals must be finite, indices valid. Triangles without area are left out, and logged once.
- */
+/* All numbers must be finite, indices valid. Triangles without area are left out, and logged once. */
 typedef struct nicol_mesh_data {
     uint32_t struct_size;
     uint32_t vertex_count;   /* 1 or more */
     uint32_t triangle_count; /* 1 or more */
-    uint32_t reserved;       /* 0 */
+    uint32_t texcoord_count; /* of texcoords; 0: vertex_count, where there are texcoords */
     const float* positions;  /* 3 a vertex */
     const float* normals;    /* 3 a vertex, of any length; 0 means the smooth normal. NULL: made from the
                                 triangles, smooth across edges whose faces share vertices */
     const uint32_t* indices; /* 3 a triangle, counter-clockwise from the front */
+    const float* texcoords;  /* u, v, see nicol_texture_image; NULL: none */
+    /* 3 a triangle, of texcoords, so that a seam of these splits no vertex. NULL: indices, with texcoords of
+     * each vertex */
+    const uint32_t* texcoord_indices;
+    const float* colors; /* 3 a vertex, linear, see nicol_texture_create_vertex_colors; NULL: none */
 } nicol_mesh_data;
 #define NICOL_MESH_DATA_INIT \
-    { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /* OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
  * concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
@@ -473,7 +584,8 @@ NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, 
 /* Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,
                                          nicol_mesh* mesh);
-/* The unit sphere, finely enough divided for per-vertex shading. */
+/* The unit sphere, finely enough divided for per-vertex shading. Here and below texture coordinates are those
+ * of Mitsuba 3's shapes. */
 NICOL_API nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
 /* [-1, 1]^2 in the plane z = 0, facing +z. */
 NICOL_API nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh);
@@ -534,8 +646,10 @@ NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* sc
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
-/* id may be NULL; ids count up from 0, past those of removed instances too. Materials and environment must
- * have one colour channel or the same number of them, here and in nicol_scene_set_environment. */
+/* id may be NULL; ids count up from 0, past those of removed instances too. A mesh must have the texture
+ * coordinates and colours that its material needs, here and in nicol_scene_set_material. Materials and
+ * environment must have one colour channel or the same number of them, here and in
+ * nicol_scene_set_environment. */
 NICOL_API nicol_result nicol_scene_add_instance(nicol_scene scene, const nicol_instance* instance,
                                                 uint32_t* id);
 /* id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again the
@@ -996,23 +1110,23 @@ typedef struct nicol_host {
 NICOL_API nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options,
                                                  nicol_context* context);
 
-typedef struct nicol_texture {
+typedef struct nicol_gl_texture {
     uint32_t struct_size;
     uint32_t name;            /* OpenGL's */
     uint32_t target;          /* GL_TEXTURE_2D */
     uint32_t internal_format; /* GL_RGBA32F */
     uint32_t width;
     uint32_t height;
-} nicol_texture;
-#define NICOL_TEXTURE_INIT \
-    { sizeof(nicol_texture), 0, 0, 0, 0, 0 }
+} nicol_gl_texture;
+#define NICOL_GL_TEXTURE_INIT \
+    { sizeof(nicol_gl_texture), 0, 0, 0, 0, 0 }
 
 /* The texture of a colour channel: a texel is the Stokes vector (s0, s1, s2, s3), row 0 is the image's TOP.
  * The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
  * render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
  * NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below. */
 NICOL_API nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel,
-                                                     nicol_texture* texture);
+                                                     nicol_gl_texture* texture);
 
 typedef uint32_t nicol_encoding;
 #define NICOL_ENCODING_LINEAR 0 /* radiance; stored as far as the texture's format goes */

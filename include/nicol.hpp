@@ -51,6 +51,7 @@ using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release<release>>;
 
 using Context = Owned<nicol_context, nicol_context_release>;
 using Environment = Owned<nicol_environment, nicol_environment_release>;
+using Texture = Owned<nicol_texture, nicol_texture_release>;
 using Material = Owned<nicol_material, nicol_material_release>;
 using Mesh = Owned<nicol_mesh, nicol_mesh_release>;
 using Scene = Owned<nicol_scene, nicol_scene_release>;

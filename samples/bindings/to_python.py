@@ -68,6 +68,9 @@ class Python:
         callbacks = [f'"{f.name}": {class_name(f.type.base)}' for f in struct.fields if f.type.base in self.header.callbacks]
         if callbacks:
             text += "    _callbacks_ = {" + ", ".join(callbacks) + "}\n"
+        read_only = [f'"{f.name}"' for f in struct.fields if f.type.base == "void" and f.type.const]
+        if read_only:
+            text += "    _read_only_ = {" + ", ".join(read_only) + "}\n"
         text += "    _fields_ = [\n"
         for field in struct.fields:
             text += f'        ("{field.name}", {self.ctype(field.type, argument=False)}),\n'

@@ -8,6 +8,7 @@ typedef void (*nicol_log_callback)(void* user, uint32_t severity, nicol_result c
 typedef int32_t (*nicol_progress_callback)(void* user, const char* verb, double fraction);
 typedef struct nicol_context_impl* nicol_context;
 typedef struct nicol_environment_impl* nicol_environment;
+typedef struct nicol_texture_impl* nicol_texture;
 typedef struct nicol_material_impl* nicol_material;
 typedef struct nicol_mesh_impl* nicol_mesh;
 typedef struct nicol_scene_impl* nicol_scene;
@@ -90,6 +91,27 @@ typedef struct nicol_environment_info {
     uint32_t reserved;
     double wavelengths[16];
 } nicol_environment_info;
+typedef uint32_t nicol_texture_filter;
+typedef uint32_t nicol_texture_wrap;
+typedef uint32_t nicol_texel;
+typedef struct nicol_texture_image {
+    uint32_t struct_size;
+    nicol_texel type;
+    uint32_t width;
+    uint32_t height;
+    uint32_t channels;
+    uint32_t reserved;
+    const void* pixels;
+    uint64_t row_stride;
+    uint64_t byte_size;
+} nicol_texture_image;
+typedef struct nicol_texture_options {
+    uint32_t struct_size;
+    nicol_texture_filter filter;
+    nicol_texture_wrap wrap;
+    uint32_t raw;
+    double to_uv[9];
+} nicol_texture_options;
 typedef uint32_t nicol_distribution;
 typedef struct nicol_pplastic {
     uint32_t struct_size;
@@ -99,6 +121,10 @@ typedef struct nicol_pplastic {
     float int_ior;
     float ext_ior;
     float alpha;
+    uint32_t reserved;
+    nicol_texture diffuse_reflectance_texture;
+    nicol_texture specular_reflectance_texture;
+    nicol_texture alpha_texture;
 } nicol_pplastic;
 typedef struct nicol_conductor {
     uint32_t struct_size;
@@ -110,6 +136,8 @@ typedef struct nicol_conductor {
     nicol_spectrum k;
     nicol_spectrum wavelengths;
     nicol_spectrum specular_reflectance;
+    nicol_texture specular_reflectance_texture;
+    nicol_texture alpha_texture;
 } nicol_conductor;
 typedef uint32_t nicol_wavelength_sampling;
 typedef struct nicol_measured {
@@ -137,10 +165,13 @@ typedef struct nicol_mesh_data {
     uint32_t struct_size;
     uint32_t vertex_count;
     uint32_t triangle_count;
-    uint32_t reserved;
+    uint32_t texcoord_count;
     const float* positions;
     const float* normals;
     const uint32_t* indices;
+    const float* texcoords;
+    const uint32_t* texcoord_indices;
+    const float* colors;
 } nicol_mesh_data;
 typedef uint32_t nicol_projection;
 typedef struct nicol_camera {
@@ -273,14 +304,14 @@ typedef struct nicol_host {
     nicol_is_current_callback is_current;
     void* user;
 } nicol_host;
-typedef struct nicol_texture {
+typedef struct nicol_gl_texture {
     uint32_t struct_size;
     uint32_t name;
     uint32_t target;
     uint32_t internal_format;
     uint32_t width;
     uint32_t height;
-} nicol_texture;
+} nicol_gl_texture;
 typedef uint32_t nicol_encoding;
 typedef struct nicol_texture_target {
     uint32_t struct_size;
@@ -383,12 +414,23 @@ nicol_result nicol_environment_create_psh(nicol_context context, uint32_t order,
 nicol_result nicol_environment_get_info(nicol_environment environment, nicol_environment_info* info);
 nicol_result nicol_environment_retain(nicol_environment environment);
 nicol_result nicol_environment_release(nicol_environment environment);
+nicol_result nicol_texture_create_image(nicol_context context, const nicol_texture_image* image, const nicol_texture_options* options, nicol_texture* texture);
+nicol_result nicol_texture_load(nicol_context context, const char* path, const nicol_texture_options* options, nicol_texture* texture);
+nicol_result nicol_texture_create_checkerboard(nicol_context context, const nicol_spectrum* color0, const nicol_spectrum* color1, const double to_uv[9], nicol_texture* texture);
+nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_texture* texture);
+nicol_result nicol_texture_retain(nicol_texture texture);
+nicol_result nicol_texture_release(nicol_texture texture);
 nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters, nicol_material* material);
 nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance, nicol_material* material);
 nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters, nicol_material* material);
 nicol_result nicol_material_load_measured(nicol_context context, const char* path, const nicol_measured* options, nicol_material* material);
 nicol_result nicol_material_load_psh(nicol_context context, const char* path, const nicol_psh_matrix* options, nicol_material* material);
 nicol_result nicol_material_create_twosided(nicol_context context, nicol_material front, nicol_material* material);
+nicol_result nicol_material_create_scaled(nicol_context context, nicol_material base, nicol_texture scale, nicol_material* material);
+nicol_result nicol_material_create_blend(nicol_context context, nicol_material first, nicol_material second, nicol_texture weight, nicol_material* material);
+nicol_result nicol_material_create_normal_map(nicol_context context, nicol_material base, nicol_texture normals, uint32_t mirrored_y, nicol_material* material);
+nicol_result nicol_material_create_bump_map(nicol_context context, nicol_material base, nicol_texture heights, double scale, nicol_material* material);
+nicol_result nicol_material_create_mask(nicol_context context, nicol_material base, nicol_texture opacity, nicol_material* material);
 nicol_result nicol_material_create_callback(nicol_context context, const nicol_callback_material* parameters, nicol_material* material);
 nicol_result nicol_material_retain(nicol_material material);
 nicol_result nicol_material_release(nicol_material material);
@@ -436,7 +478,7 @@ nicol_result nicol_framebuffer_read_plane(nicol_framebuffer framebuffer, const n
 nicol_result nicol_framebuffer_write_exr(nicol_framebuffer framebuffer, const char* path);
 nicol_result nicol_framebuffer_write_png(nicol_framebuffer framebuffer, const nicol_observation* observation, const char* path);
 nicol_result nicol_context_create_host(const nicol_host* host, const nicol_context_options* options, nicol_context* context);
-nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel, nicol_texture* texture);
+nicol_result nicol_framebuffer_get_texture(nicol_framebuffer framebuffer, uint32_t channel, nicol_gl_texture* texture);
 nicol_result nicol_framebuffer_draw_stokes(nicol_framebuffer framebuffer, uint32_t channel, const nicol_texture_target* target);
 nicol_result nicol_framebuffer_draw_observation(nicol_framebuffer framebuffer, const nicol_observation* observation, const nicol_texture_target* target);
 nicol_result nicol_psh_project_image(const nicol_image* image, uint32_t order, double* coefficients, uint64_t count);
@@ -504,6 +546,15 @@ return {
         BACKEND_EGL = 1,
         BACKEND_OSMESA = 2,
         BACKEND_HOST = 3,
+        TEXTURE_FILTER_NEAREST = 0,
+        TEXTURE_FILTER_BILINEAR = 1,
+        TEXTURE_FILTER_MIPMAP = 2,
+        TEXTURE_WRAP_REPEAT = 0,
+        TEXTURE_WRAP_MIRROR = 1,
+        TEXTURE_WRAP_CLAMP = 2,
+        TEXEL_UINT8 = 0,
+        TEXEL_UINT16 = 1,
+        TEXEL_FLOAT32 = 2,
         DISTRIBUTION_BECKMANN = 0,
         DISTRIBUTION_GGX = 1,
         WAVELENGTH_LINEAR = 0,
@@ -601,12 +652,21 @@ return {
         environment_create_sky = "nicol_environment",
         environment_create_psh = "nicol_environment",
         environment_get_info = true,
+        texture_create_image = "nicol_texture",
+        texture_load = "nicol_texture",
+        texture_create_checkerboard = "nicol_texture",
+        texture_create_vertex_colors = "nicol_texture",
         material_create_pplastic = "nicol_material",
         material_create_diffuse = "nicol_material",
         material_create_conductor = "nicol_material",
         material_load_measured = "nicol_material",
         material_load_psh = "nicol_material",
         material_create_twosided = "nicol_material",
+        material_create_scaled = "nicol_material",
+        material_create_blend = "nicol_material",
+        material_create_normal_map = "nicol_material",
+        material_create_bump_map = "nicol_material",
+        material_create_mask = "nicol_material",
         material_create_callback = "nicol_material",
         mesh_load = "nicol_mesh",
         mesh_create = "nicol_mesh",
@@ -686,6 +746,8 @@ return {
         sky = { true, { dop_max = 0.8, sun_direction = { 0, 1, 0 }, ground_albedo = 0.2 } },
         environment_load_options = { true, { scale = 1 } },
         environment_info = { true, {} },
+        texture_image = { true, {} },
+        texture_options = { true, { filter = 1, to_uv = { 1, 0, 0, 0, 1, 0, 0, 0, 1 } } },
         pplastic = { true, { int_ior = 1.49, ext_ior = 1.000277, alpha = 0.1 } },
         conductor = { true, {} },
         measured = { true, {} },
@@ -701,7 +763,7 @@ return {
         plane_buffer = { true, {} },
         observation = { true, {} },
         host = { true, {} },
-        texture = { true, {} },
+        gl_texture = { true, {} },
         texture_target = { true, {} },
         psh_sampling = { true, {} },
         psh_mueller_field = { true, {} },

@@ -36,6 +36,7 @@ namespace capi_test {
     }
 NICOL_RELEASE_OF(nicol_context)
 NICOL_RELEASE_OF(nicol_environment)
+NICOL_RELEASE_OF(nicol_texture)
 NICOL_RELEASE_OF(nicol_material)
 NICOL_RELEASE_OF(nicol_mesh)
 NICOL_RELEASE_OF(nicol_scene)

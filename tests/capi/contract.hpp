@@ -26,11 +26,11 @@ enum class Kind : std::uint8_t {
     number
 };
 
-inline constexpr std::array handle_names = {"nicol_context", "nicol_environment",  "nicol_material",
-                                            "nicol_mesh",    "nicol_scene",        "nicol_framebuffer",
-                                            "nicol_job",     "nicol_psh_transform"};
-using HandleTypes = std::tuple<nicol_context, nicol_environment, nicol_material, nicol_mesh, nicol_scene,
-                               nicol_framebuffer, nicol_job, nicol_psh_transform>;
+inline constexpr std::array handle_names = {"nicol_context",     "nicol_environment", "nicol_texture",
+                                            "nicol_material",    "nicol_mesh",        "nicol_scene",
+                                            "nicol_framebuffer", "nicol_job",         "nicol_psh_transform"};
+using HandleTypes = std::tuple<nicol_context, nicol_environment, nicol_texture, nicol_material, nicol_mesh,
+                               nicol_scene, nicol_framebuffer, nicol_job, nicol_psh_transform>;
 
 /// Position of T in HandleTypes; their number where it is none.
 template <class T, std::size_t i = 0>
@@ -65,6 +65,13 @@ inline void make_good(nicol_mesh_data& data) {
     data.triangle_count = 1;
     data.positions = positions;
     data.indices = indices;
+}
+inline void make_good(nicol_texture_image& image) {
+    static const std::uint8_t pixels[] = {0, 255};
+    image.width = 2;
+    image.height = image.channels = 1;
+    image.pixels = pixels;
+    image.byte_size = 2;
 }
 inline void make_good(nicol_callback_material& material) {
     material = grey_function();
@@ -206,10 +213,15 @@ struct Everything {
         OK(nicol_job_wait(job, NICOL_WAIT_FOREVER));
         nicol_psh_sampling sampling = NICOL_PSH_SAMPLING_INIT;
         sampling.order = 3;
-        handles = {slot(context),  slot(make(nicol_environment_load, context, light.c_str(), nullptr)),
-                   slot(material), slot(rectangle(context)),
-                   slot(scene),    slot(framebuffer),
-                   slot(job),      slot(make(nicol_psh_transform_create, &sampling))};
+        handles = {slot(context),
+                   slot(make(nicol_environment_load, context, light.c_str(), nullptr)),
+                   slot(make(nicol_texture_create_vertex_colors, context)),
+                   slot(material),
+                   slot(rectangle(context)),
+                   slot(scene),
+                   slot(framebuffer),
+                   slot(job),
+                   slot(make(nicol_psh_transform_create, &sampling))};
     }
     ~Everything() { release_all(); }
     Everything(const Everything&) = delete;

@@ -132,13 +132,107 @@ CONTEXT_TEST_CASE("meshes that are none are refused") {
     check_wrong(data, creates(nicol_mesh_create, context),
                 {{"positions", [](auto& d) { d.positions = nullptr; }},
                  {"indices", [](auto& d) { d.indices = nullptr; }},
-                 {"reserved", [](auto& d) { d.reserved = 1; }},
                  {"data", [](auto& d) { d.vertex_count = 0; }},
                  {"data", [](auto& d) { d.triangle_count = 0; }},
                  {"data", [](auto& d) { d.indices = outside; }},
                  {"none of the 1 triangles has an area", [](auto& d) { d.indices = flat; }},
                  {"data", [](auto& d) { d.positions = broken; }},
-                 {"data", [](auto& d) { d.normals = infinite; }}});
+                 {"data", [](auto& d) { d.normals = infinite; }},
+                 {"the colour of vertex 0", [](auto& d) { d.colors = infinite; }},
+                 {"texture coordinate 2", [](auto& d) { d.texcoords = broken; }},
+                 {"but no texcoords", [](auto& d) { d.texcoord_count = 3; }},
+                 {"but no texcoords", [](auto& d) { d.texcoord_indices = indices; }},
+                 {"without texcoord_indices it must be vertex_count, 3",
+                  [](auto& d) { d.texcoords = positions, d.texcoord_count = 4; }},
+                 {"uses texture coordinate 3, but there are only 3",
+                  [](auto& d) { d.texcoords = positions, d.texcoord_indices = outside; }}});
+}
+
+CONTEXT_TEST_CASE("textures that cannot be are refused") {
+    static const float values[] = {0, 0.5F, 1, NAN};
+    nicol_texture_image image = NICOL_TEXTURE_IMAGE_INIT;
+    image.type = NICOL_TEXEL_FLOAT32;
+    image.width = 3;
+    image.height = image.channels = 1;
+    image.pixels = values;
+    image.byte_size = sizeof values;
+    nicol_texture texture = marker<nicol_texture>();
+    const auto create = [&](const nicol_texture_image& given, const nicol_texture_options* options) {
+        const nicol_result result = nicol_texture_create_image(context, &given, options, &texture);
+        CHECK(texture == marker<nicol_texture>());
+        return result;
+    };
+    check_wrong(image, [&](const auto& given) { return create(given, nullptr); },
+                {{"pixels", [](auto& i) { i.pixels = nullptr; }},
+                 {"type is 3; it must be one of NICOL_TEXEL_", [](auto& i) { i.type = 3; }},
+                 {"reserved", [](auto& i) { i.reserved = 1; }},
+                 {"0 x 1", [](auto& i) { i.width = 0; }},
+                 {"3 x 0", [](auto& i) { i.height = 0; }},
+                 {"32769 x 1", [](auto& i) { i.width = 32769; }},
+                 {"product may be 201326592", [](auto& i) { i.width = i.height = 32768; }},
+                 {"channels is 2; it must be 1, 3 or 4", [](auto& i) { i.channels = 2; }},
+                 {"row_stride is 11; a row takes 12", [](auto& i) { i.row_stride = 11; }},
+                 {"row_stride", [](auto& i) { i.row_stride = UINT64_MAX; }},
+                 {"byte_size is 11; the image takes 12", [](auto& i) { i.byte_size = 11; }},
+                 {"the image takes 24", [](auto& i) { i.height = 2; }},
+                 {"pixel (3, 0) is not finite", [](auto& i) { i.width = 4; }}});
+    check_wrong(nicol_texture_options NICOL_TEXTURE_OPTIONS_INIT,
+                [&](const auto& options) {
+                    CHECK(nicol_texture_load(context, "absent.png", &options, &texture) != NICOL_OK);
+                    return create(image, &options);
+                },
+                {{"filter is 3; it must be one of NICOL_TEXTURE_FILTER_", [](auto& o) { o.filter = 3; }},
+                 {"wrap is 3; it must be one of NICOL_TEXTURE_WRAP_", [](auto& o) { o.wrap = 3; }},
+                 {"raw is 2; it must be 0 or 1", [](auto& o) { o.raw = 2; }},
+                 {"last row of to_uv must be 0 0 1", [](auto& o) { o.to_uv[6] = 1; }},
+                 {"to_uv has an element that is not finite", [](auto& o) { o.to_uv[2] = not_a_number; }}});
+    check_wrong(
+        spectrum({1, 1, 1}),
+        [&](const nicol_spectrum& color) {
+            const nicol_spectrum good = spectrum({0.5F});
+            CHECK(nicol_texture_create_checkerboard(context, &color, &good, nullptr, &texture) != NICOL_OK);
+            return nicol_texture_create_checkerboard(context, &good, &color, nullptr, &texture);
+        },
+        {{"color1 has 2 values; a colour has 1 or 3", [](auto& s) { s.count = 2; }},
+         {"color1.count", [](auto& s) { s.count = 17; }},
+         {"not finite", [](auto& s) { s.values[1] = INFINITY; }}});
+    const TemporaryFolder folder;
+    const std::string text = folder.write("text.png", "no image"), none = folder.file("none.exr");
+    FAILS(nicol_texture_load(context, none.c_str(), nullptr, &texture), NICOL_ERROR_FILE_NOT_FOUND, none);
+    FAILS(nicol_texture_load(context, text.c_str(), nullptr, &texture), NICOL_ERROR_UNSUPPORTED, text);
+    CHECK(texture == marker<nicol_texture>());
+}
+
+CONTEXT_TEST_CASE("textures and materials that do not fit are refused") {
+    const Owned texture(make(nicol_texture_create_vertex_colors, context));
+    const Owned grey(diffuse(context, {0.5F})), colour(diffuse(context, {0.5F, 0.4F}));
+    const Owned both(make(nicol_material_create_twosided, context, grey));
+    nicol_material material = marker<nicol_material>();
+    const auto stranger_refuses = [&](nicol_context other) {
+        const Owned foreign(make(nicol_texture_create_vertex_colors, other));
+        nicol_pplastic plastic = NICOL_PPLASTIC_INIT;
+        plastic.alpha_texture = foreign;
+        CHECK(nicol_material_create_pplastic(context, &plastic, &material) == NICOL_ERROR_INVALID_HANDLE);
+        nicol_conductor metal = NICOL_CONDUCTOR_INIT;
+        metal.specular_reflectance_texture = foreign;
+        CHECK(nicol_material_create_conductor(context, &metal, &material) == NICOL_ERROR_INVALID_HANDLE);
+        CHECK(nicol_material_create_scaled(context, grey, foreign, &material) == NICOL_ERROR_INVALID_HANDLE);
+        CHECK(nicol_material_create_blend(context, grey, colour, foreign, &material) ==
+              NICOL_ERROR_INVALID_HANDLE);
+    };
+    const Owned other(make_context(NICOL_BACKEND_OSMESA));
+    stranger_refuses(other);
+    check_refused({
+        {"3 and 2 channels",
+         [&] { return nicol_material_create_scaled(context, colour, texture, &material); }},
+        {"two-sided alike",
+         [&] { return nicol_material_create_blend(context, grey, both, texture, &material); }},
+        {"mirrored_y is 2; it must be 0 or 1",
+         [&] { return nicol_material_create_normal_map(context, grey, texture, 2, &material); }},
+        {"scale",
+         [&] { return nicol_material_create_bump_map(context, grey, texture, not_a_number, &material); }},
+    });
+    CHECK(material == marker<nicol_material>());
 }
 
 CONTEXT_TEST_CASE("framebuffers that are too large or have no pixels are refused, others made") {

@@ -276,12 +276,42 @@ class CallTest(unittest.TestCase):
         self.assertEqual(nicol.Mesh.create(self.context, wide).get_size(), (4, 2))
         with self.assertRaisesRegex(ValueError, "cannot hold"):
             nicol.mesh_data(positions, array.array("i", [0, 1, -2]))
-        with self.assertRaisesRegex(ValueError, "positions takes three"):
+        with self.assertRaisesRegex(ValueError, "positions takes 3"):
             nicol.mesh_data(positions[1:], indices)
-        with self.assertRaisesRegex(ValueError, "3 normals of 4 vertices"):
+        with self.assertRaisesRegex(ValueError, "3 normals for 4 positions"):
             nicol.mesh_data(positions, indices, positions[3:])
         with self.assertRaisesRegex(TypeError, "'f' where one of 'I'"):
             nicol.mesh_data(positions, positions)
+
+    def test_textured_mesh(self):
+        positions = array.array("f", [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0])
+        indices = array.array("I", [0, 1, 2, 2, 1, 3])
+        texcoords = array.array("f", [0, 0, 1, 0, 0, 1, 1, 1])
+        mesh = nicol.Mesh.create(self.context, nicol.mesh_data(positions, indices, texcoords=texcoords, colors=positions))
+        pixels = memoryview(bytes(range(24))).cast("B", (2, 4, 3))
+        image = nicol.texture_image(pixels)
+        self.assertEqual((image.width, image.height, image.channels, image.type), (4, 2, 3, nicol.TEXEL_UINT8))
+        options = nicol.TextureOptions(filter=nicol.TEXTURE_FILTER_NEAREST, raw=1)
+        texture = nicol.Texture.create_image(self.context, image, options)
+        material = nicol.Material.create_scaled(self.context, nicol.Material.create_diffuse(self.context, 1), texture)
+        scene = nicol.Scene.create(self.context)
+        scene.add_instance(nicol.Instance(mesh=mesh, material=material))
+        plastic = nicol.Pplastic(diffuse_reflectance_texture=texture)
+        texture.release()
+        with self.assertRaisesRegex(nicol.Error, "released"):
+            nicol.Material.create_pplastic(self.context, plastic)
+        plain = nicol.Mesh.create(self.context, nicol.mesh_data(positions, indices))
+        with self.assertRaisesRegex(nicol.Error, "texture coordinates"):
+            scene.add_instance(nicol.Instance(mesh=plain, material=material))
+        seam = array.array("f", [0, 0, 1, 0, 0, 1])
+        mesh = nicol.mesh_data(positions, indices, texcoords=seam, texcoord_indices=array.array("I", [0, 1, 2, 2, 1, 0]))
+        self.assertEqual(mesh.texcoord_count, 3)
+        with self.assertRaisesRegex(ValueError, "3 texcoords for 4 positions"):
+            nicol.mesh_data(positions, indices, texcoords=seam)
+        with self.assertRaisesRegex(TypeError, "kind 'd'"):
+            nicol.texture_image(memoryview(bytes(64)).cast("d", (2, 4)))
+        with self.assertRaisesRegex(ValueError, "shape"):
+            nicol.texture_image(bytes(24))
 
     def test_mathematics(self):
         transform = nicol.PshTransform.create(nicol.PshSampling(order=3))

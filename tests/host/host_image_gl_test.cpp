@@ -64,7 +64,7 @@ TEST_CASE("a framebuffer's textures are the Stokes vectors of its channels") {
     const Show show;
     const GladGLContext& gl = show.application.gl;
     for (std::uint32_t c = 0; c < 3; ++c) {
-        nicol_texture texture = NICOL_TEXTURE_INIT;
+        nicol_gl_texture texture = NICOL_GL_TEXTURE_INIT;
         OK(nicol_framebuffer_get_texture(show.stage.framebuffer, c, &texture));
         CHECK((texture.target == GL_TEXTURE_2D && texture.internal_format == GL_RGBA32F));
         CHECK((texture.width == width && texture.height == height));
@@ -191,7 +191,7 @@ TEST_CASE("targets that cannot be drawn into are refused by name") {
     refused(unsized, "no pixels");
     refused(texture_of(gl, GL_R32F), "internal format");
     refused(texture_of(gl, GL_RGBA8, width, height + 1), "24 x 17");
-    nicol_texture own = NICOL_TEXTURE_INIT;
+    nicol_gl_texture own = NICOL_GL_TEXTURE_INIT;
     OK(nicol_framebuffer_get_texture(framebuffer, 2, &own));
     refused(own.name, "own");
     CHECK(read_all(framebuffer) == show.stokes);
@@ -235,7 +235,7 @@ TEST_CASE("many channels are seen as their mean, but not as colours") {
 }
 
 STAGE_TEST_CASE("a context of our own shares no textures") {
-    nicol_texture texture = NICOL_TEXTURE_INIT;
+    nicol_gl_texture texture = NICOL_GL_TEXTURE_INIT;
     const nicol_texture_target target = into(1);
     const nicol_observation seen = NICOL_OBSERVATION_INIT;
     const nicol_framebuffer framebuffer = stage.framebuffer;

@@ -74,7 +74,7 @@ TEST_CASE("the application goes on while a job bakes") {
     for (int frame = 0; frame < 100; ++frame) CHECK(poll(job).state == NICOL_JOB_RUNNING);
     FAILS(nicol_job_wait(job, 0), NICOL_ERROR_TIMEOUT, "0 milliseconds");
     FAILS(nicol_job_wait(job, 1), NICOL_ERROR_TIMEOUT, "1 milliseconds");
-    nicol_texture texture = NICOL_TEXTURE_INIT;
+    nicol_gl_texture texture = NICOL_GL_TEXTURE_INIT;
     OK(nicol_framebuffer_get_texture(hosted.stage.framebuffer, 0, &texture));
     CHECK(difference(before, gl_state(hosted.application.gl)) == "");
     gate.open();

@@ -59,20 +59,46 @@ _COMPONENTS = {_abi.PLANE_STOKES: (4,), _abi.PLANE_NORMAL: (3,), _abi.PLANE_POSI
 _FORMATS = {"f": _abi.FORMAT_FLOAT32, "e": _abi.FORMAT_FLOAT16, "I": _abi.FORMAT_UINT32}
 
 
-def mesh_data(positions, indices, normals=None):
-    """For Mesh.create, from arrays of three numbers a vertex and a triangle."""
-    counts = []
-    for name, value in (("positions", positions), ("indices", indices), ("normals", normals)):
+def mesh_data(positions, indices, normals=None, texcoords=None, texcoord_indices=None, colors=None):
+    """For Mesh.create, from arrays of three numbers a vertex and a triangle, of texture coordinates two."""
+    fields = {"positions": positions, "indices": indices, "normals": normals, "texcoords": texcoords,
+              "texcoord_indices": texcoord_indices, "colors": colors}  # fmt: skip
+    counts = {}
+    for name, value in fields.items():
         view = memoryview(b"" if value is None else value)
-        count, rest = divmod(view.nbytes // view.itemsize, 3)
+        each = 2 if name == "texcoords" else 3
+        counts[name], rest = divmod(view.nbytes // view.itemsize, each)
         if rest:
-            raise ValueError(f"{name} takes three numbers each; {3 * count + rest} are no multiple of 3")
-        counts.append(count)
-    if normals is not None and counts[2] != counts[0]:
-        raise ValueError(f"{counts[2]} normals of {counts[0]} vertices")
+            raise ValueError(f"{name} takes {each} numbers each; {each * counts[name] + rest} are no multiple of {each}")
+    of = {"normals": "positions", "colors": "positions", "texcoord_indices": "indices"}
+    if texcoord_indices is None:
+        of["texcoords"] = "positions"
+    for name, wanted in of.items():
+        if fields[name] is not None and counts[name] != counts[wanted]:
+            raise ValueError(f"{counts[name]} {name} for {counts[wanted]} {wanted}")
     return _abi.MeshData(
-        positions=positions, indices=indices, normals=normals, vertex_count=counts[0], triangle_count=counts[1]
-    )
+        vertex_count=counts["positions"], triangle_count=counts["indices"], texcoord_count=counts["texcoords"],
+        **{name: value for name, value in fields.items() if value is not None},
+    )  # fmt: skip
+
+
+def texture_image(pixels):
+    """For Texture.create_image, from numbers of shape (height, width) or (height, width, channels): unsigned of 8 or
+    16 bits, or 32-bit floats."""
+    view = memoryview(pixels)
+    if view.ndim not in (2, 3):
+        raise ValueError(f"pixels have the shape {view.shape}; it must be (height, width) or (height, width, channels)")
+    kind = view.format.lstrip("<=")
+    if kind not in _TEXELS:
+        raise TypeError(f"pixels are numbers of kind '{kind}'; a texture has those of {', '.join(_TEXELS)}")
+    height, width, channels = (*view.shape, 1)[:3]
+    return _abi.TextureImage(
+        type=_TEXELS[kind], width=width, height=height, channels=channels, pixels=pixels,
+        row_stride=view.strides[0], byte_size=view.strides[0] * (height - 1) + view[:1].nbytes,
+    )  # fmt: skip
+
+
+_TEXELS = {"B": _abi.TEXEL_UINT8, "H": _abi.TEXEL_UINT16, "f": _abi.TEXEL_FLOAT32}
 
 
 def image(pixels):
@@ -88,5 +114,5 @@ def image(pixels):
     )  # fmt: skip
 
 
-__all__ = [*_abi.__all__, "Error", "Handle", "Struct", "image", "mesh_data"]
+__all__ = [*_abi.__all__, "Error", "Handle", "Struct", "image", "mesh_data", "texture_image"]
 __version__ = _abi.version_string()

@@ -38,6 +38,15 @@ BACKEND_AUTOMATIC = 0
 BACKEND_EGL = 1
 BACKEND_OSMESA = 2
 BACKEND_HOST = 3
+TEXTURE_FILTER_NEAREST = 0
+TEXTURE_FILTER_BILINEAR = 1
+TEXTURE_FILTER_MIPMAP = 2
+TEXTURE_WRAP_REPEAT = 0
+TEXTURE_WRAP_MIRROR = 1
+TEXTURE_WRAP_CLAMP = 2
+TEXEL_UINT8 = 0
+TEXEL_UINT16 = 1
+TEXEL_FLOAT32 = 2
 DISTRIBUTION_BECKMANN = 0
 DISTRIBUTION_GGX = 1
 WAVELENGTH_LINEAR = 0
@@ -263,6 +272,35 @@ class EnvironmentInfo(Struct):
     ]
 
 
+class TextureImage(Struct):
+    _read_only_ = {"pixels"}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("type", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("channels", c_uint32),
+        ("reserved", c_uint32),
+        ("pixels", c_void_p),
+        ("row_stride", c_uint64),
+        ("byte_size", c_uint64),
+    ]
+
+
+class TextureOptions(Struct):
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("filter", c_uint32),
+        ("wrap", c_uint32),
+        ("raw", c_uint32),
+        ("to_uv", c_double * 9),
+    ]
+    _defaults_ = {
+        "filter": 1,
+        "to_uv": [1, 0, 0, 0, 1, 0, 0, 0, 1],
+    }
+
+
 class Pplastic(Struct):
     """Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Front side only."""
     _fields_ = [
@@ -273,6 +311,10 @@ class Pplastic(Struct):
         ("int_ior", c_float),
         ("ext_ior", c_float),
         ("alpha", c_float),
+        ("reserved", c_uint32),
+        ("diffuse_reflectance_texture", c_void_p),
+        ("specular_reflectance_texture", c_void_p),
+        ("alpha_texture", c_void_p),
     ]
     _defaults_ = {
         "int_ior": 1.49,
@@ -294,6 +336,8 @@ class Conductor(Struct):
         ("k", Spectrum),
         ("wavelengths", Spectrum),
         ("specular_reflectance", Spectrum),
+        ("specular_reflectance_texture", c_void_p),
+        ("alpha_texture", c_void_p),
     ]
 
 
@@ -332,15 +376,18 @@ class CallbackMaterial(Struct):
 
 
 class MeshData(Struct):
-    """Positions and normals must be finite, indices valid. Triangles without area are left out, and logged once."""
+    """All numbers must be finite, indices valid. Triangles without area are left out, and logged once."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("vertex_count", c_uint32),
         ("triangle_count", c_uint32),
-        ("reserved", c_uint32),
+        ("texcoord_count", c_uint32),
         ("positions", POINTER(c_float)),
         ("normals", POINTER(c_float)),
         ("indices", POINTER(c_uint32)),
+        ("texcoords", POINTER(c_float)),
+        ("texcoord_indices", POINTER(c_uint32)),
+        ("colors", POINTER(c_float)),
     ]
 
 
@@ -517,7 +564,7 @@ class Host(Struct):
     ]
 
 
-class Texture(Struct):
+class GlTexture(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
         ("name", c_uint32),
@@ -728,6 +775,42 @@ class Environment(Handle):
         check(_environment_write(self, byref(options) if options is not None else None, text(path)))
 
 
+class Texture(Handle):
+    """values that vary over a surface; immutable"""
+
+    @classmethod
+    def create_image(cls, context, image, options=None):
+        """Copies the pixels. options may be NULL: all defaults."""
+        texture = cls()
+        check(_texture_create_image(context, byref(image) if image is not None else None, byref(options) if options is not None else None, byref(texture)))
+        return texture
+
+    @classmethod
+    def load(cls, context, path, options=None):
+        """PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; with A as coverage. options may be NULL: all
+        defaults."""
+        texture = cls()
+        check(_texture_load(context, text(path), byref(options) if options is not None else None, byref(texture)))
+        return texture
+
+    @classmethod
+    def create_checkerboard(cls, context, color0, color1, to_uv):
+        """Mitsuba 3's checkerboard: four squares a unit of u and v, color0 at u = v = 0. Colours of 1 or 3 values;
+        NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity."""
+        color0 = color0 if color0 is None or isinstance(color0, Spectrum) else Spectrum.of(color0)
+        color1 = color1 if color1 is None or isinstance(color1, Spectrum) else Spectrum.of(color1)
+        texture = cls()
+        check(_texture_create_checkerboard(context, byref(color0) if color0 is not None else None, byref(color1) if color1 is not None else None, array(to_uv, c_double, 9), byref(texture)))
+        return texture
+
+    @classmethod
+    def create_vertex_colors(cls, context):
+        """The colours of the mesh's vertices, interpolated."""
+        texture = cls()
+        check(_texture_create_vertex_colors(context, byref(texture)))
+        return texture
+
+
 class Material(Handle):
     """a polarimetric BRDF; immutable"""
 
@@ -779,6 +862,47 @@ class Material(Handle):
         return material
 
     @classmethod
+    def create_scaled(cls, context, base, scale):
+        """A material times a texture: a diffuse one of reflectance 1 then has the texture's colours. The handles
+        given may be released afterwards, here and below."""
+        material = cls()
+        check(_material_create_scaled(context, base, scale, byref(material)))
+        return material
+
+    @classmethod
+    def create_blend(cls, context, first, second, weight):
+        """first (1 - t) + second t, t the weight's first channel, moved to 0 to 1: Mitsuba 3's blendbsdf. Both must
+        be two-sided, or neither."""
+        material = cls()
+        check(_material_create_blend(context, first, second, weight, byref(material)))
+        return material
+
+    @classmethod
+    def create_normal_map(cls, context, base, normals, mirrored_y):
+        """Shading normals 2 t - 1 in the frame of the surface, x along growing u: Mitsuba 3's normalmap. The texture
+        is raw. y completes a right-handed frame; with mirrored_y 1 it points to where v falls, which differs where
+        texture coordinates are mirrored, as in glTF."""
+        material = cls()
+        check(_material_create_normal_map(context, base, normals, mirrored_y, byref(material)))
+        return material
+
+    @classmethod
+    def create_bump_map(cls, context, base, heights, scale):
+        """Shading normals of a surface that is displaced along its normal by scale times the texture's first channel,
+        in the scene's units: Mitsuba 3's bumpmap."""
+        material = cls()
+        check(_material_create_bump_map(context, base, heights, scale, byref(material)))
+        return material
+
+    @classmethod
+    def create_mask(cls, context, base, opacity):
+        """Cut out where the texture's coverage, or of fewer than four channels its first one, is below 0.5: Mitsuba
+        3's mask of opacities 0 and 1."""
+        material = cls()
+        check(_material_create_mask(context, base, opacity, byref(material)))
+        return material
+
+    @classmethod
     def create_callback(cls, context, parameters):
         """The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
         tested at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT otherwise. Front side only."""
@@ -812,7 +936,8 @@ class Mesh(Handle):
 
     @classmethod
     def create_sphere(cls, context):
-        """The unit sphere, finely enough divided for per-vertex shading."""
+        """The unit sphere, finely enough divided for per-vertex shading. Here and below texture coordinates are those
+        of Mitsuba 3's shapes."""
         mesh = cls()
         check(_mesh_create_sphere(context, byref(mesh)))
         return mesh
@@ -860,8 +985,10 @@ class Scene(Handle):
         return scene
 
     def add_instance(self, instance):
-        """id may be NULL; ids count up from 0, past those of removed instances too. Materials and environment must
-        have one colour channel or the same number of them, here and in nicol_scene_set_environment."""
+        """id may be NULL; ids count up from 0, past those of removed instances too. A mesh must have the texture
+        coordinates and colours that its material needs, here and in nicol_scene_set_material. Materials and
+        environment must have one colour channel or the same number of them, here and in
+        nicol_scene_set_environment."""
         id = c_uint32()
         check(_scene_add_instance(self, byref(instance) if instance is not None else None, byref(id)))
         return id.value
@@ -1004,7 +1131,7 @@ class Framebuffer(Handle):
         The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
         render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
         NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below."""
-        texture = Texture()
+        texture = GlTexture()
         check(_framebuffer_get_texture(self, channel, byref(texture)))
         return texture
 
@@ -1326,12 +1453,22 @@ _environment_create_sky = declare("nicol_environment_create_sky", c_int32, Conte
 _environment_create_psh = declare("nicol_environment_create_psh", c_int32, Context, c_uint32, c_uint32, POINTER(c_double), c_uint64, POINTER(Environment))
 _environment_get_info = declare("nicol_environment_get_info", c_int32, Environment, POINTER(EnvironmentInfo))
 Environment._release = declare("nicol_environment_release", c_int32, c_void_p)
+_texture_create_image = declare("nicol_texture_create_image", c_int32, Context, POINTER(TextureImage), POINTER(TextureOptions), POINTER(Texture))
+_texture_load = declare("nicol_texture_load", c_int32, Context, c_char_p, POINTER(TextureOptions), POINTER(Texture))
+_texture_create_checkerboard = declare("nicol_texture_create_checkerboard", c_int32, Context, POINTER(Spectrum), POINTER(Spectrum), POINTER(c_double), POINTER(Texture))
+_texture_create_vertex_colors = declare("nicol_texture_create_vertex_colors", c_int32, Context, POINTER(Texture))
+Texture._release = declare("nicol_texture_release", c_int32, c_void_p)
 _material_create_pplastic = declare("nicol_material_create_pplastic", c_int32, Context, POINTER(Pplastic), POINTER(Material))
 _material_create_diffuse = declare("nicol_material_create_diffuse", c_int32, Context, POINTER(Spectrum), POINTER(Material))
 _material_create_conductor = declare("nicol_material_create_conductor", c_int32, Context, POINTER(Conductor), POINTER(Material))
 _material_load_measured = declare("nicol_material_load_measured", c_int32, Context, c_char_p, POINTER(Measured), POINTER(Material))
 _material_load_psh = declare("nicol_material_load_psh", c_int32, Context, c_char_p, POINTER(PshMatrix), POINTER(Material))
 _material_create_twosided = declare("nicol_material_create_twosided", c_int32, Context, Material, POINTER(Material))
+_material_create_scaled = declare("nicol_material_create_scaled", c_int32, Context, Material, Texture, POINTER(Material))
+_material_create_blend = declare("nicol_material_create_blend", c_int32, Context, Material, Material, Texture, POINTER(Material))
+_material_create_normal_map = declare("nicol_material_create_normal_map", c_int32, Context, Material, Texture, c_uint32, POINTER(Material))
+_material_create_bump_map = declare("nicol_material_create_bump_map", c_int32, Context, Material, Texture, c_double, POINTER(Material))
+_material_create_mask = declare("nicol_material_create_mask", c_int32, Context, Material, Texture, POINTER(Material))
 _material_create_callback = declare("nicol_material_create_callback", c_int32, Context, POINTER(CallbackMaterial), POINTER(Material))
 Material._release = declare("nicol_material_release", c_int32, c_void_p)
 _mesh_load = declare("nicol_mesh_load", c_int32, Context, c_char_p, POINTER(Mesh))
@@ -1374,7 +1511,7 @@ _framebuffer_read_plane = declare("nicol_framebuffer_read_plane", c_int32, Frame
 _framebuffer_write_exr = declare("nicol_framebuffer_write_exr", c_int32, Framebuffer, c_char_p)
 _framebuffer_write_png = declare("nicol_framebuffer_write_png", c_int32, Framebuffer, POINTER(Observation), c_char_p)
 _context_create_host = declare("nicol_context_create_host", c_int32, POINTER(Host), POINTER(ContextOptions), POINTER(Context))
-_framebuffer_get_texture = declare("nicol_framebuffer_get_texture", c_int32, Framebuffer, c_uint32, POINTER(Texture))
+_framebuffer_get_texture = declare("nicol_framebuffer_get_texture", c_int32, Framebuffer, c_uint32, POINTER(GlTexture))
 _framebuffer_draw_stokes = declare("nicol_framebuffer_draw_stokes", c_int32, Framebuffer, c_uint32, POINTER(TextureTarget))
 _framebuffer_draw_observation = declare("nicol_framebuffer_draw_observation", c_int32, Framebuffer, POINTER(Observation), POINTER(TextureTarget))
 _psh_project_image = declare("nicol_psh_project_image", c_int32, POINTER(Image), c_uint32, POINTER(c_double), c_uint64)
@@ -1469,6 +1606,7 @@ __all__ = [
     "FORMAT_UINT32",
     "FileOptions",
     "Framebuffer",
+    "GlTexture",
     "HIGH_ORDERS_CONVOLUTION",
     "HIGH_ORDERS_NONE",
     "HIGH_ORDERS_SPLIT",
@@ -1552,7 +1690,18 @@ __all__ = [
     "Sky",
     "Spectrum",
     "Statistics",
+    "TEXEL_FLOAT32",
+    "TEXEL_UINT16",
+    "TEXEL_UINT8",
+    "TEXTURE_FILTER_BILINEAR",
+    "TEXTURE_FILTER_MIPMAP",
+    "TEXTURE_FILTER_NEAREST",
+    "TEXTURE_WRAP_CLAMP",
+    "TEXTURE_WRAP_MIRROR",
+    "TEXTURE_WRAP_REPEAT",
     "Texture",
+    "TextureImage",
+    "TextureOptions",
     "TextureTarget",
     "VERSION",
     "VERSION_MAJOR",

@@ -193,14 +193,19 @@ class Buffer:
 
 
 class Memory:
-    """Memory of any numbers in Python's hands that the library writes to."""
+    """Memory of any numbers in Python's hands that the library writes to, or only reads."""
 
-    def __init__(self, value):
+    def __init__(self, value, writable=True):
         view = memoryview(value)
-        if view.readonly or view.strides[0] < 0 or not view[:1].c_contiguous:
-            raise TypeError("results need a writable buffer that is contiguous within its rows")
+        if view.strides[0] < 0 or not view[:1].c_contiguous:
+            raise TypeError("the buffer is not contiguous within its rows")
+        if writable and view.readonly:
+            raise TypeError("results need a writable buffer")
         if hasattr(value, "__array_interface__"):
             self.owner, self.address = value, value.__array_interface__["data"][0]
+        elif view.readonly:
+            self.owner = (ctypes.c_char * view.nbytes).from_buffer_copy(value)
+            self.address = ctypes.addressof(self.owner)
         else:
             self.owner = (ctypes.c_char * view.nbytes).from_buffer(value)
             self.address = ctypes.addressof(self.owner)
@@ -228,6 +233,7 @@ class Struct(ctypes.Structure):
     a channel; pointers take buffers, callbacks take functions, both kept alive as long as they are in use."""
 
     _callbacks_ = {}
+    _read_only_ = {}  # fields of memory that the library does not write to
     _defaults_ = {}
 
     def __init__(self, **fields):
@@ -251,7 +257,7 @@ class Struct(ctypes.Structure):
         elif type_ is ctypes.c_char_p:
             value = text(value)
         elif type_ is ctypes.c_void_p and value is not None and not isinstance(value, int):
-            self._kept[name] = memory = Memory(value)
+            self._kept[name] = memory = Memory(value, name not in self._read_only_)
             value = memory.address
         elif issubclass(type_, ctypes._Pointer):
             self._kept[name] = buffer = Buffer(value, type_._type_)

@@ -35,6 +35,15 @@ pub const NICOL_BACKEND_AUTOMATIC: u32 = 0;
 pub const NICOL_BACKEND_EGL: u32 = 1;
 pub const NICOL_BACKEND_OSMESA: u32 = 2;
 pub const NICOL_BACKEND_HOST: u32 = 3;
+pub const NICOL_TEXTURE_FILTER_NEAREST: u32 = 0;
+pub const NICOL_TEXTURE_FILTER_BILINEAR: u32 = 1;
+pub const NICOL_TEXTURE_FILTER_MIPMAP: u32 = 2;
+pub const NICOL_TEXTURE_WRAP_REPEAT: u32 = 0;
+pub const NICOL_TEXTURE_WRAP_MIRROR: u32 = 1;
+pub const NICOL_TEXTURE_WRAP_CLAMP: u32 = 2;
+pub const NICOL_TEXEL_UINT8: u32 = 0;
+pub const NICOL_TEXEL_UINT16: u32 = 1;
+pub const NICOL_TEXEL_FLOAT32: u32 = 2;
 pub const NICOL_DISTRIBUTION_BECKMANN: u32 = 0;
 pub const NICOL_DISTRIBUTION_GGX: u32 = 1;
 pub const NICOL_WAVELENGTH_LINEAR: u32 = 0;
@@ -144,6 +153,13 @@ pub struct nicol_environment_impl {
 }
 /// light from infinitely far; immutable
 pub type nicol_environment = *mut nicol_environment_impl;
+
+#[repr(C)]
+pub struct nicol_texture_impl {
+    _private: [u8; 0],
+}
+/// values that vary over a surface; immutable
+pub type nicol_texture = *mut nicol_texture_impl;
 
 #[repr(C)]
 pub struct nicol_material_impl {
@@ -443,6 +459,71 @@ const _: () = {
     assert!(offset_of!(nicol_environment_info, reserved) == 20);
     assert!(offset_of!(nicol_environment_info, wavelengths) == 24);
 };
+pub type nicol_texture_filter = u32;
+pub type nicol_texture_wrap = u32;
+pub type nicol_texel = u32;
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_texture_image {
+    pub struct_size: u32,
+    pub r#type: nicol_texel,
+    pub width: u32,
+    pub height: u32,
+    pub channels: u32,
+    pub reserved: u32,
+    pub pixels: *const c_void,
+    pub row_stride: u64,
+    pub byte_size: u64,
+}
+impl Default for nicol_texture_image {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_texture_image>() == 48);
+    assert!(offset_of!(nicol_texture_image, struct_size) == 0);
+    assert!(offset_of!(nicol_texture_image, r#type) == 4);
+    assert!(offset_of!(nicol_texture_image, width) == 8);
+    assert!(offset_of!(nicol_texture_image, height) == 12);
+    assert!(offset_of!(nicol_texture_image, channels) == 16);
+    assert!(offset_of!(nicol_texture_image, reserved) == 20);
+    assert!(offset_of!(nicol_texture_image, pixels) == 24);
+    assert!(offset_of!(nicol_texture_image, row_stride) == 32);
+    assert!(offset_of!(nicol_texture_image, byte_size) == 40);
+};
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_texture_options {
+    pub struct_size: u32,
+    pub filter: nicol_texture_filter,
+    pub wrap: nicol_texture_wrap,
+    pub raw: u32,
+    pub to_uv: [f64; 9],
+}
+impl Default for nicol_texture_options {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made.filter = 1;
+        made.to_uv = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_texture_options>() == 88);
+    assert!(offset_of!(nicol_texture_options, struct_size) == 0);
+    assert!(offset_of!(nicol_texture_options, filter) == 4);
+    assert!(offset_of!(nicol_texture_options, wrap) == 8);
+    assert!(offset_of!(nicol_texture_options, raw) == 12);
+    assert!(offset_of!(nicol_texture_options, to_uv) == 16);
+};
 pub type nicol_distribution = u32;
 
 /// Mitsuba 3's pplastic: rough Fresnel reflection over a diffuse base, both polarizing. Front side only.
@@ -456,6 +537,10 @@ pub struct nicol_pplastic {
     pub int_ior: f32,
     pub ext_ior: f32,
     pub alpha: f32,
+    pub reserved: u32,
+    pub diffuse_reflectance_texture: nicol_texture,
+    pub specular_reflectance_texture: nicol_texture,
+    pub alpha_texture: nicol_texture,
 }
 impl Default for nicol_pplastic {
     fn default() -> Self {
@@ -469,7 +554,7 @@ impl Default for nicol_pplastic {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_pplastic>() == 156);
+    assert!(size_of::<nicol_pplastic>() == 184);
     assert!(offset_of!(nicol_pplastic, struct_size) == 0);
     assert!(offset_of!(nicol_pplastic, distribution) == 4);
     assert!(offset_of!(nicol_pplastic, diffuse_reflectance) == 8);
@@ -477,6 +562,10 @@ const _: () = {
     assert!(offset_of!(nicol_pplastic, int_ior) == 144);
     assert!(offset_of!(nicol_pplastic, ext_ior) == 148);
     assert!(offset_of!(nicol_pplastic, alpha) == 152);
+    assert!(offset_of!(nicol_pplastic, reserved) == 156);
+    assert!(offset_of!(nicol_pplastic, diffuse_reflectance_texture) == 160);
+    assert!(offset_of!(nicol_pplastic, specular_reflectance_texture) == 168);
+    assert!(offset_of!(nicol_pplastic, alpha_texture) == 176);
 };
 
 /// Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
@@ -493,6 +582,8 @@ pub struct nicol_conductor {
     pub k: nicol_spectrum,
     pub wavelengths: nicol_spectrum,
     pub specular_reflectance: nicol_spectrum,
+    pub specular_reflectance_texture: nicol_texture,
+    pub alpha_texture: nicol_texture,
 }
 impl Default for nicol_conductor {
     fn default() -> Self {
@@ -503,7 +594,7 @@ impl Default for nicol_conductor {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_conductor>() == 296);
+    assert!(size_of::<nicol_conductor>() == 312);
     assert!(offset_of!(nicol_conductor, struct_size) == 0);
     assert!(offset_of!(nicol_conductor, distribution) == 4);
     assert!(offset_of!(nicol_conductor, alpha) == 8);
@@ -513,6 +604,8 @@ const _: () = {
     assert!(offset_of!(nicol_conductor, k) == 92);
     assert!(offset_of!(nicol_conductor, wavelengths) == 160);
     assert!(offset_of!(nicol_conductor, specular_reflectance) == 228);
+    assert!(offset_of!(nicol_conductor, specular_reflectance_texture) == 296);
+    assert!(offset_of!(nicol_conductor, alpha_texture) == 304);
 };
 pub type nicol_wavelength_sampling = u32;
 
@@ -603,17 +696,20 @@ const _: () = {
     assert!(offset_of!(nicol_callback_material, reserved) == 36);
 };
 
-/// Positions and normals must be finite, indices valid. Triangles without area are left out, and logged once.
+/// All numbers must be finite, indices valid. Triangles without area are left out, and logged once.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_mesh_data {
     pub struct_size: u32,
     pub vertex_count: u32,
     pub triangle_count: u32,
-    pub reserved: u32,
+    pub texcoord_count: u32,
     pub positions: *const f32,
     pub normals: *const f32,
     pub indices: *const u32,
+    pub texcoords: *const f32,
+    pub texcoord_indices: *const u32,
+    pub colors: *const f32,
 }
 impl Default for nicol_mesh_data {
     fn default() -> Self {
@@ -624,14 +720,17 @@ impl Default for nicol_mesh_data {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_mesh_data>() == 40);
+    assert!(size_of::<nicol_mesh_data>() == 64);
     assert!(offset_of!(nicol_mesh_data, struct_size) == 0);
     assert!(offset_of!(nicol_mesh_data, vertex_count) == 4);
     assert!(offset_of!(nicol_mesh_data, triangle_count) == 8);
-    assert!(offset_of!(nicol_mesh_data, reserved) == 12);
+    assert!(offset_of!(nicol_mesh_data, texcoord_count) == 12);
     assert!(offset_of!(nicol_mesh_data, positions) == 16);
     assert!(offset_of!(nicol_mesh_data, normals) == 24);
     assert!(offset_of!(nicol_mesh_data, indices) == 32);
+    assert!(offset_of!(nicol_mesh_data, texcoords) == 40);
+    assert!(offset_of!(nicol_mesh_data, texcoord_indices) == 48);
+    assert!(offset_of!(nicol_mesh_data, colors) == 56);
 };
 pub type nicol_projection = u32;
 
@@ -1022,7 +1121,7 @@ const _: () = {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct nicol_texture {
+pub struct nicol_gl_texture {
     pub struct_size: u32,
     pub name: u32,
     pub target: u32,
@@ -1030,7 +1129,7 @@ pub struct nicol_texture {
     pub width: u32,
     pub height: u32,
 }
-impl Default for nicol_texture {
+impl Default for nicol_gl_texture {
     fn default() -> Self {
         // Zeros and null pointers are values of every field.
         let mut made: Self = unsafe { std::mem::zeroed() };
@@ -1039,13 +1138,13 @@ impl Default for nicol_texture {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_texture>() == 24);
-    assert!(offset_of!(nicol_texture, struct_size) == 0);
-    assert!(offset_of!(nicol_texture, name) == 4);
-    assert!(offset_of!(nicol_texture, target) == 8);
-    assert!(offset_of!(nicol_texture, internal_format) == 12);
-    assert!(offset_of!(nicol_texture, width) == 16);
-    assert!(offset_of!(nicol_texture, height) == 20);
+    assert!(size_of::<nicol_gl_texture>() == 24);
+    assert!(offset_of!(nicol_gl_texture, struct_size) == 0);
+    assert!(offset_of!(nicol_gl_texture, name) == 4);
+    assert!(offset_of!(nicol_gl_texture, target) == 8);
+    assert!(offset_of!(nicol_gl_texture, internal_format) == 12);
+    assert!(offset_of!(nicol_gl_texture, width) == 16);
+    assert!(offset_of!(nicol_gl_texture, height) == 20);
 };
 pub type nicol_encoding = u32;
 
@@ -1354,6 +1453,18 @@ extern "C" {
     pub fn nicol_environment_get_info(environment: nicol_environment, info: *mut nicol_environment_info) -> nicol_result;
     pub fn nicol_environment_retain(environment: nicol_environment) -> nicol_result;
     pub fn nicol_environment_release(environment: nicol_environment) -> nicol_result;
+    /// Copies the pixels. options may be NULL: all defaults.
+    pub fn nicol_texture_create_image(context: nicol_context, image: *const nicol_texture_image, options: *const nicol_texture_options, texture: *mut nicol_texture) -> nicol_result;
+    /// PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; with A as coverage. options may be NULL: all
+    /// defaults.
+    pub fn nicol_texture_load(context: nicol_context, path: *const c_char, options: *const nicol_texture_options, texture: *mut nicol_texture) -> nicol_result;
+    /// Mitsuba 3's checkerboard: four squares a unit of u and v, color0 at u = v = 0. Colours of 1 or 3 values;
+    /// NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity.
+    pub fn nicol_texture_create_checkerboard(context: nicol_context, color0: *const nicol_spectrum, color1: *const nicol_spectrum, to_uv: *const [f64; 9], texture: *mut nicol_texture) -> nicol_result;
+    /// The colours of the mesh's vertices, interpolated.
+    pub fn nicol_texture_create_vertex_colors(context: nicol_context, texture: *mut nicol_texture) -> nicol_result;
+    pub fn nicol_texture_retain(texture: nicol_texture) -> nicol_result;
+    pub fn nicol_texture_release(texture: nicol_texture) -> nicol_result;
     /// NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
     pub fn nicol_material_create_pplastic(context: nicol_context, parameters: *const nicol_pplastic, material: *mut nicol_material) -> nicol_result;
     /// Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only.
@@ -1370,6 +1481,22 @@ extern "C" {
     pub fn nicol_material_load_psh(context: nicol_context, path: *const c_char, options: *const nicol_psh_matrix, material: *mut nicol_material) -> nicol_result;
     /// The back of a surface reflects as its front. `front` may be released afterwards.
     pub fn nicol_material_create_twosided(context: nicol_context, front: nicol_material, material: *mut nicol_material) -> nicol_result;
+    /// A material times a texture: a diffuse one of reflectance 1 then has the texture's colours. The handles
+    /// given may be released afterwards, here and below.
+    pub fn nicol_material_create_scaled(context: nicol_context, base: nicol_material, scale: nicol_texture, material: *mut nicol_material) -> nicol_result;
+    /// first (1 - t) + second t, t the weight's first channel, moved to 0 to 1: Mitsuba 3's blendbsdf. Both must
+    /// be two-sided, or neither.
+    pub fn nicol_material_create_blend(context: nicol_context, first: nicol_material, second: nicol_material, weight: nicol_texture, material: *mut nicol_material) -> nicol_result;
+    /// Shading normals 2 t - 1 in the frame of the surface, x along growing u: Mitsuba 3's normalmap. The texture
+    /// is raw. y completes a right-handed frame; with mirrored_y 1 it points to where v falls, which differs where
+    /// texture coordinates are mirrored, as in glTF.
+    pub fn nicol_material_create_normal_map(context: nicol_context, base: nicol_material, normals: nicol_texture, mirrored_y: u32, material: *mut nicol_material) -> nicol_result;
+    /// Shading normals of a surface that is displaced along its normal by scale times the texture's first channel,
+    /// in the scene's units: Mitsuba 3's bumpmap.
+    pub fn nicol_material_create_bump_map(context: nicol_context, base: nicol_material, heights: nicol_texture, scale: f64, material: *mut nicol_material) -> nicol_result;
+    /// Cut out where the texture's coverage, or of fewer than four channels its first one, is below 0.5: Mitsuba
+    /// 3's mask of opacities 0 and 1.
+    pub fn nicol_material_create_mask(context: nicol_context, base: nicol_material, opacity: nicol_texture, material: *mut nicol_material) -> nicol_result;
     /// The function must be isotropic, mirror symmetric about every plane through the normal, and finite. It is
     /// tested at some directions and refused with NICOL_ERROR_INVALID_ARGUMENT otherwise. Front side only.
     pub fn nicol_material_create_callback(context: nicol_context, parameters: *const nicol_callback_material, material: *mut nicol_material) -> nicol_result;
@@ -1381,7 +1508,8 @@ extern "C" {
     pub fn nicol_mesh_load(context: nicol_context, path: *const c_char, mesh: *mut nicol_mesh) -> nicol_result;
     /// Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance.
     pub fn nicol_mesh_create(context: nicol_context, data: *const nicol_mesh_data, mesh: *mut nicol_mesh) -> nicol_result;
-    /// The unit sphere, finely enough divided for per-vertex shading.
+    /// The unit sphere, finely enough divided for per-vertex shading. Here and below texture coordinates are those
+    /// of Mitsuba 3's shapes.
     pub fn nicol_mesh_create_sphere(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
     /// [-1, 1]^2 in the plane z = 0, facing +z.
     pub fn nicol_mesh_create_rectangle(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
@@ -1399,8 +1527,10 @@ extern "C" {
     /// samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
     /// glTF has no light: the scene is dark until nicol_scene_set_environment.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
-    /// id may be NULL; ids count up from 0, past those of removed instances too. Materials and environment must
-    /// have one colour channel or the same number of them, here and in nicol_scene_set_environment.
+    /// id may be NULL; ids count up from 0, past those of removed instances too. A mesh must have the texture
+    /// coordinates and colours that its material needs, here and in nicol_scene_set_material. Materials and
+    /// environment must have one colour channel or the same number of them, here and in
+    /// nicol_scene_set_environment.
     pub fn nicol_scene_add_instance(scene: nicol_scene, instance: *const nicol_instance, id: *mut u32) -> nicol_result;
     /// id as nicol_scene_add_instance gave it; to_world as nicol_instance's. The next render bakes again the
     /// vertices that the instance may shadow, before or now; a scene that rotates and moves as a whole is only
@@ -1496,7 +1626,7 @@ extern "C" {
     /// The name is valid, and stays the same, until the framebuffer is released; the content is that of the last
     /// render. It may be sampled and its sampling parameters changed, but neither written nor deleted.
     /// NICOL_ERROR_UNSUPPORTED for a framebuffer whose context is not a host's, as for the functions below.
-    pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_texture) -> nicol_result;
+    pub fn nicol_framebuffer_get_texture(framebuffer: nicol_framebuffer, channel: u32, texture: *mut nicol_gl_texture) -> nicol_result;
     /// Copies the Stokes vectors of a channel. Nothing is read back.
     pub fn nicol_framebuffer_draw_stokes(framebuffer: nicol_framebuffer, channel: u32, target: *const nicol_texture_target) -> nicol_result;
     /// The image that nicol_framebuffer_write_png would write, as red, green, blue and alpha 1. s1 to s3 need a

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+// Textures, from their arrays and files to the image of what has them.
+#include "capi.hpp"
+#include "image/observer.hpp"
+
+using namespace capi_test;
+using doctest::Approx;
+
+namespace {
+
+constexpr std::uint32_t edge = 8;
+
+/// Reflectances of a 2 x 2 image, first row first.
+const std::array<std::array<float, 3>, 4> colors = {
+    {{0.2F, 0.4F, 0.6F}, {1, 0, 0}, {0, 0.6F, 0}, {0.8F, 0.8F, 0.2F}}};
+
+nicol_texture_options nearest() {
+    nicol_texture_options options = NICOL_TEXTURE_OPTIONS_INIT;
+    options.filter = NICOL_TEXTURE_FILTER_NEAREST;
+    return options;
+}
+
+template <class Number>
+nicol_texture_image image_of_texels(const std::vector<Number>& pixels, std::uint32_t width,
+                                    std::uint32_t height, std::uint32_t channels, nicol_texel type) {
+    nicol_texture_image image = NICOL_TEXTURE_IMAGE_INIT;
+    image.type = type;
+    image.width = width;
+    image.height = height;
+    image.channels = channels;
+    image.pixels = pixels.data();
+    image.byte_size = pixels.size() * sizeof(Number);
+    return image;
+}
+
+std::vector<float> color_values() {
+    std::vector<float> values;
+    for (const auto& color : colors) values.insert(values.end(), color.begin(), color.end());
+    return values;
+}
+
+nicol_texture four_colors(nicol_context context) {
+    const std::vector<float> values = color_values();
+    const nicol_texture_image image = image_of_texels(values, 2, 2, 3, NICOL_TEXEL_FLOAT32);
+    const nicol_texture_options options = nearest();
+    return make(nicol_texture_create_image, context, &image, &options);
+}
+
+nicol_material diffuse_of(nicol_context context, nicol_texture texture) {
+    const Owned white(diffuse(context, {1}));
+    return make(nicol_material_create_scaled, context, white, texture);
+}
+
+/// s0 of every channel of every pixel, [channel][pixel], of a square that fills the image, under light of 1.
+std::vector<float> picture(nicol_context context, nicol_mesh mesh, nicol_material material) {
+    const Owned light(constant_light(context, {1}));
+    const Owned scene(simple_scene(context, light, mesh, material));
+    std::uint32_t channels = 0;
+    OK(nicol_scene_get_channels(scene, &channels));
+    const Owned framebuffer(framebuffer_of(context, edge, edge, channels));
+    nicol_camera camera = front_camera();
+    camera.projection = NICOL_PROJECTION_ORTHOGRAPHIC;
+    nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+    options.method = NICOL_METHOD_REFERENCE;
+    options.samples = 64;
+    OK(nicol_render(scene, &camera, &options, framebuffer));
+    std::vector<float> all;
+    for (std::uint32_t c = 0; c < channels; ++c) {
+        const std::vector<float> plane = read_plane(framebuffer, NICOL_PLANE_S0, c);
+        all.insert(all.end(), plane.begin(), plane.end());
+    }
+    return all;
+}
+
+/// Whether every quarter of the image has its colour: v = 0 is at the bottom of Mitsuba's rectangle.
+void check_quarters(const std::vector<float>& found, const std::array<int, 4>& texels = {2, 3, 0, 1}) {
+    REQUIRE(found.size() == 3 * edge * edge);
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t quarter = 0; quarter < 4; ++quarter) {
+            const std::size_t x = 2 + 4 * (quarter % 2), y = 2 + 4 * (quarter / 2);
+            const float wanted = colors[static_cast<std::size_t>(texels[quarter])][c];
+            CAPTURES(c, quarter);
+            CHECK(found[(c * edge + y) * edge + x] == Approx(wanted).epsilon(0.02));
+        }
+}
+
+}  // namespace
+
+CONTEXT_TEST_CASE("an image of any kind of number colours a surface") {
+    const Owned mesh(rectangle(context));
+    const auto picture_of = [&](const nicol_texture_image& image, std::uint32_t raw) {
+        nicol_texture_options options = nearest();
+        options.raw = raw;
+        const Owned texture(make(nicol_texture_create_image, context, &image, &options));
+        return picture(context, mesh, Owned(diffuse_of(context, texture)));
+    };
+    const std::vector<float> values = color_values();
+    check_quarters(picture_of(image_of_texels(values, 2, 2, 3, NICOL_TEXEL_FLOAT32), 0));
+    std::vector<std::uint8_t> bytes, encoded;
+    std::vector<std::uint16_t> words;
+    for (const float value : values) {
+        bytes.push_back(static_cast<std::uint8_t>(std::lround(value * 255)));
+        words.push_back(static_cast<std::uint16_t>(std::lround(value * 65535)));
+        const double curve = value <= 0 ? 0 : 1.055 * std::pow(double(value), 1 / 2.4) - 0.055;
+        encoded.push_back(static_cast<std::uint8_t>(std::lround(curve * 255)));
+    }
+    check_quarters(picture_of(image_of_texels(bytes, 2, 2, 3, NICOL_TEXEL_UINT8), 1));
+    check_quarters(picture_of(image_of_texels(words, 2, 2, 3, NICOL_TEXEL_UINT16), 1));
+    check_quarters(picture_of(image_of_texels(encoded, 2, 2, 3, NICOL_TEXEL_UINT8), 0));
+
+    // With coverage, and rows apart.
+    std::vector<std::uint8_t> apart;
+    for (std::size_t i = 0; i < 4; ++i) {
+        apart.insert(apart.end(), bytes.begin() + static_cast<std::ptrdiff_t>(3 * i),
+                     bytes.begin() + static_cast<std::ptrdiff_t>(3 * i + 3));
+        apart.push_back(7);
+        if (i == 1) apart.insert(apart.end(), {99, 99, 99});
+    }
+    nicol_texture_image image = image_of_texels(apart, 2, 2, 4, NICOL_TEXEL_UINT8);
+    image.row_stride = 11;
+    check_quarters(picture_of(image, 1));
+}
+
+CONTEXT_TEST_CASE("a file is the texture that its numbers are") {
+    const TemporaryFolder folder;
+    nicol::Observation png{.width = 2, .height = 2, .rgb = {}};
+    for (const float value : color_values())
+        png.rgb.push_back(static_cast<std::uint8_t>(std::lround(value * 255)));
+    const std::string path = folder.file("a.png");
+    nicol::write_png(path, png);
+    nicol_texture_options options = nearest();
+    options.raw = 1;
+    const Owned mesh(rectangle(context));
+    const Owned texture(make(nicol_texture_load, context, path.c_str(), &options));
+    check_quarters(picture(context, mesh, Owned(diffuse_of(context, texture))));
+    // Turned by 180 degrees about the middle.
+    const double turned[] = {-1, 0, 1, 0, -1, 1, 0, 0, 1};
+    std::copy_n(turned, 9, options.to_uv);
+    const Owned other(make(nicol_texture_load, context, path.c_str(), &options));
+    check_quarters(picture(context, mesh, Owned(diffuse_of(context, other))), {1, 0, 3, 2});
+}
+
+CONTEXT_TEST_CASE("checkerboards and vertex colours") {
+    const Owned mesh(rectangle(context));
+    const Owned plain(make(nicol_texture_create_checkerboard, context, nullptr, nullptr, nullptr));
+    const std::vector<float> grey = picture(context, mesh, Owned(diffuse_of(context, plain)));
+    REQUIRE(grey.size() == edge * edge);
+    CHECK(grey[2 * edge + 2] == Approx(0.2).epsilon(0.02));
+    CHECK(grey[6 * edge + 2] == Approx(0.4).epsilon(0.02));
+
+    const nicol_spectrum color = spectrum({0.2F, 0.4F, 0.6F});
+    const double to_uv[] = {0.5, 0, 0, 0, 0.5, 0, 0, 0, 1};  // a single square
+    const Owned one(make(nicol_texture_create_checkerboard, context, &color, nullptr, to_uv));
+    const std::vector<float> square = picture(context, mesh, Owned(diffuse_of(context, one)));
+    REQUIRE(square.size() == 3 * edge * edge);
+    for (std::size_t i = 0; i < square.size(); ++i)
+        CHECK(square[i] == Approx(color.values[i / (edge * edge)]).epsilon(0.02));
+
+    const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    const float reds[] = {0, 0.5F, 0.5F, 1, 0.5F, 0.5F, 1, 0.5F, 0.5F, 0, 0.5F, 0.5F};
+    const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3};
+    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
+    data.vertex_count = 4;
+    data.triangle_count = 2;
+    data.positions = positions;
+    data.indices = indices;
+    data.colors = reds;
+    const Owned painted(make(nicol_mesh_create, context, &data));
+    const Owned vertex_colors(make(nicol_texture_create_vertex_colors, context));
+    const std::vector<float> ramp = picture(context, painted, Owned(diffuse_of(context, vertex_colors)));
+    for (std::size_t x = 0; x < edge; ++x)
+        CHECK(ramp[3 * edge + x] == Approx((static_cast<double>(x) + 0.5) / edge).epsilon(0.1));
+}
+
+CONTEXT_TEST_CASE("texture coordinates may have indices of their own") {
+    const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3};
+    const float shared[] = {0, 0, 1, 0, 1, 1, 0, 1};
+    // The same, but for an unused one in front, and each triangle's own.
+    const float own[] = {9, 9, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1};
+    const std::uint32_t own_indices[] = {1, 2, 3, 4, 5, 6};
+    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
+    data.vertex_count = 4;
+    data.triangle_count = 2;
+    data.positions = positions;
+    data.indices = indices;
+    data.texcoords = shared;
+    const Owned texture(four_colors(context));
+    const Owned material(diffuse_of(context, texture));
+    const Owned plain(make(nicol_mesh_create, context, &data));
+    check_quarters(picture(context, plain, material));
+    data.texcoords = own;
+    data.texcoord_count = 7;
+    data.texcoord_indices = own_indices;
+    const Owned with_seam(make(nicol_mesh_create, context, &data));
+    check_quarters(picture(context, with_seam, material));
+}
+
+CONTEXT_TEST_CASE("textures of one value are the numbers that they stand for") {
+    const Owned mesh(rectangle(context));
+    const auto constant = [&](const std::vector<float>& value) {
+        const nicol_texture_image image =
+            image_of_texels(value, 1, 1, static_cast<std::uint32_t>(value.size()), NICOL_TEXEL_FLOAT32);
+        return make(nicol_texture_create_image, context, &image, nullptr);
+    };
+    const Owned red(constant({0.75F, 0.25F, 0.5F})), half(constant({0.5F})), rough(constant({0.25F}));
+    const auto plastic = [&](const nicol_pplastic& p) {
+        return picture(context, mesh, Owned(plastic_of(context, p)));
+    };
+    nicol_pplastic numbers = NICOL_PPLASTIC_INIT, textures = NICOL_PPLASTIC_INIT;
+    numbers.diffuse_reflectance = spectrum({0.75F, 0.25F, 0.5F});
+    numbers.specular_reflectance = spectrum({0.5F});
+    numbers.alpha = 0.25F;
+    textures.diffuse_reflectance_texture = red;
+    textures.specular_reflectance_texture = half;
+    textures.alpha_texture = rough;
+    const std::vector<float> by_numbers = plastic(numbers), by_textures = plastic(textures);
+    REQUIRE(by_numbers.size() == by_textures.size());
+    for (std::size_t i = 0; i < by_numbers.size(); ++i)
+        CHECK(by_textures[i] == Approx(by_numbers[i]).epsilon(0.1));
+
+    const auto metal = [&](const nicol_conductor& p) {
+        return picture(context, mesh, Owned(make(nicol_material_create_conductor, context, &p)));
+    };
+    nicol_conductor gold = NICOL_CONDUCTOR_INIT, textured = NICOL_CONDUCTOR_INIT;
+    gold.metal = textured.metal = "Au";
+    gold.alpha = 0.25F;
+    gold.specular_reflectance = spectrum({0.5F});
+    textured.alpha_texture = rough;
+    textured.specular_reflectance_texture = half;
+    const std::vector<float> of_numbers = metal(gold), of_textures = metal(textured);
+    for (std::size_t i = 0; i < of_numbers.size(); ++i)
+        CHECK(of_textures[i] == Approx(of_numbers[i]).epsilon(0.1));
+}
+
+CONTEXT_TEST_CASE("materials blend, are cut out, and turn their normals by textures") {
+    const Owned mesh(rectangle(context));
+    const std::vector<float> steps = {0, 1};
+    const nicol_texture_image image = image_of_texels(steps, 2, 1, 1, NICOL_TEXEL_FLOAT32);
+    const nicol_texture_options options = nearest();
+    const Owned weight(make(nicol_texture_create_image, context, &image, &options));
+    const Owned dark(diffuse(context, {0.25F})), light(diffuse(context, {0.75F}));
+    const auto left_and_right = [&](nicol_material material) {
+        const std::vector<float> found = picture(context, mesh, material);
+        return std::pair(found[4 * edge + 1], found[4 * edge + 6]);
+    };
+    const auto blended =
+        left_and_right(Owned(make(nicol_material_create_blend, context, dark, light, weight)));
+    CHECK(blended.first == Approx(0.25).epsilon(0.02));
+    CHECK(blended.second == Approx(0.75).epsilon(0.02));
+    // What is cut out shows the sky, of 1.
+    const auto masked = left_and_right(Owned(make(nicol_material_create_mask, context, dark, weight)));
+    CHECK(masked.first == Approx(1).epsilon(0.02));
+    CHECK(masked.second == Approx(0.25).epsilon(0.02));
+    // A normal that leans by an angle sees (1 + cos angle) / 2 of a sky above the surface.
+    const auto seen = [](double cosine) { return Approx(0.75 * (1 + cosine) / 2).epsilon(0.02); };
+    const Owned flat(make(nicol_material_create_bump_map, context, light, weight, 0.0));
+    CHECK(left_and_right(flat).first == seen(1));
+    // Heights of 0 and 0.5 at points that are 1 apart.
+    const Owned slope(make(nicol_material_create_bump_map, context, light, weight, 0.5));
+    CHECK(left_and_right(slope).first == seen(std::cos(std::atan(0.5))));
+    const std::vector<float> up = {0.5F, 0.5F, 1, 0.9F, 0.5F, 0.8F};
+    const nicol_texture_image directions = image_of_texels(up, 2, 1, 3, NICOL_TEXEL_FLOAT32);
+    const Owned normals(make(nicol_texture_create_image, context, &directions, &options));
+    for (const std::uint32_t mirrored : {0U, 1U}) {
+        const auto leaning =
+            left_and_right(Owned(make(nicol_material_create_normal_map, context, light, normals, mirrored)));
+        CHECK(leaning.first == seen(1));
+        CHECK(leaning.second == seen(0.6));
+    }
+}
+
+CONTEXT_TEST_CASE("instances need the texture coordinates and colours that their materials need") {
+    const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0};
+    const std::uint32_t indices[] = {0, 1, 2};
+    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
+    data.vertex_count = 3;
+    data.triangle_count = 1;
+    data.positions = positions;
+    data.indices = indices;
+    const Owned bare(make(nicol_mesh_create, context, &data));
+    const Owned texture(four_colors(context)), colored(make(nicol_texture_create_vertex_colors, context));
+    const Owned grey(diffuse(context, {0.5F}));
+    const Owned textured(diffuse_of(context, texture)), painted(diffuse_of(context, colored));
+    const Owned scene(empty_scene(context));
+    nicol_instance instance = NICOL_INSTANCE_INIT;
+    instance.mesh = bare;
+    const auto add_with = [&](nicol_material material) {
+        instance.material = material;
+        return nicol_scene_add_instance(scene, &instance, nullptr);
+    };
+    REFUSES(add_with(textured), "instance 0: the material has textures, which need texture coordinates");
+    REFUSES(add_with(painted), "instance 0: the material has the colours of vertices");
+    OK(add_with(grey));
+    REFUSES(nicol_scene_set_material(scene, 0, textured), "instance 0: the material has textures");
+    REFUSES(nicol_scene_set_material(scene, 0, painted), "instance 0: the material has the colours");
+    // A mask needs them, too.
+    const Owned cut(make(nicol_material_create_mask, context, grey, texture));
+    REFUSES(add_with(cut), "instance 1: the material has textures");
+    std::uint32_t count = 0;
+    OK(nicol_scene_get_instance_count(scene, &count));
+    CHECK(count == 1);
+    const Owned whole(rectangle(context));
+    instance.mesh = whole;
+    OK(add_with(textured));
+    OK(nicol_scene_set_material(scene, 1, cut));
+}
