@@ -579,7 +579,8 @@ typedef struct nicol_mesh_data {
 
 /* OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
  * concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
- * line of the log counts them. NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
+ * line of the log counts them. Texture coordinates and colours of vertices are kept; v of OBJ, which points
+ * up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
 /* Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,

@@ -196,6 +196,23 @@ CONTEXT_TEST_CASE("texture coordinates may have indices of their own") {
     check_quarters(picture(context, with_seam, material));
 }
 
+CONTEXT_TEST_CASE("texture coordinates of mesh files: v of OBJ points up, of PLY down") {
+    const TemporaryFolder folder;
+    const std::string obj = folder.write(
+        "a.obj",
+        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
+    const std::string ply = folder.write(
+        "a.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float u\nproperty float v\nelement face 1\nproperty list uchar int vertex_indices\n"
+        "end_header\n-1 -1 0 0 0\n1 -1 0 1 0\n1 1 0 1 1\n-1 1 0 0 1\n4 0 1 2 3\n");
+    const Owned texture(four_colors(context));
+    const Owned material(diffuse_of(context, texture));
+    check_quarters(picture(context, Owned(make(nicol_mesh_load, context, obj.c_str())), material),
+                   {0, 1, 2, 3});
+    check_quarters(picture(context, Owned(make(nicol_mesh_load, context, ply.c_str())), material));
+}
+
 CONTEXT_TEST_CASE("textures of one value are the numbers that they stand for") {
     const Owned mesh(rectangle(context));
     const auto constant = [&](const std::vector<float>& value) {

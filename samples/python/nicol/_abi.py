@@ -922,7 +922,8 @@ class Mesh(Handle):
     def load(cls, context, path):
         """OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
         concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
-        line of the log counts them. NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
+        line of the log counts them. Texture coordinates and colours of vertices are kept; v of OBJ, which points
+        up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
         mesh = cls()
         check(_mesh_load(context, text(path), byref(mesh)))
         return mesh

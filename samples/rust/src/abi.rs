@@ -1504,7 +1504,8 @@ extern "C" {
     pub fn nicol_material_release(material: nicol_material) -> nicol_result;
     /// OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
     /// concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
-    /// line of the log counts them. NICOL_ERROR_INVALID_FILE names the line, vertex or face.
+    /// line of the log counts them. Texture coordinates and colours of vertices are kept; v of OBJ, which points
+    /// up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face.
     pub fn nicol_mesh_load(context: nicol_context, path: *const c_char, mesh: *mut nicol_mesh) -> nicol_result;
     /// Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance.
     pub fn nicol_mesh_create(context: nicol_context, data: *const nicol_mesh_data, mesh: *mut nicol_mesh) -> nicol_result;
