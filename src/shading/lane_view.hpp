@@ -37,16 +37,21 @@ public:
     [[nodiscard]] const Lanes* cosines() const noexcept { return cosines_.data(); }
     [[nodiscard]] const Lanes* sines() const noexcept { return sines_.data(); }
 
-    /// cos and sin that take (s1, s2) from the theta-phi frame about the normal to the camera's frame field:
-    /// cos s1 + sin s2 and cos s2 - sin s1.
-    [[nodiscard]] const Lanes& frame_cosine() const noexcept { return frame_cosine_; }
-    [[nodiscard]] const Lanes& frame_sine() const noexcept { return frame_sine_; }
+    /// Stokes vectors from the theta-phi frame about the normal to the camera's frame field.
+    void into_camera_frame(std::array<Lanes, 4>& stokes) const {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float s1 = stokes[1][i];
+            const float s2 = stokes[2][i];
+            stokes[1][i] = frame_cosine_[i] * s1 + frame_sine_[i] * s2;
+            stokes[2][i] = frame_cosine_[i] * s2 - frame_sine_[i] * s1;
+        }
+    }
 
 private:
     std::vector<Lanes> cosines_;
     std::vector<Lanes> sines_;
-    Lanes zenith_;  // over pi/2, at most 1
-    Lanes frame_cosine_;
+    Lanes zenith_;        // over pi/2, at most 1
+    Lanes frame_cosine_;  // cos and sin of the rotation of (s1, s2)
     Lanes frame_sine_;
 };
 

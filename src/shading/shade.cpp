@@ -14,13 +14,17 @@ namespace nicol {
 Shade::Shade(LightLayout layout, std::size_t least, std::size_t most)
     : least_(least), most_(most), layout_(std::move(layout)) {}
 
+std::size_t Shade::rows_of(const ResponseTable& response) const {
+    const std::size_t made = response.makes(3) ? 4 : response.makes(1) || response.makes(2) ? 3 : 1;
+    return std::clamp(made, least_, most_);
+}
+
 void Shade::run(const ResponseTable& response, const VertexLight& light, const Viewpoint& view,
                 std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
                 std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
                 std::span<const std::span<glm::vec4>> out) const {
-    // Components that the material cannot make are not computed, nor channels that equal the first.
-    const std::size_t made = response.makes(3) ? 4 : response.makes(1) || response.makes(2) ? 3 : 1;
-    const std::size_t rows = std::clamp(made, least_, most_);
+    // Channels that equal the first are not computed.
+    const std::size_t rows = rows_of(response);
     const bool alike = response.channels() == 1 && light.channels() == 1;
     const std::size_t step = response.rows(0, 0).size() * static_cast<std::size_t>(response.channels());
 
@@ -66,14 +70,7 @@ void Shade::run(const ResponseTable& response, const VertexLight& light, const V
             respond(layout_, rows, response.pairings(), table.data(),
                     light.block(begin / kLanes, light_channel).data(), seen.cosines(), seen.sines(),
                     stokes.data());
-            const Lanes& c = seen.frame_cosine();
-            const Lanes& s = seen.frame_sine();
-            for (std::size_t i = 0; i < kLanes; ++i) {
-                const float s1 = stokes[1][i];
-                const float s2 = stokes[2][i];
-                stokes[1][i] = c[i] * s1 + s[i] * s2;
-                stokes[2][i] = c[i] * s2 - s[i] * s1;
-            }
+            seen.into_camera_frame(stokes);
             put_fours(stokes.data(), show.data(), all, out[channel].data() + begin);
         }
     }

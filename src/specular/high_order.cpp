@@ -19,17 +19,6 @@ namespace {
 
 constexpr int kMostChannels = 16;
 
-// A direction rotated by an angle towards another, orthogonal one.
-LaneVectors rotated(const LaneVectors& from, const LaneVectors& towards, float cosine, float sine) {
-    LaneVectors out;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        out.x[i] = cosine * from.x[i] + sine * towards.x[i];
-        out.y[i] = cosine * from.y[i] + sine * towards.y[i];
-        out.z[i] = cosine * from.z[i] + sine * towards.z[i];
-    }
-    return out;
-}
-
 // Of the lobe and of the hemisphere, for `count` vertices from `begin` on.
 std::array<Lanes, 2> fractions(const HighOrderShadows& shadows, const LaneMirror& mirror, std::size_t begin,
                                std::size_t count) {
@@ -46,22 +35,6 @@ std::array<Lanes, 2> fractions(const HighOrderShadows& shadows, const LaneMirror
     }
     return out;
 }
-
-// Filtered light at the taps of a block of vertices.
-struct Taps {
-    // Numbers of all channels, and those to spare.
-    explicit Taps(std::size_t numbers) {
-        const std::span<Lanes> all = work_space<Taps, Lanes>(6 * numbers);
-        std::ranges::fill(all, Lanes{});
-        std::size_t begin = 0;
-        for (std::span<Lanes>* some : {&central, &up, &down, &right, &left, &base}) {
-            *some = all.subspan(begin, numbers);
-            begin += numbers;
-        }
-    }
-
-    std::span<Lanes> central, up, down, right, left, base;
-};
 
 }  // namespace
 
@@ -93,16 +66,12 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
     require(!out.empty() && out.size() <= kMostChannels,
             "high orders of " + std::to_string(out.size()) + " channels");
     const bool polarized = maps_.central->polarized();
-    const bool outer = factors_.spread() > 0;
-    const auto cosine = static_cast<float>(std::cos(factors_.spread()));
-    const auto sine = static_cast<float>(std::sin(factors_.spread()));
-    const std::size_t components = polarized ? 4 : 1;
     const bool alike = factors_.channels() == 1 && maps_.central->channels() == 1;
     // Whole squares are faster to transpose.
     constexpr std::size_t few = std::max<std::size_t>(kLanes, HighOrderFactors::kUnpolarized);
     const std::size_t used = polarized ? HighOrderFactors::kElements : few;
 
-    Taps taps(4 * static_cast<std::size_t>(maps_.central->layers()));
+    LaneTaps taps(maps_, factors_.spread(), factors_.has_base());
     std::array<Lanes, std::size_t{2} * HighOrderFactors::kElements> table;  // [pairing][element]
     std::array<Lanes, 4> stokes;
     for (std::size_t begin = first / kLanes * kLanes; begin < last; begin += kLanes) {
@@ -113,18 +82,7 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
         const std::size_t all = std::min(kLanes, positions.size() - begin);
         const LaneMirror mirror =
             mirror_views(view, world_to_light_, positions.subspan(begin, all), normals.subspan(begin, all));
-        sample_lobe(*maps_.central, mirror.d, mirror.x, taps.central.data());
-        if (outer) {
-            const LobeMap& map = *maps_.outer;
-            const LaneVectors& d = mirror.d;
-            const LaneVectors& x = mirror.x;
-            sample_lobe(map, rotated(d, mirror.y, cosine, sine), x, taps.up.data());
-            sample_lobe(map, rotated(d, mirror.y, cosine, -sine), x, taps.down.data());
-            sample_lobe(map, rotated(d, x, cosine, sine), rotated(x, d, cosine, -sine), taps.right.data());
-            sample_lobe(map, rotated(d, x, cosine, -sine), rotated(x, d, cosine, sine), taps.left.data());
-        }
-        if (factors_.has_base()) sample_lobe(*maps_.base, mirror.inward, mirror.x, taps.base.data());
-
+        taps.sample(mirror);
         const std::array<Lanes, 2> dimmed = fractions(shadows, mirror, begin, all);
         std::array<std::size_t, kLanes> angle;
         Lanes fraction;
@@ -142,15 +100,8 @@ void HighOrder::run(const Viewpoint& view, std::span<const glm::vec3> positions,
                     for (std::size_t i = 0; i < kLanes; ++i) rows[i] = factors_.row(angle[i], c) + offset;
                     to_lanes_between(rows, factors_.step(), fraction, used, &table[offset]);
                 }
-                const std::size_t own = maps_.central->channels() == 1 ? 0 : c * components;
-                reflect_taps({.central = &taps.central[own],
-                              .up = outer ? &taps.up[own] : nullptr,
-                              .down = &taps.down[own],
-                              .right = &taps.right[own],
-                              .left = &taps.left[own],
-                              .base = factors_.has_base() ? &taps.base[own] : nullptr},
-                             polarized, table.data(), factors_.pairings(), mirror, dimmed[0], dimmed[1],
-                             stokes.data());
+                reflect_taps(taps.channel(c), polarized, table.data(), factors_.pairings(), mirror, dimmed[0],
+                             dimmed[1], stokes.data());
             }
             add_fours(stokes.data(), shown.data(), all, out[c].data() + begin);
         }

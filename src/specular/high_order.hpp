@@ -13,18 +13,11 @@
 #include "polarization/viewpoint.hpp"
 #include "specular/high_order_factors.hpp"
 #include "specular/high_order_visibility.hpp"
+#include "specular/lane_taps.hpp"
 #include "specular/lobe_map.hpp"
 #include "visibility/visibility_blocks.hpp"
 
 namespace nicol {
-
-/// The maps a material's factors are multiplied with; null where the factors do not use one. All have the
-/// same channels and kind.
-struct HighOrderMaps {
-    const LobeMap* central = nullptr;
-    const LobeMap* outer = nullptr;  ///< where factors.spread() > 0
-    const LobeMap* base = nullptr;   ///< where factors.has_base()
-};
 
 /// The visibility that high orders are multiplied by.
 struct HighOrderShadows {

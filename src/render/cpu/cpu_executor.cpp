@@ -5,12 +5,12 @@
 #include <atomic>
 #include <deque>
 
+#include "material/spatial_variation.hpp"
 #include "render/dense_method.hpp"
 #include "render/factored_method.hpp"
 #include "render/high_orders.hpp"
 #include "render/hit_image.hpp"
 #include "render/pixel_image.hpp"
-#include "render/plain_materials.hpp"
 #include "render/vertex_buffers.hpp"
 #include "shading/physical_range.hpp"
 #include "shading/shade.hpp"
@@ -40,6 +40,20 @@ void leave_for_pixels(const FrameRotation& back, std::span<const glm::vec3> norm
         back.into_world(normals.subspan(v, std::min(kLanes, normals.size() - v)), light, block);
         light.to_rows(block);
     }
+}
+
+TexturedSurface textured_surface(const SpatialVariation& variation, bool back,
+                                 const FactoredMethod::Tables& tables, const PixelInput& input) {
+    TexturedSurface out{.variation = &variation, .back = back, .responses = {}, .high_orders = {}};
+    std::vector<HighOrderLayers::Layer> high_orders;
+    for (const MaterialLayer& layer : variation.layers) {
+        out.responses.push_back(&tables.at(layer.material));
+        if (input.high_orders == nullptr) continue;
+        const HighOrderTransfer::Part& part = input.high_orders->parts()->at(layer.material);
+        high_orders.push_back({.factors = &part.factors, .maps = part.maps});
+    }
+    if (!high_orders.empty()) out.high_orders.emplace(high_orders, input.light_to_geometry);
+    return out;
 }
 
 }  // namespace
@@ -147,19 +161,25 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
     const FrameRotation rotation(input.layout);
     const Relight unoccluded(input.layout, input.light);
     std::vector<PixelSurface> surfaces;
+    std::deque<TexturedSurface> textured;  // which stay where they are
     for (const VertexRange& range : input.geometry.ranges) {
         PixelSurface& surface = surfaces.emplace_back(PixelSurface{.first = range.first,
                                                                    .last = range.last,
                                                                    .shade = &shade,
-                                                                   .layers = {},
-                                                                   .variation = range.material->variation(),
-                                                                   .back = is_back(input.geometry, range),
+                                                                   .textures = nullptr,
+                                                                   .response = nullptr,
+                                                                   .high_orders = nullptr,
                                                                    .light = &light_,
                                                                    .first_row = 0,
                                                                    .rotation = &rotation,
                                                                    .unoccluded = &unoccluded});
-        for (const MaterialPtr& material : plain_materials(range.material))
-            surface.layers.push_back({.response = &method.tables()->at(material), .high_orders = nullptr});
+        const SpatialVariation* const variation = range.material->variation();
+        if (variation == nullptr) {
+            surface.response = &method.tables()->at(range.material);
+            continue;
+        }
+        surface.textures = &textured.emplace_back(
+            textured_surface(*variation, is_back(input.geometry, range), *method.tables(), input));
     }
     run_pixels(input, surfaces, run);
 }
@@ -177,9 +197,9 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
         surfaces.push_back({.first = runs[i].first,
                             .last = runs[i].first + runs[i].matrices.vertices(),
                             .shade = &shades[i],
-                            .layers = {{.response = runs[i].response.get(), .high_orders = nullptr}},
-                            .variation = nullptr,
-                            .back = false,
+                            .textures = nullptr,
+                            .response = runs[i].response.get(),
+                            .high_orders = nullptr,
                             .light = &outgoing_[i],
                             .first_row = runs[i].first,
                             .rotation = &rotations[i],
@@ -189,16 +209,16 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
 }
 
 void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> surfaces, RenderRun& run) {
-    std::deque<HighOrder> high_orders;  // which stay where they are
+    std::vector<HighOrder> high_orders;
     if (input.high_orders != nullptr) {
         compute_fractions(*input.high_orders, input, run);
+        high_orders.reserve(surfaces.size());
         for (std::size_t i = 0; i < surfaces.size(); ++i) {
-            const std::vector<MaterialPtr> materials = plain_materials(input.geometry.ranges[i].material);
-            for (std::size_t l = 0; l < materials.size(); ++l) {
-                const HighOrderTransfer::Part& part = input.high_orders->parts()->at(materials[l]);
-                surfaces[i].layers[l].high_orders =
-                    &high_orders.emplace_back(part.factors, part.maps, input.light_to_geometry);
-            }
+            if (surfaces[i].textures != nullptr) continue;
+            const HighOrderTransfer::Part& part =
+                input.high_orders->parts()->at(input.geometry.ranges[i].material);
+            surfaces[i].high_orders =
+                &high_orders.emplace_back(part.factors, part.maps, input.light_to_geometry);
         }
     }
     const std::size_t pixels =

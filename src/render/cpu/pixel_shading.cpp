@@ -26,15 +26,6 @@ constexpr std::array<std::uint8_t, kBatch> kAll = [] {
     return all;
 }();
 
-// Stokes vectors of a batch by channel, one after another in `all`.
-std::vector<std::span<glm::vec4>> parts_of(std::vector<glm::vec4>& all, std::size_t channels,
-                                           std::size_t count) {
-    all.resize(channels * kBatch);
-    std::vector<std::span<glm::vec4>> out;
-    for (std::size_t c = 0; c < channels; ++c) out.push_back(std::span(all).subspan(c * kBatch, count));
-    return out;
-}
-
 bool share_corner(const glm::uvec3& a, const glm::uvec3& b) {
     const auto in_b = [&b](std::uint32_t v) { return v == b.x || v == b.y || v == b.z; };
     return in_b(a.x) || in_b(a.y) || in_b(a.z);
@@ -53,7 +44,6 @@ struct PixelShading::Batch {
     TexturedPixels textures;
     std::vector<SurfacePoint> points;
     std::vector<Pixel> sorted;
-    std::vector<glm::vec4> layer;  // Stokes vectors of one
 };
 
 // Samples of one smooth surface in one pixel.
@@ -159,16 +149,35 @@ void PixelShading::shade(std::span<const Pixel> given, Batch& batch,
                          std::span<const std::span<glm::vec4>> out) const {
     const PixelSurface& surface = surfaces_[given.front().surface];
     find_points(given, batch);
-    const std::span pixels = surface.variation != nullptr ? find_textures(surface, given, batch) : given;
+    const TexturedSurface* const textures = surface.textures;
+    const std::span pixels = textures != nullptr ? find_textures(*textures, given, batch) : given;
     const std::size_t count = pixels.size();
     find_light(surface, pixels, batch);
-    if (!fractions_.empty()) find_fractions(pixels, batch);
 
-    const std::vector<std::span<glm::vec4>> stokes = parts_of(batch.stokes, out.size(), count);
-    if (surface.variation != nullptr) {
-        shade_layers(surface, batch, stokes);
+    batch.stokes.resize(out.size() * kBatch);
+    std::vector<std::span<glm::vec4>> stokes;
+    for (std::size_t c = 0; c < out.size(); ++c)
+        stokes.push_back(std::span(batch.stokes).subspan(c * kBatch, count));
+    const std::span positions = std::span(batch.positions).first(count);
+    const std::span normals = std::span(batch.normals).first(count);
+    const std::span chosen = std::span(kAll).first(count);
+    HighOrderShadows shadows;
+    if (!fractions_.empty()) {
+        find_fractions(pixels, batch);
+        shadows.fractions = std::span(batch.fractions).first(count);
+    }
+    if (textures != nullptr) {
+        const std::span weights = batch.textures.weights();
+        surface.shade->run(textures->responses, weights, batch.light, input_.view, positions, normals,
+                           stokes);
+        if (textures->high_orders) {
+            textures->high_orders->run(input_.view, positions, normals, weights, shadows.fractions, stokes);
+        }
     } else {
-        shade_layer(surface, surface.layers.front(), batch, kAll, stokes);
+        surface.shade->run(*surface.response, batch.light, input_.view, positions, normals, chosen, 0, count,
+                           stokes);
+        if (surface.high_orders != nullptr)
+            surface.high_orders->run(input_.view, positions, normals, chosen, shadows, 0, count, stokes);
     }
     glm::vec4 wanted(0);
     for (std::size_t p = 0; p < input_.most_components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
@@ -179,33 +188,7 @@ void PixelShading::shade(std::span<const Pixel> given, Batch& batch,
     }
 }
 
-void PixelShading::shade_layer(const PixelSurface& surface, const PixelLayer& layer, const Batch& batch,
-                               std::span<const std::uint8_t> chosen,
-                               std::span<const std::span<glm::vec4>> out) const {
-    const std::size_t count = out.front().size();
-    const std::span positions = std::span(batch.positions).first(count);
-    const std::span normals = std::span(batch.normals).first(count);
-    surface.shade->run(*layer.response, batch.light, input_.view, positions, normals, chosen, 0, count, out);
-    if (layer.high_orders == nullptr) return;
-    HighOrderShadows shadows;
-    if (!fractions_.empty()) shadows.fractions = std::span(batch.fractions).first(count);
-    layer.high_orders->run(input_.view, positions, normals, chosen, shadows, 0, count, out);
-}
-
-void PixelShading::shade_layers(const PixelSurface& surface, Batch& batch,
-                                std::span<const std::span<glm::vec4>> out) const {
-    for (const std::span<glm::vec4> channel : out) std::ranges::fill(channel, glm::vec4(0));
-    const std::size_t count = out.front().size();
-    const std::vector<std::span<glm::vec4>> part = parts_of(batch.layer, out.size(), count);
-    std::array<std::uint8_t, kBatch> shown;
-    for (std::size_t l = 0; l < surface.layers.size(); ++l) {
-        if (!batch.textures.shown(l, std::span(shown).first(count))) continue;
-        shade_layer(surface, surface.layers[l], batch, shown, part);
-        batch.textures.add(l, part, out);
-    }
-}
-
-std::span<const PixelShading::Pixel> PixelShading::find_textures(const PixelSurface& surface,
+std::span<const PixelShading::Pixel> PixelShading::find_textures(const TexturedSurface& surface,
                                                                  std::span<const Pixel> pixels,
                                                                  Batch& batch) const {
     batch.points.clear();

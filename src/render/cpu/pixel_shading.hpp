@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,15 +14,18 @@
 #include "shading/background.hpp"
 #include "shading/shade.hpp"
 #include "specular/high_order.hpp"
+#include "specular/high_order_layers.hpp"
 #include "transfer/frame_rotation.hpp"
 #include "transfer/vertex_light.hpp"
 
 namespace nicol {
 
-/// A material that is the same everywhere.
-struct PixelLayer {
-    const ResponseTable* response;
-    const HighOrder* high_orders;  ///< or null
+/// A material that varies.
+struct TexturedSurface {
+    const SpatialVariation* variation;
+    bool back;                                    ///< of a two-sided instance
+    std::vector<const ResponseTable*> responses;  ///< of the layers
+    std::optional<HighOrderLayers> high_orders;
 };
 
 /// What the pixels of some of the geometry's vertices are shaded by.
@@ -29,13 +33,13 @@ struct PixelSurface {
     std::size_t first;  ///< vertex
     std::size_t last;
     const Shade* shade;
-    std::vector<PixelLayer> layers;     ///< of the variation, else one
-    const SpatialVariation* variation;  ///< of the material, or null
-    bool back;                          ///< of a two-sided instance
-    const VertexLight* light;           ///< as rows
-    std::size_t first_row;              ///< the vertex that its first row is of
-    const FrameRotation* rotation;      ///< of the light
-    const Relight* unoccluded;          ///< for pixels between unoccluded vertices, or null
+    const TexturedSurface* textures;  ///< of a material that varies, instead of the next; or null
+    const ResponseTable* response;
+    const HighOrder* high_orders;   ///< or null
+    const VertexLight* light;       ///< as rows
+    std::size_t first_row;          ///< the vertex that its first row is of
+    const FrameRotation* rotation;  ///< of the light
+    const Relight* unoccluded;      ///< for pixels between unoccluded vertices, or null
 };
 
 /// Shades the pixels of an image that show a surface. Calls for different pixels may run side by side.
@@ -70,15 +74,10 @@ private:
     void add(const Patch& patch, std::size_t index, std::size_t& surface, std::vector<Pixel>& out) const;
     // Pixels of one group, at most as many as a batch has room for.
     void shade(std::span<const Pixel> pixels, Batch& batch, std::span<const std::span<glm::vec4>> out) const;
-    // The Stokes vectors of the batch.
-    void shade_layer(const PixelSurface& surface, const PixelLayer& layer, const Batch& batch,
-                     std::span<const std::uint8_t> chosen, std::span<const std::span<glm::vec4>> out) const;
-    void shade_layers(const PixelSurface& surface, Batch& batch,
-                      std::span<const std::span<glm::vec4>> out) const;
     void find_points(std::span<const Pixel> pixels, Batch& batch) const;
     void find_light(const PixelSurface& surface, std::span<const Pixel> pixels, Batch& batch) const;
     // Sorts the batch by the layers that pixels use, and turns its normals. Returns the pixels in that order.
-    [[nodiscard]] std::span<const Pixel> find_textures(const PixelSurface& surface,
+    [[nodiscard]] std::span<const Pixel> find_textures(const TexturedSurface& surface,
                                                        std::span<const Pixel> pixels, Batch& batch) const;
     void find_fractions(std::span<const Pixel> pixels, Batch& batch) const;
     [[nodiscard]] PixelRays rays() const;

@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <span>
 #include <vector>
 
 #include "material/spatial_variation.hpp"
 #include "render/geometry.hpp"
 #include "scene/projection.hpp"
+#include "specular/layered_rows.hpp"
 
 namespace nicol {
 
@@ -39,11 +39,8 @@ public:
     void find(const SpatialVariation& variation, bool back, const TextureView& view,
               std::span<SurfacePoint> points);
 
-    /// Sets shown[i] to 1 where the layer has a weight at point i, to 0 elsewhere. Returns whether any is 1.
-    bool shown(std::size_t layer, std::span<std::uint8_t> shown) const;
-    /// sum[c][i] += the layer's weight at point i, channel c, times part[c][i], where shown() has 1.
-    void add(std::size_t layer, std::span<const std::span<glm::vec4>> part,
-             std::span<const std::span<glm::vec4>> sum) const;
+    /// Of the points in their new order: [layer][block of sixteen].
+    [[nodiscard]] std::span<const std::span<const LayerWeights>> weights() const { return by_layer_; }
 
 private:
     // The layers with a weight: bit l % 64.
@@ -51,16 +48,13 @@ private:
         std::uint64_t layers;
         std::uint32_t point;
     };
+    void store_weights(std::size_t layers);
 
-    [[nodiscard]] const glm::vec3& weight(std::size_t point, std::size_t layer) const {
-        return weights_[used_[point].point * layers_ + layer];
-    }
-
-    std::size_t layers_ = 0;
-    std::vector<TexturePoint> textures_;
     std::vector<glm::vec3> weights_;  // [point as given][layer]
     std::vector<Used> used_;          // in the points' new order
     std::vector<SurfacePoint> given_;
+    std::vector<LayerWeights> lanes_;  // [layer][block]
+    std::vector<std::span<const LayerWeights>> by_layer_;
 };
 
 }  // namespace nicol

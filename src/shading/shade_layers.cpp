@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Shade of several layers at once.
+#include <algorithm>
+#include <array>
+
+#include "shading/lane_view.hpp"
+#include "shading/shade.hpp"
+#include "simd/lane_transpose.hpp"
+#include "simd/work_space.hpp"
+
+namespace nicol {
+namespace {
+
+constexpr std::array<std::uint8_t, kLanes> kAll = [] {
+    std::array<std::uint8_t, kLanes> all{};
+    all.fill(1);
+    return all;
+}();
+
+// Adds what one layer has at the views of a block.
+void add_rows(const ResponseTable& response, const LaneView::TablePositions& at, std::size_t numbers,
+              const LayerWeights& weights, Lanes* row, LayeredRows& rows) {
+    const std::size_t step = response.rows(0, 0).size() * static_cast<std::size_t>(response.channels());
+    for (int c = 0; c < response.channels(); ++c) {
+        std::array<const float*, kLanes> low;
+        for (std::size_t i = 0; i < kLanes; ++i) low[i] = response.rows(at.angle[i], c).data();
+        to_lanes_between(low, step, at.fraction, numbers, row);
+        if (response.channels() == 1) {
+            rows.add(weights, row, numbers, 0);
+        } else {
+            rows.add(weights, static_cast<std::size_t>(c), row, numbers, 0);
+        }
+    }
+}
+
+}  // namespace
+
+void Shade::run(std::span<const ResponseTable* const> layers,
+                std::span<const std::span<const LayerWeights>> weights, const VertexLight& light,
+                const Viewpoint& view, std::span<const glm::vec3> positions,
+                std::span<const glm::vec3> normals, std::span<const std::span<glm::vec4>> out) const {
+    LaneView& seen = LaneView::of_thread(layout_.order());
+    thread_local LayeredRows rows;
+    for (const std::span<glm::vec4> channel : out)
+        std::ranges::fill(channel.first(positions.size()), glm::vec4(0));
+    std::array<Lanes, 4> stokes{};
+    for (std::size_t begin = 0; begin < positions.size(); begin += kLanes) {
+        const std::size_t block = begin / kLanes;
+        const std::size_t count = std::min(kLanes, positions.size() - begin);
+        seen.set(view, positions.subspan(begin, count), normals.subspan(begin, count));
+        const LaneView::TablePositions at = seen.positions_in(ResponseTable::kAngles);
+        // Tables of one and of two pairings have rows of their own.
+        for (const std::size_t pairings : {std::size_t{1}, std::size_t{2}}) {
+            std::size_t made = 1;
+            for (std::size_t l = 0; l < layers.size(); ++l) {
+                if (layers[l]->pairings() == pairings && weights[l][block].any)
+                    made = std::max(made, rows_of(*layers[l]));
+            }
+            const std::size_t row_size = layout_.row_size() * pairings;
+            rows.begin(4 * row_size, out.size());
+            const std::span<Lanes> row = work_space<LayeredRows, Lanes>(4 * row_size);
+            for (std::size_t l = 0; l < layers.size(); ++l) {
+                if (layers[l]->pairings() != pairings || !weights[l][block].any) continue;
+                // Whole squares are faster to transpose.
+                const std::size_t own = rows_of(*layers[l]) * row_size;
+                add_rows(*layers[l], at, std::max(own, std::min(kLanes, 4 * row_size)), weights[l][block],
+                         row.data(), rows);
+            }
+            if (rows.empty()) continue;
+            rows.end();
+            const bool alike = rows.alike() && light.channels() == 1;
+            for (std::size_t c = 0; c < out.size(); ++c) {
+                if (c == 0 || !alike) {
+                    stokes = {};
+                    respond(layout_, made, pairings, rows.of(c),
+                            light.block(block, light.channels() == 1 ? 0 : static_cast<int>(c)).data(),
+                            seen.cosines(), seen.sines(), stokes.data());
+                    seen.into_camera_frame(stokes);
+                }
+                add_fours(stokes.data(), kAll.data(), count, out[c].data() + begin);
+            }
+        }
+    }
+}
+
+}  // namespace nicol

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// High orders of light that several materials reflect together.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "polarization/viewpoint.hpp"
+#include "specular/high_order_factors.hpp"
+#include "specular/lane_taps.hpp"
+#include "specular/layered_rows.hpp"
+
+namespace nicol {
+
+/// The layers of a material, each times weights: the sum of what HighOrder makes of them. Light is looked up
+/// once for all layers with the same maps and spread.
+class HighOrderLayers {
+public:
+    struct Layer {
+        const HighOrderFactors* factors;
+        HighOrderMaps maps;
+    };
+    /// Keeps references; layers as HighOrder takes them. light_to_world rotates the maps' axes into the
+    /// world's.
+    HighOrderLayers(const std::vector<Layer>& layers, const glm::dmat3& light_to_world);
+
+    /// Adds to out[c][v], in the camera's frame field, for all positions. weights: [layer][block of sixteen].
+    /// fractions: visible ones, of the lobe about the mirror direction and of the hemisphere, or empty.
+    void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+             std::span<const std::span<const LayerWeights>> weights, std::span<const glm::vec2> fractions,
+             std::span<const std::span<glm::vec4>> out) const;
+
+private:
+    struct Member {
+        std::size_t layer;
+        const HighOrderFactors* factors;
+    };
+    // Layers with the same taps.
+    struct Group {
+        HighOrderMaps maps;
+        double spread;
+        std::vector<Member> members;
+    };
+    // What all groups of a block share.
+    struct Block;
+
+    void add_group(const Group& group, std::span<const std::span<const LayerWeights>> weights,
+                   const Block& block, std::span<const std::span<glm::vec4>> out) const;
+
+    std::vector<Group> groups_;
+    glm::dmat3 world_to_light_;
+};
+
+}  // namespace nicol

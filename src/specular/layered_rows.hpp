@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The rows of a material's layers, added up before light is dotted with them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "simd/lanes.hpp"
+
+namespace nicol {
+
+/// The weights of one layer at sixteen vertices.
+struct LayerWeights {
+    std::array<Lanes, 3> value;  ///< of red, green and blue
+    bool any;                    ///< one is not 0
+    bool equal;                  ///< those of the three channels are
+    /// Of a channel of an image; where there are not three, the weights of red, green and blue are equal.
+    [[nodiscard]] const Lanes& of(std::size_t channel) const { return value[channel < 3 ? channel : 2]; }
+};
+
+/// Sums of rows of numbers, sixteen vertices side by side, times weights: what layers have in common for all
+/// channels once, the rest by channel. Holds results; one object a thread.
+class LayeredRows {
+public:
+    /// Begins sums of `size` numbers for each channel.
+    void begin(std::size_t size, std::size_t channels);
+    /// Adds `count` numbers, from the position `first` on, that serve all channels.
+    void add(const LayerWeights& weights, const Lanes* row, std::size_t count, std::size_t first);
+    /// Adds those of one channel.
+    void add(const LayerWeights& weights, std::size_t channel, const Lanes* row, std::size_t count,
+             std::size_t first);
+    /// Completes the sums.
+    void end();
+
+    [[nodiscard]] bool empty() const noexcept { return !common_ && !own_; }
+    /// Whether those of all channels are equal.
+    [[nodiscard]] bool alike() const noexcept { return !own_; }
+    [[nodiscard]] const Lanes* of(std::size_t channel) const { return sums_.data() + place(channel); }
+
+private:
+    [[nodiscard]] std::size_t place(std::size_t channel) const { return own_ ? (channel + 1) * size_ : 0; }
+    void begin_own();
+
+    std::size_t size_ = 0;
+    std::size_t channels_ = 0;
+    bool common_ = false;      // there is anything in common
+    bool own_ = false;         // there is anything by channel
+    std::vector<Lanes> sums_;  // in common, then of each channel
+};
+
+}  // namespace nicol
