@@ -124,7 +124,9 @@ struct SceneState {
     std::mutex edit;
     std::atomic<std::thread::id> editor{};  ///< the thread that holds it
     Scene scene;
-    Renderer renderer;  // used with the session's lock alone
+    // Used with the session's lock alone.
+    Renderer renderer;
+    bool darkness_noticed = false;
     // Of the scene file, and never changed.
     std::optional<Film> film;
     std::vector<FileRecord> files;

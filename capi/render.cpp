@@ -161,6 +161,12 @@ std::function<bool(const char*, double)> job_progress(Job& job, const RenderOpti
     };
 }
 
+// Says once of a scene file that nothing lights it, by when a light would have been given.
+void notice_darkness(const Scene& scene, SceneState& state, const Session& session) {
+    if (scene.environment() || !state.film || std::exchange(state.darkness_noticed, true)) return;
+    session.notice(state.files.front().path.string() + ": no emitter lights the scene.");
+}
+
 // For a job that waits for the host's context.
 void require_awaited(const Job& job, const Session& session) {
     job.check();
@@ -182,6 +188,7 @@ nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera, const n
         const SessionLock lock(self.session);
         self.session->gl->require_current();  // before baking for minutes
         const Edit edit(self.content);
+        notice_darkness(self.content->scene, *self.content, *self.session);
         self.content->renderer.render(self.content->scene, call.camera, call.options, *target.content);
     });
 }
@@ -209,6 +216,7 @@ nicol_result nicol_render_async(nicol_scene scene, const nicol_camera* camera,
                 const gl::Borrower borrower(session->gl, [&] { require_awaited(running, *session); });
                 RenderOptions options = call.options;
                 options.progress = job_progress(running, call.options);
+                notice_darkness(snapshot, *state, *session);
                 state->renderer.render(snapshot, call.camera, options, *target);
             },
             [session = self.session] { session->gl->wake(); });

@@ -46,7 +46,6 @@ public:
                     : gltf_camera_in_front(bounds_);
         if (!model_.animations.empty()) notices_.add("animations are not followed; the rest pose is drawn");
         if (!model_.lights.empty()) notices_.add("the lights of KHR_lights_punctual are not followed");
-        notices_.add("no emitter lights the scene");
         scene_.files = document_.files();
         scene_.notices = notices_.take();
         if (std::string text = left_out_.notice(document_.path().string()); !text.empty())

@@ -19,7 +19,6 @@ public:
         if (!sensor_)
             document_.fail(document_.root(), "no <sensor>; expected one of type perspective or orthographic");
         if (scene_.shapes.empty()) document_.fail(document_.root(), "no <shape>; expected at least one");
-        if (!scene_.emitter) notices_.add(document_.root(), "no emitter lights the scene");
         scene_.files = document_.files();
         scene_.notices = notices_.take();
         return std::move(scene_);
