@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "files/file_error.hpp"
@@ -69,11 +70,35 @@ std::string_view json_of(const std::filesystem::path& file, std::string_view byt
     return bytes.substr(kHeader + kChunkHeader, number(kHeader));
 }
 
-/// Reads the files that buffers name, for tinygltf.
+/// What byteLength says of each buffer in a file of its own, in order; 0 where it says nothing of use.
+std::vector<std::uint64_t> lengths_of_buffers(std::string_view text) {
+    using Json = nlohmann::json;
+    const Json file = Json::parse(
+        text,
+        [](int depth, Json::parse_event_t event, const Json& key) {
+            return depth != 1 || event != Json::parse_event_t::key || key == "buffers";
+        },
+        false);
+    std::vector<std::uint64_t> lengths;
+    if (!file.is_object() || !file.contains("buffers")) return lengths;
+    for (const Json& buffer : file.at("buffers")) {
+        if (!buffer.is_object() || !buffer.contains("uri")) continue;
+        const Json& uri = buffer.at("uri");
+        if (!uri.is_string() || uri.get_ref<const std::string&>().starts_with("data:")) continue;
+        const auto length = buffer.find("byteLength");
+        lengths.push_back(
+            length != buffer.end() && length->is_number_unsigned() ? length->get<std::uint64_t>() : 0);
+    }
+    return lengths;
+}
+
+/// Reads the files that buffers name, for tinygltf, which asks for them in order.
 struct Buffers {
     const std::filesystem::path& scene;
     LoadBudget& budget;
     std::vector<FileRecord>& files;
+    std::vector<std::uint64_t> lengths;
+    std::size_t next = 0;
 
     std::string read(const std::string& uri) {
         const std::filesystem::path file = gltf_file(scene, uri, "a buffer");
@@ -85,6 +110,9 @@ struct Buffers {
         std::string bytes = read_bytes(file);
         if (std::ranges::find(files, file, &FileRecord::path) == files.end())
             files.push_back(record_of(file, bytes));
+        // A file may be longer, which tinygltf refuses.
+        if (next < lengths.size() && lengths[next] < bytes.size()) bytes.resize(lengths[next]);
+        ++next;
         return bytes;
     }
 };
@@ -168,10 +196,11 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, LoadBudget& budget
     files_.push_back(record_of(file, bytes));
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
         unsupported_file(file, "a glTF file of 4 GiB or more; keep its buffers in files of their own");
-    if (too_deep(json_of(file, bytes)))
+    const std::string_view json = json_of(file, bytes);
+    if (too_deep(json))
         unsupported_file(file,
                          "arrays and objects more than " + std::to_string(kMostLevels) + " levels deep");
-    Buffers buffers{file, budget, files_};
+    Buffers buffers{file, budget, files_, lengths_of_buffers(json)};
     model_ = parsed(bytes, buffers);
     for (const tinygltf::Buffer& buffer : model_.buffers) buffer_bytes_ += buffer.data.size();
     if (!model_.asset.version.starts_with("2."))
