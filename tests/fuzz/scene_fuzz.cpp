@@ -7,6 +7,18 @@
 
 namespace {
 
+bool has_image(const nicol::MaterialDescription& material) {
+    const auto is_image = [](const nicol::TextureSpecificationPtr& texture) {
+        return texture && !texture->filename.empty();
+    };
+    return is_image(material.reflectance.texture) || is_image(material.diffuse_reflectance.texture) ||
+           is_image(material.specular_reflectance.texture) || is_image(material.alpha_texture) ||
+           is_image(material.scale.texture) || is_image(material.texture) ||
+           std::ranges::any_of(material.parts, [](const nicol::MaterialDescription& part) {
+               return !part.filename.empty() || has_image(part);
+           });
+}
+
 /// Whether making what the file describes reads nothing else and is a matter of milliseconds.
 bool is_quick(const nicol::SceneDescription& scene) {
     const auto names_file = [](const auto& part) { return !part.filename.empty(); };
@@ -17,6 +29,7 @@ bool is_quick(const nicol::SceneDescription& scene) {
                                           !s.face_normals;
                                }) &&
            std::ranges::none_of(scene.materials, names_file) &&
+           std::ranges::none_of(scene.materials, has_image) &&
            !(scene.emitter && (names_file(*scene.emitter) || scene.emitter->turbidity > 0));
 }
 

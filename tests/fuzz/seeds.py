@@ -187,8 +187,23 @@ SKY = """<scene version="3.0.0"><path value="."/><alias id="m" as="n"/>
 
 
 
+TEXTURES = """<scene version="3.0.0"><sensor type="orthographic"/>
+<texture type="checkerboard" id="t"><float name="color0" value=".2"/><float name="color1" value=".8"/>
+<transform name="to_uv"><scale x="4" y="3"/></transform></texture>
+<shape type="rectangle"><bsdf type="twosided"><bsdf type="normalmap">
+<texture type="rawconstant"><vector name="value" x=".5" y=".5" z="1"/></texture>
+<bsdf type="blendbsdf"><ref name="weight" id="t"/>
+<bsdf type="pplastic"><ref name="alpha" id="t"/><ref name="diffuse_reflectance" id="t"/></bsdf>
+<bsdf type="mask"><float name="opacity" value="1"/><bsdf type="conductor"/></bsdf></bsdf></bsdf></bsdf></shape>
+<shape type="rectangle"><bsdf type="bumpmap"><float name="scale" value="2"/><ref id="t"/><bsdf type="diffuse">
+<texture name="reflectance" type="bitmap"><string name="filename" value="a.png"/><boolean name="raw" value="true"/>
+<string name="wrap_mode" value="mirror"/><string name="filter_type" value="nearest"/></texture></bsdf></bsdf></shape>
+</scene>
+"""
+
+
 def gltf(binary):
-    """Two nodes with one mesh of two primitives, interleaved and sparse, a camera and materials."""
+    """Two nodes with one mesh of two primitives, interleaved and sparse, a camera and materials with textures."""
     data = struct.pack("<24f", *[0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1])
     data += struct.pack("<6H4x", 0, 1, 2, 2, 1, 3) + struct.pack("<3f", 1, 1, 2)
     view = lambda offset, length, stride=0: {"buffer": 0, "byteOffset": offset, "byteLength": length,
@@ -197,20 +212,31 @@ def gltf(binary):
                                                          "count": count, **more}
     sparse = {"count": 1, "indices": {"bufferView": 1, "byteOffset": 10, "componentType": 5123},
               "values": {"bufferView": 2}}
+    texture = lambda index, **more: {"index": index, **more}
+    transform = {"KHR_texture_transform": {"offset": [0, 1], "rotation": 1.5, "scale": [2, 3], "texCoord": 0}}
     uri = {} if binary else {"uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}
     document = {
         "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 2]}],
         "buffers": [{"byteLength": len(data), **uri}],
         "bufferViews": [view(0, 96, 24), view(96, 12), view(112, 12)],
         "accessors": [accessor(5126, "VEC3", 4, 0), accessor(5126, "VEC3", 4, 0, byteOffset=12),
-                      accessor(5123, "SCALAR", 6, 1), accessor(5126, "VEC3", 4, 0, sparse=sparse)],
+                      accessor(5123, "SCALAR", 6, 1), accessor(5126, "VEC3", 4, 0, sparse=sparse),
+                      accessor(5126, "VEC2", 4, 0)],
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2, "material": 0},
+                                   {"attributes": {"POSITION": 0, "TEXCOORD_0": 4, "COLOR_0": 1}, "material": 2},
                                    {"attributes": {"POSITION": 3}, "mode": 5, "material": 1}]}],
         "nodes": [{"mesh": 0, "children": [1], "translation": [1, 2, 3], "rotation": [0, 0, 0, 1]},
                   {"mesh": 0, "scale": [1, 2, -1]}, {"camera": 0, "matrix": [1, 0, 0, 0] + [0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1]}],
         "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 1.5, "znear": 0.1}}],
         "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [1, 0.5, 0, 1]},
-                       "extensions": {"KHR_materials_ior": {"ior": 1.4}}}, {"doubleSided": True}],
+                       "extensions": {"KHR_materials_ior": {"ior": 1.4}}}, {"doubleSided": True},
+                      {"pbrMetallicRoughness": {"baseColorTexture": texture(0, extensions=transform),
+                                                "metallicRoughnessTexture": texture(1, texCoord=0)},
+                       "normalTexture": texture(2, scale=0.5), "alphaMode": "MASK", "alphaCutoff": 0.25}],
+        "textures": [{"source": 0, "sampler": 0}, {"source": 1}, {"source": 2}],
+        "images": [{"uri": "a%20b.png"}, {"bufferView": 1, "mimeType": "image/png"},
+                   {"uri": "data:image/png;base64,iVBORw0KGgo="}],
+        "samplers": [{"wrapS": 33648, "wrapT": 33071, "magFilter": 9728, "minFilter": 9987}],
     }
     text = json.dumps(document).encode()
     if not binary:
@@ -273,7 +299,7 @@ SEEDS = {
             npz({"coeff": MATERIAL}, zipfile.ZIP_STORED)],
     "npy": [LIGHT, GREY_LIGHT, MATERIAL],
     "pbsdf": [pbsdf((3, 2, 2), [550]), pbsdf((4, 2, 3), [450, 550, 650]), pbsdf((2, 2, 2), [550], angles=False)],
-    "scene": [SCENE, SKY],
+    "scene": [SCENE, SKY, TEXTURES],
     "gltf": [gltf(False), gltf(True)],
     "http": list(requests()),
     # A byte chooses the function; zeros leave its arguments as they are.
