@@ -192,18 +192,23 @@ def without_slivers(vertices, triangles, shortest):
 
 
 def plinth(radius=2.15, rings=30, bevel=0.07, depth=0.22):
-    """A round plate whose top is y = 0: rings of evenly spaced vertices, a round edge, and a side."""
+    """A round plate whose top is y = 0: rings of evenly spaced vertices, a round edge, and a side.
+
+    Its texture coordinates are x and z on the top; edge and side are folded out around it."""
     profile = [(radius - bevel) * i / rings for i in range(rings + 1)]
     profile = [(r, 0.0, 6 * i) for i, r in enumerate(profile)]
     around = profile[-1][2]
     for angle in np.radians([18, 36, 54, 72, 90]):
         profile.append((radius - bevel + bevel * np.sin(angle), bevel * (np.cos(angle) - 1), around))
     profile += [(radius, -bevel - (depth - bevel) * t, around) for t in (0.33, 0.67, 1.0)]
-    vertices, starts = [], []
+    vertices, texcoords, starts = [], [], []
+    length, last = 0.0, profile[0]
     for r, y, number in profile:
         starts.append(len(vertices))
+        length, last = length + np.hypot(r - last[0], y - last[1]), (r, y)
         angles = 2 * np.pi * np.arange(max(number, 1)) / max(number, 1)
         vertices += [(r * np.cos(a), y, r * np.sin(a)) for a in angles]
+        texcoords += [(length * np.cos(a), length * np.sin(a)) for a in angles]
     faces = []
     for ring in range(1, len(profile)):
         inner, outer = max(profile[ring - 1][2], 1), profile[ring][2]
@@ -216,14 +221,19 @@ def plinth(radius=2.15, rings=30, bevel=0.07, depth=0.22):
             else:
                 faces.append((here[0], starts[ring - 1] + (i + 1) % inner, here[1]))
                 i += 1
-    return np.array(vertices), np.array(faces)
+    return np.array(vertices), np.array(faces), np.array(texcoords)
 
 
-def write_ply(path, vertices, faces):
+def write_ply(path, vertices, faces, texcoords=None):
     """Binary, positions as floats; normals are left to the reader, which makes smooth ones."""
     head = (
         "ply\nformat binary_little_endian 1.0\ncomment made by make_meshes.py\n"
         f"element vertex {len(vertices)}\nproperty float x\nproperty float y\nproperty float z\n"
+    )
+    if texcoords is not None:
+        head += "property float s\nproperty float t\n"
+        vertices = np.hstack([vertices, texcoords])
+    head += (
         f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
     )
     rows = np.empty(len(faces), [("n", "u1"), ("i", "<i4", 3)])
