@@ -155,18 +155,20 @@ using SceneParameters = std::map<std::string, std::string>;
 
 /// Reads the default scene of a glTF 2.0 file, text or binary, with its buffers. Its axes are the world's.
 /// - Shapes are the primitives of triangles, strips and fans of each node; nodes with the same mesh share
-///   it. Without NORMAL they are flat. Colours and texture coordinates (v downwards) are the file's.
-/// - A metallicFactor below 0.5 makes pplastic, else roughconductor, both GGX with alpha = roughness^2.
+///   it. Without NORMAL they are flat. Colours and texture coordinates (v downwards) are the file's; those of
+///   the set that the base colour takes, where there are several.
+/// - A metallicFactor of 0 makes pplastic, 1 roughconductor, and any between both, blended; GGX with alpha =
+///   roughness^2. Base colour, metal, roughness, normals and alphaMode MASK follow their textures.
 /// - The sensor is the first camera; without one it looks along -z, its image 45 degrees high, and the sphere
 ///   around the box of the scene fits in. The film is 768 pixels wide and as high as the camera's aspect
 ///   ratio says, else 576. There is no emitter.
-/// - Notices name what is not followed: textures, emission, transparency, lights, skins, morph targets,
+/// - Notices name what is not followed: occlusion, emission, alphaMode BLEND, lights, skins, morph targets,
 ///   animations, points and lines, extensions without effect.
 /// Throws Error: file_not_found (also of a buffer); unsupported (another version, an unknown required
-/// extension, KHR_materials_unlit, buffers outside the folder of the file, more than kMaxShapes, what exceeds
-/// `limits`); invalid_file (malformed, references or data out of range, nodes in a circle, nothing to draw),
-/// naming the element; invalid_argument (any parameter; the format has none). Memory is proportional to the
-/// size of the files, times the number of primitives that share data, up to `limits`.
+/// extension, KHR_materials_unlit, buffers and images outside the folder of the file, more than kMaxShapes,
+/// what exceeds `limits`); invalid_file (malformed, references or data out of range, nodes in a circle,
+/// nothing to draw), naming the element; invalid_argument (any parameter; the format has none). Memory is
+/// proportional to the size of the files, times the number of primitives that share data, up to `limits`.
 [[nodiscard]] SceneDescription read_gltf_scene(const std::filesystem::path& file,
                                                const SceneParameters& parameters = {},
                                                const LoadLimits& limits = {});
