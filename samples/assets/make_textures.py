@@ -83,7 +83,7 @@ def normals(height, scale):
 def make_tiles(folder):
     joint, random = tiles()
     glaze = np.array([0.055, 0.11, 0.14]) + random[..., :1] * np.array([0.05, 0.06, 0.03])
-    mortar = np.array([0.30, 0.27, 0.23])
+    mortar = np.array([0.11, 0.10, 0.085])
     top = step(0.02, 0.04, joint)[..., None]
     write_png(os.path.join(folder, "tiles_color.png"), srgb(top * glaze + (1 - top) * mortar))
     write_png(os.path.join(folder, "tiles_roughness.png"), top[..., 0] * (0.12 + 0.16 * random[..., 1]) + (1 - top[..., 0]) * 0.7)
