@@ -110,6 +110,7 @@ TexturePtr SceneTextures::vector(const TextureSpecification& description) {
 }
 
 TexturePtr SceneTextures::of(const TextureSpecification& description, Use use) {
+    if (description.kind != TextureSpecification::Kind::image) return made(description, use);
     std::vector<Made>& made_of_file = made_[description.filename];
     for (const Made& known : made_of_file)
         if (known.use == use && known.description == description) return known.texture;
@@ -119,8 +120,8 @@ TexturePtr SceneTextures::of(const TextureSpecification& description, Use use) {
 }
 
 glm::vec4 SceneTextures::value(const ColorDescription& color, Use use) const {
-    if (use == Use::vector) return {color.rgb, 1};
-    const std::vector<double> values = reflectance(color, use == Use::number ? SceneChannels() : channels_);
+    if (use == Use::vector && color.spectrum.empty()) return {color.rgb, 1};
+    const std::vector<double> values = reflectance(color, use == Use::color ? channels_ : SceneChannels());
     if (values.size() > 3)
         throw Error(ErrorCode::unsupported,
                     "a <spectrum> table in a texture under light of wavelengths; give one grey value");

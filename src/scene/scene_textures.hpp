@@ -15,7 +15,7 @@
 
 namespace nicol::scene {
 
-/// Each file is read once, and equal descriptions are one texture.
+/// Each image is read once, and becomes one texture for all who describe it alike.
 class SceneTextures {
 public:
     /// Both must outlive this.

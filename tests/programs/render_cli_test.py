@@ -115,13 +115,17 @@ class Success(RenderTest):
 
     def test_gltf(self):
         self.write("light.exr", exr(16, 8, 3))
-        solids = os.path.join(os.path.dirname(__file__), "..", "..", "samples", "assets", "solids.gltf")
+        assets = os.path.join(os.path.dirname(__file__), "..", "..", "samples", "assets")
+        solids = os.path.join(assets, "solids.gltf")
         run = self.assert_succeeds(solids, "--environment", "light.exr", "-o", "out/a.exr", "--order-low", "4")
         self.assertEqual(self.image_size(), (768, 512))
         self.assertEqual(run.stderr, "")
         run = self.assert_succeeds(solids, "-o", "out/a.exr", "--order-low", "4")
         self.assertEqual(run.stderr.count("notice: "), 1, run.stderr)
         self.assertIn("solids.gltf: no emitter lights the scene", run.stderr)
+        run = self.assert_succeeds(os.path.join(assets, "textured.gltf"), "--environment", "light.exr", "-o", "out/a.exr",
+                                   "--size", "96x64", "--order-low", "4")
+        self.assertEqual(run.stderr, "")
 
     def test_images_and_statistics(self):
         self.assert_succeeds("good.xml", "-o", "out/a.exr", "--images", "out/deep/er", "--stats", "out/s.json")
