@@ -84,6 +84,8 @@ handle!(/// An OpenGL context on a thread of its own.
     Context, nicol_context, nicol_context_retain, nicol_context_release);
 handle!(/// Light from infinitely far.
     Environment, nicol_environment, nicol_environment_retain, nicol_environment_release);
+handle!(/// Values that vary over a surface.
+    Texture, nicol_texture, nicol_texture_retain, nicol_texture_release);
 handle!(/// A polarimetric BRDF.
     Material, nicol_material, nicol_material_retain, nicol_material_release);
 handle!(/// Triangles.
