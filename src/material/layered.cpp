@@ -182,7 +182,7 @@ std::vector<double> alphas_for(const Texture& texture) {
             out.push_back(low * std::pow(high / low, i / static_cast<double>(steps)));
         out.push_back(high);
     }
-    out.erase(std::ranges::unique(out).begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
 }
 
