@@ -726,9 +726,10 @@ typedef uint32_t nicol_high_orders;
 typedef uint32_t nicol_shade_at;
 /* Pixels, where Stokes vectors between vertices are predicted to err by more than the tolerance: where
  * normals or view directions change much across triangles, for the lobes of the materials; and for several
- * samples of a pixel by threads, which cost less there. */
+ * samples of a pixel by threads, which cost less there. Also where a material varies by a texture. */
 #define NICOL_SHADE_AT_AUTOMATIC 0
-/* Stokes vectors are interpolated across triangles: fast, and right where triangles cover few pixels. */
+/* Stokes vectors are interpolated across triangles: fast, and right where triangles cover few pixels. Not for
+ * materials that vary by textures: NICOL_ERROR_UNSUPPORTED. */
 #define NICOL_SHADE_AT_VERTICES 1
 /* The light that arrives is interpolated, in the world's axes; normal, view angle, response and high orders
  * are those of the pixel. For coarse meshes. */
@@ -843,8 +844,9 @@ NICOL_API nicol_result nicol_framebuffer_release(nicol_framebuffer framebuffer);
 /* options may be NULL: all defaults. Results that a change of the scene, the camera or the options does not
  * affect are kept from the scene's last render; if nothing changed, nothing runs. On failure or cancellation
  * the framebuffer keeps its content and statistics. NICOL_ERROR_INVALID_ARGUMENT for options and cameras out
- * of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method and for compute
- * shaders if the driver lacks features, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY. */
+ * of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders
+ * if the driver lacks features, and, where a material varies by a texture, for the dense method and for
+ * shading at vertices, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY. */
 NICOL_API nicol_result nicol_render(nicol_scene scene, const nicol_camera* camera,
                                     const nicol_render_options* options, nicol_framebuffer framebuffer);
 

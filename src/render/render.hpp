@@ -38,7 +38,7 @@ enum class ShadeAt {
 
 /// Where relight and shade run; the results agree.
 enum class Executor {
-    automatic,  ///< compute, unless the processor rasterises, the driver cannot, or a material varies
+    automatic,  ///< compute, unless the processor rasterises or the driver cannot
     cpu,        ///< threads
     compute,    ///< compute shaders
 };

@@ -1243,8 +1243,9 @@ def render(scene, camera, options, framebuffer):
     """options may be NULL: all defaults. Results that a change of the scene, the camera or the options does not
     affect are kept from the scene's last render; if nothing changed, nothing runs. On failure or cancellation
     the framebuffer keeps its content and statistics. NICOL_ERROR_INVALID_ARGUMENT for options and cameras out
-    of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method and for compute
-    shaders if the driver lacks features, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY."""
+    of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders
+    if the driver lacks features, and, where a material varies by a texture, for the dense method and for
+    shading at vertices, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY."""
     check(_render(scene, byref(camera) if camera is not None else None, byref(options) if options is not None else None, framebuffer))
 
 

@@ -1578,8 +1578,9 @@ extern "C" {
     /// options may be NULL: all defaults. Results that a change of the scene, the camera or the options does not
     /// affect are kept from the scene's last render; if nothing changed, nothing runs. On failure or cancellation
     /// the framebuffer keeps its content and statistics. NICOL_ERROR_INVALID_ARGUMENT for options and cameras out
-    /// of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method and for compute
-    /// shaders if the driver lacks features, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY.
+    /// of range and channels that do not fit, NICOL_ERROR_UNSUPPORTED for an unknown method, for compute shaders
+    /// if the driver lacks features, and, where a material varies by a texture, for the dense method and for
+    /// shading at vertices, NICOL_ERROR_CANCELLED, NICOL_ERROR_OUT_OF_MEMORY.
     pub fn nicol_render(scene: nicol_scene, camera: *const nicol_camera, options: *const nicol_render_options, framebuffer: nicol_framebuffer) -> nicol_result;
     /// nicol_render as a job. Copies the scene's state: later changes affect later renders only. The framebuffer
     /// keeps its content until the job has run. Scene, framebuffer and all they need are kept alive; the caller
