@@ -30,7 +30,12 @@ std::shared_ptr<const Mesh> floor() {
 Scene ball_on_floor(const MaterialPtr& material, bool mirrored) {
     Scene scene;
     scene.set_environment(test::falling_light(3, false, 1), glm::dmat3(1), 1);
-    scene.add({.mesh = test::coarse_sphere(2), .material = diffuse({0.5}), .to_world = at(0.3, 0.4, 0, 0.4)});
+    Mesh ball = *test::coarse_sphere(2);
+    ball.texcoords.clear();
+    ball.texcoord_triangles.clear();
+    scene.add({.mesh = std::make_shared<const Mesh>(std::move(ball)),
+               .material = diffuse({0.5}),
+               .to_world = at(0.3, 0.4, 0, 0.4)});
     glm::dmat4 to_world = test::plate_at(0, 2);
     Mesh mesh = *floor();
     if (mirrored) {

@@ -63,6 +63,8 @@ inline TexturePtr vertex_colors() {
 /// Every triangle has its own.
 inline std::shared_ptr<const Mesh> with_texcoords(const Mesh& mesh) {
     Mesh out = mesh;
+    out.texcoords.clear();
+    out.texcoord_triangles.clear();
     for (const glm::uvec3& t : mesh.triangles) {
         const auto first = static_cast<std::uint32_t>(out.texcoords.size());
         for (const glm::length_t k : {2, 0, 1}) {

@@ -2,6 +2,7 @@
 // Materials that vary by textures, shaded at pixels.
 #include "gl/contexts.hpp"
 #include "image_difference.hpp"
+#include "material/chiral_material.hpp"
 #include "render/scenes.hpp"
 #include "render/textured.hpp"
 
@@ -141,11 +142,16 @@ GL_TEST_CASE("a checkerboard of two materials is one or the other") {
 GL_TEST_CASE("a blend of 0.3 is 0.7 of one and 0.3 of the other") {
     Studio render(context);
     const MaterialPtr first = plastic(0.3);
-    const MaterialPtr second = test::some_metal(0.3);
-    for (const bool shadows : {false, true}) {
-        const auto image = [&](const MaterialPtr& floor) {
-            return render(ball_over(floor), options(9, shadows));
-        };
+    struct Case {
+        MaterialPtr second;
+        bool shadows;
+    };
+    for (const auto& [second, shadows] : {Case{test::some_metal(0.3), false},
+                                          {test::some_metal(0.3), true},
+                                          // Rows of two pairings beside rows of one.
+                                          {test::chiral(test::some_metal(0.3)), false}}) {
+        const RenderOptions with_shadows = options(9, shadows);
+        const auto image = [&](const MaterialPtr& floor) { return render(ball_over(floor), with_shadows); };
         StokesImage expected = image(first);
         const StokesImage other = image(second);
         for (std::size_t i = 0; i < expected.data.size(); ++i)
@@ -350,7 +356,7 @@ GL_TEST_CASE("a change of textures ends where a fresh start does") {
     as_fresh();
     scene.set_transform(0, test::at(-0.3, 0.1, 0, 0.5));
     as_fresh();
-    scene.set_material(0, scaled(plastic(0.4), test::vertex_colors()));
+    scene.set_material(0, scaled(plastic(0.4), ramp()));
     as_fresh();
     scene.set_material(1, plastic());
     as_fresh();
