@@ -22,8 +22,9 @@ void read_bitmap(Plugin& plugin, TextureSpecification& texture) {
     texture.raw = plugin.boolean("raw", false);
     using Filter = TextureSampling::Filter;
     using Wrap = TextureSampling::Wrap;
+    // Mitsuba's rays are many a pixel, a shaded pixel is one: it takes the mean of what it covers.
     texture.sampling.filter =
-        plugin.choice("filter_type", 0, {"bilinear", "nearest"}) == 0 ? Filter::bilinear : Filter::nearest;
+        plugin.choice("filter_type", 0, {"bilinear", "nearest"}) == 0 ? Filter::mipmap : Filter::nearest;
     constexpr Wrap wraps[] = {Wrap::repeat, Wrap::mirror, Wrap::clamp};
     texture.sampling.wrap = wraps[plugin.choice("wrap_mode", 0, {"repeat", "mirror", "clamp"})];
     texture.sampling.to_uv = uv_transform(plugin);

@@ -105,7 +105,8 @@ TEST_CASE("a bitmap has Mitsuba's defaults and parameters") {
     CHECK(plain.kind == TextureKind::image);
     CHECK(plain.filename.filename() == "a.png");
     CHECK_FALSE(plain.raw);
-    CHECK(plain.sampling == TextureSampling());
+    // Bilinear, and of the mean of what a pixel covers.
+    CHECK(plain.sampling == TextureSampling{.filter = TextureSampling::Filter::mipmap});
     const TextureSpecification given =
         *material(bsdf("diffuse",
                        bitmap("reflectance",
