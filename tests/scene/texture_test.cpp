@@ -33,7 +33,7 @@ std::string bitmap(const std::string& name, const std::string& inside = "") {
 
 std::string checkerboard(const std::string& name) {
     return texture(name, "checkerboard",
-                   "<float name='color0' value='0.25'/><float name='color1' value='0.75'/>");
+                   "<float name='color0' value='0.75'/><float name='color1' value='0.25'/>");
 }
 
 const std::string raw = "<boolean name='raw' value='true'/>";
