@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "error.hpp"
+#include "arguments.hpp"
 #include "material/key.hpp"
 #include "material/reflectance.hpp"
 
@@ -19,10 +19,6 @@ constexpr double kLargestAlpha = 1;
 /// Between alphas of this ratio interpolation misses about 1 % of the rows of a response, half-way between
 /// the two.
 constexpr double kAlphaRatio = 1.2;
-
-void require(bool holds, const std::string& message) {
-    if (!holds) throw Error(ErrorCode::invalid_argument, message);
-}
 
 /// Terms of layers are terms of the whole, times the mean of their layer's weight.
 class Layered final : public Material {
@@ -200,7 +196,7 @@ MaterialPtr layered(SpatialVariation variation) {
     return std::make_shared<Layered>(std::move(variation));
 }
 
-MaterialPtr scaled(MaterialPtr material, TexturePtr scale) {
+MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale) {
     SpatialVariation out = parts_of(material, "scaled");
     require_texture(scale, "scaled");
     const SpatialVariation whole = out;
@@ -214,13 +210,13 @@ MaterialPtr scaled(MaterialPtr material, TexturePtr scale) {
     return layered(std::move(out));
 }
 
-MaterialPtr sum(MaterialPtr first, MaterialPtr second) {
+MaterialPtr sum(const MaterialPtr& first, const MaterialPtr& second) {
     SpatialVariation out = parts_of(first, "sum");
     append(parts_of(second, "sum"), out, "sum");
     return layered(std::move(out));
 }
 
-MaterialPtr blend(MaterialPtr first, MaterialPtr second, TexturePtr weight) {
+MaterialPtr blend(const MaterialPtr& first, const MaterialPtr& second, const TexturePtr& weight) {
     require_texture(weight, "blend");
     SpatialVariation a = parts_of(first, "blend");
     SpatialVariation b = parts_of(second, "blend");
@@ -232,7 +228,7 @@ MaterialPtr blend(MaterialPtr first, MaterialPtr second, TexturePtr weight) {
     return layered(std::move(out));
 }
 
-MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make, TexturePtr alpha) {
+MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make, const TexturePtr& alpha) {
     require_texture(alpha, "with_roughness");
     const std::vector<double> alphas = alphas_for(*alpha);
     SpatialVariation out;

@@ -19,15 +19,16 @@ namespace nicol {
 [[nodiscard]] MaterialPtr layered(SpatialVariation variation);
 
 /// The material times a texture.
-[[nodiscard]] MaterialPtr scaled(MaterialPtr material, TexturePtr scale);
+[[nodiscard]] MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale);
 /// Both together.
-[[nodiscard]] MaterialPtr sum(MaterialPtr first, MaterialPtr second);
+[[nodiscard]] MaterialPtr sum(const MaterialPtr& first, const MaterialPtr& second);
 /// first (1 - t) + second t, t the first channel of a texture, moved to 0..1 (Mitsuba's blendbsdf).
-[[nodiscard]] MaterialPtr blend(MaterialPtr first, MaterialPtr second, TexturePtr weight);
+[[nodiscard]] MaterialPtr blend(const MaterialPtr& first, const MaterialPtr& second,
+                                const TexturePtr& weight);
 /// make(alpha) with alpha from the first channel of a texture, moved to 0.01..1: an interpolation, linear in
 /// 1 / alpha, between alphas that differ by a fifth at most; exact for a texture of up to 16 values.
 [[nodiscard]] MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make,
-                                         TexturePtr alpha);
+                                         const TexturePtr& alpha);
 
 /// Normals from a texture, see NormalVariation. `mirrored_y`: there.
 [[nodiscard]] MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals, bool mirrored_y = false);

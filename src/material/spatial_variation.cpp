@@ -27,7 +27,7 @@ bool any_texture(const SpatialVariation& variation, const Needs& needs) {
 glm::vec3 factor_value(const LayerFactor& factor, const glm::vec4& texture) {
     switch (factor.kind) {
         case LayerFactor::Kind::value:
-            return glm::vec3(texture);
+            return {texture};
         case LayerFactor::Kind::fraction:
             return glm::vec3(std::clamp(texture.x, 0.0F, 1.0F));
         case LayerFactor::Kind::complement:

@@ -14,7 +14,6 @@
 namespace nicol::scene {
 namespace {
 
-using Kind = MaterialDescription::Kind;
 using Part = TextureSpecification::Part;
 
 /// Those of a material that have an effect here.
@@ -32,7 +31,8 @@ TextureSpecification constant(const ColorDescription& value) {
 }
 
 /// What is made of a material, with `texture`.
-MaterialDescription around(Kind kind, std::vector<MaterialDescription> parts, TextureSpecification texture) {
+MaterialDescription around(MaterialDescription::Kind kind, std::vector<MaterialDescription> parts,
+                           TextureSpecification texture) {
     MaterialDescription out;
     out.kind = kind;
     out.parts = std::move(parts);
@@ -70,10 +70,11 @@ public:
             // Scales x and y, 2 t - 1, of the normal.
             normals->factor = {scale, scale, 1};
             normals->offset = {(1 - scale) / 2, (1 - scale) / 2, 0};
-            out = around(Kind::normalmap, {std::move(out)}, std::move(*normals));
+            out = around(MaterialDescription::Kind::normalmap, {std::move(out)}, std::move(*normals));
             out.mirrored_y = true;
         }
-        if (auto opacity = coverage()) out = around(Kind::mask, {std::move(out)}, std::move(*opacity));
+        if (auto opacity = coverage())
+            out = around(MaterialDescription::Kind::mask, {std::move(out)}, std::move(*opacity));
         out.id = material_.name;
         out.twosided = material_.doubleSided;
         return {std::move(out), set};
@@ -162,12 +163,12 @@ private:
         } else {
             weight = constant(metallic);
         }
-        return around(Kind::blendbsdf, {plastic(), metal()}, std::move(*weight));
+        return around(MaterialDescription::Kind::blendbsdf, {plastic(), metal()}, std::move(*weight));
     }
 
     [[nodiscard]] MaterialDescription plastic() {
         MaterialDescription out = facets();
-        out.kind = Kind::pplastic;
+        out.kind = MaterialDescription::Kind::pplastic;
         out.diffuse_reflectance = base_color();
         out.int_ior = index_of_refraction();
         out.ext_ior = 1;
@@ -177,7 +178,7 @@ private:
     /// A mirror times a colour that varies; of one colour, a metal that has it.
     [[nodiscard]] MaterialDescription metal() {
         MaterialDescription out = facets();
-        out.kind = Kind::roughconductor;
+        out.kind = MaterialDescription::Kind::roughconductor;
         const TexturedColor color = base_color();
         if (color.texture) {
             out.specular_reflectance = color;

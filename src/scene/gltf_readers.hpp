@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "files/load_budget.hpp"
@@ -42,7 +43,10 @@ struct GltfSurface {
     std::vector<int> texcoord_sets;  ///< n of each TEXCOORD_n that it has
 
     explicit GltfSurface(const tinygltf::Primitive& primitive);
-    auto operator<=>(const GltfSurface&) const = default;
+    bool operator<(const GltfSurface& other) const {
+        return std::tie(material, colors, texcoord_sets) <
+               std::tie(other.material, other.colors, other.texcoord_sets);
+    }
 };
 
 /// A material as such primitives have it, and the texture coordinates that its textures take.

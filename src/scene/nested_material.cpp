@@ -6,8 +6,6 @@
 namespace nicol::scene {
 namespace {
 
-using Kind = MaterialDescription::Kind;
-
 /// A number of 0 to 1, or a texture.
 TextureSpecificationPtr fraction(const XmlDocument& document, Plugin& plugin, const char* name,
                                  double otherwise) {
@@ -51,24 +49,25 @@ std::optional<MaterialDescription> read_nested_material(const XmlDocument& docum
         return twosided(document, plugin, left);
     }
     if (plugin.type() == "normalmap") {
-        material.kind = Kind::normalmap;
+        material.kind = MaterialDescription::Kind::normalmap;
         material.texture = read_texture(document, plugin.only_texture());
     } else if (plugin.type() == "bumpmap") {
-        material.kind = Kind::bumpmap;
+        material.kind = MaterialDescription::Kind::bumpmap;
         material.texture = read_texture(document, plugin.only_texture());
         material.bump_scale = plugin.number("scale", material.bump_scale);
     } else if (plugin.type() == "mask") {
-        material.kind = Kind::mask;
+        material.kind = MaterialDescription::Kind::mask;
         material.texture = fraction(document, plugin, "opacity", 0.5);
     } else if (plugin.type() == "blendbsdf") {
-        material.kind = Kind::blendbsdf;
+        material.kind = MaterialDescription::Kind::blendbsdf;
         if (!plugin.has("weight")) plugin.fail("weight", "is missing; expected a <float> or a <texture>");
         material.texture = fraction(document, plugin, "weight", 0.0);
     } else {
         return std::nullopt;
     }
     plugin.finish();
-    read_parts(document, plugin, material.kind == Kind::blendbsdf ? 2 : 1, left, material);
+    read_parts(document, plugin, material.kind == MaterialDescription::Kind::blendbsdf ? 2 : 1, left,
+               material);
     return material;
 }
 

@@ -15,8 +15,6 @@
 namespace nicol::scene {
 namespace {
 
-using Kind = MaterialDescription::Kind;
-
 /// One scene's materials.
 class Maker {
 public:
@@ -31,10 +29,10 @@ public:
 private:
     [[nodiscard]] MaterialPtr model(const MaterialDescription& d) const {
         switch (d.kind) {
-            case Kind::diffuse:
+            case MaterialDescription::Kind::diffuse:
                 return d.reflectance.texture ? times(diffuse({1.0}), d.reflectance.texture)
                                              : diffuse(reflectance(d.reflectance, channels_));
-            case Kind::pplastic:
+            case MaterialDescription::Kind::pplastic:
                 return pplastic({.diffuse_reflectance = reflectance(d.diffuse_reflectance, channels_),
                                  .specular_reflectance = reflectance(d.specular_reflectance, channels_),
                                  .int_ior = d.int_ior,
@@ -44,18 +42,18 @@ private:
                                 {.diffuse_reflectance = color(d.diffuse_reflectance),
                                  .specular_reflectance = color(d.specular_reflectance),
                                  .alpha = alpha(d)});
-            case Kind::conductor:
+            case MaterialDescription::Kind::conductor:
                 return d.specular_reflectance.texture
                            ? times(conductor(index_of(d)), d.specular_reflectance.texture)
                            : conductor(index_of(d), reflectance(d.specular_reflectance, channels_));
-            case Kind::roughconductor:
+            case MaterialDescription::Kind::roughconductor:
                 return rough_conductor(
                     {.eta = index_of(d),
                      .specular_reflectance = reflectance(d.specular_reflectance, channels_),
                      .alpha = d.alpha,
                      .distribution = distribution(d)},
                     {.specular_reflectance = color(d.specular_reflectance), .alpha = alpha(d)});
-            case Kind::psh:
+            case MaterialDescription::Kind::psh:
                 return times(files_.read(d.filename, [&] { return matrix(d); }), d.scale.texture);
             default:
                 return measured(d);
@@ -65,11 +63,11 @@ private:
     [[nodiscard]] MaterialPtr of_parts(const MaterialDescription& d) const {
         MaterialPtr first = make(d.parts.front());
         switch (d.kind) {
-            case Kind::normalmap:
+            case MaterialDescription::Kind::normalmap:
                 return normal_mapped(std::move(first), textures_.vector(*d.texture), d.mirrored_y);
-            case Kind::bumpmap:
+            case MaterialDescription::Kind::bumpmap:
                 return bump_mapped(std::move(first), textures_.number(*d.texture), d.bump_scale);
-            case Kind::mask:
+            case MaterialDescription::Kind::mask:
                 return cut_out(std::move(first), textures_.number(*d.texture));
             default:
                 return blend(std::move(first), make(d.parts.back()), textures_.number(*d.texture));

@@ -11,8 +11,6 @@
 namespace nicol::scene {
 namespace {
 
-using Kind = ShapeDescription::Kind;
-
 constexpr std::array<std::string_view, 8> kKindNames = {"obj",        "ply",    "off",       "stl",
                                                         "serialized", "sphere", "rectangle", "cube"};
 
@@ -22,7 +20,7 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
         plugin.fail("filename", "is " + in_quotes(shape.filename.filename().string()) +
                                     "; expected a name in ." + plugin.type() +
                                     " as the type of the shape says");
-    if (shape.kind == Kind::serialized)
+    if (shape.kind == ShapeDescription::Kind::serialized)
         shape.index =
             static_cast<std::size_t>(plugin.integer("shape_index", 0, 0, std::numeric_limits<int>::max()));
     shape.face_normals = plugin.boolean("face_normals", false);
@@ -37,11 +35,11 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, pu
     if (kind == kKindNames.end())
         plugin.fail_type("obj, ply, off, stl, serialized, sphere, rectangle, cube, shapegroup, instance");
     ShapeDescription shape;
-    shape.kind = static_cast<Kind>(kind - kKindNames.begin());
+    shape.kind = static_cast<ShapeDescription::Kind>(kind - kKindNames.begin());
     shape.id = plugin.id();
-    if (shape.kind <= Kind::serialized) {
+    if (shape.kind <= ShapeDescription::Kind::serialized) {
         read_mesh(plugin, shape);
-    } else if (shape.kind == Kind::sphere) {
+    } else if (shape.kind == ShapeDescription::Kind::sphere) {
         shape.center = plugin.vector("center", shape.center);
         shape.radius = plugin.number("radius", shape.radius, 0.0, std::numeric_limits<double>::max(), true);
     }

@@ -8,8 +8,6 @@
 namespace nicol::scene {
 namespace {
 
-using Kind = TextureSpecification::Kind;
-
 /// What a transform does to (u, v), which are its x and y.
 glm::dmat3 uv_transform(Plugin& plugin) {
     const glm::dmat4 m = plugin.transform("to_uv");
@@ -17,7 +15,7 @@ glm::dmat3 uv_transform(Plugin& plugin) {
 }
 
 void read_bitmap(Plugin& plugin, TextureSpecification& texture) {
-    texture.kind = Kind::image;
+    texture.kind = TextureSpecification::Kind::image;
     texture.filename = plugin.filename("filename");
     texture.raw = plugin.boolean("raw", false);
     using Filter = TextureSampling::Filter;
@@ -33,7 +31,7 @@ void read_bitmap(Plugin& plugin, TextureSpecification& texture) {
 }
 
 void read_checkerboard(Plugin& plugin, TextureSpecification& texture) {
-    texture.kind = Kind::checkerboard;
+    texture.kind = TextureSpecification::Kind::checkerboard;
     texture.color0 = plugin.color("color0", texture.color0);
     texture.color1 = plugin.color("color1", texture.color1);
     texture.sampling.to_uv = uv_transform(plugin);

@@ -124,7 +124,7 @@ void TexturedPixels::store_weights(std::size_t layers) {
     by_layer_.clear();
     for (std::size_t l = 0; l < layers; ++l) {
         const std::span own = std::span(lanes_).subspan(l * blocks, blocks);
-        by_layer_.push_back(own);
+        by_layer_.emplace_back(own);
         for (std::size_t b = 0; b < blocks; ++b) {
             std::uint64_t some = 0;
             const std::size_t last = std::min((b + 1) * kLanes, used_.size());
