@@ -193,10 +193,10 @@ nicol_result nicol_material_create_scaled(nicol_context context, nicol_material 
 
 nicol_result nicol_material_create_blend(nicol_context context, nicol_material first, nicol_material second,
                                          nicol_texture weight, nicol_material* material) {
-    return create_textured(context, first, weight, material, [&](MaterialPtr a, TexturePtr t) {
+    return create_textured(context, first, weight, material, [&](const MaterialPtr& a, const TexturePtr& t) {
         const nicol_material_impl other = resolve(second);
         require_same_context(resolve(context), other);
-        return blend(std::move(a), other.content, std::move(t));
+        return blend(a, other.content, t);
     });
 }
 

@@ -9,8 +9,8 @@
 namespace nicol {
 namespace {
 
-MaterialPtr times(MaterialPtr material, const TexturePtr& reflectance) {
-    return reflectance ? scaled(std::move(material), reflectance) : material;
+MaterialPtr times(const MaterialPtr& material, const TexturePtr& reflectance) {
+    return reflectance ? scaled(material, reflectance) : material;
 }
 
 MaterialPtr at_roughness(const std::function<MaterialPtr(double alpha)>& make, double alpha,

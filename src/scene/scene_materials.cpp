@@ -70,7 +70,7 @@ private:
             case MaterialDescription::Kind::mask:
                 return cut_out(std::move(first), textures_.number(*d.texture));
             default:
-                return blend(std::move(first), make(d.parts.back()), textures_.number(*d.texture));
+                return blend(first, make(d.parts.back()), textures_.number(*d.texture));
         }
     }
 
@@ -127,15 +127,14 @@ private:
             return load_measured(d.filename, parameters,
                                  [&](const std::string& text) { files_.notice(text); });
         });
-        if (d.scale.texture || d.scale.rgb == glm::dvec3(1))
-            return times(std::move(material), d.scale.texture);
+        if (d.scale.texture || d.scale.rgb == glm::dvec3(1)) return times(material, d.scale.texture);
         TextureSpecification scale;
         scale.color0 = d.scale;
-        return scaled(std::move(material), textures_.color(scale));
+        return scaled(material, textures_.color(scale));
     }
 
-    [[nodiscard]] MaterialPtr times(MaterialPtr material, const TextureSpecificationPtr& scale) const {
-        return scale ? scaled(std::move(material), textures_.color(*scale)) : material;
+    [[nodiscard]] MaterialPtr times(const MaterialPtr& material, const TextureSpecificationPtr& scale) const {
+        return scale ? scaled(material, textures_.color(*scale)) : material;
     }
 
     const SceneChannels& channels_;
