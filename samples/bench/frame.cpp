@@ -7,6 +7,7 @@
 #include "dense_memory.hpp"
 #include "frame_times.hpp"
 #include "silhouette.hpp"
+#include "textured_frame.hpp"
 
 namespace {
 
@@ -86,6 +87,15 @@ void compare_pixels(Report& report, const std::vector<Recipe>& list, const std::
     }
 }
 
+void compare_textures(Report& report, const Options& options, int low, std::uint32_t size) {
+    const Recipe recipe{.low = low, .shade_at = NICOL_SHADE_AT_PIXELS};
+    const TextureCost cost = texture_cost(options, recipe, size);
+    const std::string what =
+        "images of albedo, roughness and normals / none, " + recipe.name() + ", frame, camera only";
+    report.note(times(what, cost.bilinear));
+    report.note(times(what + ", of mipmaps", cost.mipmap));
+}
+
 std::vector<Recipe> recipes(const Options& options, const DenseMemory& memory) {
     const int low = options.first_order < 0 ? 4 : options.first_order;
     const int top = options.last_order < 0 ? std::max(9, low) : options.last_order;
@@ -132,6 +142,7 @@ Report bench_frame(const Options& options) {
     compare_pixels(report, list, medians);
     compare_samples(report, list, medians);
     compare_silhouettes(report, source, low.low);
+    compare_textures(report, options, low.low, size);
     const FrameTimes& full = medians[list.size() + 1];
     const FrameTimes& plain = medians[list.size() + 2];
     add_rows(report, low.name() + ", polarized sky on plastic", full, floor);

@@ -23,6 +23,8 @@ public:
     Contestant(const SceneSource& source, const Recipe& recipe, std::uint32_t size,
                SceneVariant variant = SceneVariant::original);
 
+    /// Of all instances.
+    void set_material(nicol_material material) { stage_.set_material(material); }
     [[nodiscard]] const Recipe& recipe() const { return recipe_; }
     [[nodiscard]] const Stage& stage() const { return stage_; }
     /// Camera, light, nothing.
