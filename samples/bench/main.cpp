@@ -19,6 +19,7 @@
 #include "scale.hpp"
 #include "skip.hpp"
 #include "start.hpp"
+#include "textures.hpp"
 #include "tolerance.hpp"
 
 namespace {
@@ -47,6 +48,11 @@ const Command commands[] = {
      {"--light", "--backend", "--cache", "--size", "--samples", "--orders", "--csv", "--json"},
      "errors of a mesh of few triangles at vertices and at pixels, beside each triangle split in\n"
      "              sixteen, under lamps and in the forest"},
+    {"textures",
+     bench_textures,
+     {"--light", "--backend", "--cache", "--size", "--samples", "--orders", "--csv", "--json"},
+     "errors of a plastic whose albedo, roughness and normals vary by textures, on a sphere and\n"
+     "              on a floor under it"},
     {"frame",
      bench_frame,
      {"SCENE.xml", "-D", "--light", "--backend", "--cache", "--size", "--orders", "--memory", "--seconds",
@@ -98,7 +104,7 @@ const Help option_help[] = {
     {"--samples", "--samples N     of each of the two reference images, a pixel; default 256"},
     {"--orders",
      "--orders A-B    from order A to B, 0 to 32 (frame: low order A, high order B;\n                  "
-     "materials: likewise; without it 4 and 64)"},
+     "materials and textures: likewise; without it 4 and 64, 9 and 64)"},
     {"--converged",
      "--converged N   errors against the factored method to order N too, 1 to 32: truncation alone"},
     {"--memory", "--memory GB     most that matrices of the dense method may take; default 4"},

@@ -27,6 +27,14 @@ Environment load_light(nicol_context context, const std::string& path) {
     return Environment(light);
 }
 
+void set_materials(nicol_scene scene, nicol_material material) {
+    std::uint32_t count = 0;
+    check(nicol_scene_get_instance_count(scene, &count));
+    std::vector<std::uint32_t> ids(count);
+    check(nicol_scene_get_instance_ids(scene, ids.data(), count));
+    for (const std::uint32_t id : ids) check(nicol_scene_set_material(scene, id, material));
+}
+
 }  // namespace
 
 Context make_context(nicol_backend backend, const std::string& cache_folder) {
@@ -51,7 +59,9 @@ Scene SceneSource::load() const {
     nicol_scene scene = nullptr;
     check(nicol_scene_load(context_.get(), path_.c_str(), definitions.data(),
                            static_cast<std::uint32_t>(definitions.size()), &scene));
-    return Scene(scene);
+    Scene out(scene);
+    if (material_ != nullptr) set_materials(scene, material_.get());
+    return out;
 }
 
 std::string SceneSource::machine() const {
@@ -84,11 +94,7 @@ void Stage::set_light(Environment light) {
 }
 
 void Stage::set_material(nicol_material material) {
-    std::uint32_t count = 0;
-    check(nicol_scene_get_instance_count(scene_.get(), &count));
-    std::vector<std::uint32_t> ids(count);
-    check(nicol_scene_get_instance_ids(scene_.get(), ids.data(), count));
-    for (const std::uint32_t id : ids) check(nicol_scene_set_material(scene_.get(), id, material));
+    set_materials(scene_.get(), material);
 }
 
 void Stage::orbit(double degrees) {

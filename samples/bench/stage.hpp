@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "common/handles.hpp"
 #include "options.hpp"
@@ -18,6 +19,8 @@ public:
     /// NULL: scenes keep their own light.
     [[nodiscard]] nicol_environment light() const { return light_.get(); }
     [[nodiscard]] Scene load() const;
+    /// Of all instances of what is loaded from here on.
+    void set_material(Material material) { material_ = std::move(material); }
     /// "llvmpipe ..., 2 threads" for the notes of a report.
     [[nodiscard]] std::string machine() const;
 
@@ -25,6 +28,7 @@ private:
     std::optional<TemporaryFolder> folder_;
     Context context_;
     Environment light_;
+    Material material_;
     std::string path_;
     std::vector<std::string> definitions_;
 };

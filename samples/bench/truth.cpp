@@ -16,7 +16,7 @@ Mask wholly_covered(const SceneSource& source, std::uint32_t size) {
     const Environment constant(handle);
     check(nicol_scene_set_environment(stage.scene(), constant.get(), nullptr, 1));
     const Framebuffer framebuffer = stage.framebuffer(kReduction * size, kReduction * size);
-    const Recipe plain{.low = 0, .shadows = false};
+    const Recipe plain{.low = 0, .shadows = false, .shade_at = NICOL_SHADE_AT_AUTOMATIC};
     stage.render(plain.options(), framebuffer.get());
     const Image image = read_image(framebuffer.get());
 

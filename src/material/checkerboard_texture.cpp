@@ -35,6 +35,7 @@ public:
     [[nodiscard]] bool constant() const noexcept override { return false; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return true; }
     [[nodiscard]] bool needs_colors() const noexcept override { return false; }
+    [[nodiscard]] bool needs_footprint() const noexcept override { return false; }
     [[nodiscard]] TextureDescription describe() const override {
         return {.kind = TextureDescription::Kind::checkerboard,
                 .sampling = {.to_uv = to_uv_.matrix()},

@@ -12,6 +12,7 @@
 
 #include "image/stokes_image.hpp"
 #include "material/image_levels.hpp"
+#include "material/lane_texels.hpp"
 #include "material/texture.hpp"
 #include "material/uv_transform.hpp"
 
@@ -77,6 +78,9 @@ public:
     [[nodiscard]] bool constant() const noexcept override { return false; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return true; }
     [[nodiscard]] bool needs_colors() const noexcept override { return false; }
+    [[nodiscard]] bool needs_footprint() const noexcept override {
+        return filter_ == TextureSampling::Filter::mipmap;
+    }
     [[nodiscard]] TextureDescription describe() const override {
         return {.kind = TextureDescription::Kind::image,
                 .sampling = {.filter = filter_, .wrap = wrap_, .to_uv = to_uv_.matrix()},
@@ -96,6 +100,38 @@ public:
         const auto fine = Cell(*this, levels_[level], uv).value();
         if (fraction == 0) return color_of<kChannels>(fine);
         return color_of<kChannels>(mix(fine, Cell(*this, levels_[level + 1], uv).value(), fraction));
+    }
+
+    void at_lanes(const TexturePoints& points, std::array<Lanes, 4>& out) const override {
+        const std::array<Lanes, 2> uv = nicol::wrapped(points.uv, to_uv_, wrap_);
+        if (filter_ == TextureSampling::Filter::nearest) {
+            const float* const texels = levels_[0].values.data();
+            LaneIntegers at;
+            find_nearest(uv, levels_[0].width, levels_[0].height, at);
+            for (std::size_t i = 0; i < kLanes; ++i)
+                put(load<kChannels>(texels + std::ptrdiff_t{kChannels} * at[i]), i, out);
+        } else if (filter_ == TextureSampling::Filter::bilinear) {
+            const TextureImage& image = levels_[0];
+            LaneIntegers width, height;
+            width.value.fill(image.width);
+            height.value.fill(image.height);
+            LaneTexels texels;
+            find_texels(uv, width, height, wrap_, texels);
+            for (std::size_t i = 0; i < kLanes; ++i) put(between(image.values.data(), texels, i), i, out);
+        } else {
+            Mixed mixed = levels_of(points);
+            LaneTexels fine, coarse;
+            find_texels(uv, mixed.width[0], mixed.height[0], wrap_, fine);
+            find_texels(uv, mixed.width[1], mixed.height[1], wrap_, coarse);
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const auto level = static_cast<std::size_t>(mixed.level[i]);
+                Values value = between(levels_[level].values.data(), fine, i);
+                if (mixed.fraction[i] > 0)
+                    value =
+                        mix(value, between(levels_[level + 1].values.data(), coarse, i), mixed.fraction[i]);
+                put(value, i, out);
+            }
+        }
     }
 
     [[nodiscard]] glm::vec2 gradient(const TexturePoint& point) const override {
@@ -184,6 +220,42 @@ private:
         if (level >= static_cast<float>(last)) return {last, 0.0F};
         const auto whole = static_cast<std::size_t>(level);
         return {whole, level - static_cast<float>(whole)};
+    }
+
+    // The levels that sixteen points lie between.
+    struct Mixed {
+        LaneIntegers level;
+        Lanes fraction;  // of the next one
+        std::array<LaneIntegers, 2> width, height;
+    };
+    [[nodiscard]] Mixed levels_of(const TexturePoints& points) const {
+        Mixed out;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const auto [level, fraction] = level_of({.uv = {},
+                                                     .du = {points.du[0][i], points.du[1][i]},
+                                                     .dv = {points.dv[0][i], points.dv[1][i]},
+                                                     .color = {}});
+            out.level[i] = static_cast<std::int32_t>(level);
+            out.fraction[i] = fraction;
+            for (std::size_t k = 0; k < 2; ++k) {
+                const TextureImage& image = levels_[std::min(level + k, levels_.size() - 1)];
+                out.width[k][i] = image.width;
+                out.height[k][i] = image.height;
+            }
+        }
+        return out;
+    }
+
+    [[nodiscard]] static Values between(const float* image, const LaneTexels& texels, std::size_t i) {
+        const auto texel = [&](const LaneIntegers& at) {
+            return load<kChannels>(image + std::ptrdiff_t{kChannels} * at[i]);
+        };
+        return mix(mix(texel(texels.upper_left), texel(texels.upper_right), texels.right[i]),
+                   mix(texel(texels.lower_left), texel(texels.lower_right), texels.right[i]), texels.down[i]);
+    }
+    static void put(const Values& value, std::size_t i, std::array<Lanes, 4>& out) {
+        const glm::vec4 color = color_of<kChannels>(value);
+        for (glm::length_t c = 0; c < 4; ++c) out[static_cast<std::size_t>(c)][i] = color[c];
     }
 
     /// What is asked of the whole image.

@@ -20,6 +20,13 @@ public:
     [[nodiscard]] glm::vec4 at(const TexturePoint& point) const override {
         return first_->at(point) * second_->at(point);
     }
+    void at_lanes(const TexturePoints& points, std::array<Lanes, 4>& out) const override {
+        std::array<Lanes, 4> second;
+        first_->at_lanes(points, out);
+        second_->at_lanes(points, second);
+        for (std::size_t c = 0; c < out.size(); ++c)
+            for (std::size_t i = 0; i < kLanes; ++i) out[c][i] *= second[c][i];
+    }
     [[nodiscard]] glm::vec2 gradient(const TexturePoint&) const override { return glm::vec2(0); }
     [[nodiscard]] glm::vec4 mean() const override { return first_->mean() * second_->mean(); }
     [[nodiscard]] glm::vec2 range() const override {
@@ -35,6 +42,9 @@ public:
     }
     [[nodiscard]] bool needs_colors() const noexcept override {
         return first_->needs_colors() || second_->needs_colors();
+    }
+    [[nodiscard]] bool needs_footprint() const noexcept override {
+        return first_->needs_footprint() || second_->needs_footprint();
     }
     [[nodiscard]] TextureDescription describe() const override {
         return {.kind = TextureDescription::Kind::product, .factors = {first_, second_}};

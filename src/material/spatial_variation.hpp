@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "material/layer_weights.hpp"
 #include "material/material.hpp"
 #include "material/texture.hpp"
 
@@ -66,11 +67,15 @@ struct SpatialVariation {
 
     [[nodiscard]] bool needs_texcoords() const;
     [[nodiscard]] bool needs_colors() const;
+    /// Of what weights() and normal look at.
+    [[nodiscard]] bool needs_footprint() const;
 
     /// Whether the surface is there.
     [[nodiscard]] bool present(const TexturePoint& point) const;
     /// out[layer], of all layers: its weight for red, green and blue, or three equal ones.
     void weights(const TexturePoint& point, std::span<glm::vec3> out) const;
+    /// The same of sixteen points.
+    void weights(const TexturePoints& points, std::span<LayerWeights> out) const;
 };
 
 /// Null for a material that is there everywhere.

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "simd/lanes.hpp"
+
 namespace nicol {
 
 /// A point of a surface, as a texture sees it.
@@ -21,6 +23,12 @@ struct TexturePoint {
     glm::vec2 du{0};     ///< change of uv to the next pixel on the right ...
     glm::vec2 dv{0};     ///< ... and below; both 0: no footprint, the finest level of a mipmap
     glm::vec3 color{1};  ///< the mesh's vertex colour there, interpolated
+};
+
+/// Sixteen points side by side.
+struct TexturePoints {
+    std::array<Lanes, 2> uv, du, dv;
+    std::array<Lanes, 3> color;
 };
 
 /// How an image becomes a function of u and v.
@@ -68,6 +76,8 @@ public:
     [[nodiscard]] virtual int channels() const noexcept = 0;
     /// Red, green, blue, coverage: linear, not clipped. One channel: three equal values; without coverage: 1.
     [[nodiscard]] virtual glm::vec4 at(const TexturePoint& point) const = 0;
+    /// at() of sixteen points: red, green, blue, coverage.
+    virtual void at_lanes(const TexturePoints& points, std::array<Lanes, 4>& out) const;
     /// Of the first channel by u and by v, of an image as at() interpolates it, but of one without a filter
     /// as of a bilinear one; 0 of other textures.
     [[nodiscard]] virtual glm::vec2 gradient(const TexturePoint& point) const = 0;
@@ -83,6 +93,8 @@ public:
     /// Whether at() needs texture coordinates, or the colours of vertices.
     [[nodiscard]] virtual bool needs_texcoords() const noexcept = 0;
     [[nodiscard]] virtual bool needs_colors() const noexcept = 0;
+    /// Whether it matters how far apart pixels are.
+    [[nodiscard]] virtual bool needs_footprint() const noexcept { return needs_texcoords(); }
 
     /// Valid as long as the texture.
     [[nodiscard]] virtual TextureDescription describe() const = 0;

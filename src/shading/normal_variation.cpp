@@ -2,36 +2,147 @@
 #include "shading/normal_variation.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
+
+#include "polarization/view_geometry.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/lane_vector.hpp"
 
 namespace nicol {
 namespace {
 
 // Unit, or `otherwise` where there is no direction.
-glm::vec3 direction(const glm::vec3& v, const glm::vec3& otherwise) {
-    const float square = glm::dot(v, v);
-    return square > 0 && square < std::numeric_limits<float>::infinity() ? v / std::sqrt(square) : otherwise;
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> direction(const Vector3<Number>& v,
+                                                        const Vector3<Number>& otherwise) {
+    Number square;
+    dot(v, v, square);
+    // Of two conditions at once GCC 12 makes no vector instructions, nor of some that branches lie before.
+    square = square < std::numeric_limits<float>::infinity() ? square : Number{};
+    const auto defined = square > 0;
+    square = defined ? square : Number{} + 1.0F;
+    square_root(square);
+    const Number inverse = 1.0F / square;
+    return {defined ? v.x * inverse : otherwise.x, defined ? v.y * inverse : otherwise.y,
+            defined ? v.z * inverse : otherwise.z};
 }
 
-glm::vec3 mapped(const NormalVariation& variation, const TexturePoint& point, const TextureAxes& axes,
-                 const glm::vec3& n) {
-    const glm::vec3 x = direction(axes.by_u - glm::dot(axes.by_u, n) * n, glm::vec3(0));
-    if (x == glm::vec3(0)) return n;
-    glm::vec3 y = glm::cross(n, x);
-    if (variation.mirrored_y && glm::dot(y, axes.by_v) > 0) y = -y;
-    const glm::vec3 local = 2.0F * glm::vec3(variation.texture->at(point)) - 1.0F;
-    return direction(local.x * x + local.y * y + local.z * n, n);
+// a x + b y + c z
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> combination(const Vector3<Number>& of, const Vector3<Number>& x,
+                                                          const Vector3<Number>& y,
+                                                          const Vector3<Number>& z) {
+    return {of.x * x.x + of.y * y.x + of.z * z.x, of.x * x.y + of.y * y.y + of.z * z.y,
+            of.x * x.z + of.y * y.z + of.z * z.z};
 }
 
-glm::vec3 bumped(const NormalVariation& variation, const TexturePoint& point, const TextureAxes& axes,
-                 const glm::vec3& n) {
-    const glm::vec2 slope = static_cast<float>(variation.scale) * variation.texture->gradient(point);
-    const glm::vec3 by_u = axes.by_u + (slope.x - glm::dot(n, axes.by_u)) * n;
-    const glm::vec3 by_v = axes.by_v + (slope.y - glm::dot(n, axes.by_v)) * n;
-    const glm::vec3 turned = direction(glm::cross(by_u, by_v), n);
-    return glm::dot(turned, n) < 0 ? -turned : turned;
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> times(const Number& factor, const Vector3<Number>& v) {
+    return {factor * v.x, factor * v.y, factor * v.z};
+}
+
+// texel: the normal in the surface's frame, as a colour.
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> mapped(const Vector3<Number>& texel,
+                                                     const Vector3<Number>& by_u, const Vector3<Number>& by_v,
+                                                     const Vector3<Number>& n, bool mirrored_y) {
+    Number number;
+    dot(by_u, n, number);
+    const Vector3<Number> x = direction(minus_scaled(by_u, number, n), Vector3<Number>{});
+    Vector3<Number> y = cross(n, x);
+    if (mirrored_y) {
+        dot(y, by_v, number);
+        const Number one = Number{} + 1.0F;
+        const Number sign = number > 0 ? -one : one;
+        y = times(sign, y);
+    }
+    // Where x is 0, the normal stays.
+    dot(x, x, number);
+    const Vector3<Number> local{2.0F * texel.x - 1.0F, 2.0F * texel.y - 1.0F,
+                                number * (2.0F * texel.z - 2.0F) + 1.0F};
+    return direction(combination(local, x, y, n), n);
+}
+
+// across, down: the slope by u and by v.
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> bumped(const Number& across, const Number& down,
+                                                     const Vector3<Number>& by_u, const Vector3<Number>& by_v,
+                                                     const Vector3<Number>& n) {
+    Number number;
+    dot(n, by_u, number);
+    number -= across;
+    const Vector3<Number> moved_u = minus_scaled(by_u, number, n);
+    dot(n, by_v, number);
+    number -= down;
+    const Vector3<Number> turned = direction(cross(moved_u, minus_scaled(by_v, number, n)), n);
+    dot(turned, n, number);
+    const Number one = Number{} + 1.0F;
+    const Number sign = number < 0 ? -one : one;
+    return times(sign, turned);
+}
+
+// Of the texture: kind map: its value. bump: its gradient, times the scale.
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> turned(const NormalVariation& variation,
+                                                     const Vector3<Number>& texture,
+                                                     const Vector3<Number>& by_u, const Vector3<Number>& by_v,
+                                                     const Vector3<Number>& normal, bool back) {
+    const Number one = Number{} + 1.0F;
+    const Vector3<Number> front = back ? times(-one, normal) : normal;
+    const Vector3<Number> out = variation.kind == NormalVariation::Kind::map
+                                    ? mapped(texture, by_u, by_v, front, variation.mirrored_y)
+                                    : bumped(texture.x, texture.y, by_u, by_v, front);
+    if (!back) return out;
+    Number twice;
+    dot(out, front, twice);
+    twice += twice;
+    return minus_scaled(out, twice, front);
+}
+
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> facing(const Vector3<Number>& turned,
+                                                     const Vector3<Number>& normal,
+                                                     const Vector3<Number>& towards_viewer) {
+    // Microfacets have no limit at the horizon itself.
+    const Number edge_on = Number{} + 0.02F;
+    Number least;
+    dot(normal, towards_viewer, least);
+    least = least < edge_on ? least : edge_on;
+    Number missing;
+    dot(turned, towards_viewer, missing);
+    missing = least - missing;
+    missing = missing > 0 ? missing : Number{};
+    return direction(minus_scaled(turned, -missing, towards_viewer), normal);
+}
+
+Vector3<float> numbers(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+glm::vec3 vector(const Vector3<float>& v) {
+    return {v.x, v.y, v.z};
+}
+
+// The compiler's own vectors.
+using Number [[gnu::vector_size(64)]] = float;
+
+[[gnu::always_inline]] inline Vector3<Number> load_all(const LaneVectors& from) {
+    LaneVector x, y, z;
+    load(&from.x, x);
+    load(&from.y, y);
+    load(&from.z, z);
+    return {x, y, z};
+}
+
+[[gnu::always_inline]] inline void turn_all(const NormalVariation& variation, const LaneVectors& texture,
+                                            const LaneTextureAxes& axes, bool back,
+                                            const LaneVectors& towards_viewer, LaneVectors& normals) {
+    const Vector3<Number> normal = load_all(normals);
+    const Vector3<Number> all =
+        turned(variation, load_all(texture), load_all(axes.by_u), load_all(axes.by_v), normal, back);
+    const Vector3<Number> out = facing(all, normal, direction(load_all(towards_viewer), normal));
+    store(&normals.x, out.x);
+    store(&normals.y, out.y);
+    store(&normals.z, out.z);
 }
 
 }  // namespace
@@ -49,21 +160,37 @@ TextureAxes texture_axes(const std::array<glm::vec3, 3>& positions,
 
 glm::vec3 turned_normal(const NormalVariation& variation, const TexturePoint& point, const TextureAxes& axes,
                         const glm::vec3& normal, bool back) {
-    if (axes.by_u == glm::vec3(0) && axes.by_v == glm::vec3(0)) return normal;
-    const glm::vec3 front = back ? -normal : normal;
-    const glm::vec3 turned = variation.kind == NormalVariation::Kind::map
-                                 ? mapped(variation, point, axes, front)
-                                 : bumped(variation, point, axes, front);
-    return back ? turned - 2 * glm::dot(turned, front) * front : turned;
+    const bool map = variation.kind == NormalVariation::Kind::map;
+    const glm::vec3 texture =
+        map ? glm::vec3(variation.texture->at(point))
+            : glm::vec3(static_cast<float>(variation.scale) * variation.texture->gradient(point), 0);
+    return vector(
+        turned(variation, numbers(texture), numbers(axes.by_u), numbers(axes.by_v), numbers(normal), back));
 }
 
 glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal, const glm::vec3& towards_viewer) {
-    // Microfacets have no limit at the horizon itself.
-    constexpr float edge_on = 0.02F;
-    const float least = std::min(edge_on, glm::dot(normal, towards_viewer));
-    const float cosine = glm::dot(turned, towards_viewer);
-    if (cosine >= least) return turned;
-    return direction(turned + (least - cosine) * towards_viewer, normal);
+    return vector(facing(numbers(turned), numbers(normal), numbers(towards_viewer)));
+}
+
+void turn_normals(const NormalVariation& variation, const TexturePoints& points, const LaneTextureAxes& axes,
+                  bool back, const LaneVectors& towards_viewer, LaneVectors& normals) {
+    LaneVectors texture;
+    if (variation.kind == NormalVariation::Kind::map) {
+        std::array<Lanes, 4> color;
+        variation.texture->at_lanes(points, color);
+        texture = {color[0], color[1], color[2]};
+    } else {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const glm::vec2 slope = static_cast<float>(variation.scale) *
+                                    variation.texture->gradient({.uv = {points.uv[0][i], points.uv[1][i]},
+                                                                 .du = {points.du[0][i], points.du[1][i]},
+                                                                 .dv = {points.dv[0][i], points.dv[1][i]}});
+            texture.x[i] = slope.x;
+            texture.y[i] = slope.y;
+            texture.z[i] = 0;
+        }
+    }
+    dispatch<turn_all>(variation, texture, axes, back, towards_viewer, normals);
 }
 
 }  // namespace nicol

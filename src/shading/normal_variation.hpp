@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "material/spatial_variation.hpp"
+#include "polarization/lane_points.hpp"
 
 namespace nicol {
 
@@ -15,6 +16,10 @@ namespace nicol {
 struct TextureAxes {
     glm::vec3 by_u{0};
     glm::vec3 by_v{0};
+};
+/// Of sixteen triangles.
+struct LaneTextureAxes {
+    LaneVectors by_u, by_v;
 };
 [[nodiscard]] TextureAxes texture_axes(const std::array<glm::vec3, 3>& positions,
                                        const std::array<glm::vec2, 3>& texcoords);
@@ -34,5 +39,9 @@ struct TextureAxes {
 /// does not, about a degree from edge-on: the other side of the surface cannot be seen. All unit.
 [[nodiscard]] glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal,
                                const glm::vec3& towards_viewer);
+
+/// Of sixteen points what facing() makes of turned_normal(). towards_viewer: of any length but 0.
+void turn_normals(const NormalVariation& variation, const TexturePoints& points, const LaneTextureAxes& axes,
+                  bool back, const LaneVectors& towards_viewer, LaneVectors& normals);
 
 }  // namespace nicol

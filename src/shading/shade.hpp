@@ -31,12 +31,11 @@ public:
              std::span<const std::uint8_t> visible, std::size_t first, std::size_t last,
              std::span<const std::span<glm::vec4>> out) const;
 
-    /// The same of a material's layers, each times weights, for all positions: [layer] and [layer][block of
-    /// sixteen]. Their rows are added up before light is dotted with them, so that layers cost little.
-    void run(std::span<const ResponseTable* const> layers,
-             std::span<const std::span<const LayerWeights>> weights, const VertexLight& light,
-             const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-             std::span<const std::span<glm::vec4>> out) const;
+    /// The same of a material's layers, each times weights, for all positions: [layer] and [block of
+    /// sixteen][layer]. Their rows are added up before light is dotted with them, so that layers cost little.
+    void run(std::span<const ResponseTable* const> layers, std::span<const LayerWeights> weights,
+             const VertexLight& light, const Viewpoint& view, std::span<const glm::vec3> positions,
+             std::span<const glm::vec3> normals, std::span<const std::span<glm::vec4>> out) const;
 
     [[nodiscard]] const LightLayout& layout() const noexcept { return layout_; }
 

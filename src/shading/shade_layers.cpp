@@ -35,9 +35,8 @@ void add_rows(const ResponseTable& response, const LaneView::TablePositions& at,
 
 }  // namespace
 
-void Shade::run(std::span<const ResponseTable* const> layers,
-                std::span<const std::span<const LayerWeights>> weights, const VertexLight& light,
-                const Viewpoint& view, std::span<const glm::vec3> positions,
+void Shade::run(std::span<const ResponseTable* const> layers, std::span<const LayerWeights> all_weights,
+                const VertexLight& light, const Viewpoint& view, std::span<const glm::vec3> positions,
                 std::span<const glm::vec3> normals, std::span<const std::span<glm::vec4>> out) const {
     LaneView& seen = LaneView::of_thread(layout_.order());
     thread_local LayeredRows rows;
@@ -46,6 +45,7 @@ void Shade::run(std::span<const ResponseTable* const> layers,
     std::array<Lanes, 4> stokes{};
     for (std::size_t begin = 0; begin < positions.size(); begin += kLanes) {
         const std::size_t block = begin / kLanes;
+        const std::span weights = all_weights.subspan(block * layers.size(), layers.size());
         const std::size_t count = std::min(kLanes, positions.size() - begin);
         seen.set(view, positions.subspan(begin, count), normals.subspan(begin, count));
         const LaneView::TablePositions at = seen.positions_in(ResponseTable::kAngles);
@@ -53,17 +53,17 @@ void Shade::run(std::span<const ResponseTable* const> layers,
         for (const std::size_t pairings : {std::size_t{1}, std::size_t{2}}) {
             std::size_t made = 1;
             for (std::size_t l = 0; l < layers.size(); ++l) {
-                if (layers[l]->pairings() == pairings && weights[l][block].any)
+                if (layers[l]->pairings() == pairings && weights[l].points != 0)
                     made = std::max(made, rows_of(*layers[l]));
             }
             const std::size_t row_size = layout_.row_size() * pairings;
             rows.begin(4 * row_size, out.size());
             const std::span<Lanes> row = work_space<LayeredRows, Lanes>(4 * row_size);
             for (std::size_t l = 0; l < layers.size(); ++l) {
-                if (layers[l]->pairings() != pairings || !weights[l][block].any) continue;
+                if (layers[l]->pairings() != pairings || weights[l].points == 0) continue;
                 // Whole squares are faster to transpose.
                 const std::size_t own = rows_of(*layers[l]) * row_size;
-                add_rows(*layers[l], at, std::max(own, std::min(kLanes, 4 * row_size)), weights[l][block],
+                add_rows(*layers[l], at, std::max(own, std::min(kLanes, 4 * row_size)), weights[l],
                          row.data(), rows);
             }
             if (rows.empty()) continue;

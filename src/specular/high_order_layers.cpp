@@ -32,7 +32,7 @@ struct HighOrderLayers::Block {
 };
 
 HighOrderLayers::HighOrderLayers(const std::vector<Layer>& layers, const glm::dmat3& light_to_world)
-    : world_to_light_(glm::transpose(light_to_world)) {
+    : layers_(layers.size()), world_to_light_(glm::transpose(light_to_world)) {
     for (std::size_t l = 0; l < layers.size(); ++l) {
         const Layer& layer = layers[l];
         const auto same = [&](const Group& group) {
@@ -50,8 +50,7 @@ HighOrderLayers::HighOrderLayers(const std::vector<Layer>& layers, const glm::dm
 }
 
 void HighOrderLayers::run(const Viewpoint& view, std::span<const glm::vec3> positions,
-                          std::span<const glm::vec3> normals,
-                          std::span<const std::span<const LayerWeights>> weights,
+                          std::span<const glm::vec3> normals, std::span<const LayerWeights> weights,
                           std::span<const glm::vec2> fractions,
                           std::span<const std::span<glm::vec4>> out) const {
     Block block;
@@ -71,12 +70,13 @@ void HighOrderLayers::run(const Viewpoint& view, std::span<const glm::vec3> posi
             for (std::size_t i = 0; !fractions.empty() && i < block.count; ++i)
                 visible[i] = fractions[begin + i][k];
         }
-        for (const Group& group : groups_) add_group(group, weights, block, out);
+        for (const Group& group : groups_)
+            add_group(group, weights.subspan(block.index * layers_, layers_), block, out);
     }
 }
 
-void HighOrderLayers::add_group(const Group& group, std::span<const std::span<const LayerWeights>> weights,
-                                const Block& block, std::span<const std::span<glm::vec4>> out) const {
+void HighOrderLayers::add_group(const Group& group, std::span<const LayerWeights> weights, const Block& block,
+                                std::span<const std::span<glm::vec4>> out) const {
     constexpr std::size_t elements = HighOrderFactors::kElements;
     const bool polarized = group.maps.central->polarized();
     // Whole squares are faster to transpose.
@@ -86,8 +86,8 @@ void HighOrderLayers::add_group(const Group& group, std::span<const std::span<co
     std::array<Lanes, elements> row;
     rows.begin(2 * elements, out.size());
     for (const Member& member : group.members) {
-        const LayerWeights& weight = weights[member.layer][block.index];
-        if (!weight.any) continue;
+        const LayerWeights& weight = weights[member.layer];
+        if (weight.points == 0) continue;
         const HighOrderFactors& factors = *member.factors;
         pairings = std::max(pairings, factors.pairings());
         for (std::size_t c = 0; c < static_cast<std::size_t>(factors.channels()); ++c) {

@@ -28,10 +28,10 @@ public:
     /// world's.
     HighOrderLayers(const std::vector<Layer>& layers, const glm::dmat3& light_to_world);
 
-    /// Adds to out[c][v], in the camera's frame field, for all positions. weights: [layer][block of sixteen].
+    /// Adds to out[c][v], in the camera's frame field, for all positions. weights: [block of sixteen][layer].
     /// fractions: visible ones, of the lobe about the mirror direction and of the hemisphere, or empty.
     void run(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
-             std::span<const std::span<const LayerWeights>> weights, std::span<const glm::vec2> fractions,
+             std::span<const LayerWeights> weights, std::span<const glm::vec2> fractions,
              std::span<const std::span<glm::vec4>> out) const;
 
 private:
@@ -48,9 +48,10 @@ private:
     // What all groups of a block share.
     struct Block;
 
-    void add_group(const Group& group, std::span<const std::span<const LayerWeights>> weights,
-                   const Block& block, std::span<const std::span<glm::vec4>> out) const;
+    void add_group(const Group& group, std::span<const LayerWeights> weights, const Block& block,
+                   std::span<const std::span<glm::vec4>> out) const;
 
+    std::size_t layers_;
     std::vector<Group> groups_;
     glm::dmat3 world_to_light_;
 };

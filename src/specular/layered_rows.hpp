@@ -2,23 +2,14 @@
 // The rows of a material's layers, added up before light is dotted with them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "material/layer_weights.hpp"
 #include "simd/lanes.hpp"
 
 namespace nicol {
-
-/// The weights of one layer at sixteen vertices.
-struct LayerWeights {
-    std::array<Lanes, 3> value;  ///< of red, green and blue
-    bool any;                    ///< one is not 0
-    bool equal;                  ///< those of the three channels are
-    /// Of a channel of an image; where there are not three, the weights of red, green and blue are equal.
-    [[nodiscard]] const Lanes& of(std::size_t channel) const { return value[channel < 3 ? channel : 2]; }
-};
 
 /// Sums of rows of numbers, sixteen vertices side by side, times weights: what layers have in common for all
 /// channels once, the rest by channel. Holds results; one object a thread.

@@ -99,6 +99,45 @@ TEST_CASE("materials of others and textures are what their names say at every po
     CHECK(twosided(blend(red, metal, u))->twosided());
 }
 
+TEST_CASE("sixteen points have the weights that each of them has") {
+    const TexturePtr u = ramp_texture();
+    const auto colour = std::make_shared<FunctionTexture>(
+        3, [](glm::vec2 uv) { return glm::vec4(uv.x, 0.3F, -uv.y, 1); }, glm::vec4(0.5F, 0.3F, -0.5F, 1));
+    const auto few = std::make_shared<FunctionTexture>(
+        1, [](glm::vec2 uv) { return glm::vec4(uv.x > 0.9F ? 0.45F : 0.1F * std::ceil(5 * uv.x)); },
+        glm::vec4(0.3F), glm::vec2(0.1F, 0.5F));
+    const MaterialPtr red = diffuse({0.8, 0.1, 0.1});
+    for (const MaterialPtr& material :
+         {with_roughness(gloss, u), with_roughness(gloss, few), blend(red, gloss(0.2), u), scaled(red, u),
+          scaled(blend(red, with_roughness(gloss, few), u), colour)}) {
+        const SpatialVariation& variation = *material->variation();
+        const std::size_t layers = variation.layers.size();
+        // Over all of the texture, beyond it, and at one place.
+        for (const auto& [first, step] : {std::pair{-0.1F, 0.08F}, {0.2F, 0.01F}, {0.3F, 0.0F}}) {
+            CAPTURES(layers, first);
+            TexturePoints points{};
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                points.uv[0][i] = first + step * static_cast<float>(i);
+                points.uv[1][i] = 0.7F * static_cast<float>(i);
+            }
+            std::vector<LayerWeights> found(layers);
+            variation.weights(points, found);
+            std::vector<glm::vec3> expected(layers);
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                variation.weights({.uv = {points.uv[0][i], points.uv[1][i]}}, expected);
+                for (std::size_t l = 0; l < layers; ++l) {
+                    glm::vec3 weight(0);
+                    const bool any = (found[l].points >> i & 1) != 0;
+                    for (glm::length_t c = 0; c < 3 && found[l].points != 0; ++c)
+                        weight[c] = found[l].of(static_cast<std::size_t>(c))[i];
+                    CHECK(any == (weight != glm::vec3(0)));
+                    CHECK(glm::length(weight - expected[l]) < 1e-5F);
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("between its alphas a roughness texture misses about one percent of a response") {
     const LightLayout layout(9, LightKind::linear);
     for (const double alpha : {0.05, 0.2, 0.5}) {

@@ -111,6 +111,57 @@ TEST_CASE("far away, infinite and missing coordinates give a texel, and no crash
             }
 }
 
+TEST_CASE("sixteen points are looked up as each of them is") {
+    std::vector<TexturePtr> textures{vertex_color_texture(), checkerboard_texture({1, 2, 3}, {4, 5, 6}, 3)};
+    const glm::dmat3 to_uv(2, 0.5, 0, -0.25, 3, 0, 0.1, 0.7, 1);
+    for (const int channels : {1, 3, 4})
+        for (const auto& [width, height] : {std::pair{7, 5}, {1, 3}, {64, 2}})
+            for (const Wrap wrap : wraps)
+                for (const Filter filter : {Filter::nearest, Filter::bilinear, Filter::mipmap})
+                    textures.push_back(image_texture(random_image(width, height, channels),
+                                                     {.filter = filter, .wrap = wrap, .to_uv = to_uv}));
+    textures.push_back(product_texture(textures[0], textures[1]));
+    std::vector<TexturePoint> given;
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> number(0, 1);
+    for (const glm::vec2& uv : random_points(70)) {
+        const float footprint = 0.5F * number(random) * number(random);
+        given.push_back({.uv = uv,
+                         .du = {footprint, 0.1F * number(random)},
+                         .dv = {0, number(random) * footprint},
+                         .color = {number(random), number(random), number(random)}});
+    }
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    for (const float far : {1e9F, -1e9F, -3e38F, infinite, -infinite, std::nanf("")})
+        for (const float du : {0.0F, far}) given.push_back({.uv = {far, -far}, .du = {du, 1}, .dv = {0, du}});
+    given.resize(given.size() / kLanes * kLanes);
+    for (std::size_t t = 0; t < textures.size(); ++t) {
+        CAPTURE(t);
+        float error = 0;
+        for (std::size_t begin = 0; begin < given.size(); begin += kLanes) {
+            TexturePoints points;
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const TexturePoint& from = given[begin + i];
+                for (glm::length_t k = 0; k < 3; ++k) {
+                    const auto to = static_cast<std::size_t>(k);
+                    points.color[to][i] = from.color[k];
+                    if (k == 2) continue;
+                    points.uv[to][i] = from.uv[k];
+                    points.du[to][i] = from.du[k];
+                    points.dv[to][i] = from.dv[k];
+                }
+            }
+            std::array<Lanes, 4> found;
+            textures[t]->at_lanes(points, found);
+            for (std::size_t i = 0; i < kLanes; ++i)
+                for (glm::length_t c = 0; c < 4; ++c)
+                    error = std::max(error, std::abs(found[static_cast<std::size_t>(c)][i] -
+                                                     textures[t]->at(given[begin + i])[c]));
+        }
+        CHECK(error < 2e-5F);
+    }
+}
+
 TEST_CASE("a transform of the coordinates is applied before the look-up") {
     const glm::dmat3 to_uv(2, 0.5, 0, -0.25, 3, 0, 0.1, 0.7, 1);  // by columns
     const TextureImage image = random_image(6, 4, 1);

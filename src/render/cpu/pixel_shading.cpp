@@ -42,7 +42,8 @@ struct PixelShading::Batch {
     std::vector<glm::vec4> stokes;
     // Where the material varies.
     TexturedPixels textures;
-    std::vector<SurfacePoint> points;
+    std::vector<std::uint32_t> triangles;
+    std::array<LaneSurface, kBatch / kLanes> given;
     std::vector<Pixel> sorted;
 };
 
@@ -152,6 +153,11 @@ void PixelShading::shade(std::span<const Pixel> given, Batch& batch,
     const TexturedSurface* const textures = surface.textures;
     const std::span pixels = textures != nullptr ? find_textures(*textures, given, batch) : given;
     const std::size_t count = pixels.size();
+    for (std::size_t begin = 0; begin < count; begin += kLanes) {
+        const LaneSurface& of = batch.surfaces[begin / kLanes];
+        std::ranges::copy(of.positions, batch.positions.begin() + static_cast<std::ptrdiff_t>(begin));
+        std::ranges::copy(of.normals, batch.normals.begin() + static_cast<std::ptrdiff_t>(begin));
+    }
     find_light(surface, pixels, batch);
 
     batch.stokes.resize(out.size() * kBatch);
@@ -191,31 +197,27 @@ void PixelShading::shade(std::span<const Pixel> given, Batch& batch,
 std::span<const PixelShading::Pixel> PixelShading::find_textures(const TexturedSurface& surface,
                                                                  std::span<const Pixel> pixels,
                                                                  Batch& batch) const {
-    batch.points.clear();
-    for (std::uint32_t i = 0; i < pixels.size(); ++i) {
-        const std::array<Lanes, 3>& weights = batch.surfaces[i / kLanes].weights;
-        const std::size_t lane = i % kLanes;
-        batch.points.push_back({.triangle = pixels[i].triangle,
-                                .pixel = i,
-                                .weights = {weights[0][lane], weights[1][lane], weights[2][lane]},
-                                .position = batch.positions[i],
-                                .normal = batch.normals[i]});
-    }
+    batch.triangles.clear();
+    for (const Pixel& pixel : pixels) batch.triangles.push_back(pixel.triangle);
+    const std::size_t blocks = (pixels.size() + kLanes - 1) / kLanes;
     batch.textures.find(*surface.variation, surface.back,
                         {.geometry = input_.geometry,
                          .projection = input_.projection,
                          .width = input_.hits.width(),
                          .height = input_.hits.height()},
-                        batch.points);
+                        batch.triangles, std::span(batch.surfaces).first(blocks));
+    const std::span order = batch.textures.order();
+    if (order.empty()) return pixels;
+    batch.given = batch.surfaces;
     batch.sorted.clear();
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const SurfacePoint& point = batch.points[i];
-        batch.sorted.push_back(pixels[point.pixel]);
-        batch.positions[i] = point.position;
-        batch.normals[i] = point.normal;
-        std::array<Lanes, 3>& weights = batch.surfaces[i / kLanes].weights;
-        for (glm::length_t k = 0; k < 3; ++k)
-            weights[static_cast<std::size_t>(k)][i % kLanes] = point.weights[k];
+        const std::uint32_t from = order[i];
+        batch.sorted.push_back(pixels[from]);
+        const LaneSurface& given = batch.given[from / kLanes];
+        LaneSurface& sorted = batch.surfaces[i / kLanes];
+        for (std::size_t k = 0; k < 3; ++k) sorted.weights[k][i % kLanes] = given.weights[k][from % kLanes];
+        sorted.positions[i % kLanes] = given.positions[from % kLanes];
+        sorted.normals[i % kLanes] = given.normals[from % kLanes];
     }
     return batch.sorted;
 }
@@ -240,8 +242,6 @@ void PixelShading::find_points(std::span<const Pixel> pixels, Batch& batch) cons
         LaneSurface& found = batch.surfaces[begin / kLanes];
         find_surface(input_.view, geometry.positions, geometry.normals, std::span(triangles).first(count),
                      std::span(at).first(count), found);
-        std::ranges::copy(found.positions, batch.positions.begin() + static_cast<std::ptrdiff_t>(begin));
-        std::ranges::copy(found.normals, batch.normals.begin() + static_cast<std::ptrdiff_t>(begin));
     }
 }
 

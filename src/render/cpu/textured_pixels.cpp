@@ -5,139 +5,202 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
+#include <utility>
 
 #include "shading/normal_variation.hpp"
 
 namespace nicol {
 namespace {
 
-// A triangle's texture coordinates, and how they change along its plane.
-class TexturedTriangle {
+// How far texture coordinates change from a pixel to its neighbours, where it shows a triangle.
+class Footprint {
 public:
-    TexturedTriangle(const TextureView& view, std::uint32_t triangle) {
-        const WorldGeometry& geometry = view.geometry;
-        const glm::uvec3& t = geometry.triangles[triangle];
-        const std::array<glm::vec3, 3> corners{geometry.positions[t.x], geometry.positions[t.y],
-                                               geometry.positions[t.z]};
-        texcoords_ = geometry.texcoords[triangle];
-        axes_ = texture_axes(corners, texcoords_);
+    Footprint() = default;
+    Footprint(const TextureView& view, const std::array<glm::vec3, 3>& corners,
+              const std::array<glm::vec2, 3>& texcoords) {
+        const Viewpoint& camera = view.projection.view;
         const glm::vec3 first = corners[1] - corners[0];
         const glm::vec3 second = corners[2] - corners[0];
         normal_ = glm::cross(first, second);
         const float squared = glm::dot(normal_, normal_);
-        length_ = std::sqrt(squared);
         if (!(squared > 0)) return;
-        const glm::vec2 a = texcoords_[1] - texcoords_[0];
-        const glm::vec2 b = texcoords_[2] - texcoords_[0];
+        length_ = std::sqrt(squared);
+        const glm::vec2 a = texcoords[1] - texcoords[0];
+        const glm::vec2 b = texcoords[2] - texcoords[0];
         const glm::vec3 across_first = glm::cross(second, normal_) / squared;
         const glm::vec3 across_second = glm::cross(normal_, first) / squared;
         slope_u_ = a.x * across_first + b.x * across_second;
         slope_v_ = a.y * across_first + b.y * across_second;
+        // The steps to neighbours, at unit distance or, of an orthographic camera, anywhere.
+        right_ = Step(camera.right * (2 * view.projection.half_width / view.width), *this);
+        down_ = Step(camera.up * (-2 * view.projection.half_height / view.height), *this);
     }
 
-    [[nodiscard]] glm::vec2 at(const glm::vec3& weights) const {
-        return weights.x * texcoords_[0] + weights.y * texcoords_[1] + weights.z * texcoords_[2];
-    }
-    [[nodiscard]] const TextureAxes& axes() const { return axes_; }
-
-    // The change of texture coordinates where a ray moves aside by so much at the point that it meets.
-    [[nodiscard]] glm::vec2 change(const glm::vec3& ray, const glm::vec3& aside) const {
+    // Where a ray meets the triangle. distance: along the view direction, or 1 of an orthographic camera.
+    void put(const glm::vec3& ray, float distance, std::size_t i, TexturePoints& points) const {
         // Edge on, a pixel is as long as the surface.
         const float least = 1e-4F * glm::length(ray) * length_;
         const float facing = glm::dot(ray, normal_);
         const float safe = std::abs(facing) > least ? facing : facing < 0 ? -least : least;
-        if (safe == 0) return glm::vec2(0);
-        const glm::vec3 move = aside - ray * (glm::dot(aside, normal_) / safe);
-        return {glm::dot(move, slope_u_), glm::dot(move, slope_v_)};
+        const float scale = safe == 0 ? 0 : distance;
+        const glm::vec2 back =
+            glm::vec2(glm::dot(ray, slope_u_), glm::dot(ray, slope_v_)) / (safe == 0 ? 1 : safe);
+        for (glm::length_t k = 0; k < 2; ++k) {
+            const auto axis = static_cast<std::size_t>(k);
+            points.du[axis][i] = scale * (right_.change[k] - right_.rise * back[k]);
+            points.dv[axis][i] = scale * (down_.change[k] - down_.rise * back[k]);
+        }
     }
 
 private:
-    std::array<glm::vec2, 3> texcoords_;
-    TextureAxes axes_;
-    glm::vec3 normal_;  // of length length_
-    float length_;
-    glm::vec3 slope_u_{0}, slope_v_{0};
+    struct Step {
+        Step() = default;
+        Step(const glm::dvec3& step, const Footprint& of)
+            : change(glm::dot(glm::vec3(step), of.slope_u_), glm::dot(glm::vec3(step), of.slope_v_)),
+              rise(glm::dot(glm::vec3(step), of.normal_)) {}
+        glm::vec2 change{0};  // of texture coordinates, along the triangle
+        float rise = 0;       // towards its normal
+    };
+
+    glm::vec3 normal_{0};  // of length length_
+    float length_ = 0;
+    glm::vec3 slope_u_{0}, slope_v_{0};  // along the triangle
+    Step right_, down_;
 };
 
-// The steps from a pixel to its neighbours, at unit distance or, of an orthographic camera, anywhere.
-struct PixelSteps {
-    explicit PixelSteps(const TextureView& view) {
-        const Projection& projection = view.projection;
-        right = glm::vec3(projection.view.right * (2 * projection.half_width / view.width));
-        down = glm::vec3(projection.view.up * (-2 * projection.half_height / view.height));
+void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
+    lanes.x[i] = v.x;
+    lanes.y[i] = v.y;
+    lanes.z[i] = v.z;
+}
+
+// What textures and normals need to know of sixteen points.
+class Block {
+public:
+    Block(const SpatialVariation& variation, const TextureView& view)
+        : view_(view),
+          turns_(variation.normal.kind != NormalVariation::Kind::none),
+          footprint_(variation.needs_footprint()) {}
+
+    // triangles: up to sixteen. Other lanes repeat the first.
+    void set(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
+        const WorldGeometry& geometry = view_.geometry;
+        const Viewpoint& camera = view_.projection.view;
+        const glm::vec3 eye(camera.eye), forward(camera.forward);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const std::uint32_t triangle = triangles[i < triangles.size() ? i : 0];
+            const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
+            const glm::vec3 ray = camera.orthographic ? forward : surface.positions[i] - eye;
+            put(towards_viewer, i, -ray);
+            put(normals, i, surface.normals[i]);
+            if (!geometry.texcoords.empty()) {
+                const std::array<glm::vec2, 3>& texcoords = geometry.texcoords[triangle];
+                if (triangle != known_) use(triangle, texcoords);
+                for (glm::length_t k = 0; k < 2; ++k)
+                    points.uv[static_cast<std::size_t>(k)][i] = weights.x * texcoords[0][k] +
+                                                                weights.y * texcoords[1][k] +
+                                                                weights.z * texcoords[2][k];
+                put(axes.by_u, i, triangle_axes_.by_u);
+                put(axes.by_v, i, triangle_axes_.by_v);
+                if (footprint_)
+                    triangle_footprint_.put(ray, camera.orthographic ? 1 : glm::dot(ray, forward), i, points);
+            }
+            if (!geometry.colors.empty()) {
+                const std::array<glm::vec3, 3>& colors = geometry.colors[triangle];
+                for (glm::length_t k = 0; k < 3; ++k)
+                    points.color[static_cast<std::size_t>(k)][i] =
+                        weights.x * colors[0][k] + weights.y * colors[1][k] + weights.z * colors[2][k];
+            }
+        }
     }
-    glm::vec3 right, down;
+
+    TexturePoints points{};
+    LaneTextureAxes axes{};
+    LaneVectors towards_viewer, normals;
+
+private:
+    void use(std::uint32_t triangle, const std::array<glm::vec2, 3>& texcoords) {
+        known_ = triangle;
+        if (!turns_ && !footprint_) return;
+        const std::vector<glm::vec3>& positions = view_.geometry.positions;
+        const glm::uvec3& t = view_.geometry.triangles[triangle];
+        const std::array<glm::vec3, 3> corners{positions[t.x], positions[t.y], positions[t.z]};
+        if (turns_) triangle_axes_ = texture_axes(corners, texcoords);
+        if (footprint_) triangle_footprint_ = Footprint(view_, corners, texcoords);
+    }
+
+    const TextureView& view_;
+    bool turns_, footprint_;
+    std::uint32_t known_ = ~std::uint32_t{0};  // the triangle before, which is often the same
+    TextureAxes triangle_axes_;
+    Footprint triangle_footprint_;
 };
 
 }  // namespace
 
 void TexturedPixels::find(const SpatialVariation& variation, bool back, const TextureView& view,
-                          std::span<SurfacePoint> points) {
+                          std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces) {
     const std::size_t layers = variation.layers.size();
-    weights_.resize(points.size() * layers);
-    used_.resize(points.size());
-    const std::span all(weights_);
-    const Viewpoint& camera = view.projection.view;
-    const glm::vec3 eye(camera.eye);
-    const glm::vec3 forward(camera.forward);
-    const PixelSteps steps(view);
-    const bool turns = variation.normal.kind != NormalVariation::Kind::none;
-    std::optional<TexturedTriangle> triangle;  // of the point before, which is often the same
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        SurfacePoint& at = points[i];
-        TexturePoint point;
-        const glm::vec3 ray = camera.orthographic ? forward : at.position - eye;
-        if (!view.geometry.texcoords.empty()) {
-            if (i == 0 || at.triangle != points[i - 1].triangle) triangle.emplace(view, at.triangle);
-            const float distance = camera.orthographic ? 1 : glm::dot(ray, forward);
-            point.uv = triangle->at(at.weights);
-            point.du = triangle->change(ray, distance * steps.right);
-            point.dv = triangle->change(ray, distance * steps.down);
+    given_.resize(surfaces.size() * layers);
+    used_.assign(triangles.size(), 0);
+    Block block(variation, view);
+    for (std::size_t b = 0; b < surfaces.size(); ++b) {
+        const std::span own = triangles.subspan(b * kLanes, std::min(kLanes, triangles.size() - b * kLanes));
+        block.set(own, surfaces[b]);
+        const std::span weights = std::span(given_).subspan(b * layers, layers);
+        variation.weights(block.points, weights);
+        for (std::size_t l = 0; l < layers; ++l) {
+            if (weights[l].points == 0) continue;
+            for (std::size_t i = 0; i < own.size(); ++i)
+                used_[b * kLanes + i] |= std::uint64_t{weights[l].points >> i & 1} << (l % 64);
         }
-        if (!view.geometry.colors.empty()) {
-            const std::array<glm::vec3, 3>& colors = view.geometry.colors[at.triangle];
-            point.color = at.weights.x * colors[0] + at.weights.y * colors[1] + at.weights.z * colors[2];
-        }
-        const std::span of = all.subspan(i * layers, layers);
-        variation.weights(point, of);
-        used_[i] = {.layers = 0, .point = static_cast<std::uint32_t>(i)};
-        for (std::size_t l = 0; l < layers; ++l)
-            if (of[l] != glm::vec3(0)) used_[i].layers |= std::uint64_t{1} << (l % 64);
-        if (turns) {
-            const glm::vec3 turned =
-                turned_normal(variation.normal, point, triangle->axes(), at.normal, back);
-            at.normal = facing(turned, at.normal, -glm::normalize(ray));
-        }
+        if (variation.normal.kind == NormalVariation::Kind::none) continue;
+        turn_normals(variation.normal, block.points, block.axes, back, block.towards_viewer, block.normals);
+        for (std::size_t i = 0; i < kLanes; ++i)
+            surfaces[b].normals[i] = {block.normals.x[i], block.normals.y[i], block.normals.z[i]};
     }
-    if (!std::ranges::is_sorted(used_, {}, &Used::layers)) {
-        std::ranges::stable_sort(used_, {}, &Used::layers);
-        given_.assign(points.begin(), points.end());
-        for (std::size_t i = 0; i < points.size(); ++i) points[i] = given_[used_[i].point];
-    }
-    store_weights(layers);
+    find_order();
+    if (!order_.empty()) order_weights(layers);
 }
 
-void TexturedPixels::store_weights(std::size_t layers) {
-    const std::size_t blocks = (used_.size() + kLanes - 1) / kLanes;
-    lanes_.resize(layers * blocks);
-    by_layer_.clear();
-    for (std::size_t l = 0; l < layers; ++l) {
-        const std::span own = std::span(lanes_).subspan(l * blocks, blocks);
-        by_layer_.emplace_back(own);
-        for (std::size_t b = 0; b < blocks; ++b) {
-            std::uint64_t some = 0;
-            const std::size_t last = std::min((b + 1) * kLanes, used_.size());
-            for (std::size_t i = b * kLanes; i < last; ++i) some |= used_[i].layers;
-            own[b].any = (some >> (l % 64) & 1) != 0;
-            if (!own[b].any) continue;
-            own[b].value = {};
-            own[b].equal = true;
-            for (std::size_t i = b * kLanes; i < last; ++i) {
-                const glm::vec3& weight = weights_[used_[i].point * layers + l];
-                for (glm::length_t c = 0; c < 3; ++c)
-                    own[b].value[static_cast<std::size_t>(c)][i % kLanes] = weight[c];
-                own[b].equal = own[b].equal && weight.x == weight.y && weight.x == weight.z;
+void TexturedPixels::find_order() {
+    order_.clear();
+    if (std::ranges::is_sorted(used_)) return;
+    kinds_.clear();
+    for (const std::uint64_t used : used_) {
+        const auto known = std::ranges::find(kinds_, used, &Kind::used);
+        if (known == kinds_.end())
+            kinds_.push_back({.used = used, .points = 1});
+        else
+            ++known->points;
+    }
+    std::ranges::sort(kinds_, {}, &Kind::used);
+    std::uint32_t before = 0;
+    for (Kind& kind : kinds_) before += std::exchange(kind.points, before);
+    order_.resize(used_.size());
+    for (std::uint32_t i = 0; i < used_.size(); ++i)
+        order_[std::ranges::find(kinds_, used_[i], &Kind::used)->points++] = i;
+}
+
+void TexturedPixels::order_weights(std::size_t layers) {
+    ordered_.resize(given_.size());
+    for (std::size_t begin = 0; begin < order_.size(); begin += kLanes) {
+        const std::span points = std::span(order_).subspan(begin, std::min(kLanes, order_.size() - begin));
+        std::uint64_t used = 0;
+        for (const std::uint32_t point : points) used |= used_[point];
+        for (std::size_t l = 0; l < layers; ++l) {
+            LayerWeights& out = ordered_[begin / kLanes * layers + l];
+            out.points = 0;
+            if ((used >> (l % 64) & 1) == 0) continue;
+            out.value = {};
+            out.equal = true;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const LayerWeights& from = given_[points[i] / kLanes * layers + l];
+                const std::size_t lane = points[i] % kLanes;
+                if ((from.points >> lane & 1) == 0) continue;
+                for (std::size_t c = 0; c < 3; ++c) out.value[c][i] = from.of(c)[lane];
+                out.points |= std::uint32_t{1} << i;
+                out.equal = out.equal && from.equal;
             }
         }
     }

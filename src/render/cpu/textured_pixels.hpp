@@ -4,25 +4,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
 #include "material/spatial_variation.hpp"
 #include "render/geometry.hpp"
 #include "scene/projection.hpp"
-#include "specular/layered_rows.hpp"
+#include "shading/lane_surface.hpp"
 
 namespace nicol {
-
-/// A point of a surface that a pixel shows.
-struct SurfacePoint {
-    std::uint32_t triangle;
-    std::uint32_t pixel;  ///< of a batch
-    glm::vec3 weights;    ///< barycentric
-    glm::vec3 position;
-    glm::vec3 normal;  ///< unit
-};
 
 /// Where points are seen from.
 struct TextureView {
@@ -34,27 +24,33 @@ struct TextureView {
 /// Of a batch of pixels of one surface. Holds results; one object a thread.
 class TexturedPixels {
 public:
-    /// Sorts the points so that those which the same layers have a weight at follow one another, and turns
-    /// their normals. back: of the second side of a two-sided instance; it is its front's mirror image.
+    /// Of the points of triangles, whose normals it turns: surfaces[block of sixteen]. back: of the second
+    /// side of a two-sided instance; it is its front's mirror image.
     void find(const SpatialVariation& variation, bool back, const TextureView& view,
-              std::span<SurfacePoint> points);
+              std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces);
 
-    /// Of the points in their new order: [layer][block of sixteen].
-    [[nodiscard]] std::span<const std::span<const LayerWeights>> weights() const { return by_layer_; }
+    /// Points that the same layers have a weight at follow one another: the i-th is order()[i]. Empty: they
+    /// do as they were given.
+    [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
+    /// Of the points in that order: [block of sixteen][layer].
+    [[nodiscard]] std::span<const LayerWeights> weights() const { return order_.empty() ? given_ : ordered_; }
 
 private:
-    // The layers with a weight: bit l % 64.
-    struct Used {
-        std::uint64_t layers;
-        std::uint32_t point;
-    };
-    void store_weights(std::size_t layers);
+    // Sorts by used_.
+    void find_order();
+    void order_weights(std::size_t layers);
 
-    std::vector<glm::vec3> weights_;  // [point as given][layer]
-    std::vector<Used> used_;          // in the points' new order
-    std::vector<SurfacePoint> given_;
-    std::vector<LayerWeights> lanes_;  // [layer][block]
-    std::vector<std::span<const LayerWeights>> by_layer_;
+    // Points with the same layers.
+    struct Kind {
+        std::uint64_t used;
+        std::uint32_t points;
+    };
+
+    // The layers that have a weight at a point as given: bit l % 64.
+    std::vector<std::uint64_t> used_;
+    std::vector<Kind> kinds_;
+    std::vector<std::uint32_t> order_;
+    std::vector<LayerWeights> given_, ordered_;  // [block][layer]
 };
 
 }  // namespace nicol

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The texels of images that sixteen points lie between.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "material/texture.hpp"
+#include "material/uv_transform.hpp"
+#include "simd/lanes.hpp"
+
+namespace nicol {
+
+/// A whole number of each of sixteen points.
+struct alignas(64) LaneIntegers {
+    std::array<std::int32_t, kLanes> value;
+
+    [[nodiscard]] std::int32_t& operator[](std::size_t i) { return value[i]; }
+    [[nodiscard]] std::int32_t operator[](std::size_t i) const { return value[i]; }
+};
+
+/// Of images of this many texels. Texel centres are at (i + 0.5) / size.
+struct LaneTexels {
+    LaneIntegers upper_left, upper_right, lower_left, lower_right;  ///< row times width plus column
+    Lanes right, down;                                              ///< how far from the upper left, 0 to 1
+};
+
+/// u or v after the transform, within 0 and 1.
+[[nodiscard]] std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& uv, const UvTransform& transform,
+                                           TextureSampling::Wrap wrap);
+
+/// Of what wrapped() returns.
+void find_texels(const std::array<Lanes, 2>& uv, const LaneIntegers& width, const LaneIntegers& height,
+                 TextureSampling::Wrap wrap, LaneTexels& out);
+
+/// The texel that holds each point: row times width plus column.
+void find_nearest(const std::array<Lanes, 2>& uv, int width, int height, LaneIntegers& out);
+
+}  // namespace nicol

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "material/texture.hpp"
+
+namespace nicol {
+
+void Texture::at_lanes(const TexturePoints& points, std::array<Lanes, 4>& out) const {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const glm::vec4 value = at({.uv = {points.uv[0][i], points.uv[1][i]},
+                                    .du = {points.du[0][i], points.du[1][i]},
+                                    .dv = {points.dv[0][i], points.dv[1][i]},
+                                    .color = {points.color[0][i], points.color[1][i], points.color[2][i]}});
+        for (glm::length_t c = 0; c < 4; ++c) out[static_cast<std::size_t>(c)][i] = value[c];
+    }
+}
+
+}  // namespace nicol
