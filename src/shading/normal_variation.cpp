@@ -68,15 +68,20 @@ template <class Number>
 [[gnu::always_inline]] inline Vector3<Number> bumped(const Number& across, const Number& down,
                                                      const Vector3<Number>& by_u, const Vector3<Number>& by_v,
                                                      const Vector3<Number>& n) {
-    Number number;
+    const Number one = Number{} + 1.0F;
+    // Where there are no axes there is no slope, and the normal stays.
+    Number square, number;
+    dot(by_u, by_u, square);
+    dot(by_v, by_v, number);
+    square += number;
+    const Number there = square > 0 ? one : Number{};
     dot(n, by_u, number);
-    number -= across;
+    number -= there * across;
     const Vector3<Number> moved_u = minus_scaled(by_u, number, n);
     dot(n, by_v, number);
-    number -= down;
+    number -= there * down;
     const Vector3<Number> turned = direction(cross(moved_u, minus_scaled(by_v, number, n)), n);
     dot(turned, n, number);
-    const Number one = Number{} + 1.0F;
     const Number sign = number < 0 ? -one : one;
     return times(sign, turned);
 }
