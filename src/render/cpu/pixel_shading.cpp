@@ -35,6 +35,7 @@ bool share_corner(const glm::uvec3& a, const glm::uvec3& b) {
 
 struct PixelShading::Batch {
     std::array<LaneSurface, kBatch / kLanes> surfaces;
+    std::array<LaneSurface, kBatch / kLanes> given;  // of a material that varies, before they are sorted
     std::array<glm::vec3, kBatch> positions;
     std::array<glm::vec3, kBatch> normals;
     std::array<glm::vec2, kBatch> fractions;
@@ -43,7 +44,6 @@ struct PixelShading::Batch {
     // Where the material varies.
     TexturedPixels textures;
     std::vector<std::uint32_t> triangles;
-    std::array<LaneSurface, kBatch / kLanes> given;
     std::vector<Pixel> sorted;
 };
 
