@@ -446,6 +446,7 @@ TEST_CASE("Mitsuba's scenes with textures are read as far as their integrator") 
          {"test_bumpmap_path.xml", "test_normalmap_path.xml", "test_textured_diffuse_path.xml"}) {
         CAPTURE(name);
         const std::string message = error_of(CALL(read_mitsuba_scene(folder / name)), ErrorCode::unsupported);
-        CHECK_MESSAGE(message.starts_with((folder / "fragments/single_sphere.xml").string()), message);
+        CHECK_MESSAGE(message.find("fragments/single_sphere.xml:5: integrator") != std::string::npos,
+                      message);
     }
 }
