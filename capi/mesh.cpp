@@ -12,7 +12,7 @@ namespace {
 template <glm::length_t n, class Number>
 std::vector<glm::vec<n, Number>> vectors(const Number* from, std::uint32_t count) {
     std::vector<glm::vec<n, Number>> out;
-    if (from == nullptr) return out;
+    if (from == nullptr || count == 0) return out;
     out.resize(count);
     std::memcpy(out.data(), from, count * sizeof(out[0]));
     return out;
