@@ -277,9 +277,8 @@ MaterialPtr masked(MaterialPtr material, TexturePtr opacity) {
     SpatialVariation out = parts_of(material, "mask");
     require_texture(opacity, "mask");
     require(out.opacity == nullptr, "mask: the material has an opacity already");
-    const glm::vec4 mean = opacity->mean();
-    if (opacity->constant() && (opacity->channels() == 4 ? mean.w : mean.x) >= 0.5F) return material;
     out.opacity = std::move(opacity);
+    if (out.opacity->constant() && out.present({})) return material;
     return layered(std::move(out));
 }
 

@@ -25,6 +25,10 @@ struct TexturePoint {
     glm::vec3 color{1};  ///< the mesh's vertex colour there, interpolated
 };
 
+/// The point of a triangle with these barycentric weights; null: its corners have none.
+[[nodiscard]] TexturePoint texture_point(const glm::vec3& weights, const std::array<glm::vec2, 3>* texcoords,
+                                         const std::array<glm::vec3, 3>* colors);
+
 /// Sixteen points side by side.
 struct TexturePoints {
     std::array<Lanes, 2> uv, du, dv;

@@ -9,7 +9,7 @@
 namespace nicol {
 
 /// Each replaces the number of its name; null: the number holds. Reflectances take the texture's colours,
-/// which are meant to lie in 0..1 but may exceed it; alpha takes its first channel, moved to 0.001..1.
+/// which are meant to lie in 0..1 but may exceed it; alpha takes its first channel, moved to 0.01..1.
 struct PplasticTextures {
     TexturePtr diffuse_reflectance;
     TexturePtr specular_reflectance;

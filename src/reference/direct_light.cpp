@@ -13,30 +13,24 @@
 namespace nicol {
 namespace {
 
+template <class Value>
+std::array<Value, 3> corners_of(const std::vector<Value>& values, const glm::uvec3& corners) {
+    return {values[corners.x], values[corners.y], values[corners.z]};
+}
+
 TexturePoint texture_point(const Mesh& mesh, std::uint32_t triangle, const glm::vec3& weights) {
-    TexturePoint point;
-    if (!mesh.texcoords.empty()) {
-        const glm::uvec3& corners = mesh.texcoord_triangles[triangle];
-        point.uv = glm::vec2(0);
-        for (glm::length_t i = 0; i < 3; ++i) point.uv += weights[i] * mesh.texcoords[corners[i]];
-    }
-    if (!mesh.colors.empty()) {
-        const glm::uvec3& corners = mesh.triangles[triangle];
-        point.color = glm::vec3(0);
-        for (glm::length_t i = 0; i < 3; ++i) point.color += weights[i] * mesh.colors[corners[i]];
-    }
-    return point;
+    std::array<glm::vec2, 3> texcoords;
+    std::array<glm::vec3, 3> colors;
+    if (!mesh.texcoords.empty()) texcoords = corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]);
+    if (!mesh.colors.empty()) colors = corners_of(mesh.colors, mesh.triangles[triangle]);
+    return nicol::texture_point(weights, mesh.texcoords.empty() ? nullptr : &texcoords,
+                                mesh.colors.empty() ? nullptr : &colors);
 }
 
 TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
     if (mesh.texcoords.empty()) return {};
-    std::array<glm::vec3, 3> positions;
-    std::array<glm::vec2, 3> texcoords;
-    for (glm::length_t i = 0; i < 3; ++i) {
-        positions[static_cast<std::size_t>(i)] = mesh.positions[mesh.triangles[triangle][i]];
-        texcoords[static_cast<std::size_t>(i)] = mesh.texcoords[mesh.texcoord_triangles[triangle][i]];
-    }
-    return nicol::texture_axes(positions, texcoords);
+    return nicol::texture_axes(corners_of(mesh.positions, mesh.triangles[triangle]),
+                               corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]));
 }
 
 }  // namespace

@@ -37,14 +37,9 @@ Presence presence_of(const WorldGeometry& geometry) {
         const SpatialVariation* const variation =
             geometry.ranges[range_of(geometry, geometry.triangles[triangle].x)].material->variation();
         if (variation == nullptr || variation->opacity == nullptr) return true;
-        TexturePoint point;
-        const glm::vec3 weights(1 - b1 - b2, b1, b2);
-        for (glm::length_t k = 0; k < 3; ++k) {
-            const auto corner = static_cast<std::size_t>(k);
-            if (!geometry.texcoords.empty()) point.uv += weights[k] * geometry.texcoords[triangle][corner];
-            if (!geometry.colors.empty())
-                point.color += weights[k] * (geometry.colors[triangle][corner] - glm::vec3(1));
-        }
+        const TexturePoint point = texture_point(
+            {1 - b1 - b2, b1, b2}, geometry.texcoords.empty() ? nullptr : &geometry.texcoords[triangle],
+            geometry.colors.empty() ? nullptr : &geometry.colors[triangle]);
         return variation->present(point);
     };
 }

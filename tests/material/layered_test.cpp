@@ -10,8 +10,14 @@
 
 using namespace nicol;
 using doctest::Approx;
+using test::texture_of;
 
 namespace {
+
+/// u in every channel.
+TexturePtr ramp_texture() {
+    return texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x, p.uv.x, p.uv.x, 1); }, 1);
+}
 
 MaterialPtr gloss(double alpha) {
     return pplastic({.diffuse_reflectance = {0}, .specular_reflectance = {1}, .alpha = alpha});
@@ -38,11 +44,10 @@ TEST_CASE("materials of others and textures are what their names say at every po
     const MaterialPtr metal =
         rough_conductor({.eta = {{0.2, -3.2}}, .alpha = 0.3, .distribution = Distribution::ggx});
     const TexturePtr u = ramp_texture();
-    const auto colour = std::make_shared<FunctionTexture>(
-        3, [](glm::vec2 uv) { return glm::vec4(uv.x, uv.y, 0.25F, 1); }, glm::vec4(0.5F, 0.5F, 0.25F, 1));
-    const auto rough = std::make_shared<FunctionTexture>(
-        1, [](glm::vec2 uv) { return glm::vec4(0.1F + 0.4F * uv.x); }, glm::vec4(0.3F),
-        glm::vec2(0.1F, 0.5F));
+    const TexturePtr colour =
+        texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x, p.uv.y, 0.25F, 1); }, 3);
+    const TexturePtr rough = texture_of([](const TexturePoint& p) { return glm::vec4(0.1F + 0.4F * p.uv.x); },
+                                        1, glm::vec2(0.1F, 0.5F));
     using Expected = std::function<Mueller(int, glm::vec2, const glm::dvec3&, const glm::dvec3&)>;
     const struct {
         const char* name;
@@ -101,11 +106,11 @@ TEST_CASE("materials of others and textures are what their names say at every po
 
 TEST_CASE("sixteen points have the weights that each of them has") {
     const TexturePtr u = ramp_texture();
-    const auto colour = std::make_shared<FunctionTexture>(
-        3, [](glm::vec2 uv) { return glm::vec4(uv.x, 0.3F, -uv.y, 1); }, glm::vec4(0.5F, 0.3F, -0.5F, 1));
-    const auto few = std::make_shared<FunctionTexture>(
-        1, [](glm::vec2 uv) { return glm::vec4(uv.x > 0.9F ? 0.45F : 0.1F * std::ceil(5 * uv.x)); },
-        glm::vec4(0.3F), glm::vec2(0.1F, 0.5F));
+    const TexturePtr colour =
+        texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x, 0.3F, -p.uv.y, 1); }, 3);
+    const TexturePtr few = texture_of(
+        [](const TexturePoint& p) { return glm::vec4(p.uv.x > 0.9F ? 0.45F : 0.1F * std::ceil(5 * p.uv.x)); },
+        1, glm::vec2(0.1F, 0.5F));
     const MaterialPtr red = diffuse({0.8, 0.1, 0.1});
     for (const MaterialPtr& material :
          {with_roughness(gloss, u), with_roughness(gloss, few), blend(red, gloss(0.2), u), scaled(red, u),
@@ -141,9 +146,8 @@ TEST_CASE("sixteen points have the weights that each of them has") {
 TEST_CASE("between its alphas a roughness texture misses about one percent of a response") {
     const LightLayout layout(9, LightKind::linear);
     for (const double alpha : {0.05, 0.2, 0.5}) {
-        const auto values = std::make_shared<FunctionTexture>(
-            1, [](glm::vec2 uv) { return glm::vec4(uv.x); }, glm::vec4(static_cast<float>(alpha)),
-            glm::vec2(alpha, 1.19 * alpha));
+        const TexturePtr values = texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x); }, 1,
+                                             glm::vec2(alpha, 1.19 * alpha));
         const MaterialPtr material = with_roughness(gloss, values);
         REQUIRE(material->variation()->layers.size() == 2);
         const double middle = 1.09 * alpha;
@@ -204,8 +208,8 @@ TEST_CASE("the mean of a material that varies is that of its textures") {
 TEST_CASE("parts that do not go together are refused") {
     const MaterialPtr base = pplastic({});
     const TexturePtr u = ramp_texture();
-    const auto normals = std::make_shared<FunctionTexture>(
-        3, [](glm::vec2) { return glm::vec4(0.6F, 0.5F, 0.9F, 1); }, glm::vec4(0.6F, 0.5F, 0.9F, 1));
+    const TexturePtr normals =
+        texture_of([](const TexturePoint&) { return glm::vec4(0.6F, 0.5F, 0.9F, 1); }, 3);
     const auto message = [](const std::function<void()>& call) {
         try {
             call();

@@ -1,62 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Textures that are functions, and meshes with texture coordinates.
+// Textures of surfaces, and meshes with texture coordinates.
 #pragma once
 
-#include <functional>
-#include <stdexcept>
 #include <utility>
 
+#include "function_texture.hpp"
 #include "geometry/mesh.hpp"
 #include "material/layered.hpp"
 #include "test.hpp"
 
 namespace nicol::test {
 
-/// A texture whose value is a function of the point.
-class FunctionTexture : public Texture {
-public:
-    using Function = std::function<glm::vec4(const TexturePoint&)>;
-    explicit FunctionTexture(Function function, bool of_colors = false, int channels = 3)
-        : function_(std::move(function)), of_colors_(of_colors), channels_(channels) {}
-
-    [[nodiscard]] int channels() const noexcept override { return channels_; }
-    [[nodiscard]] glm::vec4 at(const TexturePoint& point) const override { return function_(point); }
-    [[nodiscard]] glm::vec2 gradient(const TexturePoint& point) const override {
-        constexpr float h = 1e-3F;
-        const auto along = [&](const glm::vec2& d) {
-            TexturePoint before = point;
-            TexturePoint after = point;
-            before.uv -= d;
-            after.uv += d;
-            return (at(after).x - at(before).x) / (2 * h);
-        };
-        return {along({h, 0}), along({0, h})};
-    }
-    [[nodiscard]] glm::vec4 mean() const override { return function_({.uv = glm::vec2(0.5)}); }
-    [[nodiscard]] glm::vec2 range() const override { return {0, 1}; }
-    [[nodiscard]] bool constant() const noexcept override { return false; }
-    [[nodiscard]] bool needs_texcoords() const noexcept override { return !of_colors_; }
-    [[nodiscard]] bool needs_colors() const noexcept override { return of_colors_; }
-    [[nodiscard]] TextureDescription describe() const override {
-        throw std::logic_error("a function has no description");
-    }
-
-private:
-    Function function_;
-    bool of_colors_;
-    int channels_;
-};
-
-inline TexturePtr texture_of(FunctionTexture::Function function, int channels = 3) {
-    return std::make_shared<const FunctionTexture>(std::move(function), false, channels);
-}
 /// A normal map that leaves normals as they are, though it does not say so.
 inline TexturePtr flat_normals() {
     return texture_of([](const TexturePoint&) { return glm::vec4(0.5F, 0.5F, 1, 1); });
 }
 inline TexturePtr vertex_colors() {
     return std::make_shared<const FunctionTexture>(
-        [](const TexturePoint& point) { return glm::vec4(point.color, 1); }, true);
+        [](const TexturePoint& point) { return glm::vec4(point.color, 1); }, 3, glm::vec2(0, 1), true);
 }
 
 /// A mesh with texture coordinates that are linear in x and y: of a rectangle or cube 0 to 1, v downwards.

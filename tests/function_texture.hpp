@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Textures that are functions.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <utility>
+
+#include "material/texture.hpp"
+
+namespace nicol::test {
+
+/// A texture whose value is a function of the point.
+class FunctionTexture : public Texture {
+public:
+    using Function = std::function<glm::vec4(const TexturePoint&)>;
+    /// mean() is its value in the middle; `range`: of the first channel; of_colors: it needs those instead of
+    /// texture coordinates.
+    explicit FunctionTexture(Function function, int channels = 3, const glm::vec2& range = glm::vec2(0, 1),
+                             bool of_colors = false)
+        : function_(std::move(function)), channels_(channels), range_(range), of_colors_(of_colors) {}
+
+    [[nodiscard]] int channels() const noexcept override { return channels_; }
+    [[nodiscard]] glm::vec4 at(const TexturePoint& point) const override { return function_(point); }
+    [[nodiscard]] glm::vec2 gradient(const TexturePoint& point) const override {
+        constexpr float h = 1e-3F;
+        const auto along = [&](const glm::vec2& d) {
+            TexturePoint before = point;
+            TexturePoint after = point;
+            before.uv -= d;
+            after.uv += d;
+            return (at(after).x - at(before).x) / (2 * h);
+        };
+        return {along({h, 0}), along({0, h})};
+    }
+    [[nodiscard]] glm::vec4 mean() const override { return function_({.uv = glm::vec2(0.5)}); }
+    [[nodiscard]] glm::vec2 range() const override { return range_; }
+    [[nodiscard]] bool constant() const noexcept override { return false; }
+    [[nodiscard]] bool needs_texcoords() const noexcept override { return !of_colors_; }
+    [[nodiscard]] bool needs_colors() const noexcept override { return of_colors_; }
+    [[nodiscard]] TextureDescription describe() const override {
+        throw std::logic_error("a function has no description");
+    }
+
+private:
+    Function function_;
+    int channels_;
+    glm::vec2 range_;
+    bool of_colors_;
+};
+
+inline TexturePtr texture_of(FunctionTexture::Function function, int channels = 3,
+                             const glm::vec2& range = glm::vec2(0, 1)) {
+    return std::make_shared<const FunctionTexture>(std::move(function), channels, range);
+}
+
+}  // namespace nicol::test
