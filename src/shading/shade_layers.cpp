@@ -11,12 +11,6 @@
 namespace nicol {
 namespace {
 
-constexpr std::array<std::uint8_t, kLanes> kAll = [] {
-    std::array<std::uint8_t, kLanes> all{};
-    all.fill(1);
-    return all;
-}();
-
 // Adds what one layer has at the views of a block.
 void add_rows(const ResponseTable& response, const LaneView::TablePositions& at, std::size_t numbers,
               const LayerWeights& weights, Lanes* row, LayeredRows& rows) {
@@ -77,7 +71,7 @@ void Shade::run(std::span<const ResponseTable* const> layers, std::span<const La
                             seen.cosines(), seen.sines(), stokes.data());
                     seen.into_camera_frame(stokes);
                 }
-                add_fours(stokes.data(), kAll.data(), count, out[c].data() + begin);
+                add_fours(stokes.data(), count, out[c].data() + begin);
             }
         }
     }

@@ -135,6 +135,15 @@ void add_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, 
     dispatch<add>(lanes, show, count, &out->x);
 }
 
+void add_fours(const Lanes* lanes, std::size_t count, glm::vec4* out) {
+    static constexpr std::array<std::uint8_t, kLanes> all = [] {
+        std::array<std::uint8_t, kLanes> ones{};
+        ones.fill(1);
+        return ones;
+    }();
+    add_fours(lanes, all.data(), count, out);
+}
+
 void to_lanes(const std::array<const float*, kLanes>& rows, std::size_t count, Lanes* lanes) {
     if (count >= kLanes) {
         dispatch<gather>(rows.data(), count, lanes);

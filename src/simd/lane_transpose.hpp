@@ -26,5 +26,7 @@ void to_lanes_weighted(const std::array<std::array<const float*, kLanes>, 3>& ro
 /// out[i][p] = or += lanes[p][i] for p < 4 and where show[i] != 0, i < count.
 void put_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out);
 void add_fours(const Lanes* lanes, const std::uint8_t* show, std::size_t count, glm::vec4* out);
+/// As with every show[i] != 0.
+void add_fours(const Lanes* lanes, std::size_t count, glm::vec4* out);
 
 }  // namespace nicol

@@ -12,16 +12,6 @@
 #include "specular/lane_reflection.hpp"
 
 namespace nicol {
-namespace {
-
-constexpr std::array<std::uint8_t, kLanes> kAll = [] {
-    std::array<std::uint8_t, kLanes> all{};
-    all.fill(1);
-    return all;
-}();
-
-}  // namespace
-
 struct HighOrderLayers::Block {
     std::size_t index;
     std::size_t count;  // of vertices
@@ -114,7 +104,7 @@ void HighOrderLayers::add_group(const Group& group, std::span<const LayerWeights
         if (c == 0 || !alike)
             reflect_taps(taps.channel(c), polarized, rows.of(c), pairings, block.mirror, block.visible[0],
                          block.visible[1], stokes.data());
-        add_fours(stokes.data(), kAll.data(), block.count, out[c].data() + block.index * kLanes);
+        add_fours(stokes.data(), block.count, out[c].data() + block.index * kLanes);
     }
 }
 
