@@ -4,14 +4,12 @@
 // TEXTURES: see texture.glsl; the last of them is the opacity.
 #define TABLE 3
 #define TEXELS 4
+#define CORNERS 0
 #include "texture.glsl"
+#include "corners.glsl"
 
-layout(std430, binding = 0) readonly buffer OpacityCorners { float opacity_corners[]; };  // see DeviceCorners
 layout(std430, binding = 1) readonly buffer OpacityIndices { uint opacity_indices[]; };
 layout(std430, binding = 2) readonly buffer OpacityPositions { float opacity_positions[]; };
-
-uniform int corner_numbers;
-uniform bool colored;
 
 const uint FIRST_OPACITY_TEXTURE = 8u;
 
@@ -31,15 +29,7 @@ bool present(uint triangle, vec3 position) {
     float b = dot(cross(away, third), normal) / squared;
     float c = dot(cross(second, away), normal) / squared;
     vec3 weight = vec3(1.0 - b - c, b, c);
-    int corner = corner_numbers * int(triangle);
-    TexturePoint point = TexturePoint(vec2(0.0), vec2(0.0), vec2(0.0), vec3(1.0));
-    for (int k = 0; k < 3; ++k) {
-        point.uv += weight[k] * vec2(opacity_corners[corner + 2 * k], opacity_corners[corner + 2 * k + 1]);
-        int color = corner + 12 + 3 * k;
-        if (colored)
-            point.color += weight[k] * (vec3(opacity_corners[color], opacity_corners[color + 1],
-                                             opacity_corners[color + 2]) - 1.0);
-    }
+    TexturePoint point = texture_point(int(triangle), weight);
     vec4 values[TEXTURES];
     evaluate_textures(FIRST_OPACITY_TEXTURE, point, values);
     uint channels = table[FIRST_OPACITY_TEXTURE + TEXTURE_WORDS * uint(TEXTURES - 1) + 1u];

@@ -6,15 +6,15 @@
 // TEXTURES: see texture.glsl.
 #define TABLE 5
 #define TEXELS 6
+#define CORNERS 1
 #include "pixel_points.glsl"
 #include "texture.glsl"
+#include "corners.glsl"
 #include "vertex_view.glsl"
 
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Points { PixelPoint points[]; };
-// By triangle, `corner_numbers`: see DeviceCorners.
-layout(std430, binding = 1) readonly buffer Corners { float corners[]; };
 layout(std430, binding = 2) readonly buffer Barycentric { vec2 barycentric[]; };  // of second and third corner
 layout(std430, binding = 3) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 4) buffer Normals { float normals[]; };
@@ -35,24 +35,13 @@ const uint FACTOR_WORDS = 5u;
 
 uniform int count;
 uniform int stride;          // of weights, from layer to layer
-uniform int corner_numbers;
-uniform bool colored;        // triangles have colours
 uniform bool back;           // of a two-sided surface
 uniform vec2 pixel_size;     // at unit distance, or in the world
 
-vec3 corner_vector(int at) { return vec3(corners[at], corners[at + 1], corners[at + 2]); }
-
 TexturePoint point_of(int triangle, vec3 weight, vec3 position, out vec3 by_u, out vec3 by_v) {
-    int first = corner_numbers * triangle;
-    vec2 uv = vec2(0.0);
-    vec3 color = colored ? vec3(0.0) : vec3(1.0);
-    for (int k = 0; k < 3; ++k) {
-        uv += weight[k] * vec2(corners[first + 2 * k], corners[first + 2 * k + 1]);
-        if (colored) color += weight[k] * corner_vector(first + 12 + 3 * k);
-    }
-    by_u = corner_vector(first + 6);
-    by_v = corner_vector(first + 9);
-    TexturePoint point = TexturePoint(uv, vec2(0.0), vec2(0.0), color);
+    by_u = moved_by_u(triangle);
+    by_v = moved_by_v(triangle);
+    TexturePoint point = texture_point(triangle, weight);
 
     // The change to the neighbours of a pixel. Edge on, a pixel is as long as the surface.
     vec3 normal = cross(by_u, by_v);

@@ -120,13 +120,20 @@ void AovPainter::clear(gl::RenderTarget& image) const {
 void AovPainter::draw_surfaces(const CutOuts& cut_outs, const Projection& projection,
                                const glm::dmat4& to_world, gl::RenderTarget& image) {
     const glm::mat4 to_clip(projection.world_to_clip * to_world);
-    for (const Batch& batch : batches_) {
-        const TriangleBatch& triangles = batch.triangles;
-        const int textures = cut_outs.textures(triangles.range);
+    gl::Program* whole = nullptr;
+    const auto program_of = [&](int textures) -> gl::Program& {
+        if (textures == 0 && whole != nullptr) return *whole;
         gl::Program& surface = program("aovs.vert", "aovs.frag", textures);
         if (surface.uses("to_world")) surface.set("to_world", glm::mat4(to_world));
         set_view_uniforms(surface, projection.view);
         surface.set("to_clip", to_clip);
+        if (textures == 0) whole = &surface;
+        return surface;
+    };
+    for (const Batch& batch : batches_) {
+        const TriangleBatch& triangles = batch.triangles;
+        const int textures = cut_outs.textures(triangles.range);
+        gl::Program& surface = program_of(textures);
         if ((drawn_ & aov_instances) != 0) surface.set("instance", batch.instance);
         if (textures > 0) {
             surface.set("first", static_cast<std::uint32_t>(triangles.first));

@@ -27,7 +27,7 @@ void CutOuts::update(const WorldGeometry& geometry, Version geometry_version, Ve
             opacities_[r] = of;
         }
     });
-    if (!opacities_.empty()) corners_.update(geometry, geometry_version, material_version);
+    if (!opacities_.empty()) buffers.corners().update(geometry, geometry_version, material_version);
 }
 
 int CutOuts::textures(std::size_t range) const {
@@ -40,12 +40,13 @@ std::vector<gl::Define> CutOuts::defines(int textures) {
 }
 
 void CutOuts::bind(gl::Program& program, std::size_t range) const {
-    corners_.bind(0);
+    const DeviceCorners& corners = buffers_->corners();
+    corners.bind(0);
     buffers_->indices()->buffer().bind_storage(1);
     buffers_->positions()->bind_storage(2);
     opacities_[range]->bind(3, 4);
-    program.set("corner_numbers", corners_.numbers());
-    program.set("colored", corners_.colored() ? 1 : 0);
+    program.set("corner_numbers", corners.numbers());
+    program.set("colored", corners.colored() ? 1 : 0);
 }
 
 }  // namespace nicol

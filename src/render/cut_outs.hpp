@@ -7,7 +7,6 @@
 
 #include "gl/program.hpp"
 #include "render/geometry.hpp"
-#include "render/gpu/device_corners.hpp"
 #include "render/gpu/device_variation.hpp"
 #include "render/vertex_buffers.hpp"
 
@@ -17,8 +16,7 @@ namespace nicol {
 /// context.
 class CutOuts {
 public:
-    explicit CutOuts(std::shared_ptr<gl::Context> context)
-        : context_(std::move(context)), corners_(context_) {}
+    explicit CutOuts(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
     /// Copies what the geometry's materials have of opacity, as far as changes make it necessary; `buffers`
     /// are of it. Throws Error(unsupported) for more than the driver lets a shader reach.
@@ -36,7 +34,6 @@ public:
 
 private:
     std::shared_ptr<gl::Context> context_;
-    DeviceCorners corners_;
     Stage<Version, Version> copying_;
     Version version_ = 0;
     std::vector<std::shared_ptr<const DeviceVariation>> opacities_;  // by range, or empty

@@ -10,6 +10,7 @@
 #include "gl/buffer.hpp"
 #include "gl/program.hpp"
 #include "polarization/viewpoint.hpp"
+#include "render/gpu/device_corners.hpp"
 #include "render/transfer_input.hpp"
 
 namespace nicol {
@@ -17,7 +18,8 @@ namespace nicol {
 /// All members inside run() of the context.
 class VertexBuffers {
 public:
-    explicit VertexBuffers(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
+    explicit VertexBuffers(std::shared_ptr<gl::Context> context)
+        : context_(std::move(context)), corners_(context_) {}
 
     /// Makes the buffers for this geometry and these channels, as far as changes make it necessary.
     void update(const WorldGeometry& geometry, Version geometry_version, int channels);
@@ -41,8 +43,12 @@ public:
     /// A vec2 a vertex: the visible fractions of the lobes of high orders. Made on first use.
     [[nodiscard]] const std::shared_ptr<gl::Buffer>& fractions();
 
+    /// Of triangles; uploaded by their own update().
+    [[nodiscard]] DeviceCorners& corners() noexcept { return corners_; }
+
 private:
     std::shared_ptr<gl::Context> context_;
+    DeviceCorners corners_;
     Version version_ = 0;
     Stage<Version> placing_;
     Stage<Version, int> sizing_;

@@ -10,14 +10,16 @@
 
 namespace nicol {
 
-void DeviceTextures::prepare(const PixelInput& input) {
+void DeviceTextures::prepare(const PixelInput& input, VertexBuffers& buffers) {
+    corners_ = &buffers.corners();
     copying_.run(input.materials, [&] {
         variations_.clear();
         for (const VertexRange& range : input.geometry.ranges)
             if (const SpatialVariation* const variation = range.material->variation())
                 variations_.try_emplace(range.material, context_, *variation);
     });
-    if (!variations_.empty()) corners_.update(input.geometry, input.versions.geometry, input.materials);
+    if (!variations_.empty())
+        buffers.corners().update(input.geometry, input.versions.geometry, input.materials);
 }
 
 gl::Program& DeviceTextures::program(int textures) {
@@ -44,11 +46,11 @@ void DeviceTextures::find(const PixelInput& input, const PixelRun& run, const De
                                         2 * projection.half_height / input.hits.height()));
     program.set("count", static_cast<int>(count));
     program.set("stride", static_cast<int>(stride_));
-    program.set("corner_numbers", corners_.numbers());
-    program.set("colored", corners_.colored() ? 1 : 0);
+    program.set("corner_numbers", corners_->numbers());
+    program.set("colored", corners_->colored() ? 1 : 0);
     program.set("back", is_back(input.geometry, run.surface) ? 1 : 0);
     std::ignore = bind_vertices(pixels.listed(), 0, 4, run.first, run.last);
-    corners_.bind(1);
+    corners_->bind(1);
     std::ignore = bind_vertices(pixels.barycentric(), 2, 2, run.first, run.last);
     std::ignore = bind_vertices(*pixels.points().positions, 3, 3, run.first, run.last);
     std::ignore = bind_vertices(*pixels.points().normals, 4, 3, run.first, run.last);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "gl/program.hpp"
-#include "render/gpu/device_corners.hpp"
 #include "render/gpu/device_pixels.hpp"
 #include "render/gpu/device_variation.hpp"
 #include "versioned.hpp"
@@ -18,12 +17,11 @@ namespace nicol {
 /// All members inside run() of the context.
 class DeviceTextures {
 public:
-    explicit DeviceTextures(std::shared_ptr<gl::Context> context)
-        : context_(std::move(context)), corners_(context_) {}
+    explicit DeviceTextures(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
 
     /// Copies what the scene has of textures, as far as changes make it necessary. Throws Error(unsupported)
     /// for more of it than the driver lets a shader reach.
-    void prepare(const PixelInput& input);
+    void prepare(const PixelInput& input, VertexBuffers& buffers);
 
     /// For the points of a run, whose material varies: finds the weights of its layers, and turns the points'
     /// normals.
@@ -39,7 +37,7 @@ private:
     std::shared_ptr<gl::Context> context_;
     std::map<int, gl::Program> programs_;  // by textures
     std::optional<gl::Program> add_;
-    DeviceCorners corners_;
+    const DeviceCorners* corners_ = nullptr;
     Stage<Version> copying_;  // materials
     std::map<MaterialPtr, DeviceVariation> variations_;
     std::optional<gl::Buffer> weights_;

@@ -109,7 +109,7 @@ void GpuExecutor::shade_pixels_by(const Method& method, Device& device, const Pi
                                    gl::BufferUpdate::fixed);
         if (input.high_orders != nullptr) high_orders_.compute_fractions(*input.high_orders, input, buffers_);
         const std::size_t most = device.prepare_pixels(method, input);
-        textures_.prepare(input);
+        textures_.prepare(input, buffers_);
         return pixels_->run(input, buffers_, most, run.progress, [&](const PixelRun& points) {
             const bool varies = points.surface.material->variation() != nullptr;
             if (varies) textures_.find(input, points, *pixels_);
