@@ -19,11 +19,11 @@
 #include "job.hpp"
 #include "light/environment.hpp"
 #include "material/material.hpp"
-#include "material/texture.hpp"
 #include "render/framebuffer.hpp"
 #include "render/renderer.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol::capi {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Textures.
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 #include <cstring>
 

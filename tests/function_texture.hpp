@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol::test {
 

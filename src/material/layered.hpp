@@ -8,7 +8,7 @@
 
 #include "material/material.hpp"
 #include "material/spatial_variation.hpp"
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 

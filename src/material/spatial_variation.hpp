@@ -8,7 +8,7 @@
 
 #include "material/layer_weights.hpp"
 #include "material/material.hpp"
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 

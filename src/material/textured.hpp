@@ -4,7 +4,7 @@
 
 #include "material/conductor.hpp"
 #include "material/material.hpp"
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "material/texture.hpp"
 #include "scene/scene_color.hpp"
 #include "scene/scene_files.hpp"
 #include "scene/texture_specification.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol::scene {
 

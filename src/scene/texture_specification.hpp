@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "material/texture.hpp"
 #include "scene/color_description.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 

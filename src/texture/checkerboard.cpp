@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "material/texture.hpp"
-#include "material/uv_transform.hpp"
+#include "texture/texture.hpp"
+#include "texture/uv_transform.hpp"
 
 namespace nicol {
 namespace {

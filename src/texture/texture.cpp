@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "image/stokes_image.hpp"
-#include "material/image_levels.hpp"
-#include "material/lane_texels.hpp"
-#include "material/texture.hpp"
-#include "material/uv_transform.hpp"
+#include "texture/image_levels.hpp"
+#include "texture/lane_texels.hpp"
+#include "texture/texture.hpp"
+#include "texture/uv_transform.hpp"
 
 namespace nicol {
 namespace {

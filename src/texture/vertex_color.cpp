@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <memory>
 
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 namespace {

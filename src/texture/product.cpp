@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "arguments.hpp"
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 namespace {

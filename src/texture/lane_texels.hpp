@@ -5,9 +5,9 @@
 #include <array>
 #include <cstdint>
 
-#include "material/texture.hpp"
-#include "material/uv_transform.hpp"
 #include "simd/lanes.hpp"
+#include "texture/texture.hpp"
+#include "texture/uv_transform.hpp"
 
 namespace nicol {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 namespace {

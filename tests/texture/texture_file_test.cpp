@@ -6,9 +6,9 @@
 #include <ImfOutputFile.h>
 
 #include "image/observer.hpp"
-#include "material/texture.hpp"
 #include "temporary_folder.hpp"
 #include "test.hpp"
+#include "texture/texture.hpp"
 
 using namespace nicol;
 

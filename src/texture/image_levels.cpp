@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "material/image_levels.hpp"
+#include "texture/image_levels.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Textures against direct formulas.
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
-#include "material/image_levels.hpp"
 #include "test.hpp"
+#include "texture/image_levels.hpp"
 
 using namespace nicol;
 using Filter = TextureSampling::Filter;

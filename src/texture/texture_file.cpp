@@ -7,7 +7,7 @@
 #include "files/suffix.hpp"
 #include "image/color.hpp"
 #include "image/exr_colors.hpp"
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "material/texture.hpp"
+#include "texture/texture.hpp"
 
 namespace nicol {
 

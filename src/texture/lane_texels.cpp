@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "material/lane_texels.hpp"
+#include "texture/lane_texels.hpp"
 
 #include "simd/dispatch.hpp"
 #include "simd/lane_vector.hpp"
