@@ -10,6 +10,10 @@ namespace nicol {
 
 /// Highest order a render accepts.
 inline constexpr int kMaxRenderOrder = 32;
+/// For RenderOptions::split_lights.
+inline constexpr int kSplitAutomatic = -1;
+inline constexpr int kMaxSplitLights = 64;
+inline constexpr int kMaxLightSamples = 1024;
 
 /// How light becomes reflected light.
 enum class Method {
@@ -87,6 +91,11 @@ struct RenderOptions {
     /// light is shaded. Where orders are chosen, light that is as weak as what the others are predicted to
     /// cause becomes less polarized, see make_physical().
     bool physical = false;
+    /// Lamps of the environment that are taken out of it as small lights, at most; kSplitAutomatic: those
+    /// that the orders below would miss. With Method::factored.
+    int split_lights = kSplitAutomatic;
+    /// Of each small light with a size: places of it that light a point, 1..kMaxLightSamples.
+    int light_samples = 16;
     /// Stokes components that the image has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;
     /// Of the real-time methods: samples of a pixel, 1, 4 or 8. Surfaces and the environment behind them are
@@ -110,8 +119,8 @@ struct RenderOptions {
             return std::tie(a.method, a.executor, a.shadows, a.bake_directions, a.refine_tolerance,
                             a.max_vertices, a.order_low, a.order_high, a.high_orders, a.shade_at,
                             a.high_order_shadows, a.choose_orders, a.tolerance, a.dering, a.physical,
-                            a.components, a.pixel_samples, a.aovs, a.samples, a.seed,
-                            a.disabled_optimisations);
+                            a.split_lights, a.light_samples, a.components, a.pixel_samples, a.aovs, a.samples,
+                            a.seed, a.disabled_optimisations);
         };
         return values(*this) == values(o);
     }
@@ -139,6 +148,10 @@ struct Statistics {
     std::uint64_t response_rows_skipped =
         0;                              ///< Stokes components that a material cannot make, times channels
     std::uint64_t channels_shared = 0;  ///< colour channels of light that equal another
+    std::uint64_t small_lights = 0;     ///< the scene's, each surface that shines as one, and those split off
+    std::uint64_t lights_split = 0;     ///< of them, lamps of the environment
+    std::uint64_t light_rays = 0;       ///< from shading points to small lights
+    double light_ms = 0;                ///< of shade_ms, small lights and their shadows
     std::uint64_t response_bytes = 0;
     std::uint64_t bake_rays = 0;
     double bake_trace_ms = 0;  ///< of bake_ms, the rays alone

@@ -28,10 +28,10 @@ void check_transform(const glm::dmat4& m) {
     if (!std::isfinite(determinant) || determinant == 0) refuse("to_world cannot be inverted");
 }
 
-void check_channels(int channels, int others) {
+void check_channels(const char* part, int channels, int others) {
     if (channels == 1 || others == 1 || channels == others) return;
-    refuse("the material has " + std::to_string(channels) + " colour channels and the scene " +
-           std::to_string(others) + "; it must have 1 or as many");
+    refuse("the " + std::string(part) + " has " + std::to_string(channels) +
+           " colour channels and the scene " + std::to_string(others) + "; it must have 1 or as many");
 }
 
 // Of instance `id`, which has or would have them.
@@ -46,30 +46,50 @@ void check_attributes(const Mesh& mesh, const Material& material, std::uint32_t 
         refuse(instance + "has the colours of vertices, and the mesh has none; give it a colour a vertex");
 }
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+// Of instance `id` and its light.
+void check_emission(const Mesh& mesh, const Emission& emission, std::uint32_t id) {
+    check(emission);
+    if (emission.texture != nullptr && emission.texture->needs_texcoords() && mesh.texcoords.empty())
+        refuse(
+            "instance " + std::to_string(id) +
+            ": its radiance has a texture, which needs texture coordinates, and the mesh has none; give it "
+            "u, v");
+}
+
+std::size_t index_in(const std::vector<std::uint32_t>& ids, std::uint32_t id, std::uint32_t next,
+                     const char* what) {
+    const auto found = std::ranges::lower_bound(ids, id);
+    if (found == ids.end() || *found != id) {
+        refuse("there is no " + std::string(what) + " " + std::to_string(id) +
+               (id < next ? "; it was removed" : "; ids below " + std::to_string(next) + " were given"));
+    }
+    return static_cast<std::size_t>(found - ids.begin());
+}
 
 }  // namespace
 
 std::size_t Scene::index_of(std::uint32_t id) const {
-    const auto found = std::ranges::lower_bound(ids_, id);
-    if (found == ids_.end() || *found != id) {
-        refuse(
-            "there is no instance " + std::to_string(id) +
-            (id < next_id_ ? "; it was removed" : "; ids below " + std::to_string(next_id_) + " were given"));
-    }
-    return static_cast<std::size_t>(found - ids_.begin());
+    return index_in(ids_, id, next_id_, "instance");
 }
 
-int Scene::channels_without(std::size_t index) const {
-    int most = environment_ ? environment_->channels() : 1;
+std::size_t Scene::light_index_of(std::uint32_t id) const {
+    return index_in(light_ids_, id, next_light_id_, "light");
+}
+
+int Scene::channels_without(const Without& part) const {
+    int most = environment_ && !part.environment ? environment_->channels() : 1;
     for (std::size_t i = 0; i < instances_.size(); ++i) {
-        if (i != index) most = std::max(most, instances_[i].material->channels());
+        const Instance& instance = instances_[i];
+        if (i != part.material) most = std::max(most, instance.material->channels());
+        if (i != part.emission && instance.emission) most = std::max(most, instance.emission->channels());
     }
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+        if (i != part.light) most = std::max(most, lights_[i].channels());
     return most;
 }
 
 int Scene::channels() const {
-    return channels_without(kNone);
+    return channels_without({});
 }
 
 bool Scene::varies() const {
@@ -82,8 +102,14 @@ std::uint32_t Scene::add(Instance instance) {
     if (!instance.material) refuse("the instance has no material");
     if (next_id_ == std::numeric_limits<std::uint32_t>::max()) refuse("the scene has had too many instances");
     check_transform(instance.to_world);
-    check_channels(instance.material->channels(), channels());
+    check_channels("material", instance.material->channels(), channels());
     check_attributes(*instance.mesh, *instance.material, next_id_);
+    if (instance.emission) {
+        check_emission(*instance.mesh, *instance.emission, next_id_);
+        check_channels("emission", instance.emission->channels(),
+                       std::max(channels(), instance.material->channels()));
+        small_light_version_ = new_version();
+    }
     if (ids_.size() == ids_.capacity()) ids_.reserve(2 * ids_.size() + 1);
     instances_.push_back(std::move(instance));
     ids_.push_back(next_id_);
@@ -94,6 +120,7 @@ std::uint32_t Scene::add(Instance instance) {
 
 void Scene::remove(std::uint32_t id) {
     const auto index = static_cast<std::ptrdiff_t>(index_of(id));
+    if (instances_[index_of(id)].emission) small_light_version_ = new_version();
     instances_.erase(instances_.begin() + index);
     ids_.erase(ids_.begin() + index);
     geometry_version_ = new_version();
@@ -111,7 +138,7 @@ void Scene::set_transform(std::uint32_t id, const glm::dmat4& to_world) {
 void Scene::set_material(std::uint32_t id, MaterialPtr material) {
     const std::size_t index = index_of(id);
     if (!material) refuse("the instance would have no material");
-    check_channels(material->channels(), channels_without(index));
+    check_channels("material", material->channels(), channels_without({.material = index}));
     Instance& instance = instances_[index];
     check_attributes(*instance.mesh, *material, id);
     if (instance.material == material) return;
@@ -120,6 +147,55 @@ void Scene::set_material(std::uint32_t id, MaterialPtr material) {
         geometry_version_ = new_version();
     material_version_ = new_version();
     instance.material = std::move(material);
+}
+
+void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
+    const std::size_t index = index_of(id);
+    Instance& instance = instances_[index];
+    if (emission) {
+        check_emission(*instance.mesh, *emission, id);
+        check_channels("emission", emission->channels(), channels_without({.emission = index}));
+    }
+    if (instance.emission == emission) return;
+    instance.emission = std::move(emission);
+    small_light_version_ = new_version();
+}
+
+std::uint32_t Scene::add_light(SmallLight light) {
+    if (next_light_id_ == std::numeric_limits<std::uint32_t>::max())
+        refuse("the scene has had too many lights");
+    check(light);
+    check_channels("light", light.channels(), channels());
+    if (light_ids_.size() == light_ids_.capacity()) light_ids_.reserve(2 * light_ids_.size() + 1);
+    lights_.push_back(std::move(light));
+    light_ids_.push_back(next_light_id_);
+    small_light_version_ = new_version();
+    return next_light_id_++;
+}
+
+void Scene::remove_light(std::uint32_t id) {
+    const auto index = static_cast<std::ptrdiff_t>(light_index_of(id));
+    lights_.erase(lights_.begin() + index);
+    light_ids_.erase(light_ids_.begin() + index);
+    small_light_version_ = new_version();
+}
+
+void Scene::set_light(std::uint32_t id, SmallLight light) {
+    const std::size_t index = light_index_of(id);
+    check(light);
+    check_channels("light", light.channels(), channels_without({.light = index}));
+    lights_[index] = std::move(light);
+    small_light_version_ = new_version();
+}
+
+const SmallLight& Scene::light(std::uint32_t id) const {
+    return lights_[light_index_of(id)];
+}
+
+bool Scene::has_small_lights() const {
+    return !lights_.empty() || std::ranges::any_of(instances_, [](const Instance& instance) {
+        return instance.emission != nullptr;
+    });
 }
 
 void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale) {
@@ -140,12 +216,10 @@ void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotati
             "mirroring");
     }
     if (environment) {
-        int materials = 1;
-        for (const Instance& instance : instances_)
-            materials = std::max(materials, instance.material->channels());
-        if (environment->channels() != 1 && materials != 1 && environment->channels() != materials) {
+        const int others = channels_without({.environment = true});
+        if (environment->channels() != 1 && others != 1 && environment->channels() != others) {
             refuse("the environment has " + std::to_string(environment->channels()) +
-                   " colour channels and the materials " + std::to_string(materials) +
+                   " colour channels and the scene " + std::to_string(others) +
                    "; it must have 1 or as many");
         }
     }

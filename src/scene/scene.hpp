@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is rendered: instances of meshes under one environment.
+// What is rendered: instances of meshes under one environment and small lights.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 
 #include "geometry/mesh.hpp"
 #include "light/environment.hpp"
+#include "light/small_light.hpp"
 #include "material/material.hpp"
 #include "versioned.hpp"
 
@@ -19,6 +20,7 @@ struct Instance {
     std::shared_ptr<const Mesh> mesh;  ///< validated
     MaterialPtr material;
     glm::dmat4 to_world{1.0};
+    EmissionPtr emission = nullptr;  ///< null: it does not shine
 };
 
 /// A version identifies each state, so that a renderer can decide what to compute again. Not for use by two
@@ -34,7 +36,21 @@ public:
     void remove(std::uint32_t id);
     void set_transform(std::uint32_t id, const glm::dmat4& to_world);
     void set_material(std::uint32_t id, MaterialPtr material);
+    /// Null: it does not shine.
+    void set_emission(std::uint32_t id, EmissionPtr emission);
     [[nodiscard]] const Instance& at(std::uint32_t id) const { return instances_[index_of(id)]; }
+
+    /// The same for small lights, whose ids count up for themselves. Throw what check() throws, and for
+    /// channels that do not fit the scene's.
+    std::uint32_t add_light(SmallLight light);
+    void remove_light(std::uint32_t id);
+    void set_light(std::uint32_t id, SmallLight light);
+    [[nodiscard]] const SmallLight& light(std::uint32_t id) const;
+    [[nodiscard]] const std::vector<SmallLight>& lights() const noexcept { return lights_; }
+    /// Of lights(), ascending.
+    [[nodiscard]] const std::vector<std::uint32_t>& light_ids() const noexcept { return light_ids_; }
+    /// Whether there are lights beside the environment: small ones, or surfaces that shine.
+    [[nodiscard]] bool has_small_lights() const;
 
     /// Null is darkness. `rotation` takes the light's axes to the world's; it must be a proper rotation.
     /// `scale` multiplies the radiance and must be finite and not negative.
@@ -57,21 +73,35 @@ public:
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
     /// Of the environment, its rotation and scale.
     [[nodiscard]] Version light_version() const noexcept { return light_version_; }
+    /// Of the small lights, and of which instances shine, and how.
+    [[nodiscard]] Version small_light_version() const noexcept { return small_light_version_; }
 
 private:
     [[nodiscard]] std::size_t index_of(std::uint32_t id) const;
-    /// Of everything but one instance.
-    [[nodiscard]] int channels_without(std::size_t index) const;
+    [[nodiscard]] std::size_t light_index_of(std::uint32_t id) const;
+    /// Of everything but the material or the emission of one instance, one light, or the environment.
+    struct Without {
+        static constexpr std::size_t kNone = ~std::size_t{0};
+        std::size_t material = kNone;
+        std::size_t emission = kNone;
+        std::size_t light = kNone;
+        bool environment = false;
+    };
+    [[nodiscard]] int channels_without(const Without& part) const;
 
     std::vector<Instance> instances_;
     std::vector<std::uint32_t> ids_;
     std::uint32_t next_id_ = 0;
+    std::vector<SmallLight> lights_;
+    std::vector<std::uint32_t> light_ids_;
+    std::uint32_t next_light_id_ = 0;
     EnvironmentPtr environment_;
     glm::dmat3 rotation_{1.0};
     double scale_ = 1;
     Version geometry_version_ = new_version();
     Version material_version_ = new_version();
     Version light_version_ = new_version();
+    Version small_light_version_ = new_version();
 };
 
 /// The mesh of an instance in the world. Throws as transformed() and beyond kLargestCoordinate, by instance.
