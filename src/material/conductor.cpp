@@ -9,11 +9,28 @@
 #include "error.hpp"
 #include "material/frames.hpp"
 #include "material/key.hpp"
+#include "material/lane_facets.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
+#include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
+
+[[gnu::always_inline]] inline void reflect_lanes(const LaneFacets& facets,
+                                                 const std::vector<std::complex<double>>& eta,
+                                                 const LaneVectors& towards_light,
+                                                 const LaneVectors& towards_viewer, std::size_t columns,
+                                                 LaneMueller* out) {
+    const LaneFacetReflection facet = facet_reflection(facets, load(towards_light), load(towards_viewer));
+    for (std::size_t t = 0; t < eta.size(); ++t) {
+        const LaneIndex index(eta[t]);
+        store_reflection(facet,
+                         eta[t].imag() == 0 ? dielectric_reflection(facet.cosine, index)
+                                            : complex_reflection(facet.cosine, index),
+                         columns, out[t]);
+    }
+}
 
 // One term for each index: a single one where colour is in the reflectance alone.
 class RoughConductor final : public Material {
@@ -66,6 +83,11 @@ public:
         }
         const Facet facet(p_, towards_light, towards_viewer);
         for (std::size_t t = 0; t < p_.eta.size(); ++t) out[t] = facet.reflect(p_.eta[t]);
+    }
+    void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
+                        std::size_t columns, std::span<LaneMueller> out) const override {
+        const LaneFacets facets{p_.distribution, static_cast<float>(p_.alpha)};
+        dispatch<reflect_lanes>(facets, p_.eta, towards_light, towards_viewer, columns, out.data());
     }
 
 private:

@@ -28,6 +28,13 @@ public:
         if (towards_light.z > 0 && towards_viewer.z > 0) m(0, 0) = 1 / std::numbers::pi;
         return m;
     }
+    void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer, std::size_t,
+                        std::span<LaneMueller> out) const override {
+        out.front() = {};
+        for (std::size_t i = 0; i < kLanes; ++i)
+            if (towards_light.z[i] > 0 && towards_viewer.z[i] > 0)
+                out.front().m[0][i] = 1 / std::numbers::pi_v<float>;
+    }
 
 private:
     std::vector<double> reflectance_;

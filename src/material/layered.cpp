@@ -9,6 +9,7 @@
 #include "arguments.hpp"
 #include "material/key.hpp"
 #include "material/reflectance.hpp"
+#include "simd/work_space.hpp"
 
 namespace nicol {
 namespace {
@@ -74,6 +75,21 @@ public:
                                    const glm::dvec3& towards_viewer) const override {
         const Term& of = at(term);
         return of.material->evaluate(of.index, towards_light, towards_viewer);
+    }
+    void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
+                        std::size_t columns, std::span<LaneMueller> out) const override {
+        // The terms of a layer follow each other.
+        const Material* evaluated = nullptr;
+        std::span<LaneMueller> of_layer;
+        for (std::size_t t = 0; t < terms_.size(); ++t) {
+            const Material& material = *terms_[t].material;
+            if (&material != evaluated) {
+                evaluated = &material;
+                of_layer = work_space<Layered, LaneMueller>(static_cast<std::size_t>(material.terms()));
+                material.evaluate_lanes(towards_light, towards_viewer, columns, of_layer);
+            }
+            out[t] = of_layer[static_cast<std::size_t>(terms_[t].index)];
+        }
     }
 
 private:

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "harmonics/operator.hpp"
+#include "material/lane_mueller.hpp"
+#include "polarization/lane_points.hpp"
 #include "polarization/mueller.hpp"
 
 namespace nicol {
@@ -37,6 +39,12 @@ public:
     /// All terms at once: out[t] = evaluate(t, ...) for t < terms(); faster where terms share work.
     virtual void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
                                 std::span<Mueller> out) const;
+
+    /// evaluate_terms() of sixteen pairs of directions, in single precision: out[t] for t < terms().
+    /// `columns`: 4, or 1 for the first column of each alone, all that unpolarized light needs; the others
+    /// are unspecified then.
+    virtual void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
+                                std::size_t columns, std::span<LaneMueller> out) const;
 
     /// Angular radius of the narrowest feature of a term around the mirror direction, radians: what an
     /// integration over incident directions has to resolve.

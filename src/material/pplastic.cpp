@@ -8,18 +8,54 @@
 
 #include "material/frames.hpp"
 #include "material/key.hpp"
+#include "material/lane_facets.hpp"
 #include "material/material.hpp"
 #include "material/microfacet.hpp"
 #include "material/reflectance.hpp"
 #include "polarization/fresnel.hpp"
+#include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
 
+struct LanePlastic {
+    LanePlastic(const PplasticParameters& p, double eta)
+        : facets{p.distribution, static_cast<float>(p.alpha)}, index(eta) {}
+    LaneFacets facets;
+    LaneIndex index;
+};
+
+// Pplastic::base() and boundary().
+[[gnu::always_inline]] inline void reflect_lanes(const LanePlastic& plastic, const LaneVectors& towards_light,
+                                                 const LaneVectors& towards_viewer, std::size_t columns,
+                                                 LaneMueller* out) {
+    const Vector3<LaneNumber> light = load(towards_light);
+    const Vector3<LaneNumber> viewer = load(towards_viewer);
+    LaneNumber in;
+    LaneNumber in_difference;
+    LaneNumber from_base;
+    LaneNumber out_difference;
+    dielectric_transmission(light.z, plastic.index, in, in_difference);
+    dielectric_transmission(viewer.z, plastic.index, from_base, out_difference);
+    const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
+    const LaneNumber lambert = above ? LaneNumber{} + 1 / std::numbers::pi_v<float> : LaneNumber{};
+    from_base *= lambert;
+    out_difference *= -lambert;
+    LaneMueller& base = out[0];
+    base = {};
+    store(&base.m[0], from_base * in);
+    store(&base.m[4], out_difference * in);
+    store(&base.m[1], -from_base * in_difference);
+    store(&base.m[5], -out_difference * in_difference);
+
+    const LaneFacetReflection facet = facet_reflection(plastic.facets, light, viewer);
+    store_reflection(facet, dielectric_reflection(facet.cosine, plastic.index), columns, out[1]);
+}
+
 class Pplastic final : public Material {
 public:
     explicit Pplastic(PplasticParameters parameters)
-        : p_(std::move(parameters)), eta_(p_.int_ior / p_.ext_ior) {
+        : p_(std::move(parameters)), eta_(p_.int_ior / p_.ext_ior), lanes_(p_, eta_) {
         check_reflectance(p_.diffuse_reflectance, "diffuse_reflectance");
         check_reflectance(p_.specular_reflectance, "specular_reflectance");
         check_range(p_.int_ior, 1e-3, 1e3, "int_ior");
@@ -52,6 +88,10 @@ public:
         if (towards_light.z <= 0 || towards_viewer.z <= 0) return {};
         return term == 0 ? base(towards_light, towards_viewer) : boundary(towards_light, towards_viewer);
     }
+    void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
+                        std::size_t columns, std::span<LaneMueller> out) const override {
+        dispatch<reflect_lanes>(lanes_, towards_light, towards_viewer, columns, out.data());
+    }
 
 private:
     // Through the smooth boundary, depolarizing scattering inside, and out again.
@@ -76,6 +116,7 @@ private:
 
     PplasticParameters p_;
     double eta_;
+    LanePlastic lanes_;
 };
 
 }  // namespace

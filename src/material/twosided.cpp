@@ -36,6 +36,19 @@ public:
         const bool back = towards_viewer.z < 0;
         front_->evaluate_terms(on_front(towards_light, back), on_front(towards_viewer, back), out);
     }
+    void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
+                        std::size_t columns, std::span<LaneMueller> out) const override {
+        LaneVectors light = towards_light;
+        LaneVectors viewer = towards_viewer;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const float side = towards_viewer.z[i] < 0 ? -1.0F : 1.0F;
+            for (LaneVectors* const d : {&light, &viewer}) {
+                d->y[i] *= side;
+                d->z[i] *= side;
+            }
+        }
+        front_->evaluate_lanes(light, viewer, columns, out);
+    }
 
 private:
     // Rotation by 180 degrees about x. It negates theta-hat and phi-hat, which changes no Stokes component.

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The exponential function within a few roundings, for vectors of lanes.
+#pragma once
+
+#include <cstdint>
+
+namespace nicol {
+
+/// x becomes e^x; x from -87 to 0. Number: a vector of 16 floats.
+template <class Number>
+[[gnu::always_inline]] inline void exponential(Number& x) {
+    using Integer [[gnu::vector_size(64)]] = std::int32_t;
+    // Adding it leaves no digits behind the point, and the whole number in the last bits.
+    constexpr float rounder = 12582912.0F;
+    const Number shifted = x * 1.44269504F + rounder;
+    const Number whole = shifted - rounder;
+    // ln 2 in two parts, the first short enough for exact products.
+    const Number r = (x - whole * 0.693359375F) + whole * 2.12194440e-4F;
+    const Number rest =
+        1.0F + r * (1.0F + r * (0.5F + r * (0.16666667F +
+                                            r * (0.041666638F + r * (0.0083334519F + r * 0.0013929634F)))));
+    const Integer power = (__builtin_convertvector(whole, Integer) + 127) << 23;
+    x = rest * reinterpret_cast<Number>(power);
+}
+
+}  // namespace nicol
