@@ -15,6 +15,7 @@ namespace nicol {
 namespace {
 
 constexpr float kSmallestScene = 1e-6F;
+constexpr double kLeftOut = 1e-4;  // of a ray, at its end
 
 [[noreturn]] void refuse(std::size_t surface, const std::string& message) {
     throw Error(ErrorCode::invalid_argument, "surface " + std::to_string(surface) + ": " + message);
@@ -156,8 +157,10 @@ std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
                   .b2 = static_cast<double>(query.hit.v)};
 }
 
-bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal,
-                        const glm::dvec3& direction) const {
+bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction,
+                        double farthest) const {
+    const double length = end(farthest);
+    if (!(length > 0)) return false;
     const double side = glm::dot(normal, direction) < 0 ? -offset_ : offset_;
     const glm::vec3 origin(scale_ * (point + side * normal));
     const glm::vec3 towards(direction);
@@ -168,7 +171,7 @@ bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal,
     ray.dir_x = towards.x;
     ray.dir_y = towards.y;
     ray.dir_z = towards.z;
-    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.tfar = static_cast<float>(length);
     ray.mask = ~0U;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -201,6 +204,38 @@ std::uint16_t RayScene::occluded(const glm::vec3& origin, const RayBundle& bundl
     unsigned blocked = 0;
     for (std::size_t i = 0; i < count; ++i) blocked |= (rays.tfar[i] < 0 ? 1U : 0U) << i;
     return static_cast<std::uint16_t>(blocked & active);
+}
+
+std::uint16_t RayScene::occluded(const RayPacket& packet, std::uint16_t active) const {
+    constexpr std::size_t count = RayPacket::kRays;
+    alignas(64) std::array<int, count> valid{};
+    RTCRay16 rays{};
+    const auto scale = static_cast<float>(scale_);
+    unsigned traced = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        rays.org_x[i] = scale * packet.origin_x[i];
+        rays.org_y[i] = scale * packet.origin_y[i];
+        rays.org_z[i] = scale * packet.origin_z[i];
+        rays.dir_x[i] = packet.direction_x[i];
+        rays.dir_y[i] = packet.direction_y[i];
+        rays.dir_z[i] = packet.direction_z[i];
+        rays.tfar[i] = static_cast<float>(end(static_cast<double>(packet.farthest[i])));
+        rays.mask[i] = ~0U;
+        if (rays.tfar[i] > 0) traced |= active & 1U << i;
+    }
+    if (traced == 0) return 0;
+    for (std::size_t i = 0; i < count; ++i) valid[i] = (traced >> i & 1) != 0 ? -1 : 0;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(valid.data(), embree_->scene.get(), &context, &rays);
+    unsigned blocked = 0;
+    for (std::size_t i = 0; i < count; ++i) blocked |= (rays.tfar[i] < 0 ? 1U : 0U) << i;
+    return static_cast<std::uint16_t>(blocked & traced);
+}
+
+double RayScene::end(double farthest) const noexcept {
+    return scale_ * ((1 - kLeftOut) * farthest - offset_);
 }
 
 }  // namespace nicol

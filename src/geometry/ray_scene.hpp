@@ -46,6 +46,14 @@ struct alignas(64) RayBundle {
     std::array<float, kRays> x, y, z;
 };
 
+/// Sixteen rays from anywhere, in unit directions, up to a distance each: infinite for a light of the sky.
+struct alignas(64) RayPacket {
+    static constexpr std::size_t kRays = 16;
+    std::array<float, kRays> origin_x, origin_y, origin_z;
+    std::array<float, kRays> direction_x, direction_y, direction_z;
+    std::array<float, kRays> farthest;
+};
+
 /// A bounding volume hierarchy (Embree's, in its robust mode: a ray does not slip between two triangles that
 /// share an edge). Triangles are seen from both sides. Immutable; queries may be made from any thread.
 class RayScene {
@@ -61,21 +69,30 @@ public:
     [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
 
     /// Whether anything lies in the unit `direction` from `point`, which itself lies on a triangle with the
-    /// unit `normal` (either sign). The ray starts offset() away from the triangle, on the side that it
-    /// leaves to.
+    /// unit `normal` (either sign), nearer than the distance `farthest`. The ray starts offset() away from
+    /// the triangle, on the side that it leaves to, and ends 1e-4 of `farthest` and offset() before that, so
+    /// that a lamp's own surface does not hide it.
     [[nodiscard]] bool occluded(const glm::dvec3& point, const glm::dvec3& normal,
-                                const glm::dvec3& direction) const;
+                                const glm::dvec3& direction,
+                                double farthest = std::numeric_limits<double>::infinity()) const;
 
     /// Whether anything lies in the directions of a bundle from `origin`: bit i is that of ray i. Only rays
     /// whose bit in `active` is set are traced; the other bits of the result are 0.
     [[nodiscard]] std::uint16_t occluded(const glm::vec3& origin, const RayBundle& bundle,
                                          std::uint16_t active) const;
 
+    /// The same of rays from anywhere; the nearer to each other, the faster. They start at their origins,
+    /// which lie offset() off a surface that they leave, and end as the single ray does.
+    [[nodiscard]] std::uint16_t occluded(const RayPacket& packet, std::uint16_t active) const;
+
     /// 2^-19 of the largest coordinate in the scene: some 30 units in the last place of the 32-bit floats
     /// that hold it, against which a triangle's own plane is known to about 1.
     [[nodiscard]] double offset() const noexcept { return offset_; }
 
 private:
+    /// Where a ray ends, in Embree's units; it is no ray if that is not positive.
+    [[nodiscard]] double end(double farthest) const noexcept;
+
     struct Embree;
     std::vector<std::unique_ptr<const Presence>> presences_;
     std::unique_ptr<Embree> embree_;

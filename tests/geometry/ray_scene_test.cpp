@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/ray_scene.hpp"
 
+#include <bit>
+
 #include "directions.hpp"
 #include "geometry/mesh.hpp"
 #include "test.hpp"
@@ -115,6 +117,102 @@ TEST_CASE("what lies above a point hides what is behind it") {
     CHECK(scene.occluded({0.5, 0.5, -1}, {0, 0, 1}, {0, 0, 1}));
     CHECK(!scene.occluded({1.5, 0.5, -1}, {0, 0, 1}, {0, 0, 1}));
     CHECK(!scene.occluded({0.5, 0.5, -1}, {0, 0, 1}, {0, 0, -1}));
+}
+
+TEST_CASE("a packet of rays is sixteen rays, each with an end and a place of its own") {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> uniform;
+    for (const float size : {1e-20F, 1.0F, 1e6F}) {
+        CAPTURE(size);
+        const auto scaled = [size](Mesh mesh) {
+            for (glm::vec3& p : mesh.positions) p *= size;
+            return mesh;
+        };
+        const Mesh ball = scaled(make_sphere({0, 0, 0}, 1));
+        const Mesh floor = scaled(make_rectangle(2));
+        // Half of the floor is not there.
+        const Presence present = [](std::uint32_t triangle, float, float) { return triangle % 2 == 0; };
+        const RaySurface surfaces[] = {surface(ball), {floor.positions, floor.triangles, present}};
+        const RayScene scene(surfaces);
+        int hidden = 0;
+        int seen = 0;
+        for (int n = 0; n < 200; ++n) {
+            RayPacket packet{};
+            const auto active = static_cast<std::uint16_t>(random());
+            std::uint16_t expected = 0;
+            for (std::size_t i = 0; i < RayPacket::kRays; ++i) {
+                const glm::vec3 origin = (2 * size) * glm::vec3(random_direction(random));
+                const glm::vec3 direction(glm::normalize(
+                    glm::dvec3(size * glm::vec3(random_direction(random))) - glm::dvec3(origin)));
+                const float farthest =
+                    i % 4 == 0 ? std::numeric_limits<float>::infinity() : 3 * size * uniform(random);
+                std::tie(packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]) =
+                    std::tie(origin.x, origin.y, origin.z);
+                std::tie(packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]) =
+                    std::tie(direction.x, direction.y, direction.z);
+                packet.farthest[i] = farthest;
+                const bool hits =
+                    scene
+                        .intersect({.origin = origin,
+                                    .direction = direction,
+                                    .farthest = static_cast<double>(farthest) * (1 - 1e-4) - scene.offset()})
+                        .has_value();
+                if (hits && (active >> i & 1) != 0) expected |= static_cast<std::uint16_t>(1U << i);
+            }
+            CHECK(scene.occluded(packet, active) == expected);
+            hidden += std::popcount(expected);
+            seen += std::popcount(active) - std::popcount(expected);
+        }
+        CHECK(hidden > 200);
+        CHECK(seen > 200);
+    }
+}
+
+TEST_CASE("a lamp's own surface does not hide it, what lies before it does") {
+    std::mt19937 random(6);
+    for (const double size : {1e-3, 1.0, 1e5}) {
+        const glm::dvec3 far_away = size * glm::dvec3(3, 2, 1);
+        const Mesh lamp = make_sphere(far_away, 0.2 * size);
+        const Mesh ground = make_sphere({0, 0, 0}, size);
+        const RaySurface surfaces[] = {surface(ground), surface(lamp)};
+        const RayScene scene(surfaces);
+        int wrong = 0;
+        int tested = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const auto point_of = [&](const Mesh& mesh, glm::dvec3& normal) {
+                const glm::uvec3& t = mesh.triangles[random() % mesh.triangles.size()];
+                const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+                normal = glm::normalize(glm::cross(b - a, c - a));
+                return 0.5 * a + 0.3 * b + 0.2 * c;
+            };
+            glm::dvec3 normal, facing;
+            const glm::dvec3 point = point_of(ground, normal);
+            const glm::dvec3 end = point_of(lamp, facing);
+            const double distance = glm::distance(point, end);
+            const glm::dvec3 direction = (end - point) / distance;
+            if (std::abs(glm::dot(direction, normal)) < 0.02 || std::abs(glm::dot(direction, facing)) < 0.02)
+                continue;
+            const bool hidden = glm::dot(direction, normal) < 0 || glm::dot(direction, facing) > 0;
+            const glm::vec3 origin(point +
+                                   (glm::dot(direction, normal) < 0 ? -1 : 1) * scene.offset() * normal);
+            RayPacket packet{};
+            packet.origin_x.fill(origin.x);
+            packet.origin_y.fill(origin.y);
+            packet.origin_z.fill(origin.z);
+            packet.direction_x.fill(static_cast<float>(direction.x));
+            packet.direction_y.fill(static_cast<float>(direction.y));
+            packet.direction_z.fill(static_cast<float>(direction.z));
+            packet.farthest.fill(static_cast<float>(distance));
+            wrong += scene.occluded(point, normal, direction, distance) == hidden ? 0 : 1;
+            wrong += scene.occluded(packet, 0x0FFF) == (hidden ? 0x0FFF : 0) ? 0 : 1;
+            packet.farthest.fill(0);
+            wrong +=
+                scene.occluded(packet, 0xFFFF) == 0 && !scene.occluded(point, normal, direction, 0) ? 0 : 1;
+            ++tested;
+        }
+        CHECK(tested > 15000);
+        CHECK(wrong == 0);
+    }
 }
 
 TEST_CASE("an empty scene has no hits") {
