@@ -17,18 +17,25 @@
 namespace nicol {
 namespace {
 
+template <class Number>
 [[gnu::always_inline]] inline void reflect_lanes(const LaneFacets& facets,
                                                  const std::vector<std::complex<double>>& eta,
                                                  const LaneVectors& towards_light,
                                                  const LaneVectors& towards_viewer, std::size_t columns,
                                                  LaneMueller* out) {
-    const LaneFacetReflection facet = facet_reflection(facets, load(towards_light), load(towards_viewer));
-    for (std::size_t t = 0; t < eta.size(); ++t) {
-        const LaneIndex index(eta[t]);
-        store_reflection(facet,
-                         eta[t].imag() == 0 ? dielectric_reflection(facet.cosine, index)
-                                            : complex_reflection(facet.cosine, index),
-                         columns, out[t]);
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> light;
+        Vector3<Number> viewer;
+        load_part(towards_light, first, light);
+        load_part(towards_viewer, first, viewer);
+        const LaneFacetReflection<Number> facet = facet_reflection(facets, light, viewer);
+        for (std::size_t t = 0; t < eta.size(); ++t) {
+            const LaneIndex index(eta[t]);
+            store_reflection(facet,
+                             eta[t].imag() == 0 ? dielectric_reflection(facet.cosine, index)
+                                                : complex_reflection(facet.cosine, index),
+                             columns, first, out[t]);
+        }
     }
 }
 
@@ -87,7 +94,8 @@ public:
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
                         std::size_t columns, std::span<LaneMueller> out) const override {
         const LaneFacets facets{p_.distribution, static_cast<float>(p_.alpha)};
-        dispatch<reflect_lanes>(facets, p_.eta, towards_light, towards_viewer, columns, out.data());
+        dispatch<reflect_lanes<FourLanes>, reflect_lanes<EightLanes>, reflect_lanes<AllLanes>>(
+            facets, p_.eta, towards_light, towards_viewer, columns, out.data());
     }
 
 private:

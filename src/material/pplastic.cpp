@@ -26,30 +26,36 @@ struct LanePlastic {
 };
 
 // Pplastic::base() and boundary().
+template <class Number>
 [[gnu::always_inline]] inline void reflect_lanes(const LanePlastic& plastic, const LaneVectors& towards_light,
                                                  const LaneVectors& towards_viewer, std::size_t columns,
                                                  LaneMueller* out) {
-    const Vector3<LaneNumber> light = load(towards_light);
-    const Vector3<LaneNumber> viewer = load(towards_viewer);
-    LaneNumber in;
-    LaneNumber in_difference;
-    LaneNumber from_base;
-    LaneNumber out_difference;
-    dielectric_transmission(light.z, plastic.index, in, in_difference);
-    dielectric_transmission(viewer.z, plastic.index, from_base, out_difference);
-    const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
-    const LaneNumber lambert = above ? LaneNumber{} + 1 / std::numbers::pi_v<float> : LaneNumber{};
-    from_base *= lambert;
-    out_difference *= -lambert;
     LaneMueller& base = out[0];
     base = {};
-    store(&base.m[0], from_base * in);
-    store(&base.m[4], out_difference * in);
-    store(&base.m[1], -from_base * in_difference);
-    store(&base.m[5], -out_difference * in_difference);
-
-    const LaneFacetReflection facet = facet_reflection(plastic.facets, light, viewer);
-    store_reflection(facet, dielectric_reflection(facet.cosine, plastic.index), columns, out[1]);
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> light;
+        Vector3<Number> viewer;
+        load_part(towards_light, first, light);
+        load_part(towards_viewer, first, viewer);
+        Number in;
+        Number in_difference;
+        Number from_base;
+        Number from_difference;
+        dielectric_transmission(light.z, plastic.index, in, in_difference);
+        dielectric_transmission(viewer.z, plastic.index, from_base, from_difference);
+        const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
+        const Number lambert = above ? Number{} + 1 / std::numbers::pi_v<float> : Number{};
+        from_base *= lambert;
+        from_difference *= -lambert;
+        store_part<Number>(from_base * in, first, base.m[0]);
+        store_part<Number>(from_difference * in, first, base.m[4]);
+        if (columns > 1) {
+            store_part<Number>(-from_base * in_difference, first, base.m[1]);
+            store_part<Number>(-from_difference * in_difference, first, base.m[5]);
+        }
+        const LaneFacetReflection<Number> facet = facet_reflection(plastic.facets, light, viewer);
+        store_reflection(facet, dielectric_reflection(facet.cosine, plastic.index), columns, first, out[1]);
+    }
 }
 
 class Pplastic final : public Material {
@@ -90,7 +96,8 @@ public:
     }
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
                         std::size_t columns, std::span<LaneMueller> out) const override {
-        dispatch<reflect_lanes>(lanes_, towards_light, towards_viewer, columns, out.data());
+        dispatch<reflect_lanes<FourLanes>, reflect_lanes<EightLanes>, reflect_lanes<AllLanes>>(
+            lanes_, towards_light, towards_viewer, columns, out.data());
     }
 
 private:

@@ -5,6 +5,8 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "polarization/view_geometry.hpp"
+#include "simd/lane_parts.hpp"
 #include "simd/lane_phases.hpp"
 #include "simd/lanes.hpp"
 
@@ -15,7 +17,23 @@ struct LaneVectors {
     Lanes x, y, z;
 };
 
-/// The same where single precision loses too much.
+/// The part from lane `first` on.
+template <class Number>
+[[gnu::always_inline]] inline void load_part(const LaneVectors& from, std::size_t first,
+                                             Vector3<Number>& to) {
+    load_part(from.x, first, to.x);
+    load_part(from.y, first, to.y);
+    load_part(from.z, first, to.z);
+}
+template <class Number>
+[[gnu::always_inline]] inline void store_part(const Vector3<Number>& from, std::size_t first,
+                                              LaneVectors& to) {
+    store_part(from.x, first, to.x);
+    store_part(from.y, first, to.y);
+    store_part(from.z, first, to.z);
+}
+
+/// Three numbers of each where single precision loses too much.
 struct LanePoints {
     DoubleLanes x, y, z;
 };

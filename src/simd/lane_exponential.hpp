@@ -6,10 +6,10 @@
 
 namespace nicol {
 
-/// x becomes e^x; x from -87 to 0. Number: a vector of 16 floats.
+/// x becomes e^x; x from -87 to 0. Number: a vector of floats.
 template <class Number>
 [[gnu::always_inline]] inline void exponential(Number& x) {
-    using Integer [[gnu::vector_size(64)]] = std::int32_t;
+    using Integer [[gnu::vector_size(sizeof(Number))]] = std::int32_t;
     // Adding it leaves no digits behind the point, and the whole number in the last bits.
     constexpr float rounder = 12582912.0F;
     const Number shifted = x * 1.44269504F + rounder;
