@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "shading/reflected_light.hpp"
+
+#include "polarization/lane_points.hpp"
+#include "simd/dispatch.hpp"
+#include "simd/lane_parts.hpp"
+#include "simd/work_space.hpp"
+
+namespace nicol {
+namespace {
+
+// Cos and sin of twice the angle of a vector from x, of any length but 0.
+template <class Number>
+[[gnu::always_inline]] inline void twice_the_angle(const Number& x, const Number& y, Number& cosine,
+                                                   Number& sine) {
+    const Number inverse = 1.0F / (x * x + y * y);
+    cosine = (x * x - y * y) * inverse;
+    sine = 2.0F * x * y * inverse;
+}
+
+template <class Number>
+[[gnu::always_inline]] inline Vector3<Number> along(const LaneVectors& x, const LaneVectors& y,
+                                                    const LaneVectors& z, std::size_t first,
+                                                    const Vector3<Number>& v) {
+    Vector3<Number> axis;
+    Vector3<Number> out;
+    load_part(x, first, axis);
+    dot(axis, v, out.x);
+    load_part(y, first, axis);
+    dot(axis, v, out.y);
+    load_part(z, first, axis);
+    dot(axis, v, out.z);
+    return out;
+}
+
+struct Points {
+    LaneVectors& tangent;
+    LaneVectors& bitangent;
+    const LaneVectors& normal;
+    LaneVectors& towards_viewer;
+    Lanes& frame_cosine;
+    Lanes& frame_sine;
+};
+
+template <class Number>
+[[gnu::always_inline]] inline void find_frames(const CameraAxes& camera, const LanePoints& positions,
+                                               const Points& points) {
+    // Double precision, as the difference of two positions loses digits.
+    LaneVectors towards;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const Vector3<float> w = in_floats(towards_camera(
+            camera, Vector3<double>{positions.x.value[i], positions.y.value[i], positions.z.value[i]}));
+        towards.x.value[i] = w.x;
+        towards.y.value[i] = w.y;
+        towards.z.value[i] = w.z;
+    }
+    const Vector3<float> up = in_floats(camera.up);
+    const Vector3<float> right = in_floats(camera.right);
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        // Any axes will do; these, by Duff et al. 2017, take neither root nor branch.
+        Vector3<Number> n;
+        load_part(points.normal, first, n);
+        const Number sign = n.z < 0.0F ? Number{} - 1.0F : Number{} + 1.0F;
+        const Number a = -1.0F / (sign + n.z);
+        const Number b = n.x * n.y * a;
+        store_part(Vector3<Number>{1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x}, first,
+                   points.tangent);
+        store_part(Vector3<Number>{b, sign + n.y * n.y * a, -n.y}, first, points.bitangent);
+
+        Vector3<Number> w;
+        load_part(towards, first, w);
+        const Vector3<Number> viewer = along(points.tangent, points.bitangent, points.normal, first, w);
+        store_part(viewer, first, points.towards_viewer);
+        const Vector3<Number> x =
+            in_frame(theta_phi_axes(viewer),
+                     along(points.tangent, points.bitangent, points.normal, first, camera_x(up, right, w)));
+        Number cosine;
+        Number sine;
+        twice_the_angle(x.x, x.y, cosine, sine);
+        store_part(cosine, first, points.frame_cosine);
+        store_part(sine, first, points.frame_sine);
+    }
+}
+
+// From a light's directions and frames to the surfaces'.
+struct Incidence {
+    LaneVectors towards_light;
+    Lanes frame_cosine, frame_sine;
+};
+
+template <class Number>
+[[gnu::always_inline]] inline void find_incidence(const LaneVectors& tangent, const LaneVectors& bitangent,
+                                                  const LaneVectors& normal, const LaneLight& light,
+                                                  Incidence& out) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> world;
+        load_part(light.towards, first, world);
+        const Vector3<Number> l = along(tangent, bitangent, normal, first, world);
+        store_part(l, first, out.towards_light);
+        if (light.components == 1) continue;
+        load_part(light.x, first, world);
+        const Vector3<Number> x = in_frame(theta_phi_axes(Vector3<Number>{-l.x, -l.y, -l.z}),
+                                           along(tangent, bitangent, normal, first, world));
+        Number cosine;
+        Number sine;
+        twice_the_angle<Number>(x.x, -x.y, cosine, sine);
+        store_part(cosine, first, out.frame_cosine);
+        store_part(sine, first, out.frame_sine);
+    }
+}
+
+struct Reflection {
+    std::span<const LaneMueller> terms;
+    std::span<const float> weights;  // [channel][term]
+    const LaneLight& light;
+    const Incidence& incidence;
+    const LayerWeights* layer;
+    const Lanes& scale;  // 0 where nothing is added
+    const Lanes& frame_cosine;
+    const Lanes& frame_sine;
+};
+
+// (s1, s2) in a frame rotated by half of the angle given.
+template <class Number>
+[[gnu::always_inline]] inline void rotate(const Lanes& cosine, const Lanes& sine, std::size_t first,
+                                          Number& s1, Number& s2) {
+    Number c;
+    Number s;
+    load_part(cosine, first, c);
+    load_part(sine, first, s);
+    const Number former = s1;
+    s1 = c * former + s * s2;
+    s2 = c * s2 - s * former;
+}
+
+template <class Number>
+[[gnu::always_inline]] inline void add_lanes(const Reflection& r, std::span<std::array<Lanes, 4>> out) {
+    const std::size_t components = r.light.components;
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Number scale;
+        load_part(r.scale, first, scale);
+        for (std::size_t channel = 0; channel < out.size(); ++channel) {
+            const std::array<Lanes, 4>& irradiance =
+                r.light.irradiance[r.light.irradiance.size() == 1 ? 0 : channel];
+            std::array<Number, 4> incident{};
+            for (std::size_t q = 0; q < components; ++q) load_part(irradiance[q], first, incident[q]);
+            if (components > 1)
+                rotate(r.incidence.frame_cosine, r.incidence.frame_sine, first, incident[1], incident[2]);
+
+            std::array<Number, 4> sum{};
+            for (std::size_t t = 0; t < r.terms.size(); ++t) {
+                const float weight = r.weights[channel * r.terms.size() + t];
+                if (weight == 0) continue;
+                for (std::size_t q = 0; q < components; ++q) {
+                    const Number of_column = weight * incident[q];
+                    for (std::size_t p = 0; p < 4; ++p) {
+                        Number entry;
+                        load_part(r.terms[t].m[4 * p + q], first, entry);
+                        sum[p] += entry * of_column;
+                    }
+                }
+            }
+            rotate(r.frame_cosine, r.frame_sine, first, sum[1], sum[2]);
+
+            Number factor = scale;
+            if (r.layer != nullptr) {
+                Number weight;
+                load_part(r.layer->of(channel), first, weight);
+                factor *= weight;
+            }
+            // Lanes that see no light may hold anything, infinities included.
+            const auto lit = scale > 0.0F;
+            for (std::size_t p = 0; p < 4; ++p) {
+                Number total;
+                load_part(out[channel][p], first, total);
+                total += lit ? factor * sum[p] : Number{};
+                store_part(total, first, out[channel][p]);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void ReflectedLight::set(const Viewpoint& view, std::span<const glm::vec3> positions,
+                         std::span<const glm::vec3> normals) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const glm::vec3& n = normals[i < normals.size() ? i : 0];
+        normal_.x[i] = n.x;
+        normal_.y[i] = n.y;
+        normal_.z[i] = n.z;
+    }
+    dispatch<find_frames<FourLanes>, find_frames<EightLanes>, find_frames<AllLanes>>(
+        view.axes(), lane_points(positions),
+        Points{tangent_, bitangent_, normal_, towards_viewer_, frame_cosine_, frame_sine_});
+}
+
+std::uint32_t ReflectedLight::lit(const LaneLight& light) const {
+    std::uint32_t out = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float cosine = light.towards.x[i] * normal_.x[i] + light.towards.y[i] * normal_.y[i] +
+                             light.towards.z[i] * normal_.z[i];
+        const bool above = cosine > 0 && towards_viewer_.z[i] > 0;
+        out |= (above ? 1U : 0U) << i;
+    }
+    return out & light.points;
+}
+
+void ReflectedLight::add(const Material& material, const LayerWeights* weights, const LaneLight& light,
+                         std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out) const {
+    points &= light.points;
+    if (weights != nullptr) points &= weights->points;
+    if (points == 0) return;
+
+    Incidence incidence;
+    dispatch<find_incidence<FourLanes>, find_incidence<EightLanes>, find_incidence<AllLanes>>(
+        tangent_, bitangent_, normal_, light, incidence);
+    Lanes scale;
+    bool any = false;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float cosine = incidence.towards_light.z[i];
+        const bool lit = (points >> i & 1) != 0 && cosine > 0 && towards_viewer_.z[i] > 0;
+        scale[i] = lit ? factor * cosine : 0;
+        any = any || lit;
+    }
+    if (!any) return;
+
+    const auto terms = static_cast<std::size_t>(material.terms());
+    const std::span<LaneMueller> matrices = work_space<ReflectedLight, LaneMueller>(terms);
+    material.evaluate_lanes(incidence.towards_light, towards_viewer_, light.components == 1 ? 1 : 4,
+                            matrices);
+    const std::span<float> term_weights = work_space<ReflectedLight, float>(terms * out.size());
+    for (std::size_t channel = 0; channel < out.size(); ++channel)
+        for (std::size_t t = 0; t < terms; ++t)
+            term_weights[channel * terms + t] = static_cast<float>(material.weight(
+                static_cast<int>(t), material.channels() == 1 ? 0 : static_cast<int>(channel)));
+    dispatch<add_lanes<FourLanes>, add_lanes<EightLanes>, add_lanes<AllLanes>>(
+        Reflection{matrices, term_weights, light, incidence, weights, scale, frame_cosine_, frame_sine_},
+        out);
+}
+
+}  // namespace nicol

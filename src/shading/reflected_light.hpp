@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What surfaces reflect of small lights, without harmonics.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "light/lane_light.hpp"
+#include "material/layer_weights.hpp"
+#include "material/material.hpp"
+#include "polarization/viewpoint.hpp"
+
+namespace nicol {
+
+/// Sixteen points of a surface, seen from a viewpoint. Holds results; one object a thread.
+class ReflectedLight {
+public:
+    /// At most kLanes positions and their unit shading normals, of two-sided materials on the viewer's side;
+    /// the other lanes repeat the first.
+    void set(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
+
+    /// Bit i: light reaches point i (unless something is in between) from above the horizon of its normal,
+    /// and the viewer is above it as well. At all others add() adds nothing: they need no shadow ray.
+    [[nodiscard]] std::uint32_t lit(const LaneLight& light) const;
+
+    /// Adds to out[channel], Stokes vectors in the camera's frame field, what `material` reflects of `light`
+    /// at those of lit() whose bit is set in `points`: the sum over columns of its pBRDF times irradiance,
+    /// times the cosine, times `factor` (above 0), times the weights of a layer (null: 1). `material` is one
+    /// without variation(). A light or a material of one channel serves all.
+    void add(const Material& material, const LayerWeights* weights, const LaneLight& light,
+             std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out) const;
+
+private:
+    // The axes of the surface's frames in the world.
+    LaneVectors tangent_, bitangent_, normal_;
+    LaneVectors towards_viewer_;  // in them
+    // Cos and sin of the rotation of (s1, s2) from the theta-phi frame to the camera's.
+    Lanes frame_cosine_, frame_sine_;
+};
+
+}  // namespace nicol
