@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The arctangent within a few roundings, for loops over lanes.
+// Functions of angles within a few roundings, for loops over lanes.
 #pragma once
 
+#include <cmath>
 #include <numbers>
 
 namespace nicol {
@@ -27,6 +28,20 @@ namespace nicol {
     float angle = arctangent_rest(ratio);
     angle = angle * (2 / std::numbers::pi_v<float>)+(beyond_eighth(ratio) ? 0.5F : 0.0F);
     return steep ? 1 - angle : angle;
+}
+
+/// Cosine and sine of 2 pi turns, for turns of 0 to 1.
+[[gnu::always_inline]] inline void turn(float turns, float& cosine, float& sine) {
+    const float half = turns - 0.5F;
+    const float a = (0.25F - std::abs(half)) * (2 * std::numbers::pi_v<float>);  // -pi/2 to pi/2
+    const float z = a * a;
+    // Taylor's series, good to 6e-8 and 5e-7.
+    cosine =
+        -a * (1 + z * (-1 / 6.0F +
+                       z * (1 / 120.0F + z * (-1 / 5040.0F + z * (1 / 362880.0F - z * (1 / 39916800.0F))))));
+    const float away =
+        1 + z * (-1 / 2.0F + z * (1 / 24.0F + z * (-1 / 720.0F + z * (1 / 40320.0F - z * (1 / 3628800.0F)))));
+    sine = half > 0 ? -away : away;
 }
 
 }  // namespace nicol

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "shading/directional_source.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "simd/lane_angle.hpp"
+
+namespace nicol {
+namespace {
+
+double half_sine_squared(double angle) {
+    const double sine = std::sin(angle / 2);
+    return sine * sine;
+}
+
+}  // namespace
+
+// A uniform disc of radius r and radiance L sheds L pi sin^2 r onto a surface that faces it, and each place
+// stands for its whole solid angle, 4 pi sin^2 (r / 2).
+DirectionalSource::DirectionalSource(const SmallLight& light, const glm::dmat3& axes)
+    : color_(light.value, light.channels(), light.state),
+      height_(static_cast<float>(2 * half_sine_squared(light.angular_radius))),
+      density_(static_cast<float>(1 / (1 - half_sine_squared(light.angular_radius)))),
+      towards_(-axes[2]),
+      right_(axes[0]),
+      up_(axes[1]),
+      axis_(glm::normalize(axes * light.state.axis)) {}
+
+void DirectionalSource::sample(const LaneVectors&, const Lanes& u, const Lanes& v, LaneLight& out) const {
+    Lanes factor;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float fall = u[i] * height_;
+        const float sine = std::sqrt(fall * (2 - fall));
+        float x = 0, y = 0;
+        turn(v[i], x, y);
+        x *= sine;
+        y *= sine;
+        out.towards.x[i] = (1 - fall) * towards_.x + x * right_.x + y * up_.x;
+        out.towards.y[i] = (1 - fall) * towards_.y + x * right_.y + y * up_.y;
+        out.towards.z[i] = (1 - fall) * towards_.z + x * right_.z + y * up_.z;
+        out.distance[i] = std::numeric_limits<float>::infinity();
+        factor[i] = density_;
+    }
+    out.points = 0xFFFF;
+    color_.put({&factor, 1}, out);
+    if (color_.polarized()) put_axes(axis_, out);
+}
+
+}  // namespace nicol

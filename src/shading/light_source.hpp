@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Small lights as shading sees them: what reaches points from a place of the light.
+#pragma once
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "light/lane_light.hpp"
+#include "light/small_light.hpp"
+
+namespace nicol {
+
+/// In the axes of the points that it lights. Immutable; threads share it.
+class LightSource {
+public:
+    virtual ~LightSource() = default;
+    LightSource(const LightSource&) = delete;
+    LightSource& operator=(const LightSource&) = delete;
+
+    /// Whether light comes from several places, so that shadows are soft and the mean over many is needed.
+    [[nodiscard]] virtual bool has_size() const noexcept = 0;
+
+    /// What reaches sixteen points from the place that u and v, each in [0, 1), choose. The mean over u and v
+    /// is all of the light. Without a size u and v do not matter.
+    virtual void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const = 0;
+
+protected:
+    LightSource() = default;
+};
+using LightSourcePtr = std::unique_ptr<const LightSource>;
+
+/// A light of a scene. `to_axes`: from the world to the points' axes, a rotation and a shift.
+[[nodiscard]] LightSourcePtr light_source(const SmallLight& light, const glm::dmat4& to_axes);
+
+/// A surface that shines, in the points' axes.
+struct ShiningSurface {
+    const Emission& emission;
+    glm::dvec3 axis;  ///< of its polarization, in these axes
+    std::vector<std::array<glm::vec3, 3>> triangles;
+    std::vector<std::array<glm::vec2, 3>> texcoords;  ///< where its emission has a texture
+};
+/// Null where it has no area. Its places are uniform over its area.
+[[nodiscard]] LightSourcePtr light_source(const ShiningSurface& surface);
+
+/// Stokes vectors of one colour and one polarization, each lane times a factor.
+class SourceColor {
+public:
+    SourceColor(const std::vector<double>& value, int channels, const PolarizationState& state);
+
+    /// Sets irradiance and components; `factors`: of each channel of three, or one of all.
+    void put(std::span<const Lanes> factors, LaneLight& out) const;
+    [[nodiscard]] bool polarized() const noexcept { return components_ > 1; }
+
+private:
+    std::vector<std::array<float, 4>> stokes_;  // by channel
+    std::size_t components_;
+};
+
+/// Sets the x axes of light that is polarized along `axis`, from its directions.
+void put_axes(const glm::vec3& axis, LaneLight& out);
+
+}  // namespace nicol

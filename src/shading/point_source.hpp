@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Light from a place without a size: a point, a spot or a projector.
+#pragma once
+
+#include "shading/light_source.hpp"
+
+namespace nicol {
+
+class PointSource final : public LightSource {
+public:
+    /// `to_axes`: from the light's own axes to the points', a rotation and a shift.
+    PointSource(const SmallLight& light, const glm::dmat4& to_axes);
+
+    [[nodiscard]] bool has_size() const noexcept override { return false; }
+    void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+
+private:
+    // Multiplies factors by how bright the light is in directions in its own axes.
+    void aim(const LaneVectors& directions, std::array<Lanes, 3>& factors, LaneLight& out) const;
+
+    SmallLight light_;
+    SourceColor color_;
+    glm::vec3 place_;
+    glm::mat3 axes_;  // the light's own
+    glm::vec3 axis_;
+};
+
+}  // namespace nicol

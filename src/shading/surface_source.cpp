@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "shading/surface_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace nicol {
+
+SurfaceSource::SurfaceSource(const ShiningSurface& surface)
+    : emission_(surface.emission),
+      color_(emission_.radiance, emission_.channels(), emission_.state),
+      axis_(glm::normalize(surface.axis)) {
+    std::vector<double> areas;
+    for (const std::array<glm::vec3, 3>& t : surface.triangles) {
+        const glm::dvec3 first = glm::dvec3(t[1]) - glm::dvec3(t[0]);
+        const glm::dvec3 second = glm::dvec3(t[2]) - glm::dvec3(t[0]);
+        areas.push_back(glm::length(glm::cross(first, second)) / 2);
+        area_ += areas.back();
+    }
+    double before = 0;
+    for (std::size_t t = 0; t < areas.size(); ++t) {
+        if (!(areas[t] > 0)) continue;
+        const std::array<glm::vec3, 3>& corners = surface.triangles[t];
+        const glm::vec3 first = corners[1] - corners[0];
+        const glm::vec3 second = corners[2] - corners[0];
+        triangles_.push_back({.corner = corners[0],
+                              .first = first,
+                              .second = second,
+                              .normal = glm::normalize(glm::cross(first, second)),
+                              .before = static_cast<float>(before / area_),
+                              .scale = static_cast<float>(area_ / areas[t])});
+        if (!surface.texcoords.empty()) texcoords_.push_back(surface.texcoords[t]);
+        before += areas[t];
+    }
+}
+
+void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
+    std::array<Lanes, 3> factors;
+    TexturePoints at{};
+    out.points = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        // u chooses the triangle, and what is left of it a place: neighbours in u are neighbours there.
+        const auto found = std::ranges::upper_bound(triangles_, u[i], {}, &Triangle::before);
+        const auto index = static_cast<std::size_t>(found - triangles_.begin()) - 1;
+        const Triangle& triangle = triangles_[index];
+        const float root = std::sqrt(1 - std::clamp((u[i] - triangle.before) * triangle.scale, 0.0F, 1.0F));
+        const float b1 = 1 - root;
+        const float b2 = v[i] * root;
+        const float x = triangle.corner.x + b1 * triangle.first.x + b2 * triangle.second.x - points.x[i];
+        const float y = triangle.corner.y + b1 * triangle.first.y + b2 * triangle.second.y - points.y[i];
+        const float z = triangle.corner.z + b1 * triangle.first.z + b2 * triangle.second.z - points.z[i];
+        const float square = x * x + y * y + z * z;
+        const float distance = std::sqrt(square);
+        float across = -(triangle.normal.x * x + triangle.normal.y * y + triangle.normal.z * z);
+        if (emission_.two_sided) across = std::abs(across);
+        const bool shines = across > 0;
+        const float scale = shines ? 1 / distance : 0;
+        out.distance[i] = distance;
+        out.towards.x[i] = scale * x;
+        out.towards.y[i] = scale * y;
+        out.towards.z[i] = scale * z;
+        // Radiance times the solid angle that the place stands for: area cos / distance^2.
+        factors[0][i] = static_cast<float>(area_) * across * scale * scale * scale;
+        if (shines) out.points |= 1U << i;
+        if (emission_.texture == nullptr) continue;
+        const std::array<glm::vec2, 3>& texcoords = texcoords_[index];
+        const glm::vec2 uv =
+            texcoords[0] + b1 * (texcoords[1] - texcoords[0]) + b2 * (texcoords[2] - texcoords[0]);
+        at.uv[0][i] = uv.x;
+        at.uv[1][i] = uv.y;
+    }
+    std::size_t colors = 1;
+    if (emission_.texture != nullptr) {
+        std::array<Lanes, 4> values;
+        emission_.texture->at_lanes(at, values);
+        const Lanes brightness = factors[0];
+        colors = emission_.texture->channels() == 3 ? 3 : 1;
+        for (std::size_t c = 0; c < colors; ++c)
+            for (std::size_t i = 0; i < kLanes; ++i) factors[c][i] = brightness[i] * values[c][i];
+    }
+    color_.put(std::span(factors).first(colors), out);
+    if (color_.polarized()) put_axes(axis_, out);
+}
+
+LightSourcePtr light_source(const ShiningSurface& surface) {
+    auto source = std::make_unique<const SurfaceSource>(surface);
+    if (!(source->area() > 0)) return nullptr;
+    return source;
+}
+
+}  // namespace nicol

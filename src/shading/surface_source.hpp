@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Light from a surface that shines.
+#pragma once
+
+#include "shading/light_source.hpp"
+
+namespace nicol {
+
+class SurfaceSource final : public LightSource {
+public:
+    explicit SurfaceSource(const ShiningSurface& surface);
+
+    [[nodiscard]] bool has_size() const noexcept override { return true; }
+    void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+
+    [[nodiscard]] double area() const noexcept { return area_; }
+
+private:
+    struct Triangle {
+        glm::vec3 corner, first, second;  // edges
+        glm::vec3 normal;                 // unit
+        float before;                     // part of the area in the triangles before it
+        float scale;                      // 1 over its part
+    };
+
+    Emission emission_;
+    SourceColor color_;
+    glm::vec3 axis_;
+    std::vector<Triangle> triangles_;
+    std::vector<std::array<glm::vec2, 3>> texcoords_;
+    double area_ = 0;
+};
+
+}  // namespace nicol

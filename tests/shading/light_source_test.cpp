@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// Small lights: what their places add up to.
+#include "shading/light_source.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+#include <set>
+
+#include "shading/light_places.hpp"
+#include "test.hpp"
+
+using namespace nicol;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+LaneVectors lanes(const glm::vec3& v) {
+    LaneVectors out;
+    out.x.value.fill(v.x);
+    out.y.value.fill(v.y);
+    out.z.value.fill(v.z);
+    return out;
+}
+
+/// The mean over many places of the irradiance, Stokes vectors of channel 0 in frames with x = put_axes', on
+/// a surface at `point` with this normal.
+Stokes irradiance(const LightSource& source, const glm::vec3& point, const glm::dvec3& normal,
+                  std::uint32_t samples = 4096, std::size_t channel = 0) {
+    const std::uint32_t seeds[] = {17};
+    LaneLight light;
+    Stokes sum(0.0);
+    for (std::uint32_t k = 0; k < samples; ++k) {
+        Lanes u, v;
+        light_places(k, seeds, u, v);
+        source.sample(lanes(point), u, v, light);
+        const double cosine =
+            normal.x * light.towards.x[3] + normal.y * light.towards.y[3] + normal.z * light.towards.z[3];
+        if ((light.points >> 3 & 1) == 0 || cosine <= 0) continue;
+        for (std::size_t p = 0; p < light.components; ++p)
+            sum[static_cast<glm::length_t>(p)] += cosine * light.irradiance[channel][p][3];
+    }
+    return sum / static_cast<double>(samples);
+}
+
+/// Of a polygon of radiance 1 (Lambert 1760), at the origin.
+double of_polygon(const std::vector<glm::dvec3>& corners, const glm::dvec3& normal) {
+    double sum = 0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 a = glm::normalize(corners[i]);
+        const glm::dvec3 b = glm::normalize(corners[(i + 1) % corners.size()]);
+        sum += std::acos(glm::dot(a, b)) * glm::dot(glm::normalize(glm::cross(a, b)), normal);
+    }
+    return std::abs(sum) / 2;
+}
+
+using Triangles = std::vector<std::array<glm::vec3, 3>>;
+
+}  // namespace
+
+TEST_CASE("places of a light are stratified") {
+    for (const std::uint32_t seed : {0U, 1U, 0xDEADBEEFU}) {
+        const std::uint32_t seeds[] = {seed};
+        for (const int across : {16, 4, 1}) {
+            std::set<int> boxes;
+            for (std::uint32_t k = 0; k < 16; ++k) {
+                Lanes u, v;
+                light_places(k, seeds, u, v);
+                CHECK(u[0] < 1);
+                CHECK(v[0] < 1);
+                boxes.insert(static_cast<int>(u[0] * static_cast<float>(across)) * 16 +
+                             static_cast<int>(v[0] * 16 / static_cast<float>(across)));
+            }
+            CHECK(boxes.size() == 16);
+        }
+    }
+    CHECK(place_seed(1, 2) != place_seed(2, 1));
+}
+
+TEST_CASE("a disc of the sky sheds its irradiance on a surface that faces it") {
+    for (const double radius : {0.0, 0.0047, 0.3, 1.5}) {
+        CAPTURE(radius);
+        const LightSourcePtr sun =
+            light_source(SmallLight{.kind = SmallLight::Kind::directional,
+                                    .value = {3, 2},
+                                    .to_world = glm::rotate(glm::dmat4(1), 0.7, {1, 2, 3}),
+                                    .angular_radius = radius},
+                         glm::dmat4(1));
+        CHECK(sun->has_size() == (radius > 0));
+        const glm::dvec3 towards = -glm::dvec3(glm::rotate(glm::dmat4(1), 0.7, {1, 2, 3})[2]);
+        CHECK(irradiance(*sun, {1, 2, 3}, towards)[0] == doctest::Approx(3).epsilon(5e-4));
+        CHECK(irradiance(*sun, {1, 2, 3}, towards, 4096, 1)[0] == doctest::Approx(2).epsilon(5e-4));
+    }
+}
+
+TEST_CASE("points, spots and projectors fall off with distance and angle") {
+    const double cutoff = 0.5, width = 0.3;
+    const SmallLight point{.value = {8}};
+    const SmallLight spot{
+        .kind = SmallLight::Kind::spot, .value = {8}, .cutoff_angle = cutoff, .beam_width = width};
+    const SmallLight projector{.kind = SmallLight::Kind::projector, .value = {8}, .fov = 1, .aspect = 2};
+    const auto at = [](double angle) { return 2.0 * glm::dvec3(std::sin(angle), 0, std::cos(angle)); };
+    struct {
+        const SmallLight& light;
+        glm::dvec3 place;
+        double expected;
+    } const table[] = {
+        {point, at(2), 2},        {spot, at(0), 2},
+        {spot, at(0.29), 2},      {spot, at(-0.4), 1},
+        {spot, at(0.51), 0},      {spot, at(kPi), 0},
+        {projector, at(0), 2},    {projector, at(0.4), 2 / std::pow(std::cos(0.4), 3)},
+        {projector, at(0.51), 0}, {projector, {0, 2 * std::tan(0.25) * 1.2, 2}, 0},
+        {projector, at(3), 0},
+    };
+    for (const auto& row : table) {
+        CAPTURES(row.place.x, row.place.z);
+        const LightSourcePtr source = light_source(row.light, glm::translate(glm::dmat4(1), {1, 2, 3}));
+        CHECK_FALSE(source->has_size());
+        CHECK(irradiance(*source, glm::vec3(row.place + glm::dvec3(1, 2, 3)), glm::normalize(-row.place),
+                         1)[0] == doctest::Approx(row.expected).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("surfaces that shine are Lambert's polygons") {
+    const glm::vec3 a(-1, -1, 2), b(1, -1, 2.5), c(1, 1, 2.5), d(-1, 1, 2);
+    const Triangles quad{{a, c, b}, {a, d, c}};  // which faces the origin
+    const Triangles away{{a, b, c}, {a, c, d}};
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(0.2, 0.1, 1));
+    const double expected = of_polygon({a, b, c, d}, normal);
+    Emission emission{.radiance = {2}, .state = {.dolp = 0.6, .aolp = 0.2}};
+    const LightSourcePtr one = light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = quad});
+    const Stokes got = irradiance(*one, {0, 0, 0}, normal);
+    CHECK(got[0] == doctest::Approx(2 * expected).epsilon(2e-3));
+    CHECK(got[1] == doctest::Approx(2 * expected * 0.6 * std::cos(0.4)).epsilon(2e-3));
+    CHECK(got[2] == doctest::Approx(2 * expected * 0.6 * std::sin(0.4)).epsilon(2e-3));
+
+    CHECK(irradiance(*light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = away}), {0, 0, 0},
+                     normal)[0] == 0);
+    emission.two_sided = true;
+    CHECK(irradiance(*light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = away}), {0, 0, 0},
+                     normal)[0] == doctest::Approx(2 * expected).epsilon(2e-3));
+    CHECK(light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = {{a, a, b}}}) == nullptr);
+}
+
+TEST_CASE("frames of polarized light have the axis across the light") {
+    const SmallLight lamp{.value = {1}, .state = {.dolp = 1, .axis = {1, 2, 0.5}}};
+    const LightSourcePtr source = light_source(lamp, glm::dmat4(1));
+    for (const glm::vec3& at : {glm::vec3(1, 0, 0), glm::vec3(0.3F, -2, 1), glm::vec3(1, 2, 0.5F)}) {
+        LaneLight light;
+        source->sample(lanes(at), {}, {}, light);
+        const Frame expected = polarization_frame(lamp.state.axis, glm::normalize(glm::dvec3(at)));
+        const glm::dvec3 x(light.x.x[5], light.x.y[5], light.x.z[5]);
+        CHECK(glm::length(x - expected[0]) < 1e-5);
+    }
+}
