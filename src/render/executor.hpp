@@ -20,6 +20,7 @@ class FactoredMethod;
 class HighOrderTransfer;
 class HitImage;
 class PixelImage;
+class SmallLights;
 class VertexBuffers;
 struct Projection;
 
@@ -37,6 +38,7 @@ struct PixelInput : ShadeInput {
     const HitImage& hits;
     const HighOrderTransfer* high_orders;  ///< null: none
     bool physical;                         ///< Stokes vectors are moved into the physical range
+    const SmallLights* small_lights;       ///< null: none
     const Background* background;          ///< what is behind the surfaces; null: nothing, or it is drawn
     double light_scale;                    ///< times the background
 };
@@ -78,6 +80,10 @@ public:
 
     /// Moves Stokes vectors into the physical range. Returns how many it moved.
     virtual std::uint64_t make_physical(const ShadeInput& input) = 0;
+
+    /// Adds what vertices reflect of small lights, and what they emit. Executors that do not are not used for
+    /// scenes with small lights.
+    virtual void illuminate(const SmallLights& /*lights*/, const ShadeInput& /*input*/, RenderRun& /*run*/) {}
 
     /// Waits until all of the above is done.
     virtual void finish() = 0;

@@ -20,7 +20,8 @@ struct VertexRange {
     std::size_t first;
     std::size_t last;
     MaterialPtr material;
-    std::uint32_t instance;  ///< id
+    std::uint32_t instance;          ///< id
+    EmissionPtr emission = nullptr;  ///< null: it does not shine
     bool operator==(const VertexRange&) const = default;
 };
 

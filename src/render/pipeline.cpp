@@ -31,10 +31,11 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(scene, options, light_to_geometry, run.statistics);
+    small_lights_.update(scene, visibility_.surfaces(), options, run.statistics);
     pixels_ =
         options.shade_at == ShadeAt::pixels ||
         (options.shade_at == ShadeAt::automatic &&
-         ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() ||
+         ((options.pixel_samples > 1 && executor.samples_pixels()) || scene.varies() || small_lights_.any() ||
           interpolation_error(surfaces.geometry, projection.view, light_.last_order()) > options.tolerance));
     const TransferInput input{
         surfaces,
@@ -114,7 +115,8 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     const bool high_orders = distant.high > distant.low;
     if ((options.disabled_optimisations & skip_unchanged) != 0) shading_.reset();
     shading_.update(input, executor.version(), options.method, input.view, input.light_version,
-                    distant.version, high_orders ? options.high_orders : HighOrders::none,
+                    distant.version, small_lights_.version(),
+                    high_orders ? options.high_orders : HighOrders::none,
                     high_orders && !high_orders_.visibility()->empty(), options.physical, noise_,
                     input.channels, input.least_components, input.most_components);
     if (executor.can_choose()) {
@@ -126,6 +128,11 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     method_for(options.method).shade(input, executor, run);
     if (high_orders) executor.specular(high_orders_, input, run);
     if (options.physical) run.statistics.vertices_unphysical += executor.make_physical(input);
+    if (small_lights_.any()) {
+        const Stopwatch lighting;
+        executor.illuminate(small_lights_, input, run);
+        run.statistics.light_ms += lighting.milliseconds();
+    }
     executor.finish();
     shading_.complete(chosen_);
     run.statistics.vertices_shaded += static_cast<std::uint64_t>(std::ranges::count(chosen_, 1));
@@ -150,7 +157,8 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
     });
     method_for(options.method)
         .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
-                       behind ? &*background_ : nullptr, scene.light_scale()},
+                       small_lights_.any() ? &small_lights_ : nullptr, behind ? &*background_ : nullptr,
+                       scene.light_scale()},
                       executor, run);
     executor.finish();
     run.statistics.shade_ms += watch.milliseconds();

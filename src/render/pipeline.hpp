@@ -18,6 +18,7 @@
 #include "render/order_selector.hpp"
 #include "render/scene_geometry.hpp"
 #include "render/scene_visibility.hpp"
+#include "render/small_lights.hpp"
 #include "render/vertex_stage.hpp"
 #include "scene/projection.hpp"
 #include "scene/scene.hpp"
@@ -65,13 +66,14 @@ private:
     FactoredMethod factored_;
     DenseMethod dense_;
     HighOrderTransfer high_orders_;
+    SmallLights small_lights_;
     bool pixels_ = false;
     float noise_ = 0;  // see make_physical()
 
-    // Executor, method, view, light of low and high orders, form of the high orders, with shadows, physical,
-    // noise, channels, least and most components.
-    VertexStage<Version, Method, Viewpoint, Version, Version, HighOrders, bool, bool, float, int, std::size_t,
-                std::size_t>
+    // Executor, method, view, light of low and high orders, small lights, form of the high orders, with
+    // shadows, physical, noise, channels, least and most components.
+    VertexStage<Version, Method, Viewpoint, Version, Version, Version, HighOrders, bool, bool, float, int,
+                std::size_t, std::size_t>
         shading_{{.on_places = true, .on_materials = true}};
     std::vector<std::uint8_t> chosen_;
 

@@ -114,8 +114,10 @@ void RefinedSurfaces::update(const SceneGeometry& surfaces, const std::shared_pt
     to_world_ = surfaces.to_world();
     const WorldGeometry& given = surfaces.geometry();
     if (refined && (refined != geometry_ || corners_ != surfaces.material_version())) {
-        for (std::size_t r = 0; r < refined->ranges.size(); ++r)
+        for (std::size_t r = 0; r < refined->ranges.size(); ++r) {
             refined->ranges[r].material = given.ranges[r].material;
+            refined->ranges[r].emission = given.ranges[r].emission;
+        }
         refined->texcoords = of_parts(given.texcoords, parts);
         refined->colors = of_parts(given.colors, parts);
         corners_ = surfaces.material_version();

@@ -32,8 +32,8 @@ enum class HighOrders {
 
 /// Where light becomes a Stokes vector.
 enum class ShadeAt {
-    automatic,  ///< pixels where interpolation is predicted to miss the tolerance, pixels cost less, or a
-                ///< material varies over a surface
+    automatic,  ///< pixels where interpolation is predicted to miss the tolerance, pixels cost less, there
+                ///< are small lights, or a material varies over a surface
     vertices,   ///< Stokes vectors are interpolated: the fastest, right where triangles cover few pixels; not
                 ///< for materials that vary
     pixels,     ///< incident light and visible fractions of lobes are interpolated; normal, view and material
@@ -42,7 +42,7 @@ enum class ShadeAt {
 
 /// Where relight and shade run; the results agree.
 enum class Executor {
-    automatic,  ///< compute, unless the processor rasterises or the driver cannot
+    automatic,  ///< compute, unless the processor rasterises, the driver cannot or there are small lights
     cpu,        ///< threads
     compute,    ///< compute shaders
 };

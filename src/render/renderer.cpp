@@ -89,10 +89,11 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       hits_(context),
       painter_(std::move(context)) {}
 
-bool Renderer::on_device(const RenderOptions& options) const {
+bool Renderer::on_device(const Scene& scene, const RenderOptions& options) const {
     const Executor executor = options.executor;
     if (executor == Executor::cpu) return false;
-    const std::string obstacle = GpuExecutor::obstacle(*context_);
+    std::string obstacle = GpuExecutor::obstacle(*context_);
+    if (scene.has_small_lights()) obstacle = "threads alone shade small lights";
     if (executor == Executor::automatic) return !context_->info().software && obstacle.empty();
     if (!obstacle.empty()) {
         throw Error(ErrorCode::unsupported, "the executor cannot be compute shaders: " + obstacle);
@@ -100,8 +101,8 @@ bool Renderer::on_device(const RenderOptions& options) const {
     return true;
 }
 
-RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
-    if (on_device(options)) {
+RenderExecutor& Renderer::executor_for(const Scene& scene, const RenderOptions& options) {
+    if (on_device(scene, options)) {
         cpu_.reset();
         if (!gpu_) gpu_.emplace(context_, buffers_);
         return *gpu_;
@@ -171,7 +172,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
-    RenderExecutor& executor = executor_for(options);
+    RenderExecutor& executor = executor_for(scene, options);
     statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);

@@ -82,7 +82,7 @@ void SceneGeometry::update(const Scene& scene) {
         for (const Piece& piece : pieces) same = same && piece.former != kNone;
         if (!same) build(scene, pieces);
     });
-    assigning_.run(scene.material_version(), [&] { set_materials(scene); });
+    assigning_.run(scene.material_version(), scene.emission_version(), [&] { set_materials(scene); });
     completing_.run(version_, material_version_, [&] { set_corners(); });
 }
 
@@ -206,9 +206,14 @@ void SceneGeometry::build(const Scene& scene, std::vector<Piece>& pieces) {
 void SceneGeometry::set_materials(const Scene& scene) {
     bool changed = false;
     for (VertexRange& range : geometry_->ranges) {
-        const MaterialPtr& material = scene.at(range.instance).material;
-        if (range.material == material) continue;
-        range.material = material;
+        const Instance& instance = scene.at(range.instance);
+        // The back of a two-sided material shines where its emission has two sides, too.
+        const bool shines =
+            instance.emission != nullptr && (instance.emission->two_sided || !is_back(*geometry_, range));
+        const EmissionPtr emission = shines ? instance.emission : nullptr;
+        if (range.material == instance.material && range.emission == emission) continue;
+        range.material = instance.material;
+        range.emission = emission;
         changed = true;
     }
     if (changed) material_version_ = new_version();
@@ -219,7 +224,8 @@ void SceneGeometry::set_corners() {
     bool colors = false;
     for (const VertexRange& range : geometry_->ranges) {
         const SpatialVariation* const variation = range.material->variation();
-        texcoords = texcoords || (variation != nullptr && variation->needs_texcoords());
+        texcoords = texcoords || (variation != nullptr && variation->needs_texcoords()) ||
+                    (range.emission != nullptr && range.emission->texture != nullptr);
         colors = colors || (variation != nullptr && variation->needs_colors());
     }
     geometry_->texcoords.clear();

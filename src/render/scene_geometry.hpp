@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::shared_ptr<const WorldGeometry> shared_geometry() const noexcept { return geometry_; }
     /// Of vertices and triangles.
     [[nodiscard]] Version version() const noexcept { return version_; }
-    /// Of the ranges and their materials, and of what corners have.
+    /// Of the ranges, their materials and emission, and of what corners have.
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
 
     /// From geometry()'s axes to the world's: a rotation and a shift.
@@ -78,8 +78,8 @@ private:
     glm::dmat4 largest_placement_{1.0};  // in geometry()'s axes
     Version version_ = 0;
     Version material_version_ = 0;
-    Stage<Version> placing_;    // of the scene's geometry
-    Stage<Version> assigning_;  // of its materials
+    Stage<Version> placing_;             // of the scene's geometry
+    Stage<Version, Version> assigning_;  // of its materials and emission
     Stage<Version, Version> completing_;
     Change change_;
 };

@@ -22,6 +22,8 @@ class Workers {
 public:
     explicit Workers(int threads) : arena_(worker_count(threads)) {}
 
+    [[nodiscard]] int count() const { return arena_.max_concurrency(); }
+
     template <class Function>
     void run(Function&& function) {
         arena_.execute(function);

@@ -93,8 +93,10 @@ int Scene::channels() const {
 }
 
 bool Scene::varies() const {
-    return std::ranges::any_of(
-        instances_, [](const Instance& instance) { return instance.material->variation() != nullptr; });
+    return std::ranges::any_of(instances_, [](const Instance& instance) {
+        return instance.material->variation() != nullptr ||
+               (instance.emission != nullptr && instance.emission->texture != nullptr);
+    });
 }
 
 std::uint32_t Scene::add(Instance instance) {
@@ -108,7 +110,7 @@ std::uint32_t Scene::add(Instance instance) {
         check_emission(*instance.mesh, *instance.emission, next_id_);
         check_channels("emission", instance.emission->channels(),
                        std::max(channels(), instance.material->channels()));
-        small_light_version_ = new_version();
+        emission_version_ = new_version();
     }
     if (ids_.size() == ids_.capacity()) ids_.reserve(2 * ids_.size() + 1);
     instances_.push_back(std::move(instance));
@@ -120,7 +122,7 @@ std::uint32_t Scene::add(Instance instance) {
 
 void Scene::remove(std::uint32_t id) {
     const auto index = static_cast<std::ptrdiff_t>(index_of(id));
-    if (instances_[index_of(id)].emission) small_light_version_ = new_version();
+    if (instances_[index_of(id)].emission) emission_version_ = new_version();
     instances_.erase(instances_.begin() + index);
     ids_.erase(ids_.begin() + index);
     geometry_version_ = new_version();
@@ -158,7 +160,7 @@ void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
     }
     if (instance.emission == emission) return;
     instance.emission = std::move(emission);
-    small_light_version_ = new_version();
+    emission_version_ = new_version();
 }
 
 std::uint32_t Scene::add_light(SmallLight light) {

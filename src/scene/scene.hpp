@@ -64,7 +64,7 @@ public:
     [[nodiscard]] double light_scale() const noexcept { return scale_; }
     /// Colour channels: the largest number of any part; parts of one channel serve all.
     [[nodiscard]] int channels() const;
-    /// Whether a material varies over its surface.
+    /// Whether a material, or what an instance emits, varies over its surface.
     [[nodiscard]] bool varies() const;
 
     /// Of where triangles are, which of their sides reflect, and what is cut out of them.
@@ -73,7 +73,9 @@ public:
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
     /// Of the environment, its rotation and scale.
     [[nodiscard]] Version light_version() const noexcept { return light_version_; }
-    /// Of the small lights, and of which instances shine, and how.
+    /// Of which instances shine, and how.
+    [[nodiscard]] Version emission_version() const noexcept { return emission_version_; }
+    /// Of lights().
     [[nodiscard]] Version small_light_version() const noexcept { return small_light_version_; }
 
 private:
@@ -101,6 +103,7 @@ private:
     Version geometry_version_ = new_version();
     Version material_version_ = new_version();
     Version light_version_ = new_version();
+    Version emission_version_ = new_version();
     Version small_light_version_ = new_version();
 };
 

@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "material/spatial_variation.hpp"
+#include "render/cpu/vertex_lights.hpp"
 #include "render/dense_method.hpp"
 #include "render/factored_method.hpp"
 #include "render/high_orders.hpp"
@@ -229,10 +230,18 @@ void CpuExecutor::run_pixels(const PixelInput& input, std::span<PixelSurface> su
     const bool fractions = input.high_orders != nullptr && !input.high_orders->visibility()->empty();
     const PixelShading shading(input, surfaces, fractions ? fractions_ : std::span<const glm::vec2>());
     std::atomic<std::uint64_t> shaded = 0;
-    run.workers.for_vertices(
-        0, pixels, pixels, "shade", run.progress,
-        [&](std::size_t begin, std::size_t end) { shaded += shading.run(begin, end, channels); });
+    std::atomic<std::uint64_t> rays = 0;
+    std::atomic<double> light_seconds = 0;
+    run.workers.for_vertices(0, pixels, pixels, "shade", run.progress,
+                             [&](std::size_t begin, std::size_t end) {
+                                 const PixelCounts counts = shading.run(begin, end, channels);
+                                 shaded += counts.shaded;
+                                 rays += counts.rays;
+                                 light_seconds += counts.light_seconds;
+                             });
     run.statistics.pixels_shaded += shaded;
+    run.statistics.light_rays += rays;
+    run.statistics.light_ms += 1e3 * light_seconds / run.workers.count();
 }
 
 void CpuExecutor::compute_fractions(const HighOrderTransfer& high_orders, const ShadeInput& input,
@@ -278,6 +287,18 @@ std::uint64_t CpuExecutor::make_physical(const ShadeInput& input) {
                 moved += nicol::make_physical(std::span(channel).subspan(v, 1), input.noise);
     }
     return moved;
+}
+
+void CpuExecutor::illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) {
+    const std::vector<std::span<glm::vec4>> channels(stokes_.begin(), stokes_.end());
+    const VertexLights vertices(lights, input);
+    std::atomic<std::uint64_t> rays = 0;
+    for (const VertexRange& range : input.geometry.ranges) {
+        run.workers.for_vertices(
+            range.first, range.last, input.geometry.positions.size(), "shade", run.progress,
+            [&](std::size_t begin, std::size_t end) { rays += vertices.add(range, begin, end, channels); });
+    }
+    run.statistics.light_rays += rays;
 }
 
 void CpuExecutor::store(VertexBuffers& buffers) const {

@@ -43,8 +43,9 @@ struct PixelShading::Batch {
     std::vector<glm::vec4> stokes;
     // Where the material varies.
     TexturedPixels textures;
-    std::vector<std::uint32_t> triangles;
     std::vector<Pixel> sorted;
+    // Of the pixels, in the order in which they are shaded.
+    std::vector<std::uint32_t> triangles, indices;
 };
 
 // Samples of one smooth surface in one pixel.
@@ -56,7 +57,9 @@ struct PixelShading::Patch {
 
 PixelShading::PixelShading(const PixelInput& input, std::span<const PixelSurface> surfaces,
                            std::span<const glm::vec2> fractions)
-    : input_(input), surfaces_(surfaces), fractions_(fractions) {}
+    : input_(input), surfaces_(surfaces), fractions_(fractions) {
+    if (input.small_lights != nullptr) small_lights_.emplace(*input.small_lights, input);
+}
 
 void PixelShading::collect(std::size_t first, std::size_t last, std::vector<Pixel>& out,
                            std::span<float> coverage) const {
@@ -122,7 +125,7 @@ void PixelShading::add(const Patch& patch, std::size_t index, std::size_t& surfa
          .at = mean});
 }
 
-std::size_t PixelShading::run(std::size_t first, std::size_t last,
+PixelCounts PixelShading::run(std::size_t first, std::size_t last,
                               std::span<const std::span<glm::vec4>> out) const {
     // Backs of surfaces are black.
     for (const std::span<glm::vec4> channel : out)
@@ -132,22 +135,23 @@ std::size_t PixelShading::run(std::size_t first, std::size_t last,
     thread_local Batch batch;
     coverage.resize(last - first);
     collect(first, last, pixels, coverage);
+    PixelCounts counts{.shaded = pixels.size()};
     for (std::size_t begin = 0; begin < pixels.size();) {
         std::size_t end = begin;
         while (end < pixels.size() && end - begin < kBatch && pixels[end].group() == pixels[begin].group())
             ++end;
-        shade(std::span(pixels).subspan(begin, end - begin), batch, out);
+        shade(std::span(pixels).subspan(begin, end - begin), batch, out, counts);
         begin = end;
     }
     if (input_.background != nullptr) {
         input_.background->add(rays(), static_cast<float>(input_.light_scale), input_.most_components, first,
                                last, coverage, out);
     }
-    return pixels.size();
+    return counts;
 }
 
 void PixelShading::shade(std::span<const Pixel> given, Batch& batch,
-                         std::span<const std::span<glm::vec4>> out) const {
+                         std::span<const std::span<glm::vec4>> out, PixelCounts& counts) const {
     const PixelSurface& surface = surfaces_[given.front().surface];
     find_points(given, batch);
     const TexturedSurface* const textures = surface.textures;
@@ -185,13 +189,38 @@ void PixelShading::shade(std::span<const Pixel> given, Batch& batch,
         if (surface.high_orders != nullptr)
             surface.high_orders->run(input_.view, positions, normals, chosen, shadows, 0, count, stokes);
     }
+    if (input_.physical) {
+        for (const std::span<glm::vec4> channel : stokes) make_physical(channel, input_.noise);
+    }
+    if (small_lights_) add_small_lights(pixels, batch, stokes, counts);
     glm::vec4 wanted(0);
     for (std::size_t p = 0; p < input_.most_components; ++p) wanted[static_cast<glm::length_t>(p)] = 1;
     for (std::size_t c = 0; c < out.size(); ++c) {
-        if (input_.physical) make_physical(stokes[c], input_.noise);
         for (std::size_t i = 0; i < count; ++i)
             out[c][pixels[i].index] += pixels[i].weight * wanted * stokes[c][i];
     }
+}
+
+void PixelShading::add_small_lights(std::span<const Pixel> pixels, Batch& batch,
+                                    std::span<const std::span<glm::vec4>> stokes, PixelCounts& counts) const {
+    const Stopwatch watch;
+    batch.triangles.clear();
+    batch.indices.clear();
+    for (const Pixel& pixel : pixels) {
+        batch.triangles.push_back(pixel.triangle);
+        batch.indices.push_back(pixel.index);
+    }
+    const Pixel& any = pixels.front();
+    const bool textured = surfaces_[any.surface].textures != nullptr;
+    counts.rays +=
+        small_lights_->add(input_.geometry.ranges[any.surface],
+                           {.surfaces = batch.surfaces,
+                            .triangles = batch.triangles,
+                            .pixels = batch.indices,
+                            .weights = textured ? batch.textures.weights() : std::span<const LayerWeights>(),
+                            .shadowed = input_.visibility == nullptr || any.occluded != 0},
+                           stokes);
+    counts.light_seconds += 1e-3 * watch.milliseconds();
 }
 
 std::span<const PixelShading::Pixel> PixelShading::find_textures(const TexturedSurface& surface,

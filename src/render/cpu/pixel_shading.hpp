@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "material/response_table.hpp"
+#include "render/cpu/pixel_lights.hpp"
 #include "render/executor.hpp"
 #include "shading/background.hpp"
 #include "shading/shade.hpp"
@@ -42,6 +43,13 @@ struct PixelSurface {
     const Relight* unoccluded;      ///< for pixels between unoccluded vertices, or null
 };
 
+/// What it took to shade pixels.
+struct PixelCounts {
+    std::size_t shaded = 0;    ///< Stokes vectors, times channels
+    std::uint64_t rays = 0;    ///< to small lights
+    double light_seconds = 0;  ///< of one thread, for small lights
+};
+
 /// Shades the pixels of an image that show a surface. Calls for different pixels may run side by side.
 class PixelShading {
 public:
@@ -51,9 +59,8 @@ public:
 
     /// For first <= pixel < last writes to out[c][pixel] the mean of channel c's Stokes vectors over the
     /// samples, those without a surface showing the background. Samples of triangles that share a corner are
-    /// of one smooth surface, which is shaded once, at their mean. Returns how many Stokes vectors were
-    /// computed.
-    std::size_t run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
+    /// of one smooth surface, which is shaded once, at their mean.
+    PixelCounts run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
 
 private:
     // A pixel, or the part of it that shows one surface.
@@ -73,7 +80,10 @@ private:
                  std::span<float> coverage) const;
     void add(const Patch& patch, std::size_t index, std::size_t& surface, std::vector<Pixel>& out) const;
     // Pixels of one group, at most as many as a batch has room for.
-    void shade(std::span<const Pixel> pixels, Batch& batch, std::span<const std::span<glm::vec4>> out) const;
+    void shade(std::span<const Pixel> pixels, Batch& batch, std::span<const std::span<glm::vec4>> out,
+               PixelCounts& counts) const;
+    void add_small_lights(std::span<const Pixel> pixels, Batch& batch,
+                          std::span<const std::span<glm::vec4>> stokes, PixelCounts& counts) const;
     void find_points(std::span<const Pixel> pixels, Batch& batch) const;
     void find_light(const PixelSurface& surface, std::span<const Pixel> pixels, Batch& batch) const;
     // Sorts the batch by the layers that pixels use, and turns its normals. Returns the pixels in that order.
@@ -85,6 +95,7 @@ private:
     const PixelInput& input_;
     std::span<const PixelSurface> surfaces_;
     std::span<const glm::vec2> fractions_;
+    std::optional<PixelLights> small_lights_;
 };
 
 }  // namespace nicol

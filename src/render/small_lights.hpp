@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// A scene's small lights, for shading.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "render/refined_surfaces.hpp"
+#include "render/render.hpp"
+#include "scene/scene.hpp"
+#include "shading/small_lighting.hpp"
+#include "versioned.hpp"
+
+namespace nicol {
+
+/// Its small lights and the surfaces that shine, in the axes of the surfaces as they are drawn, with the
+/// hierarchy of boxes that their shadow rays need.
+class SmallLights {
+public:
+    /// As far as changes make it necessary.
+    void update(const Scene& scene, const RefinedSurfaces& surfaces, const RenderOptions& options,
+                Statistics& statistics);
+
+    /// Another whenever vertices get other light.
+    [[nodiscard]] Version version() const noexcept { return lighting_.version(); }
+    [[nodiscard]] bool any() const { return lighting_->has_value(); }
+    /// Where there are any.
+    [[nodiscard]] const SmallLighting& lighting() const { return **lighting_; }
+
+    /// Where shadow rays start: so far from a triangle, in the direction of its normal, ...
+    [[nodiscard]] float offset() const { return offset_; }
+    /// ... and beside each vertex.
+    [[nodiscard]] std::span<const glm::vec3> vertex_origins() const { return vertex_origins_; }
+
+    /// Of the polarization of what an instance emits.
+    [[nodiscard]] const glm::dvec3& axis_of(std::uint32_t instance) const { return axes_.at(instance); }
+
+private:
+    void make_rays(const WorldGeometry& geometry);
+    void make_sources(const Scene& scene, const glm::dmat4& to_world, const RenderOptions& options);
+
+    Stage<Version, Version, bool>
+        tracing_;  // vertices and triangles, materials, whether anything casts shadows
+    std::optional<RayScene> rays_;
+    Version rays_version_ = 0;
+    float offset_ = 0;
+    std::vector<glm::vec3> vertex_origins_;
+    // Lights, emission, where instances are, the axes, rays, places of a light.
+    Stage<Version, Version, Version, glm::dmat4, Version, int> making_;
+    Versioned<std::optional<SmallLighting>> lighting_;
+    std::map<std::uint32_t, glm::dvec3> axes_;  // by instance that shines
+    std::uint64_t lights_ = 0;
+};
+
+}  // namespace nicol

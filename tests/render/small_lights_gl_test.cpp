@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Small lights and surfaces that shine, against closed forms and the reference method.
+#include <functional>
+
+#include "gl/contexts.hpp"
+#include "image_difference.hpp"
+#include "render/scenes.hpp"
+#include "render/textured.hpp"
+
+using namespace nicol;
+using test::minus;
+using test::rms;
+using test::Studio;
+
+namespace {
+
+RenderOptions options(ShadeAt shade_at, bool shadows = true) {
+    return {.executor = Executor::cpu, .shadows = shadows, .bake_directions = 512, .shade_at = shade_at};
+}
+
+/// Shines from `from` towards the origin.
+glm::dmat4 aimed(const glm::dvec3& from) {
+    return look_at(from, glm::dvec3(0), {0.1, 1, 0.2});
+}
+
+PolarizationState some_state() {
+    return {.dolp = 0.8, .aolp = 0.4, .docp = -0.5, .axis = {0.3, 1, 0.2}};
+}
+
+TexturePtr slope() {
+    return test::texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x, p.uv.y, 0.5F, 1); }, 3);
+}
+
+MaterialPtr plastic() {
+    return pplastic({.diffuse_reflectance = {0.6, 0.3, 0.1}, .alpha = 0.25});
+}
+
+/// A ball over a floor.
+Scene still(const MaterialPtr& ball = plastic()) {
+    Scene scene;
+    scene.add({.mesh = test::coarse_sphere(12), .material = ball, .to_world = test::at(0.2, 0.1, 0.1, 0.7)});
+    scene.add({.mesh = test::rectangle(24), .material = diffuse({0.5}), .to_world = test::plate_at(-1, 2)});
+    return scene;
+}
+
+/// `half` wide and high, facing the origin from `from`.
+void add_panel(Scene& scene, Emission emission, const glm::dvec3& from, double half) {
+    static const auto mesh = test::with_texcoords(make_rectangle(1));
+    scene.add({.mesh = mesh,
+               .material = diffuse({0.0}),
+               .to_world = aimed(from) * test::at(0, 0, 0, half),
+               .emission = std::make_shared<const Emission>(std::move(emission))});
+}
+
+struct Case {
+    const char* name;
+    std::function<void(Scene&)> add;
+};
+const std::vector<Case>& cases() {
+    static const glm::dvec3 above(1, 3, 1.5);
+    static const std::vector<Case> all{
+        {"directional",
+         [](Scene& s) {
+             s.add_light({.kind = SmallLight::Kind::directional,
+                          .value = {3, 2, 1},
+                          .to_world = aimed(above),
+                          .state = some_state()});
+         }},
+        {"disc",
+         [](Scene& s) {
+             s.add_light({.kind = SmallLight::Kind::directional,
+                          .value = {2},
+                          .to_world = aimed(above),
+                          .angular_radius = 0.2,
+                          .state = some_state()});
+         }},
+        {"point",
+         [](Scene& s) { s.add_light({.value = {20}, .to_world = aimed(above), .state = some_state()}); }},
+        {"spot",
+         [](Scene& s) {
+             s.add_light({.kind = SmallLight::Kind::spot,
+                          .value = {30},
+                          .to_world = aimed(above),
+                          .cutoff_angle = 0.35,
+                          .beam_width = 0.2,
+                          .texture = slope(),
+                          .state = some_state()});
+         }},
+        {"projector",
+         [](Scene& s) {
+             s.add_light({.kind = SmallLight::Kind::projector,
+                          .value = {30},
+                          .to_world = aimed(above),
+                          .texture = slope(),
+                          .fov = 0.6,
+                          .aspect = 1.5});
+         }},
+        {"panel",
+         [](Scene& s) {
+             add_panel(s, {.radiance = {9, 8, 7}, .state = some_state()}, above, 0.6);
+         }},
+        {"textured panel", [](Scene& s) { add_panel(s, {.radiance = {9}, .texture = slope()}, above, 0.6); }},
+        {"globe",
+         [](Scene& s) {
+             s.add({.mesh = test::coarse_sphere(4),
+                    .material = diffuse({0.2}),
+                    .to_world = test::at(1, 1.6, 1.2, 0.3),
+                    .emission = std::make_shared<const Emission>(Emission{.radiance = {12}})});
+         }},
+    };
+    return all;
+}
+
+}  // namespace
+
+GL_TEST_CASE("a directional light on a Lambertian sphere is its cosine") {
+    const glm::dvec3 from = glm::normalize(glm::dvec3(2, 1, 3));
+    Scene scene;
+    scene.add({.mesh = test::fine_sphere(), .material = diffuse({0.5})});
+    scene.add_light({.kind = SmallLight::Kind::directional, .value = {3}, .to_world = aimed(from)});
+    Renderer renderer(context, 0);
+    Framebuffer target(context, 96, 72, 1);
+    RenderOptions with_normals = options(ShadeAt::pixels, false);
+    with_normals.aovs = aov_normals | aov_positions | aov_instances;
+    renderer.render(scene, test::some_camera(), with_normals, target);
+    const StokesImage& image = target.image();
+    int count = 0;
+    int near = 0;
+    for (std::size_t p = 0; p < target.aovs().instances.size(); ++p) {
+        if (target.aovs().instances[p] == kNoInstance) continue;
+        const float* n = &target.aovs().normals[3 * p];
+        const float* at = &target.aovs().positions[3 * p];
+        // At the outline normals may face away, where nothing is seen of the front.
+        const glm::dvec3 normal(n[0], n[1], n[2]);
+        if (!(glm::dot(normal, glm::dvec3(2, 3, 4) - glm::dvec3(at[0], at[1], at[2])) > 1e-3)) continue;
+        const double cosine = glm::dot(normal, from);
+        const double expected = 3 * 0.5 / std::numbers::pi * std::max(0.0, cosine);
+        const double got = image.at(0, static_cast<int>(p / 96), static_cast<int>(p % 96))[0];
+        const double error = std::abs(got - expected);
+        // Rasterisation places a triangle's edges to 1/256 of a pixel, so a pixel may show its neighbour's.
+        CHECK(error < 1e-3);
+        if (error < 1e-5) ++near;
+        ++count;
+    }
+    CHECK(count > 1000);
+    CHECK(near > 0.99 * count);
+}
+
+GL_TEST_CASE("small lights are those of the reference method") {
+    for (const Case& light : cases()) {
+        CAPTURE(light.name);
+        for (const bool shadows : {true, false}) {
+            Scene scene = still();
+            light.add(scene);
+            RenderOptions reference{.method = Method::reference, .shadows = shadows, .samples = 256};
+            Studio render(context);
+            const StokesImage expected = render(scene, reference);
+            const double size = rms(expected);
+            CHECK(size > 0.01);
+            RenderOptions at_pixels = options(ShadeAt::automatic, shadows);
+            at_pixels.pixel_samples = 8;
+            const double at_pixels_error = rms(minus(render(scene, at_pixels), expected)) / size;
+            CHECK(at_pixels_error < 0.04);
+            CHECK((render.statistics.light_rays > 0) == shadows);
+            const double at_vertices_error =
+                rms(minus(render(scene, options(ShadeAt::vertices, shadows)), expected)) / size;
+            MESSAGE(light.name << " " << shadows << " " << at_pixels_error << " " << at_vertices_error);
+        }
+    }
+}
