@@ -157,12 +157,16 @@ std::optional<RayHit> RayScene::intersect(const Ray& ray) const {
                   .b2 = static_cast<double>(query.hit.v)};
 }
 
+Ray RayScene::leaving(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction) const {
+    const double side = glm::dot(normal, direction) < 0 ? -offset_ : offset_;
+    return {.origin = point + side * normal, .direction = direction};
+}
+
 bool RayScene::occluded(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction,
                         double farthest) const {
     const double length = end(farthest);
     if (!(length > 0)) return false;
-    const double side = glm::dot(normal, direction) < 0 ? -offset_ : offset_;
-    const glm::vec3 origin(scale_ * (point + side * normal));
+    const glm::vec3 origin(scale_ * leaving(point, normal, direction).origin);
     const glm::vec3 towards(direction);
     RTCRay ray{};
     ray.org_x = origin.x;

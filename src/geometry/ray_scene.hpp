@@ -68,10 +68,12 @@ public:
 
     [[nodiscard]] std::optional<RayHit> intersect(const Ray& ray) const;
 
-    /// Whether anything lies in the unit `direction` from `point`, which itself lies on a triangle with the
-    /// unit `normal` (either sign), nearer than the distance `farthest`. The ray starts offset() away from
-    /// the triangle, on the side that it leaves to, and ends 1e-4 of `farthest` and offset() before that, so
-    /// that a lamp's own surface does not hide it.
+    /// The ray in the unit `direction` from `point`, which lies on a triangle with the unit `normal` (either
+    /// sign). It starts offset() away from the triangle, on the side that it leaves to.
+    [[nodiscard]] Ray leaving(const glm::dvec3& point, const glm::dvec3& normal,
+                              const glm::dvec3& direction) const;
+    /// Whether anything lies on the ray leaving() there, nearer than the distance `farthest`: the ray ends
+    /// 1e-4 of `farthest` and offset() before that, so that a lamp's own surface does not hide it.
     [[nodiscard]] bool occluded(const glm::dvec3& point, const glm::dvec3& normal,
                                 const glm::dvec3& direction,
                                 double farthest = std::numeric_limits<double>::infinity()) const;

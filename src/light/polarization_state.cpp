@@ -34,4 +34,9 @@ Frame polarization_frame(const glm::dvec3& axis, const glm::dvec3& propagation) 
     return frame_with_x(propagation, across);
 }
 
+Stokes stokes_in(const Frame& frame, const PolarizationState& state, const glm::dvec3& axis) {
+    if (state.dolp == 0) return state.stokes();
+    return rotated(state.stokes(), angle_between(polarization_frame(axis, frame[2]), frame));
+}
+
 }  // namespace nicol

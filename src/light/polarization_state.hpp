@@ -34,4 +34,8 @@ void check(const PolarizationState& state);
 /// `axis` across it, both in the same axes. Where they are parallel, x is that of theta_phi_frame().
 [[nodiscard]] Frame polarization_frame(const glm::dvec3& axis, const glm::dvec3& propagation);
 
+/// The state's Stokes vector, of s0 = 1, in a frame whose z is the light's propagation; `axis` is the
+/// state's, brought into the axes of that frame.
+[[nodiscard]] Stokes stokes_in(const Frame& frame, const PolarizationState& state, const glm::dvec3& axis);
+
 }  // namespace nicol

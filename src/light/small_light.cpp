@@ -102,4 +102,17 @@ double spot_falloff(const SmallLight& spot, double cos_angle) {
     return (spot.cutoff_angle - std::acos(cos_angle)) / (spot.cutoff_angle - spot.beam_width);
 }
 
+glm::dvec2 light_texcoords(const SmallLight& light, const glm::dvec3& direction) {
+    const glm::dvec2 at = glm::dvec2(direction) / direction.z;
+    if (light.kind == SmallLight::Kind::spot) return 0.5 + 0.5 / std::tan(light.cutoff_angle) * at;
+    return 0.5 - 0.5 / std::tan(light.fov / 2) * glm::dvec2(1, light.aspect) * at;
+}
+
+double textured_value(const std::vector<double>& value, const TexturePtr& texture, const glm::vec4& texel,
+                      int channel) {
+    const double plain = value.size() == 1 ? value[0] : value[static_cast<std::size_t>(channel)];
+    if (texture == nullptr) return plain;
+    return plain * static_cast<double>(texel[texture->channels() == 1 ? 0 : channel]);
+}
+
 }  // namespace nicol

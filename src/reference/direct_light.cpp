@@ -2,47 +2,48 @@
 #include "reference/direct_light.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 
 #include "material/spatial_variation.hpp"
-#include "shading/normal_variation.hpp"
+#include "reference/light_arrival.hpp"
 
 namespace nicol {
 namespace {
 
-template <class Value>
-std::array<Value, 3> corners_of(const std::vector<Value>& values, const glm::uvec3& corners) {
-    return {values[corners.x], values[corners.y], values[corners.z]};
-}
+constexpr double kSky = std::numeric_limits<double>::infinity();
 
-TexturePoint texture_point(const Mesh& mesh, std::uint32_t triangle, const glm::vec3& weights) {
-    std::array<glm::vec2, 3> texcoords;
-    std::array<glm::vec3, 3> colors;
-    if (!mesh.texcoords.empty()) texcoords = corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]);
-    if (!mesh.colors.empty()) colors = corners_of(mesh.colors, mesh.triangles[triangle]);
-    return nicol::texture_point(weights, mesh.texcoords.empty() ? nullptr : &texcoords,
-                                mesh.colors.empty() ? nullptr : &colors);
-}
+// Of the points; one each for discs and lamps follows.
+constexpr std::uint32_t kEnvironmentStream = DirectLight::kFirstStream;
+constexpr std::uint32_t kSurfaceStream = kEnvironmentStream + 1;
+constexpr std::uint32_t kDiscStream = kSurfaceStream + 1;
 
-TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
-    if (mesh.texcoords.empty()) return {};
-    return nicol::texture_axes(corners_of(mesh.positions, mesh.triangles[triangle]),
-                               corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]));
+glm::dvec3 axis_in_world(const glm::dmat4& to_world, const PolarizationState& state) {
+    return glm::normalize(glm::dmat3(to_world) * state.axis);
 }
 
 }  // namespace
 
-struct DirectLight::Hit {
-    const Surface& surface;
-    glm::dvec3 position;
-    glm::dvec3 geometric_normal;
-    glm::dvec3 unturned;        ///< the interpolated normal, on the side of the shading normal
-    Frame frame;                ///< z = the shading normal, of a two-sided material on the viewer's side
-    glm::dvec3 towards_viewer;  ///< in that frame
-    TexturePoint point;
+/// At a point of a surface; directions towards the light are in its frame.
+struct DirectLight::Reflection {
+    const SurfaceHit& hit;
+    const Frame& received;
+    std::span<Stokes> sum;
+    Workspace& workspace;
+
+    [[nodiscard]] glm::dvec3 in_world(const glm::dvec3& towards_light) const {
+        return glm::normalize(hit.frame * towards_light);
+    }
+    /// In the world, of the light that comes from there.
+    [[nodiscard]] Frame incident_frame(const glm::dvec3& towards_light) const {
+        return hit.frame * theta_phi_frame(-towards_light);
+    }
+    /// A turned normal sees light from below the surface, which hides it.
+    [[nodiscard]] bool lit_from(const glm::dvec3& towards_light) const {
+        return towards_light.z > 0 && glm::dot(in_world(towards_light), hit.unturned) > 0;
+    }
 };
 
 DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
@@ -50,13 +51,19 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
       light_to_world_(scene.light_rotation()),
       light_scale_(scene.light_scale()),
       strategy_(strategy),
-      shadows_(shadows) {
+      shadows_(shadows),
+      channels_(scene.channels()) {
     if (environment_ != nullptr) {
         check_brightness(environment_->project(0), light_scale_);
-        channels_ = environment_->channels();
         light_sampler_ = std::make_unique<LightSampler>(*environment_);
         table_ = environment_->tabulated();
         if (table_) environment_ = table_.get();
+    }
+    for (const SmallLight& light : scene.lights()) {
+        if (without_size(light))
+            without_size_.push_back(&light);
+        else
+            discs_.emplace_back(light);
     }
     std::vector<RaySurface> triangles;
     surfaces_.reserve(scene.instances().size());
@@ -64,9 +71,13 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     for (std::size_t i = 0; i < ids_.size(); ++i) {
         const Instance& instance = scene.instances()[i];
         const Material& material = *instance.material;
-        channels_ = std::max(channels_, material.channels());
-        Surface& surface = surfaces_.emplace_back(Surface{
-            .mesh = placed(*instance.mesh, instance.to_world, ids_[i]), .material = &material, .layers = {}});
+        TracedSurface& surface =
+            surfaces_.emplace_back(TracedSurface{.mesh = placed(*instance.mesh, instance.to_world, ids_[i]),
+                                                 .material = &material,
+                                                 .layers = {},
+                                                 .emission = instance.emission.get()});
+        if (surface.emission != nullptr)
+            surface.emission_axis = axis_in_world(instance.to_world, surface.emission->state);
         const auto add_layer = [&](const Material& layer) {
             const SurfaceSampler& sampler = samplers_.try_emplace(&layer, layer).first->second;
             surface.layers.push_back({.material = &layer, .sampler = &sampler});
@@ -78,96 +89,52 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
         }
         triangles.push_back({.positions = surface.mesh.positions,
                              .triangles = surface.mesh.triangles,
-                             .present = presence_of(surface)});
-        triangles_ += surfaces_.back().mesh.triangles.size();
+                             .present = surface.presence()});
+        triangles_ += surface.mesh.triangles.size();
     }
+    lamp_sampler_ = std::make_unique<LampSampler>(surfaces_);
     rays_ = std::make_unique<RayScene>(triangles);
-}
-
-Presence DirectLight::presence_of(const Surface& surface) const {
-    const SpatialVariation* const variation = surface.material->variation();
-    if (variation == nullptr || variation->opacity == nullptr) return {};
-    return [&mesh = surface.mesh, variation](std::uint32_t triangle, float b1, float b2) {
-        return variation->present(texture_point(mesh, triangle, {1 - b1 - b2, b1, b2}));
-    };
 }
 
 std::optional<DirectLight::Surfel> DirectLight::first_surface(const Ray& ray) const {
     const std::optional<RayHit> found = rays_->intersect(ray);
     if (!found) return std::nullopt;
-    const Hit hit = hit_at(*found, -ray.direction);
+    const SurfaceHit hit = surface_hit(surfaces_[found->surface], *found, -ray.direction);
     return Surfel{.instance = ids_[found->surface], .position = hit.position, .normal = hit.frame[2]};
 }
 
-bool DirectLight::add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
-                      const glm::dvec2& surface_point, std::span<Stokes> sum, Workspace& workspace) const {
+bool DirectLight::add(const Ray& ray, const Frame& received, const LowDiscrepancy& points,
+                      std::uint32_t index, std::span<Stokes> sum, Workspace& workspace) const {
+    workspace.incident.resize(sum.size());
+    workspace.irradiance.resize(sum.size());
     const std::optional<RayHit> found = rays_->intersect(ray);
-    if (environment_ == nullptr) return found.has_value();
     if (!found) {
-        add_background(ray.direction, received, sum);
+        if (environment_ != nullptr) add_background(ray.direction, received, sum);
         return false;
     }
-    const Hit hit = hit_at(*found, -ray.direction);
+    add_emitted(*found, received, sum, workspace);
+    const SurfaceHit hit = surface_hit(surfaces_[found->surface], *found, -ray.direction);
     if (!(hit.towards_viewer.z > 0)) return true;
     weigh_layers(hit, workspace);
 
-    if (strategy_ != Strategy::surface && !light_sampler_->dark()) {
-        const LightSample light = light_sampler_->sample(light_point);
-        const glm::dvec3 towards_light = (light_to_world_ * light.towards_light) * hit.frame;
-        add_reflected(hit, towards_light, pdf(hit, towards_light, workspace), received, sum, workspace);
+    Reflection at{.hit = hit, .received = received, .sum = sum, .workspace = workspace};
+    const std::size_t lamps = lamp_sampler_->samples();
+    if (strategy_ != Strategy::surface) {
+        if (environment_ != nullptr && !light_sampler_->dark())
+            add_sampled_environment(at, points.point(index, kEnvironmentStream));
+        std::uint32_t stream = kDiscStream;
+        for (const SkyDisc& disc : discs_) add_sampled_disc(at, disc, points.point(index, stream++));
+        for (std::size_t i = 0; i < lamps; ++i)
+            add_sampled_lamp(at, lamp_sampler_->sample(i, points.point(index, stream++)));
     }
-    if (strategy_ != Strategy::light) {
-        const glm::dvec3 towards_light = sample(hit, surface_point, workspace);
-        add_reflected(hit, towards_light, pdf(hit, towards_light, workspace), received, sum, workspace);
-    }
+    const bool anything_with_size = environment_ != nullptr || !discs_.empty() || lamps > 0;
+    if (strategy_ != Strategy::light && anything_with_size)
+        add_sampled_surface(at, points.point(index, kSurfaceStream));
+    for (const SmallLight* const light : without_size_) add_without_size(at, *light);
     return true;
 }
 
-DirectLight::Hit DirectLight::hit_at(const RayHit& hit, const glm::dvec3& towards_viewer) const {
-    const Surface& surface = surfaces_[hit.surface];
-    const glm::uvec3& corners = surface.mesh.triangles[hit.triangle];
-    const glm::dvec3 weights(1 - hit.b1 - hit.b2, hit.b1, hit.b2);
-    // From the corners rather than along the ray, which is known to single precision only.
-    glm::dmat3 positions;
-    glm::dvec3 shading_normal(0.0);
-    for (int i = 0; i < 3; ++i) {
-        positions[i] = surface.mesh.positions[corners[i]];
-        shading_normal += weights[i] * glm::dvec3(surface.mesh.normals[corners[i]]);
-    }
-    const glm::dvec3 normal =
-        glm::normalize(glm::cross(positions[1] - positions[0], positions[2] - positions[0]));
-    const double length = glm::length(shading_normal);
-    if (length > 0) {
-        shading_normal /= length;
-    } else {
-        shading_normal = normal;
-    }
-    const bool behind = glm::dot(shading_normal, towards_viewer) < 0;
-    const bool back = behind && surface.material->twosided();
-    if (back) shading_normal = -shading_normal;
-    Hit out{.surface = surface,
-            .position = positions * weights,
-            .geometric_normal = normal,
-            .unturned = shading_normal,
-            .frame = {},
-            .towards_viewer = {},
-            .point = {}};
-    if (const SpatialVariation* const variation = surface.material->variation()) {
-        out.point = texture_point(surface.mesh, hit.triangle, glm::vec3(weights));
-        if (variation->normal.kind != NormalVariation::Kind::none) {
-            const glm::vec3 normal_of_mesh(shading_normal);
-            const glm::vec3 turned = turned_normal(
-                variation->normal, out.point, texture_axes(surface.mesh, hit.triangle), normal_of_mesh, back);
-            shading_normal =
-                glm::normalize(glm::dvec3(facing(turned, normal_of_mesh, glm::vec3(towards_viewer))));
-        }
-    }
-    out.frame = theta_phi_frame(shading_normal);
-    out.towards_viewer = glm::normalize(towards_viewer * out.frame);
-    return out;
-}
-
-void DirectLight::weigh_layers(const Hit& hit, Workspace& workspace) const {
+void DirectLight::weigh_layers(const SurfaceHit& hit, Workspace& workspace) const {
     const std::size_t layers = hit.surface.layers.size();
     workspace.weights.assign(layers, glm::vec3(1));
     workspace.shares.assign(layers, 1);
@@ -185,7 +152,8 @@ void DirectLight::weigh_layers(const Hit& hit, Workspace& workspace) const {
 }
 
 // The first coordinate chooses the layer, and what is left of it samples.
-glm::dvec3 DirectLight::sample(const Hit& hit, const glm::dvec2& point, const Workspace& workspace) const {
+glm::dvec3 DirectLight::sample(const SurfaceHit& hit, const glm::dvec2& point,
+                               const Workspace& workspace) const {
     double x = point.x;
     std::size_t chosen = 0;
     while (chosen + 1 < workspace.shares.size() && x >= workspace.shares[chosen])
@@ -196,6 +164,18 @@ glm::dvec3 DirectLight::sample(const Hit& hit, const glm::dvec2& point, const Wo
     return hit.surface.layers[chosen].sampler->sample(hit.towards_viewer, {within, point.y});
 }
 
+double DirectLight::pdf(const Reflection& at, const glm::dvec3& towards_light, double of_light) const {
+    double sum = strategy_ != Strategy::surface ? of_light : 0;
+    if (strategy_ != Strategy::light) {
+        const std::vector<double>& shares = at.workspace.shares;
+        for (std::size_t l = 0; l < shares.size(); ++l)
+            if (shares[l] > 0)
+                sum +=
+                    shares[l] * at.hit.surface.layers[l].sampler->pdf(at.hit.towards_viewer, towards_light);
+    }
+    return sum;
+}
+
 void DirectLight::add_background(const glm::dvec3& direction, const Frame& received,
                                  std::span<Stokes> sum) const {
     const glm::dvec3 towards_light = glm::normalize(direction * light_to_world_);
@@ -204,23 +184,119 @@ void DirectLight::add_background(const glm::dvec3& direction, const Frame& recei
         sum[static_cast<std::size_t>(c)] += rotated(radiance(c, towards_light), angle);
 }
 
-void DirectLight::add_reflected(const Hit& hit, const glm::dvec3& towards_light, double pdf,
-                                const Frame& received, std::span<Stokes> sum, Workspace& workspace) const {
-    if (!(towards_light.z > 0) || !(pdf > 0)) return;
-    const glm::dvec3 in_world = glm::normalize(hit.frame * towards_light);
-    // A turned normal sees light from below the surface, which hides it.
-    if (!(glm::dot(in_world, hit.unturned) > 0)) return;
-    if (shadows_) {
-        ++workspace.shadow_rays;
-        if (rays_->occluded(hit.position, hit.geometric_normal, in_world)) return;
-    }
+void DirectLight::add_emitted(const RayHit& hit, const Frame& received, std::span<Stokes> sum,
+                              Workspace& workspace) const {
+    if (!surfaces_[hit.surface].emitted(hit, received, workspace.incident)) return;
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += workspace.incident[c];
+}
 
-    const glm::dvec3 in_light = glm::normalize(in_world * light_to_world_);
-    const double rotate_in = environment_->polarized()
-                                 ? angle_between(light_to_world_ * theta_phi_frame(-in_light),
-                                                 hit.frame * theta_phi_frame(-towards_light))
-                                 : 0;
-    const double rotate_out = angle_between(hit.frame * theta_phi_frame(hit.towards_viewer), received);
+void DirectLight::add_sampled_environment(Reflection& at, const glm::dvec2& point) const {
+    const LightSample light = light_sampler_->sample(point);
+    const glm::dvec3 towards_light = (light_to_world_ * light.towards_light) * at.hit.frame;
+    if (at.lit_from(towards_light) && !hidden(at, towards_light, kSky)) add_environment(at, towards_light);
+}
+
+void DirectLight::add_sampled_disc(Reflection& at, const SkyDisc& disc, const glm::dvec2& point) const {
+    const glm::dvec3 towards_light = disc.sample(point) * at.hit.frame;
+    if (at.lit_from(towards_light) && !hidden(at, towards_light, kSky)) add_disc(at, disc, towards_light);
+}
+
+void DirectLight::add_sampled_lamp(Reflection& at, const RayHit& place) const {
+    const TracedSurface& lamp = surfaces_[place.surface];
+    const glm::dvec3 way = lamp.position(place) - at.hit.position;
+    const double distance = glm::length(way);
+    const double cosine = std::abs(glm::dot(lamp.geometric_normal(place), way)) / distance;
+    if (!(cosine > 0)) return;
+    const glm::dvec3 towards_light = way / distance * at.hit.frame;
+    if (!at.lit_from(towards_light)) return;
+    if (!lamp.emitted(place, at.incident_frame(towards_light), at.workspace.incident)) return;
+    // As the ray starts off the surface, it meets the lamp's plane that much earlier, or more at a slant.
+    if (hidden(at, towards_light, distance - 2 * rays_->offset() / cosine)) return;
+    add_reflected(at, towards_light, pdf(at, towards_light, lamp_pdf(at, place)));
+}
+
+void DirectLight::add_without_size(Reflection& at, const SmallLight& light) const {
+    const auto arrival = light_arrival(light, at.hit.position, at.workspace.irradiance);
+    if (!arrival) return;
+    const glm::dvec3 towards_light = arrival->towards_light * at.hit.frame;
+    if (!at.lit_from(towards_light)) return;
+    if (hidden(at, towards_light, arrival->distance - 2 * rays_->offset())) return;
+    const Stokes state =
+        stokes_in(at.incident_frame(towards_light), light.state, axis_in_world(light.to_world, light.state));
+    for (std::size_t c = 0; c < at.sum.size(); ++c)
+        at.workspace.incident[c] = at.workspace.irradiance[c] * state;
+    add_reflected(at, towards_light, 1);
+}
+
+void DirectLight::add_sampled_surface(Reflection& at, const glm::dvec2& point) const {
+    const glm::dvec3 towards_light = sample(at.hit, point, at.workspace);
+    if (!at.lit_from(towards_light)) return;
+    const bool beyond_lamps = lamp_sampler_->samples() > 0;
+    if (beyond_lamps ? add_lamps(at, towards_light) : hidden(at, towards_light, kSky)) return;
+    if (environment_ != nullptr) add_environment(at, towards_light);
+    for (const SkyDisc& disc : discs_) add_disc(at, disc, towards_light);
+}
+
+void DirectLight::add_environment(Reflection& at, const glm::dvec3& towards_light) const {
+    const glm::dvec3 in_light = glm::normalize(at.in_world(towards_light) * light_to_world_);
+    const double rotate_in =
+        environment_->polarized()
+            ? angle_between(light_to_world_ * theta_phi_frame(-in_light), at.incident_frame(towards_light))
+            : 0;
+    for (int c = 0; c < channels_; ++c)
+        at.workspace.incident[static_cast<std::size_t>(c)] = rotated(radiance(c, in_light), rotate_in);
+    const double of_light =
+        light_sampler_->pdf(glm::normalize(at.hit.frame * towards_light * light_to_world_));
+    add_reflected(at, towards_light, pdf(at, towards_light, of_light));
+}
+
+void DirectLight::add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3& towards_light) const {
+    const double of_light = disc.pdf(at.in_world(towards_light));
+    if (of_light == 0) return;
+    const SmallLight& light = disc.light();
+    const Stokes state =
+        stokes_in(at.incident_frame(towards_light), light.state, axis_in_world(light.to_world, light.state));
+    for (int c = 0; c < channels_; ++c)
+        at.workspace.incident[static_cast<std::size_t>(c)] = disc.radiance(c) * state;
+    add_reflected(at, towards_light, pdf(at, towards_light, of_light));
+}
+
+// Adds surfaces that shine, up to the first of all surfaces if they hide what is beyond; returns whether one
+// does.
+bool DirectLight::add_lamps(Reflection& at, const glm::dvec3& towards_light) const {
+    if (shadows_) ++at.workspace.shadow_rays;
+    Ray ray = rays_->leaving(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light));
+    while (const std::optional<RayHit> found = rays_->intersect(ray)) {
+        const TracedSurface& lamp = surfaces_[found->surface];
+        if (lamp.emitted(*found, at.incident_frame(towards_light), at.workspace.incident))
+            add_reflected(at, towards_light, pdf(at, towards_light, lamp_pdf(at, *found)));
+        if (shadows_) return true;
+        ray.nearest = found->distance + rays_->offset();
+    }
+    return false;
+}
+
+bool DirectLight::hidden(Reflection& at, const glm::dvec3& towards_light, double distance) const {
+    if (!shadows_) return false;
+    ++at.workspace.shadow_rays;
+    return rays_->occluded(at.hit.position, at.hit.geometric_normal, at.in_world(towards_light),
+                           std::max(0.0, distance));
+}
+
+// Of the places that the lamps' samples would choose, at this one, per steradian.
+double DirectLight::lamp_pdf(const Reflection& at, const RayHit& place) const {
+    const TracedSurface& lamp = surfaces_[place.surface];
+    const glm::dvec3 way = lamp.position(place) - at.hit.position;
+    const double distance = glm::length(way);
+    return lamp_sampler_->density(place.surface) * distance * distance * distance /
+           std::abs(glm::dot(lamp.geometric_normal(place), way));
+}
+
+void DirectLight::add_reflected(Reflection& at, const glm::dvec3& towards_light, double pdf) const {
+    if (!(pdf > 0)) return;
+    const SurfaceHit& hit = at.hit;
+    Workspace& workspace = at.workspace;
+    const double rotate_out = angle_between(hit.frame * theta_phi_frame(hit.towards_viewer), at.received);
     for (std::size_t l = 0; l < hit.surface.layers.size(); ++l) {
         if (workspace.shares[l] == 0) continue;
         const Material& material = *hit.surface.layers[l].material;
@@ -228,31 +304,18 @@ void DirectLight::add_reflected(const Hit& hit, const glm::dvec3& towards_light,
         workspace.terms.resize(static_cast<std::size_t>(terms));
         material.evaluate_terms(towards_light, hit.towards_viewer, workspace.terms);
         for (int c = 0; c < channels_; ++c) {
-            const Stokes incident = rotated(radiance(c, in_light), rotate_in);
+            const auto channel = static_cast<std::size_t>(c);
             Stokes reflected(0.0);
             for (int t = 0; t < terms; ++t) {
                 const double weight = material.weight(t, material.channels() == 1 ? 0 : c);
-                reflected += weight * (workspace.terms[static_cast<std::size_t>(t)] * incident);
+                reflected +=
+                    weight * (workspace.terms[static_cast<std::size_t>(t)] * workspace.incident[channel]);
             }
             // Textures of colours are for three channels; of others all three weights are equal.
             const double weight = workspace.weights[l][channels_ == 3 ? c : 0];
-            sum[static_cast<std::size_t>(c)] +=
-                rotated(weight * towards_light.z / pdf * reflected, rotate_out);
+            at.sum[channel] += rotated(weight * towards_light.z / pdf * reflected, rotate_out);
         }
     }
-}
-
-double DirectLight::pdf(const Hit& hit, const glm::dvec3& towards_light, const Workspace& workspace) const {
-    double sum = 0;
-    if (strategy_ != Strategy::surface)
-        sum += light_sampler_->pdf(glm::normalize((hit.frame * towards_light) * light_to_world_));
-    if (strategy_ != Strategy::light) {
-        for (std::size_t l = 0; l < hit.surface.layers.size(); ++l)
-            if (workspace.shares[l] > 0)
-                sum += workspace.shares[l] *
-                       hit.surface.layers[l].sampler->pdf(hit.towards_viewer, towards_light);
-    }
-    return sum;
 }
 
 Stokes DirectLight::radiance(int channel, const glm::dvec3& towards_light) const {

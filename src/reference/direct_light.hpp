@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The light that reaches the camera along a ray: the environment's, directly or after one reflection.
+// The light that reaches the camera along a ray: of the environment and of surfaces that shine, and what a
+// surface reflects once.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +10,18 @@
 #include <vector>
 
 #include "geometry/ray_scene.hpp"
+#include "reference/lamp_sampler.hpp"
 #include "reference/light_sampler.hpp"
+#include "reference/low_discrepancy.hpp"
+#include "reference/sky_disc.hpp"
 #include "reference/surface_sampler.hpp"
+#include "reference/traced_surface.hpp"
 #include "scene/scene.hpp"
 
 namespace nicol {
 
-/// Which directions a reflection is estimated from. Each alone is unbiased; together (weighted by the balance
-/// heuristic) they are the least noisy.
+/// Which directions the reflection of lights with a size is estimated from. Each alone is unbiased; together
+/// (weighted by the balance heuristic) they are the least noisy. Lights without a size have one direction.
 enum class Strategy { both, light, surface };
 
 /// A scene made ready for rays. Immutable; its scene must not change meanwhile.
@@ -30,6 +35,8 @@ public:
         std::vector<Mueller> terms;
         std::vector<glm::vec3> weights;  ///< of the layers of the surface's material
         std::vector<double> shares;      ///< the chance of each to be sampled
+        std::vector<Stokes> incident;    ///< radiance of each channel
+        std::vector<double> irradiance;  ///< likewise
         std::uint64_t shadow_rays = 0;
     };
 
@@ -45,34 +52,41 @@ public:
     };
     [[nodiscard]] std::optional<Surfel> first_surface(const Ray& ray) const;
 
+    /// Streams of the points that add() leaves to others.
+    static constexpr std::uint32_t kFirstStream = 1;
     /// Adds, for each channel, an estimate of the Stokes vector of the light that travels against the ray, in
-    /// `received`, whose z is -ray.direction. The points in [0, 1)^2 choose the directions towards the light.
-    /// Returns whether the ray meets a surface.
-    bool add(const Ray& ray, const Frame& received, const glm::dvec2& light_point,
-             const glm::dvec2& surface_point, std::span<Stokes> sum, Workspace& workspace) const;
+    /// `received`, whose z is -ray.direction. The points of this index choose the directions towards the
+    /// light. Returns whether the ray meets a surface.
+    bool add(const Ray& ray, const Frame& received, const LowDiscrepancy& points, std::uint32_t index,
+             std::span<Stokes> sum, Workspace& workspace) const;
 
 private:
-    struct Layer {
-        const Material* material;
-        const SurfaceSampler* sampler;
-    };
-    struct Surface {
-        Mesh mesh;  ///< in the world
-        const Material* material;
-        std::vector<Layer> layers;  ///< of a material that varies; else itself
-    };
-    struct Hit;
+    struct Reflection;
 
-    [[nodiscard]] Presence presence_of(const Surface& surface) const;
-    [[nodiscard]] Hit hit_at(const RayHit& hit, const glm::dvec3& towards_viewer) const;
-    void weigh_layers(const Hit& hit, Workspace& workspace) const;
-    [[nodiscard]] glm::dvec3 sample(const Hit& hit, const glm::dvec2& point,
+    void weigh_layers(const SurfaceHit& hit, Workspace& workspace) const;
+    [[nodiscard]] glm::dvec3 sample(const SurfaceHit& hit, const glm::dvec2& point,
                                     const Workspace& workspace) const;
+    /// Of the strategy, where sampling the light has `of_light`; per steradian.
+    [[nodiscard]] double pdf(const Reflection& at, const glm::dvec3& towards_light, double of_light) const;
     void add_background(const glm::dvec3& direction, const Frame& received, std::span<Stokes> sum) const;
-    void add_reflected(const Hit& hit, const glm::dvec3& towards_light, double pdf, const Frame& received,
-                       std::span<Stokes> sum, Workspace& workspace) const;
-    [[nodiscard]] double pdf(const Hit& hit, const glm::dvec3& towards_light,
-                             const Workspace& workspace) const;
+    void add_emitted(const RayHit& hit, const Frame& received, std::span<Stokes> sum,
+                     Workspace& workspace) const;
+
+    // Each adds what the surface reflects of a light, unless that is hidden.
+    void add_sampled_environment(Reflection& at, const glm::dvec2& point) const;
+    void add_sampled_disc(Reflection& at, const SkyDisc& disc, const glm::dvec2& point) const;
+    void add_sampled_lamp(Reflection& at, const RayHit& place) const;
+    void add_without_size(Reflection& at, const SmallLight& light) const;
+    void add_sampled_surface(Reflection& at, const glm::dvec2& point) const;
+
+    // Each adds what the surface reflects of a light in a direction, which nothing hides.
+    void add_environment(Reflection& at, const glm::dvec3& towards_light) const;
+    void add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3& towards_light) const;
+    [[nodiscard]] bool add_lamps(Reflection& at, const glm::dvec3& towards_light) const;
+    void add_reflected(Reflection& at, const glm::dvec3& towards_light, double pdf) const;
+
+    [[nodiscard]] bool hidden(Reflection& at, const glm::dvec3& towards_light, double distance) const;
+    [[nodiscard]] double lamp_pdf(const Reflection& at, const RayHit& place) const;
     [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const;
 
     const Environment* environment_;
@@ -81,12 +95,15 @@ private:
     double light_scale_;
     Strategy strategy_;
     bool shadows_;
-    int channels_ = 1;
+    int channels_;
     std::uint64_t triangles_ = 0;
-    std::vector<Surface> surfaces_;
+    std::vector<TracedSurface> surfaces_;
     std::vector<std::uint32_t> ids_;  // of their instances
     std::map<const Material*, SurfaceSampler> samplers_;
     std::unique_ptr<LightSampler> light_sampler_;
+    std::vector<const SmallLight*> without_size_;
+    std::vector<SkyDisc> discs_;
+    std::unique_ptr<LampSampler> lamp_sampler_;
     std::unique_ptr<RayScene> rays_;
 };
 

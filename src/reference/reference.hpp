@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reference method: its options and its statistics. An image by rays and the integral of the
-// environment's light over directions, without harmonics; every error of the real-time methods is measured
-// against it.
+// The reference method: its options and its statistics. An image by rays and the integral of light over
+// directions, without harmonics; every error of the real-time methods is measured against it.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +12,11 @@ namespace nicol {
 inline constexpr int kMaxReferenceSamples = 1 << 20;
 
 struct ReferenceOptions {
-    /// Camera rays a pixel, 1..kMaxReferenceSamples; each that hits a surface sends one ray towards the light
-    /// and one into the surface's lobe. Powers of two are stratified best.
+    /// Camera rays a pixel, 1..kMaxReferenceSamples; each that hits a surface sends one ray towards the
+    /// environment, one towards each small light (of more than 16 surfaces that shine, to one of them) and
+    /// one into the surface's lobe. Powers of two are stratified best.
     int samples = 256;
-    bool shadows = true;  ///< whether surfaces hide the environment from each other
+    bool shadows = true;  ///< whether surfaces hide light from each other
     /// The image has one channel, the luminance of three.
     bool luminance = false;
     /// The same seed gives the same image whatever the number of threads; another one gives other noise.

@@ -144,8 +144,7 @@ private:
         const auto index = static_cast<std::uint32_t>(i);
         const glm::dvec2 position = points.point(index, 0);
         const Ray ray = rays_.through(x + position.x, y + position.y);
-        return light_.add(ray, rays_.frame(ray), points.point(index, 1), points.point(index, 2), sum,
-                          workspace);
+        return light_.add(ray, rays_.frame(ray), points, index, sum, workspace);
     }
 
     [[nodiscard]] std::size_t pixel_at(int x, int y) const {

@@ -13,13 +13,14 @@ namespace nicol {
 
 /// For each pixel the mean, over the pixel's square, of the light towards the camera in the frame field of
 /// the viewpoint. Where a ray meets a surface this is the integral over the hemisphere about the interpolated
-/// normal of M(towards light, towards viewer) L(towards light) cos, L being the environment, where no
-/// triangle is in the way if shadows are asked for; 0 where the viewer is behind that normal, unless the
-/// material is two-sided. Elsewhere it is the environment itself. `projection` must have been made for this
-/// width and height. Throws Error(invalid_argument) for options or sizes out of range, the variance of a
-/// single sample among them, Error(out_of_memory), Error(cancelled), and what the environment and the
-/// materials throw. `aovs`, where not null, gets the AOVs of the options: the variance as PixelEstimate has
-/// it, the others by the rays through the pixels' centres.
+/// normal of M(towards light, towards viewer) L(towards light) cos, L being that of the environment, of small
+/// lights and of surfaces that shine, where no triangle is in the way if shadows are asked for; 0 where the
+/// viewer is behind that normal, unless the material is two-sided; and what the surface emits itself.
+/// Elsewhere it is the environment. `projection` must have been made for this width and height. Throws
+/// Error(invalid_argument) for options or sizes out of range, the variance of a single sample among them,
+/// Error(out_of_memory), Error(cancelled), and what the environment and the materials throw. `aovs`, where
+/// not null, gets the AOVs of the options: the variance as PixelEstimate has it, the others by the rays
+/// through the pixels' centres.
 [[nodiscard]] StokesImage render_reference(const Scene& scene, const Projection& projection, int width,
                                            int height, const ReferenceOptions& options,
                                            ReferenceStatistics& statistics,

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "reference/light_arrival.hpp"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+
+namespace nicol {
+
+using Kind = SmallLight::Kind;
+
+bool without_size(const SmallLight& light) noexcept {
+    return light.kind != Kind::directional || light.angular_radius == 0;
+}
+
+std::optional<LightArrival> light_arrival(const SmallLight& light, const glm::dvec3& position,
+                                          std::span<double> irradiance) {
+    const glm::dmat3 axes(light.to_world);
+    const auto fill = [&](double factor, const glm::vec4& texel) {
+        for (std::size_t c = 0; c < irradiance.size(); ++c)
+            irradiance[c] = factor * textured_value(light.value, light.texture, texel, static_cast<int>(c));
+    };
+    if (light.kind == Kind::directional) {
+        fill(1, glm::vec4(1));
+        return LightArrival{.towards_light = -glm::normalize(axes[2]),
+                            .distance = std::numeric_limits<double>::infinity()};
+    }
+    const glm::dvec3 way = position - glm::dvec3(light.to_world[3]);
+    const double distance = glm::length(way);
+    if (!(distance > 0)) return std::nullopt;
+    double factor = 1 / (distance * distance);
+    glm::vec4 texel(1);
+    if (light.kind == Kind::spot || light.kind == Kind::projector) {
+        const glm::dvec3 along = glm::transpose(axes) * way;
+        if (!(along.z > 0)) return std::nullopt;
+        const glm::dvec2 uv = light_texcoords(light, along);
+        const double cosine = along.z / distance;
+        if (light.kind == Kind::spot) {
+            factor *= spot_falloff(light, cosine);
+            if (factor == 0) return std::nullopt;
+        } else {
+            if (uv.x < 0 || uv.x > 1 || uv.y < 0 || uv.y > 1) return std::nullopt;
+            // On the plane z = 1 the distance is 1 / cosine, and so is the cosine itself.
+            factor /= cosine * cosine * cosine;
+        }
+        if (light.texture != nullptr) texel = light.texture->at({.uv = glm::vec2(uv)});
+    }
+    fill(factor, texel);
+    return LightArrival{.towards_light = -way / distance, .distance = distance};
+}
+
+}  // namespace nicol

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "reference/traced_surface.hpp"
+
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "material/spatial_variation.hpp"
+#include "shading/normal_variation.hpp"
+
+namespace nicol {
+namespace {
+
+template <class Value>
+std::array<Value, 3> corners_of(const std::vector<Value>& values, const glm::uvec3& corners) {
+    return {values[corners.x], values[corners.y], values[corners.z]};
+}
+
+TexturePoint texture_point(const Mesh& mesh, std::uint32_t triangle, const glm::vec3& weights) {
+    std::array<glm::vec2, 3> texcoords;
+    std::array<glm::vec3, 3> colors;
+    if (!mesh.texcoords.empty()) texcoords = corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]);
+    if (!mesh.colors.empty()) colors = corners_of(mesh.colors, mesh.triangles[triangle]);
+    return nicol::texture_point(weights, mesh.texcoords.empty() ? nullptr : &texcoords,
+                                mesh.colors.empty() ? nullptr : &colors);
+}
+
+TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
+    if (mesh.texcoords.empty()) return {};
+    return nicol::texture_axes(corners_of(mesh.positions, mesh.triangles[triangle]),
+                               corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]));
+}
+
+glm::dvec3 weights_of(const RayHit& hit) {
+    return {1 - hit.b1 - hit.b2, hit.b1, hit.b2};
+}
+
+}  // namespace
+
+Presence TracedSurface::presence() const {
+    const SpatialVariation* const variation = material->variation();
+    if (variation == nullptr || variation->opacity == nullptr) return {};
+    return [this, variation](std::uint32_t triangle, float b1, float b2) {
+        return variation->present(texture_point(mesh, triangle, {1 - b1 - b2, b1, b2}));
+    };
+}
+
+glm::dvec3 TracedSurface::position(const RayHit& hit) const {
+    // From the corners rather than along the ray, which is known to single precision only.
+    const auto corners = corners_of(mesh.positions, mesh.triangles[hit.triangle]);
+    return glm::dmat3(corners[0], corners[1], corners[2]) * weights_of(hit);
+}
+
+glm::dvec3 TracedSurface::geometric_normal(const RayHit& hit) const {
+    const auto corners = corners_of(mesh.positions, mesh.triangles[hit.triangle]);
+    const glm::dvec3 origin(corners[0]);
+    return glm::normalize(glm::cross(glm::dvec3(corners[1]) - origin, glm::dvec3(corners[2]) - origin));
+}
+
+glm::dvec3 TracedSurface::normal(const RayHit& hit) const {
+    const auto corners = corners_of(mesh.normals, mesh.triangles[hit.triangle]);
+    const glm::dvec3 weights = weights_of(hit);
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < 3; ++i) sum += weights[i] * glm::dvec3(corners[static_cast<std::size_t>(i)]);
+    const double length = glm::length(sum);
+    return length > 0 ? sum / length : geometric_normal(hit);
+}
+
+bool TracedSurface::emitted(const RayHit& hit, const Frame& frame, std::span<Stokes> radiance) const {
+    if (emission == nullptr) return false;
+    if (!emission->two_sided && !(glm::dot(normal(hit), frame[2]) > 0)) return false;
+    const TexturePoint point = texture_point(mesh, hit.triangle, glm::vec3(weights_of(hit)));
+    if (opacity_of(*material) != nullptr && !material->variation()->present(point)) return false;
+    const glm::vec4 texel = emission->texture != nullptr ? emission->texture->at(point) : glm::vec4(1);
+    const Stokes state = stokes_in(frame, emission->state, emission_axis);
+    for (std::size_t c = 0; c < radiance.size(); ++c)
+        radiance[c] =
+            textured_value(emission->radiance, emission->texture, texel, static_cast<int>(c)) * state;
+    return true;
+}
+
+SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const glm::dvec3& towards_viewer) {
+    glm::dvec3 shading_normal = surface.normal(hit);
+    const bool behind = glm::dot(shading_normal, towards_viewer) < 0;
+    const bool back = behind && surface.material->twosided();
+    if (back) shading_normal = -shading_normal;
+    SurfaceHit out{.surface = surface,
+                   .position = surface.position(hit),
+                   .geometric_normal = surface.geometric_normal(hit),
+                   .unturned = shading_normal,
+                   .frame = {},
+                   .towards_viewer = {},
+                   .point = {}};
+    if (const SpatialVariation* const variation = surface.material->variation()) {
+        out.point = texture_point(surface.mesh, hit.triangle, glm::vec3(weights_of(hit)));
+        if (variation->normal.kind != NormalVariation::Kind::none) {
+            const glm::vec3 normal_of_mesh(shading_normal);
+            const glm::vec3 turned = turned_normal(
+                variation->normal, out.point, texture_axes(surface.mesh, hit.triangle), normal_of_mesh, back);
+            shading_normal =
+                glm::normalize(glm::dvec3(facing(turned, normal_of_mesh, glm::vec3(towards_viewer))));
+        }
+    }
+    out.frame = theta_phi_frame(shading_normal);
+    out.towards_viewer = glm::normalize(towards_viewer * out.frame);
+    return out;
+}
+
+}  // namespace nicol
