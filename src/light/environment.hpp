@@ -72,6 +72,10 @@ public:
     /// The background. Of an image: its own pixels times the scale.
     [[nodiscard]] virtual EquirectImage image() const = 0;
 
+    /// Of an image: the pixels of image(), which radiance() interpolates, valid as long as the light. Else
+    /// their `values` are null.
+    [[nodiscard]] virtual EquirectView pixels() const noexcept { return {}; }
+
     /// The same light with a fast radiance(), see psh_environment(); null if radiance() is fast already.
     [[nodiscard]] virtual std::unique_ptr<const Environment> tabulated() const { return nullptr; }
 

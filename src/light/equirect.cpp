@@ -31,6 +31,15 @@ Frame equirect_frame(double u, double v) {
     return {x, glm::cross(z, x), z};
 }
 
+double pixel_solid_angle(int width, int height, int row) {
+    const double step = pi / (height - 1);
+    const bool pole = row == 0 || row == height - 1;
+    // Of a tent function of the zenith angle, or half of one, times its sine.
+    const double depth =
+        pole ? 1 - std::sin(step) / step : std::sin(row * step) * 2 * (1 - std::cos(step)) / step;
+    return 2 * pi / width * depth;
+}
+
 glm::dmat3 equirect_axes() {
     return {glm::dvec3(0, 0, -1), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0)};
 }

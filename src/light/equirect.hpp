@@ -17,6 +17,9 @@ namespace nicol {
 /// The Stokes frame of the image at (u, v): z = propagation, x = the horizontal direction of increasing u.
 [[nodiscard]] Frame equirect_frame(double u, double v);
 
+/// Integral over the sphere of what a pixel of 1 in this row is, with others of 0, in an image of so many.
+[[nodiscard]] double pixel_solid_angle(int width, int height, int row);
+
 /// Axes (as columns) about which the image's rows are circles of latitude: z = world y, x = world -z,
 /// y = world -x. A propagation direction has theta = pi (1 - v) and phi = pi - 2 pi u about them, and its
 /// image frame is its theta-phi frame rotated by +90 degrees: x = phi-hat, y = -theta-hat.

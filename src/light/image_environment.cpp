@@ -40,12 +40,12 @@ public:
 
     Stokes radiance(int channel, const glm::dvec3& towards_light) const override {
         check_look_up(*this, channel, towards_light);
-        return look_up(view(), channel, towards_light);
+        return look_up(pixels(), channel, towards_light);
     }
 
     PshVector project(int order) const override {
         check_projection_order(order);
-        return project_equirect(view(), order);
+        return project_equirect(pixels(), order);
     }
 
     EquirectImage image() const override {
@@ -57,12 +57,7 @@ public:
         return image;
     }
 
-private:
-    [[nodiscard]] std::size_t size() const {
-        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
-               static_cast<std::size_t>(channels_) * static_cast<std::size_t>(components_);
-    }
-    [[nodiscard]] EquirectView view() const {
+    EquirectView pixels() const noexcept override {
         const auto pixel = static_cast<std::size_t>(components_);
         const std::size_t row = pixel * static_cast<std::size_t>(width_);
         return {.width = width_,
@@ -73,6 +68,12 @@ private:
                 .channel_stride = row * static_cast<std::size_t>(height_),
                 .row_stride = row,
                 .pixel_stride = pixel};
+    }
+
+private:
+    [[nodiscard]] std::size_t size() const {
+        return static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
+               static_cast<std::size_t>(channels_) * static_cast<std::size_t>(components_);
     }
     [[nodiscard]] std::size_t offset(int channel, int y, int x) const {
         const auto row = static_cast<std::size_t>(channel) * static_cast<std::size_t>(height_) +

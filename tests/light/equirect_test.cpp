@@ -59,3 +59,18 @@ TEST_CASE("the image frame is the theta-phi frame about y rotated by +90 degrees
         CHECK(glm::length(s - Stokes(1, -0.3, -0.4, 0.1)) < 1e-15);
     }
 }
+
+TEST_CASE("a pixel's solid angle is the integral of the light that it alone makes") {
+    for (const auto& [width, height] : {std::pair{8, 5}, {3, 2}, {16, 33}}) {
+        CAPTURES(width, height);
+        double sum = 0;
+        for (int row = 0; row < height; ++row) {
+            EquirectImage image(width, height, 1);
+            image.at(0, row, 1)[0] = 1;
+            const double expected = std::sqrt(4 * pi) * image_environment(image)->project(0).at(0, 0, 0, 0);
+            CHECK(pixel_solid_angle(width, height, row) == doctest::Approx(expected).epsilon(1e-9));
+            sum += width * pixel_solid_angle(width, height, row);
+        }
+        CHECK(sum == doctest::Approx(4 * pi).epsilon(1e-12));
+    }
+}
