@@ -12,7 +12,7 @@ struct LaneRotations {
     Number out_cos2, out_sin2;
 };
 
-/// x where `condition`, else y.
+/// a where `condition` holds, else b.
 template <class Condition, class Number>
 [[gnu::always_inline]] inline Vector3<Number> choose(const Condition& condition, const Vector3<Number>& a,
                                                      const Vector3<Number>& b) {
@@ -25,7 +25,7 @@ template <class Number>
 [[gnu::always_inline]] inline void rotation_from_s(const Vector3<Number>& s, const Vector3<Number>& direction,
                                                    float upwards, Number& cos2, Number& sin2) {
     const Number rho2 = direction.x * direction.x + direction.y * direction.y;
-    // Else theta-hat is along x. Below, the squares of rho's digits are lost.
+    // Else the direction is along z, and theta-hat along x. Smaller squares are denormal.
     const auto tilted = rho2 > 1e-37F;
     const Number cosine = tilted ? -s.z : upwards * s.x;
     const Number sine = tilted ? upwards * (direction.y * s.x - direction.x * s.y) : -s.y;
@@ -47,8 +47,10 @@ template <class Number>
     const auto alike = number > 0.0F;
     const Vector3<Number> difference{viewer.x - light.x, viewer.y - light.y, viewer.z - light.z};
     const Vector3<Number> sum{viewer.x + light.x, viewer.y + light.y, viewer.z + light.z};
+    const Number light_rho2 = light.x * light.x + light.y * light.y;
+    const Number viewer_rho2 = viewer.x * viewer.x + viewer.y * viewer.y;
     const Vector3<Number> s =
-        cross(choose(light.z > viewer.z, light, viewer), choose(alike, difference, sum));
+        cross(choose(light_rho2 < viewer_rho2, light, viewer), choose(alike, difference, sum));
 
     dot(s, s, number);
     const auto defined = number > 1e-24F;

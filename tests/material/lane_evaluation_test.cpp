@@ -52,6 +52,8 @@ std::vector<Pair> pairs(double alpha) {
                                {a, up},
                                {up, a},
                                {up, near(up, 0.01 * alpha)},
+                               {a, near(up, 1e-9)},
+                               {near(up, 1e-12), near(up, 1e-9)},
                                {a, near(a, 1e-5)},
                                {a, near(a, 1e-3)},
                                {grazing, a},
