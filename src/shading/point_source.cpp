@@ -20,13 +20,6 @@ double pattern(const SmallLight& light, const glm::dvec3& direction) {
     return inside ? 1 / (direction.z * direction.z * direction.z) : 0;
 }
 
-// Where the texture is met.
-glm::dvec2 image_point(const SmallLight& light, const glm::dvec3& direction) {
-    const glm::dvec2 at(direction.x / direction.z, direction.y / direction.z);
-    if (light.kind == SmallLight::Kind::spot) return 0.5 + 0.5 * at / std::tan(light.cutoff_angle);
-    return 0.5 - 0.5 * glm::dvec2(1, light.aspect) * at / std::tan(light.fov / 2);
-}
-
 }  // namespace
 
 PointSource::PointSource(const SmallLight& light, const glm::dmat4& to_axes)
@@ -72,7 +65,7 @@ void PointSource::aim(const LaneVectors& directions, std::array<Lanes, 3>& facto
         if (aimed == 0) out.points &= ~(1U << i);
         factors[0][i] *= static_cast<float>(aimed);
         if (light_.texture == nullptr) continue;
-        const glm::vec2 uv = direction.z > 0 ? image_point(light_, direction) : glm::dvec2(0);
+        const glm::vec2 uv = direction.z > 0 ? light_texcoords(light_, direction) : glm::dvec2(0);
         at.uv[0][i] = uv.x;
         at.uv[1][i] = uv.y;
     }
