@@ -85,6 +85,16 @@ void flip_normals(Mesh& mesh);
 /// Throws Error(invalid_argument) unless the centre is finite and the radius positive and finite.
 [[nodiscard]] Mesh make_sphere(const glm::dvec3& center = glm::dvec3(0.0), double radius = 1.0);
 
+/// The disc of radius 1 at z = 0 with normal +z: 180 sectors of 16 rings. u is the distance from the centre,
+/// v the angle from +x towards +y over 2 pi.
+[[nodiscard]] Mesh make_disk();
+
+/// The cylinder around the line from p0 to p1, without its ends and with outward normals: 180 sides of 32
+/// rows, whose flat sides lie at most 1.6e-4 radius below it. u is the angle around p1 - p0 over 2 pi, from
+/// perpendicular(), v grows from 0 at p0 to 1 at p1. Throws Error(invalid_argument) unless
+/// the points are finite and apart, and the radius is positive and finite.
+[[nodiscard]] Mesh make_cylinder(const glm::dvec3& p0, const glm::dvec3& p1, double radius);
+
 /// The square [-1, 1]^2 at z = 0 with normal +z as `cells` x `cells` squares of two triangles; u = (x + 1) /
 /// 2, v = (y + 1) / 2. Throws Error(invalid_argument) unless 1 <= cells <= 1024.
 [[nodiscard]] Mesh make_rectangle(int cells = 1);

@@ -9,6 +9,8 @@
 #include <glm/matrix.hpp>
 #include <string>
 
+#include "geometry/perpendicular.hpp"
+
 namespace nicol::scene {
 
 std::optional<double> parsed_number(std::string_view text) {
@@ -107,14 +109,6 @@ glm::dmat4 rotation(const XmlDocument& document, pugi::xml_node node) {
     if (!(length > 0.0) || !std::isfinite(length))
         document.fail(node, "<rotate> about an axis of no length; give x, y or z");
     return glm::rotate(glm::dmat4(1.0), glm::radians(angle), axis / length);
-}
-
-/// Some unit vector across a unit vector: the one Mitsuba takes (Duff et al., Building an Orthonormal Basis,
-/// Revisited, 2017).
-glm::dvec3 perpendicular(const glm::dvec3& n) {
-    const double sign = std::copysign(1.0, n.z);
-    const double a = -1.0 / (sign + n.z);
-    return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
 }
 
 /// +z towards the target, +x to the left for a viewer behind it, +y as near to `up` as can be.

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <glm/vec3.hpp>
+
+namespace nicol {
+
+/// Some unit vector across a unit vector: the one Mitsuba takes (Duff et al., Building an Orthonormal Basis,
+/// Revisited, 2017).
+[[nodiscard]] inline glm::dvec3 perpendicular(const glm::dvec3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1.0 / (sign + n.z);
+    return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+}
+
+}  // namespace nicol
