@@ -105,4 +105,19 @@ glm::dmat4 matrix(const double* rows) {
     return m;
 }
 
+void write_matrix(const glm::dmat4& m, double* rows) {
+    for (int row = 0; row < 4; ++row) {
+        for (int column = 0; column < 4; ++column) rows[4 * row + column] = m[column][row];
+    }
+}
+
+void write_ids(const std::vector<std::uint32_t>& all, std::uint32_t* ids, std::uint64_t count,
+               const char* what) {
+    if (count != all.size())
+        refuse("count is " + std::to_string(count) + "; the scene has " + std::to_string(all.size()) + " " +
+               what);
+    if (count > 0) require(ids, "ids");
+    std::ranges::copy(all, ids);
+}
+
 }  // namespace nicol::capi

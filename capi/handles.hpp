@@ -293,7 +293,11 @@ struct ImagePixels {
 };
 /// Throws Error(invalid_argument); the release callback is called in any case.
 ImagePixels read_image(const nicol_image* image);
-/// From 16 row-major numbers.
+/// From 16 row-major numbers, and to them.
 glm::dmat4 matrix(const double* rows);
+void write_matrix(const glm::dmat4& m, double* rows);
+/// Throws Error(invalid_argument) unless `count` is how many there are; `what` names them.
+void write_ids(const std::vector<std::uint32_t>& all, std::uint32_t* ids, std::uint64_t count,
+               const char* what);
 
 }  // namespace nicol::capi

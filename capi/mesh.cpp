@@ -82,6 +82,20 @@ nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh) {
     return create(context, mesh, "mesh", [] { return std::make_shared<const Mesh>(make_cube()); });
 }
 
+nicol_result nicol_mesh_create_disk(nicol_context context, nicol_mesh* mesh) {
+    return create(context, mesh, "mesh", [] { return std::make_shared<const Mesh>(make_disk()); });
+}
+
+nicol_result nicol_mesh_create_cylinder(nicol_context context, const double p0[3], const double p1[3],
+                                        double radius, nicol_mesh* mesh) {
+    return create(context, mesh, "mesh", [&] {
+        require(p0, "p0");
+        require(p1, "p1");
+        return std::make_shared<const Mesh>(
+            make_cylinder({p0[0], p0[1], p0[2]}, {p1[0], p1[1], p1[2]}, radius));
+    });
+}
+
 nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles) {
     return guarded([&] {
         const nicol_mesh_impl& self = resolve(mesh);

@@ -88,6 +88,7 @@ int components_from(nicol_components given) {
     }
 }
 
+static_assert(NICOL_SPLIT_AUTOMATIC == kSplitAutomatic && NICOL_MAX_SPLIT_LIGHTS == kMaxSplitLights);
 static_assert(NICOL_AOV_DEPTH == aov_depth && NICOL_AOV_NORMAL == aov_normals &&
               NICOL_AOV_POSITION == aov_positions && NICOL_AOV_INSTANCE == aov_instances &&
               NICOL_AOV_VARIANCE == aov_variance && NICOL_AOV_ALPHA == aov_alpha);
@@ -133,6 +134,8 @@ RenderOptions options_from(const nicol_render_options& given) {
     options.pixel_samples = given.pixel_samples == 0 ? 1 : int_from(given.pixel_samples, "pixel_samples");
     options.aovs = aovs_from(given.aovs);
     options.disabled_optimisations = given.disabled_optimisations;
+    options.split_lights = given.split_lights;
+    options.light_samples = int_from(given.light_samples, "light_samples");
     options.samples = int_from(given.samples, "samples");
     options.seed = given.seed;
     options.progress = progress_from(given);
@@ -163,7 +166,9 @@ std::function<bool(const char*, double)> job_progress(Job& job, const RenderOpti
 
 // Says once of a scene file that nothing lights it, by when a light would have been given.
 void notice_darkness(const Scene& scene, SceneState& state, const Session& session) {
-    if (scene.environment() || !state.film || std::exchange(state.darkness_noticed, true)) return;
+    if (scene.environment() || scene.has_small_lights() || !state.film ||
+        std::exchange(state.darkness_noticed, true))
+        return;
     session.notice(state.files.front().path.string() + ": no emitter lights the scene.");
 }
 
@@ -317,6 +322,10 @@ nicol_result nicol_framebuffer_get_statistics(nicol_framebuffer framebuffer, nic
         out.vertices_shaded = s.vertices_shaded;
         out.pixels_shaded = s.pixels_shaded;
         out.vertices_added = s.vertices_added;
+        out.small_lights = s.small_lights;
+        out.lights_split = s.lights_split;
+        out.light_rays = s.light_rays;
+        out.light_ms = s.light_ms;
         write_struct(statistics, out, "statistics");
     });
 }

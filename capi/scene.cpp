@@ -12,12 +12,6 @@ using namespace nicol::capi;
 
 namespace {
 
-void write_matrix(const glm::dmat4& m, double* rows) {
-    for (int row = 0; row < 4; ++row) {
-        for (int column = 0; column < 4; ++column) rows[4 * row + column] = m[column][row];
-    }
-}
-
 SceneParameters parameters_from(const char* const* definitions, std::uint32_t count) {
     if (count > 0) require(definitions, "definitions");
     SceneParameters parameters;
@@ -164,13 +158,7 @@ nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
         const Edit edit(self);
-        const std::vector<std::uint32_t>& all = self.content->scene.ids();
-        if (count != all.size()) {
-            refuse("count is " + std::to_string(count) + "; the scene has " + std::to_string(all.size()) +
-                   " instances");
-        }
-        if (count > 0) require(ids, "ids");
-        std::ranges::copy(all, ids);
+        write_ids(self.content->scene.ids(), ids, count, "instances");
     });
 }
 

@@ -105,7 +105,7 @@ typedef struct nicol_environment_impl* nicol_environment; /* light from infinite
 typedef struct nicol_texture_impl* nicol_texture;         /* values that vary over a surface; immutable */
 typedef struct nicol_material_impl* nicol_material;       /* a polarimetric BRDF; immutable */
 typedef struct nicol_mesh_impl* nicol_mesh;               /* triangles; immutable */
-typedef struct nicol_scene_impl* nicol_scene;             /* instances and one environment; may change */
+typedef struct nicol_scene_impl* nicol_scene;             /* instances, lights, one environment; may change */
 typedef struct nicol_framebuffer_impl* nicol_framebuffer; /* the Stokes image of the last render into it */
 
 #define NICOL_MAX_CHANNELS 16
@@ -592,6 +592,12 @@ NICOL_API nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mes
 NICOL_API nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh);
 /* [-1, 1]^3. */
 NICOL_API nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh);
+/* Radius 1 in the plane z = 0, facing +z: 128 sectors of 16 rings. */
+NICOL_API nicol_result nicol_mesh_create_disk(nicol_context context, nicol_mesh* mesh);
+/* Of this radius around the line from p0 to p1, in the scene's units, without its ends: 180 sides. The front
+ * is outside. radius is above 0, p0 and p1 must differ. */
+NICOL_API nicol_result nicol_mesh_create_cylinder(nicol_context context, const double p0[3],
+                                                  const double p1[3], double radius, nicol_mesh* mesh);
 /* Of its vertices and triangles. */
 NICOL_API nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
 NICOL_API nicol_result nicol_mesh_retain(nicol_mesh mesh);
@@ -625,6 +631,79 @@ typedef struct nicol_camera {
 NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double origin[3],
                                             const double target[3], const double up[3]);
 
+/* ---------------------------------------------------------------- light */
+
+/* clang-format off */
+/* How the light of a lamp is polarized, the same for all of it.
+ *
+ *     y |  / E-vector      seen by who looks into the lamp, its light coming towards them along z:
+ *       | /                x is the part of `axis` across the light's direction (of an `axis` along the light, what a
+ *       |/ aolp            sphere's meridian gives), y = z cross x, and AoLP counts from x to y, counter-clockwise.
+ *       +------- x
+ *
+ * A polarizer before the lamp is dolp 1 with its transmission axis as `axis`; a quarter-wave plate behind it, docp 1
+ * or -1. */
+/* clang-format on */
+typedef struct nicol_polarization {
+    double dolp;    /* degree of linear polarization, 0, the default, to 1 */
+    double aolp;    /* angle of linear polarization, radians as NICOL_PLANE_AOLP; finite, default 0 */
+    double docp;    /* s3 / s0: -1 (left circular) to 1 (right); default 0. dolp^2 + docp^2 may be 1 */
+    double axis[3]; /* where AoLP is 0, in the lamp's own axes, of any length but 0; default (1, 0, 0) */
+} nicol_polarization;
+/* clang-format off */
+#define NICOL_POLARIZATION_INIT { 0, 0, 0, { 1, 0, 0 } }
+/* clang-format on */
+
+typedef uint32_t nicol_light_kind;
+#define NICOL_LIGHT_DIRECTIONAL 0 /* parallel light from infinitely far, or from a disc of the sky */
+#define NICOL_LIGHT_POINT 1       /* in all directions */
+#define NICOL_LIGHT_SPOT 2        /* within a cone */
+#define NICOL_LIGHT_PROJECTOR 3   /* a texture, or one colour, onto a rectangle */
+
+/* A light without a surface, beside the environment. In its own axes it shines along +z, from the origin
+ * where it has a place; +y is up and +x to the left of who looks along +z, as of cameras. Fields of other
+ * kinds have no effect. */
+typedef struct nicol_light {
+    uint32_t struct_size;
+    nicol_light_kind kind; /* default point */
+    /* Default 1; finite, not negative. Directional: irradiance on a surface that faces the light. Point and
+     * spot: radiant intensity, power per solid angle, of a spot on its axis. Projector: irradiance on the
+     * plane at distance 1. A directional light of a size has this irradiance over all of its disc. */
+    nicol_spectrum value;
+    uint32_t reserved;     /* 0 */
+    double to_world[16];   /* a rotation and a shift */
+    double angular_radius; /* directional: of the disc, degrees, 0, the default, to 90. The sun's is 0.27 */
+    double cutoff_angle;   /* spot: from the axis to where it ends, degrees, 0.01 to 90, default 20 */
+    double beam_width; /* spot: degrees, 0 to cutoff_angle, default 15: from here the intensity falls to 0 at
+                          cutoff_angle, linearly in the angle */
+    double fov;        /* projector: of the rectangle's width, degrees, 0.01 to 179.98, default 45 */
+    double aspect;     /* projector: the rectangle's width over its height; above 0, default 1 */
+    /* Spot: times the intensity, over the square around the cone; projector: times value, over the rectangle.
+     * 1 or 3 channels, not negative, no colours of vertices; NULL, the default: 1. The image's top is up. */
+    nicol_texture texture;
+    nicol_polarization polarization;
+} nicol_light;
+/* clang-format off */
+#define NICOL_LIGHT_INIT \
+    { sizeof(nicol_light), NICOL_LIGHT_POINT, NICOL_SPECTRUM_INIT, 0, NICOL_IDENTITY_4X4, 0, 20, 15, 45, 1, 0, \
+      NICOL_POLARIZATION_INIT }
+/* clang-format on */
+
+/* What an instance emits, beside what it reflects. */
+typedef struct nicol_emission {
+    uint32_t struct_size;
+    uint32_t two_sided;      /* 1: from both sides; 0, the default: from the front */
+    nicol_spectrum radiance; /* default 1; finite, not negative */
+    uint32_t reserved;       /* 0 */
+    /* Times radiance; 1 or 3 channels, not negative, no colours of vertices; NULL, the default: 1. */
+    nicol_texture texture;
+    nicol_polarization polarization; /* its axis is in the mesh's axes */
+} nicol_emission;
+/* clang-format off */
+#define NICOL_EMISSION_INIT \
+    { sizeof(nicol_emission), 0, NICOL_SPECTRUM_INIT, 0, 0, NICOL_POLARIZATION_INIT }
+/* clang-format on */
+
 /* ---------------------------------------------------------------- scene */
 
 typedef struct nicol_instance {
@@ -643,7 +722,7 @@ typedef struct nicol_instance {
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 /* A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
  * samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
- * glTF has no light: the scene is dark until nicol_scene_set_environment. */
+ * glTF has no environment, and may have lights. */
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);
@@ -676,6 +755,30 @@ NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_envi
  * to_world the identity and scale 1. */
 NICOL_API nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment,
                                                    double to_world[16], double* scale);
+/* Adds a light, with an id of its own: lights are counted from 0, apart from instances. id may be NULL. A
+ * light must have one colour channel or as many as the scene; so must what an instance emits. The handle of
+ * the texture may be released afterwards. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range,
+ * here and below. */
+NICOL_API nicol_result nicol_scene_add_light(nicol_scene scene, const nicol_light* light, uint32_t* id);
+/* All of the light of this id. The next render bakes nothing. */
+NICOL_API nicol_result nicol_scene_set_light(nicol_scene scene, uint32_t id, const nicol_light* light);
+/* Its id is not used again; the others keep theirs. */
+NICOL_API nicol_result nicol_scene_remove_light(nicol_scene scene, uint32_t id);
+/* The light as it was given; its texture, as a handle to release, in *texture (NULL: it has none) and not in
+ * light->texture. texture may be NULL. */
+NICOL_API nicol_result nicol_scene_get_light(nicol_scene scene, uint32_t id, nicol_light* light,
+                                             nicol_texture* texture);
+NICOL_API nicol_result nicol_scene_get_light_count(nicol_scene scene, uint32_t* lights);
+/* The ids of all lights, ascending; count: of the lights. */
+NICOL_API nicol_result nicol_scene_get_light_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
+/* Makes an instance shine, emission NULL: not shine. id is the instance's. A texture needs texture
+ * coordinates of the mesh. */
+NICOL_API nicol_result nicol_scene_set_emission(nicol_scene scene, uint32_t id,
+                                                const nicol_emission* emission);
+/* What an instance emits, its texture as of nicol_scene_get_light. Of one that does not shine the radiance
+ * is 0. */
+NICOL_API nicol_result nicol_scene_get_emission(nicol_scene scene, uint32_t id, nicol_emission* emission,
+                                                nicol_texture* texture);
 /* The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
@@ -772,6 +875,9 @@ typedef uint32_t nicol_components;
 #define NICOL_COMPONENTS_S0 1     /* s0 */
 #define NICOL_COMPONENTS_LINEAR 3 /* s0, s1, s2 */
 
+#define NICOL_SPLIT_AUTOMATIC (-1)
+#define NICOL_MAX_SPLIT_LIGHTS 64
+
 typedef struct nicol_render_options {
     uint32_t struct_size;
     nicol_method method;
@@ -823,11 +929,17 @@ typedef struct nicol_render_options {
                                 most this part of all of it; 0: none is split. 0 to 1, default 0.02 */
     uint64_t max_vertices;   /* that splitting may lead to; 0, the default: 65536, or four times as many as
                                 there were where that is more. A memory_limit lowers it */
+    int32_t split_lights; /* factored: lamps of the environment, such as a sun, that are taken out of it and
+                             rendered as lights, at most: 0 to NICOL_MAX_SPLIT_LIGHTS.
+                             NICOL_SPLIT_AUTOMATIC, the default: those that the orders would miss */
+    uint32_t
+        light_samples; /* real-time methods: places of each light with a size that light a point or a
+                          pixel, 1 to 1024, default 16. Fewer are faster, and leave steps in soft shadows */
 } nicol_render_options;
 /* clang-format off */
 #define NICOL_RENDER_OPTIONS_INIT \
     { sizeof(nicol_render_options), 0, NICOL_ORDER_AUTOMATIC, NICOL_ORDER_AUTOMATIC, 0, 1, 2048, 1, 0, 0, 0, 256, 0, 0, \
-      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0 }
+      0.03, 0, 0, 1, 0, 0, 0, 0.02, 0, NICOL_SPLIT_AUTOMATIC, 16 }
 /* clang-format on */
 
 /* width, height: 1 to NICOL_MAX_SIZE (the driver may allow less), at most 2^26 pixels. channels: as the
@@ -946,12 +1058,16 @@ typedef struct nicol_statistics {
     uint64_t vertices_shaded;       /* whose Stokes vectors were computed */
     uint64_t pixels_shaded;         /* likewise */
     uint64_t vertices_added;        /* where the bake split triangles; as they are, recomputed or not */
+    uint64_t small_lights;          /* lights beside the environment: the scene's, each instance that shines, and ... */
+    uint64_t lights_split;          /* ... lamps of the environment that were taken out of it */
+    uint64_t light_rays;            /* real-time methods: rays from vertices and pixels to these lights */
+    double light_ms;                /* of shade_ms: these lights and their shadows */
 } nicol_statistics;
 /* clang-format on */
 #define NICOL_STATISTICS_INIT                                                                                \
     {                                                                                                        \
         sizeof(nicol_statistics), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                                  \
+            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0                                                      \
     }
 
 /* All zeros before the first render. */

@@ -122,6 +122,10 @@ class Parser:
         if len(values) != len(struct.fields):
             self.fail(f"{struct.name.upper()}_INIT has {len(values)} values for {len(struct.fields)} fields", "the end")
 
+        for f, value in zip(struct.fields, values):
+            if f.type.base in self.header.structs and not f.type.pointers and value != self.initializer(f.type.base.upper() + "_INIT"):
+                self.fail(f"{struct.name}.{f.name} has other defaults than {f.type.base}", "the end")
+
         def zero(value):
             return all(map(zero, value)) if isinstance(value, list) else value == 0
 

@@ -48,7 +48,7 @@ def field(header, variable, defaults):
         text = "const char *"
     else:
         text = f"{type_.base} {'*' * type_.pointers}".rstrip()
-    value = defaults.get(variable.name)
+    value = None if type_.base in header.structs else defaults.get(variable.name)  # a struct has its own
     return f'["{variable.name}", "{text}", {type_.count}{"" if value is None else f", {literal(value)}"}]'
 
 

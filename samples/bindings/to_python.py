@@ -77,7 +77,12 @@ class Python:
         text += "    ]\n"
         if struct.defaults:
             text += "    _defaults_ = {\n"
-            text += "".join(f'        "{name}": {value},\n' for name, value in struct.defaults.items()) + "    }\n"
+            for field in struct.fields:
+                if field.name in struct.defaults:
+                    own = field.type.base in self.header.structs
+                    value = f"{class_name(field.type.base)}()" if own else struct.defaults[field.name]
+                    text += f'        "{field.name}": {value},\n'
+            text += "    }\n"
         return text
 
     # ---- functions

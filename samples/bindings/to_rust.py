@@ -45,6 +45,8 @@ def result(function):
 
 def literal(header, field, value):
     real = header.scalar(Type(field.type.base)) in ("float", "double")
+    if field.type.base in header.structs:
+        return f"{field.type.base}::default()"
     if isinstance(value, list):
         return "[" + ", ".join(literal(header, field, v) for v in value) + "]"
     return str(float(value) if real else int(value))
@@ -57,9 +59,11 @@ def struct(header, name):
         text += f"    pub {word(field.name)}: {rust(field.type, argument=False)},\n"
     text += f"}}\nimpl Default for {name} {{\n    fn default() -> Self {{\n"
     text += "        // Zeros and null pointers are values of every field.\n"
-    if found.fields[0].name == "struct_size":
+    sized = found.fields[0].name == "struct_size"
+    if sized or found.defaults:
         text += "        let mut made: Self = unsafe { std::mem::zeroed() };\n"
-        text += "        made.struct_size = size_of::<Self>() as u32;\n"
+        if sized:
+            text += "        made.struct_size = size_of::<Self>() as u32;\n"
         for field in found.fields:
             if field.name in found.defaults:
                 text += f"        made.{word(field.name)} = {literal(header, field, found.defaults[field.name])};\n"

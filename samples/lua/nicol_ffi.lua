@@ -183,6 +183,35 @@ typedef struct nicol_camera {
     double far_clip;
     double jitter[2];
 } nicol_camera;
+typedef struct nicol_polarization {
+    double dolp;
+    double aolp;
+    double docp;
+    double axis[3];
+} nicol_polarization;
+typedef uint32_t nicol_light_kind;
+typedef struct nicol_light {
+    uint32_t struct_size;
+    nicol_light_kind kind;
+    nicol_spectrum value;
+    uint32_t reserved;
+    double to_world[16];
+    double angular_radius;
+    double cutoff_angle;
+    double beam_width;
+    double fov;
+    double aspect;
+    nicol_texture texture;
+    nicol_polarization polarization;
+} nicol_light;
+typedef struct nicol_emission {
+    uint32_t struct_size;
+    uint32_t two_sided;
+    nicol_spectrum radiance;
+    uint32_t reserved;
+    nicol_texture texture;
+    nicol_polarization polarization;
+} nicol_emission;
 typedef struct nicol_instance {
     uint32_t struct_size;
     uint32_t reserved;
@@ -226,6 +255,8 @@ typedef struct nicol_render_options {
     uint32_t pixel_samples;
     double refine_tolerance;
     uint64_t max_vertices;
+    int32_t split_lights;
+    uint32_t light_samples;
 } nicol_render_options;
 typedef struct nicol_job_impl* nicol_job;
 typedef uint32_t nicol_job_state;
@@ -275,6 +306,10 @@ typedef struct nicol_statistics {
     uint64_t vertices_shaded;
     uint64_t pixels_shaded;
     uint64_t vertices_added;
+    uint64_t small_lights;
+    uint64_t lights_split;
+    uint64_t light_rays;
+    double light_ms;
 } nicol_statistics;
 typedef uint32_t nicol_plane;
 typedef uint32_t nicol_format;
@@ -439,6 +474,8 @@ nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* dat
 nicol_result nicol_mesh_create_sphere(nicol_context context, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_rectangle(nicol_context context, nicol_mesh* mesh);
 nicol_result nicol_mesh_create_cube(nicol_context context, nicol_mesh* mesh);
+nicol_result nicol_mesh_create_disk(nicol_context context, nicol_mesh* mesh);
+nicol_result nicol_mesh_create_cylinder(nicol_context context, const double p0[3], const double p1[3], double radius, nicol_mesh* mesh);
 nicol_result nicol_mesh_get_size(nicol_mesh mesh, uint32_t* vertices, uint32_t* triangles);
 nicol_result nicol_mesh_retain(nicol_mesh mesh);
 nicol_result nicol_mesh_release(nicol_mesh mesh);
@@ -454,6 +491,14 @@ nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instanc
 nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment, const double to_world[16], double scale);
 nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment, double to_world[16], double* scale);
+nicol_result nicol_scene_add_light(nicol_scene scene, const nicol_light* light, uint32_t* id);
+nicol_result nicol_scene_set_light(nicol_scene scene, uint32_t id, const nicol_light* light);
+nicol_result nicol_scene_remove_light(nicol_scene scene, uint32_t id);
+nicol_result nicol_scene_get_light(nicol_scene scene, uint32_t id, nicol_light* light, nicol_texture* texture);
+nicol_result nicol_scene_get_light_count(nicol_scene scene, uint32_t* lights);
+nicol_result nicol_scene_get_light_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
+nicol_result nicol_scene_set_emission(nicol_scene scene, uint32_t id, const nicol_emission* emission);
+nicol_result nicol_scene_get_emission(nicol_scene scene, uint32_t id, nicol_emission* emission, nicol_texture* texture);
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
 nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count);
@@ -561,6 +606,10 @@ return {
         WAVELENGTH_NEAREST = 1,
         PROJECTION_PERSPECTIVE = 0,
         PROJECTION_ORTHOGRAPHIC = 1,
+        LIGHT_DIRECTIONAL = 0,
+        LIGHT_POINT = 1,
+        LIGHT_SPOT = 2,
+        LIGHT_PROJECTOR = 3,
         METHOD_FACTORED = 0,
         METHOD_DENSE = 1,
         METHOD_REFERENCE = 2,
@@ -591,6 +640,8 @@ return {
         COMPONENTS_ALL = 0,
         COMPONENTS_S0 = 1,
         COMPONENTS_LINEAR = 3,
+        SPLIT_AUTOMATIC = -1,
+        MAX_SPLIT_LIGHTS = 64,
         MAX_JOBS = 256,
         JOB_WAITING = 0,
         JOB_RUNNING = 1,
@@ -673,6 +724,8 @@ return {
         mesh_create_sphere = "nicol_mesh",
         mesh_create_rectangle = "nicol_mesh",
         mesh_create_cube = "nicol_mesh",
+        mesh_create_disk = "nicol_mesh",
+        mesh_create_cylinder = "nicol_mesh",
         mesh_get_size = true,
         camera_look_at = true,
         scene_create = "nicol_scene",
@@ -686,6 +739,14 @@ return {
         scene_get_instance_ids = true,
         scene_set_environment = true,
         scene_get_environment = true,
+        scene_add_light = true,
+        scene_set_light = true,
+        scene_remove_light = true,
+        scene_get_light = "nicol_texture",
+        scene_get_light_count = true,
+        scene_get_light_ids = true,
+        scene_set_emission = true,
+        scene_get_emission = "nicol_texture",
         scene_get_camera = true,
         scene_get_film_size = true,
         scene_get_file_count = true,
@@ -755,9 +816,12 @@ return {
         callback_material = { true, { channels = 1, lobe_width = 1 } },
         mesh_data = { true, {} },
         camera = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, fov = 45, near_clip = 0.01, far_clip = 10000 } },
+        polarization = { false, { axis = { 1, 0, 0 } } },
+        light = { true, { kind = 1, to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }, cutoff_angle = 20, beam_width = 15, fov = 45, aspect = 1, polarization = { 0, 0, 0, { 1, 0, 0 } } } },
+        emission = { true, { polarization = { 0, 0, 0, { 1, 0, 0 } } } },
         instance = { true, { to_world = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 } } },
         scene_file = { true, {} },
-        render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, bake_directions = 2048, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1, refine_tolerance = 0.02 } },
+        render_options = { true, { order_low = 4294967295, order_high = 4294967295, shadows = 1, bake_directions = 2048, physical = 1, samples = 256, tolerance = 0.03, high_order_shadows = 1, refine_tolerance = 0.02, split_lights = -1, light_samples = 16 } },
         job_status = { true, {} },
         statistics = { true, {} },
         plane_buffer = { true, {} },

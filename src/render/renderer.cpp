@@ -38,6 +38,15 @@ void check(const RenderOptions& options) {
     if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
         refuse("tolerance is " + std::to_string(options.tolerance) + "; it must be finite and not negative");
     }
+    if (options.split_lights < kSplitAutomatic || options.split_lights > kMaxSplitLights) {
+        refuse("split_lights is " + std::to_string(options.split_lights) + "; it must lie in 0 to " +
+               std::to_string(kMaxSplitLights) + ", or be " + std::to_string(kSplitAutomatic) +
+               ", automatic");
+    }
+    if (options.light_samples < 1 || options.light_samples > kMaxLightSamples) {
+        refuse("light_samples is " + std::to_string(options.light_samples) + "; it must lie in 1 to " +
+               std::to_string(kMaxLightSamples));
+    }
     if ((options.aovs & aov_variance) != 0) {
         refuse("aovs asks for the variance, which the reference method alone makes: others have no noise");
     }

@@ -207,6 +207,8 @@ struct Everything {
                          "<scene version='3.0.0'><sensor type='perspective'>"
                          "<float name='fov' value='50'/></sensor><shape type='rectangle'/></scene>");
         const nicol_scene scene = make(nicol_scene_load, context, file.c_str(), nullptr, 0U);
+        const nicol_light lamp = NICOL_LIGHT_INIT;
+        OK(nicol_scene_add_light(scene, &lamp, nullptr));
         const nicol_framebuffer framebuffer = framebuffer_of(context, 4, 4, 1);
         const nicol_camera camera = front_camera();
         const nicol_job job = make(nicol_render_async, scene, &camera, nullptr, framebuffer);
@@ -330,6 +332,7 @@ private:
         static const std::map<std::string, Slot> numbers = {
             {"nicol_scene_load.definition_count", 0},
             {"nicol_scene_get_instance_ids.count", 0},
+            {"nicol_scene_get_light_ids.count", 0},
             {"nicol_environment_create_psh.channels", 2},
             {"nicol_psh_project_image.count", 64},
             {"nicol_psh_project_environment.count", 64},

@@ -53,6 +53,10 @@ WAVELENGTH_LINEAR = 0
 WAVELENGTH_NEAREST = 1
 PROJECTION_PERSPECTIVE = 0
 PROJECTION_ORTHOGRAPHIC = 1
+LIGHT_DIRECTIONAL = 0
+LIGHT_POINT = 1
+LIGHT_SPOT = 2
+LIGHT_PROJECTOR = 3
 METHOD_FACTORED = 0
 METHOD_DENSE = 1
 METHOD_REFERENCE = 2
@@ -83,6 +87,8 @@ AOV_VARIANCE = 16
 COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
 COMPONENTS_LINEAR = 3
+SPLIT_AUTOMATIC = -1
+MAX_SPLIT_LIGHTS = 64
 MAX_JOBS = 256
 JOB_WAITING = 0
 JOB_RUNNING = 1
@@ -414,6 +420,71 @@ class Camera(Struct):
         return self
 
 
+class Polarization(Struct):
+    """How the light of a lamp is polarized, the same for all of it.
+
+        y |  / E-vector      seen by who looks into the lamp, its light coming towards them along z:
+          | /                x is the part of `axis` across the light's direction (of an `axis` along the light, what a
+          |/ aolp            sphere's meridian gives), y = z cross x, and AoLP counts from x to y, counter-clockwise.
+          +------- x
+
+    A polarizer before the lamp is dolp 1 with its transmission axis as `axis`; a quarter-wave plate behind it, docp 1
+    or -1."""
+    _fields_ = [
+        ("dolp", c_double),
+        ("aolp", c_double),
+        ("docp", c_double),
+        ("axis", c_double * 3),
+    ]
+    _defaults_ = {
+        "axis": [1, 0, 0],
+    }
+
+
+class Light(Struct):
+    """A light without a surface, beside the environment. In its own axes it shines along +z, from the origin
+    where it has a place; +y is up and +x to the left of who looks along +z, as of cameras. Fields of other
+    kinds have no effect."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_uint32),
+        ("value", Spectrum),
+        ("reserved", c_uint32),
+        ("to_world", c_double * 16),
+        ("angular_radius", c_double),
+        ("cutoff_angle", c_double),
+        ("beam_width", c_double),
+        ("fov", c_double),
+        ("aspect", c_double),
+        ("texture", c_void_p),
+        ("polarization", Polarization),
+    ]
+    _defaults_ = {
+        "kind": 1,
+        "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+        "cutoff_angle": 20,
+        "beam_width": 15,
+        "fov": 45,
+        "aspect": 1,
+        "polarization": Polarization(),
+    }
+
+
+class Emission(Struct):
+    """What an instance emits, beside what it reflects."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("two_sided", c_uint32),
+        ("radiance", Spectrum),
+        ("reserved", c_uint32),
+        ("texture", c_void_p),
+        ("polarization", Polarization),
+    ]
+    _defaults_ = {
+        "polarization": Polarization(),
+    }
+
+
 class Instance(Struct):
     _fields_ = [
         ("struct_size", c_uint32),
@@ -463,6 +534,8 @@ class RenderOptions(Struct):
         ("pixel_samples", c_uint32),
         ("refine_tolerance", c_double),
         ("max_vertices", c_uint64),
+        ("split_lights", c_int32),
+        ("light_samples", c_uint32),
     ]
     _defaults_ = {
         "order_low": 4294967295,
@@ -474,6 +547,8 @@ class RenderOptions(Struct):
         "tolerance": 0.03,
         "high_order_shadows": 1,
         "refine_tolerance": 0.02,
+        "split_lights": -1,
+        "light_samples": 16,
     }
 
 
@@ -528,6 +603,10 @@ class Statistics(Struct):
         ("vertices_shaded", c_uint64),
         ("pixels_shaded", c_uint64),
         ("vertices_added", c_uint64),
+        ("small_lights", c_uint64),
+        ("lights_split", c_uint64),
+        ("light_rays", c_uint64),
+        ("light_ms", c_double),
     ]
 
 
@@ -957,6 +1036,21 @@ class Mesh(Handle):
         check(_mesh_create_cube(context, byref(mesh)))
         return mesh
 
+    @classmethod
+    def create_disk(cls, context):
+        """Radius 1 in the plane z = 0, facing +z: 128 sectors of 16 rings."""
+        mesh = cls()
+        check(_mesh_create_disk(context, byref(mesh)))
+        return mesh
+
+    @classmethod
+    def create_cylinder(cls, context, p0, p1, radius):
+        """Of this radius around the line from p0 to p1, in the scene's units, without its ends: 180 sides. The front
+        is outside. radius is above 0, p0 and p1 must differ."""
+        mesh = cls()
+        check(_mesh_create_cylinder(context, array(p0, c_double, 3), array(p1, c_double, 3), radius, byref(mesh)))
+        return mesh
+
     def get_size(self):
         """Of its vertices and triangles."""
         vertices = c_uint32()
@@ -966,7 +1060,7 @@ class Mesh(Handle):
 
 
 class Scene(Handle):
-    """instances and one environment; may change"""
+    """instances, lights, one environment; may change"""
 
     @classmethod
     def create(cls, context):
@@ -979,7 +1073,7 @@ class Scene(Handle):
     def load(cls, context, path, definitions=()):
         """A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
         samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
-        glTF has no light: the scene is dark until nicol_scene_set_environment."""
+        glTF has no environment, and may have lights."""
         definitions = texts(definitions)
         scene = cls()
         check(_scene_load(context, text(path), definitions, len(definitions), byref(scene)))
@@ -1040,6 +1134,54 @@ class Scene(Handle):
         scale = c_double()
         check(_scene_get_environment(self, byref(environment), to_world, byref(scale)))
         return environment if environment.value else None, tuple(to_world), scale.value
+
+    def add_light(self, light):
+        """Adds a light, with an id of its own: lights are counted from 0, apart from instances. id may be NULL. A
+        light must have one colour channel or as many as the scene; so must what an instance emits. The handle of
+        the texture may be released afterwards. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range,
+        here and below."""
+        id = c_uint32()
+        check(_scene_add_light(self, byref(light) if light is not None else None, byref(id)))
+        return id.value
+
+    def set_light(self, id, light):
+        """All of the light of this id. The next render bakes nothing."""
+        check(_scene_set_light(self, id, byref(light) if light is not None else None))
+
+    def remove_light(self, id):
+        """Its id is not used again; the others keep theirs."""
+        check(_scene_remove_light(self, id))
+
+    def get_light(self, id):
+        """The light as it was given; its texture, as a handle to release, in *texture (NULL: it has none) and not in
+        light->texture. texture may be NULL."""
+        light = Light()
+        texture = Texture()
+        check(_scene_get_light(self, id, byref(light), byref(texture)))
+        return light, texture if texture.value else None
+
+    def get_light_count(self):
+        lights = c_uint32()
+        check(_scene_get_light_count(self, byref(lights)))
+        return lights.value
+
+    def get_light_ids(self, ids):
+        """The ids of all lights, ascending; count: of the lights."""
+        ids = Buffer(ids, c_uint32, writable=True)
+        check(_scene_get_light_ids(self, ids.pointer, ids.count))
+
+    def set_emission(self, id, emission):
+        """Makes an instance shine, emission NULL: not shine. id is the instance's. A texture needs texture
+        coordinates of the mesh."""
+        check(_scene_set_emission(self, id, byref(emission) if emission is not None else None))
+
+    def get_emission(self, id):
+        """What an instance emits, its texture as of nicol_scene_get_light. Of one that does not shine the radiance
+        is 0."""
+        emission = Emission()
+        texture = Texture()
+        check(_scene_get_emission(self, id, byref(emission), byref(texture)))
+        return emission, texture if texture.value else None
 
     def get_camera(self):
         """The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
@@ -1478,6 +1620,8 @@ _mesh_create = declare("nicol_mesh_create", c_int32, Context, POINTER(MeshData),
 _mesh_create_sphere = declare("nicol_mesh_create_sphere", c_int32, Context, POINTER(Mesh))
 _mesh_create_rectangle = declare("nicol_mesh_create_rectangle", c_int32, Context, POINTER(Mesh))
 _mesh_create_cube = declare("nicol_mesh_create_cube", c_int32, Context, POINTER(Mesh))
+_mesh_create_disk = declare("nicol_mesh_create_disk", c_int32, Context, POINTER(Mesh))
+_mesh_create_cylinder = declare("nicol_mesh_create_cylinder", c_int32, Context, POINTER(c_double), POINTER(c_double), c_double, POINTER(Mesh))
 _mesh_get_size = declare("nicol_mesh_get_size", c_int32, Mesh, POINTER(c_uint32), POINTER(c_uint32))
 Mesh._release = declare("nicol_mesh_release", c_int32, c_void_p)
 _camera_look_at = declare("nicol_camera_look_at", c_int32, POINTER(Camera), POINTER(c_double), POINTER(c_double), POINTER(c_double))
@@ -1492,6 +1636,14 @@ _scene_get_instance_count = declare("nicol_scene_get_instance_count", c_int32, S
 _scene_get_instance_ids = declare("nicol_scene_get_instance_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_set_environment = declare("nicol_scene_set_environment", c_int32, Scene, Environment, POINTER(c_double), c_double)
 _scene_get_environment = declare("nicol_scene_get_environment", c_int32, Scene, POINTER(Environment), POINTER(c_double), POINTER(c_double))
+_scene_add_light = declare("nicol_scene_add_light", c_int32, Scene, POINTER(Light), POINTER(c_uint32))
+_scene_set_light = declare("nicol_scene_set_light", c_int32, Scene, c_uint32, POINTER(Light))
+_scene_remove_light = declare("nicol_scene_remove_light", c_int32, Scene, c_uint32)
+_scene_get_light = declare("nicol_scene_get_light", c_int32, Scene, c_uint32, POINTER(Light), POINTER(Texture))
+_scene_get_light_count = declare("nicol_scene_get_light_count", c_int32, Scene, POINTER(c_uint32))
+_scene_get_light_ids = declare("nicol_scene_get_light_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
+_scene_set_emission = declare("nicol_scene_set_emission", c_int32, Scene, c_uint32, POINTER(Emission))
+_scene_get_emission = declare("nicol_scene_get_emission", c_int32, Scene, c_uint32, POINTER(Emission), POINTER(Texture))
 _scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))
 _scene_get_film_size = declare("nicol_scene_get_film_size", c_int32, Scene, POINTER(c_uint32), POINTER(c_uint32))
 _scene_get_file_count = declare("nicol_scene_get_file_count", c_int32, Scene, POINTER(c_uint32))
@@ -1590,6 +1742,7 @@ __all__ = [
     "EXECUTOR_AUTOMATIC",
     "EXECUTOR_COMPUTE",
     "EXECUTOR_CPU",
+    "Emission",
     "Environment",
     "EnvironmentInfo",
     "EnvironmentLoadOptions",
@@ -1620,14 +1773,20 @@ __all__ = [
     "JOB_WAITING",
     "Job",
     "JobStatus",
+    "LIGHT_DIRECTIONAL",
+    "LIGHT_POINT",
+    "LIGHT_PROJECTOR",
+    "LIGHT_SPOT",
     "LOG_INFO",
     "LOG_NOTICE",
     "LOG_WARNING",
+    "Light",
     "LightReport",
     "MAX_CHANNELS",
     "MAX_JOBS",
     "MAX_ORDER",
     "MAX_SIZE",
+    "MAX_SPLIT_LIGHTS",
     "METHOD_DENSE",
     "METHOD_FACTORED",
     "METHOD_REFERENCE",
@@ -1678,6 +1837,7 @@ __all__ = [
     "PSH_MAX_MATRIX_ORDER",
     "PSH_MAX_ORDER",
     "PlaneBuffer",
+    "Polarization",
     "Pplastic",
     "PshMatrix",
     "PshMuellerField",
@@ -1687,6 +1847,7 @@ __all__ = [
     "SHADE_AT_AUTOMATIC",
     "SHADE_AT_PIXELS",
     "SHADE_AT_VERTICES",
+    "SPLIT_AUTOMATIC",
     "Scene",
     "SceneFile",
     "Sky",

@@ -50,6 +50,10 @@ pub const NICOL_WAVELENGTH_LINEAR: u32 = 0;
 pub const NICOL_WAVELENGTH_NEAREST: u32 = 1;
 pub const NICOL_PROJECTION_PERSPECTIVE: u32 = 0;
 pub const NICOL_PROJECTION_ORTHOGRAPHIC: u32 = 1;
+pub const NICOL_LIGHT_DIRECTIONAL: u32 = 0;
+pub const NICOL_LIGHT_POINT: u32 = 1;
+pub const NICOL_LIGHT_SPOT: u32 = 2;
+pub const NICOL_LIGHT_PROJECTOR: u32 = 3;
 pub const NICOL_METHOD_FACTORED: u32 = 0;
 pub const NICOL_METHOD_DENSE: u32 = 1;
 pub const NICOL_METHOD_REFERENCE: u32 = 2;
@@ -80,6 +84,8 @@ pub const NICOL_AOV_VARIANCE: u32 = 16;
 pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
 pub const NICOL_COMPONENTS_LINEAR: u32 = 3;
+pub const NICOL_SPLIT_AUTOMATIC: u32 = -1;
+pub const NICOL_MAX_SPLIT_LIGHTS: u32 = 64;
 pub const NICOL_MAX_JOBS: u32 = 256;
 pub const NICOL_JOB_WAITING: u32 = 0;
 pub const NICOL_JOB_RUNNING: u32 = 1;
@@ -179,7 +185,7 @@ pub type nicol_mesh = *mut nicol_mesh_impl;
 pub struct nicol_scene_impl {
     _private: [u8; 0],
 }
-/// instances and one environment; may change
+/// instances, lights, one environment; may change
 pub type nicol_scene = *mut nicol_scene_impl;
 
 #[repr(C)]
@@ -768,6 +774,120 @@ const _: () = {
     assert!(offset_of!(nicol_camera, jitter) == 160);
 };
 
+/// How the light of a lamp is polarized, the same for all of it.
+///
+///     y |  / E-vector      seen by who looks into the lamp, its light coming towards them along z:
+///       | /                x is the part of `axis` across the light's direction (of an `axis` along the light, what a
+///       |/ aolp            sphere's meridian gives), y = z cross x, and AoLP counts from x to y, counter-clockwise.
+///       +------- x
+///
+/// A polarizer before the lamp is dolp 1 with its transmission axis as `axis`; a quarter-wave plate behind it, docp 1
+/// or -1.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_polarization {
+    pub dolp: f64,
+    pub aolp: f64,
+    pub docp: f64,
+    pub axis: [f64; 3],
+}
+impl Default for nicol_polarization {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.axis = [1.0, 0.0, 0.0];
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_polarization>() == 48);
+    assert!(offset_of!(nicol_polarization, dolp) == 0);
+    assert!(offset_of!(nicol_polarization, aolp) == 8);
+    assert!(offset_of!(nicol_polarization, docp) == 16);
+    assert!(offset_of!(nicol_polarization, axis) == 24);
+};
+pub type nicol_light_kind = u32;
+
+/// A light without a surface, beside the environment. In its own axes it shines along +z, from the origin
+/// where it has a place; +y is up and +x to the left of who looks along +z, as of cameras. Fields of other
+/// kinds have no effect.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_light {
+    pub struct_size: u32,
+    pub kind: nicol_light_kind,
+    pub value: nicol_spectrum,
+    pub reserved: u32,
+    pub to_world: [f64; 16],
+    pub angular_radius: f64,
+    pub cutoff_angle: f64,
+    pub beam_width: f64,
+    pub fov: f64,
+    pub aspect: f64,
+    pub texture: nicol_texture,
+    pub polarization: nicol_polarization,
+}
+impl Default for nicol_light {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made.kind = 1;
+        made.to_world = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+        made.cutoff_angle = 20.0;
+        made.beam_width = 15.0;
+        made.fov = 45.0;
+        made.aspect = 1.0;
+        made.polarization = nicol_polarization::default();
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_light>() == 304);
+    assert!(offset_of!(nicol_light, struct_size) == 0);
+    assert!(offset_of!(nicol_light, kind) == 4);
+    assert!(offset_of!(nicol_light, value) == 8);
+    assert!(offset_of!(nicol_light, reserved) == 76);
+    assert!(offset_of!(nicol_light, to_world) == 80);
+    assert!(offset_of!(nicol_light, angular_radius) == 208);
+    assert!(offset_of!(nicol_light, cutoff_angle) == 216);
+    assert!(offset_of!(nicol_light, beam_width) == 224);
+    assert!(offset_of!(nicol_light, fov) == 232);
+    assert!(offset_of!(nicol_light, aspect) == 240);
+    assert!(offset_of!(nicol_light, texture) == 248);
+    assert!(offset_of!(nicol_light, polarization) == 256);
+};
+
+/// What an instance emits, beside what it reflects.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_emission {
+    pub struct_size: u32,
+    pub two_sided: u32,
+    pub radiance: nicol_spectrum,
+    pub reserved: u32,
+    pub texture: nicol_texture,
+    pub polarization: nicol_polarization,
+}
+impl Default for nicol_emission {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made.polarization = nicol_polarization::default();
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_emission>() == 136);
+    assert!(offset_of!(nicol_emission, struct_size) == 0);
+    assert!(offset_of!(nicol_emission, two_sided) == 4);
+    assert!(offset_of!(nicol_emission, radiance) == 8);
+    assert!(offset_of!(nicol_emission, reserved) == 76);
+    assert!(offset_of!(nicol_emission, texture) == 80);
+    assert!(offset_of!(nicol_emission, polarization) == 88);
+};
+
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_instance {
@@ -852,6 +972,8 @@ pub struct nicol_render_options {
     pub pixel_samples: u32,
     pub refine_tolerance: f64,
     pub max_vertices: u64,
+    pub split_lights: i32,
+    pub light_samples: u32,
 }
 impl Default for nicol_render_options {
     fn default() -> Self {
@@ -867,11 +989,13 @@ impl Default for nicol_render_options {
         made.tolerance = 0.03;
         made.high_order_shadows = 1;
         made.refine_tolerance = 0.02;
+        made.split_lights = -1;
+        made.light_samples = 16;
         made
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_render_options>() == 120);
+    assert!(size_of::<nicol_render_options>() == 128);
     assert!(offset_of!(nicol_render_options, struct_size) == 0);
     assert!(offset_of!(nicol_render_options, method) == 4);
     assert!(offset_of!(nicol_render_options, order_low) == 8);
@@ -895,6 +1019,8 @@ const _: () = {
     assert!(offset_of!(nicol_render_options, pixel_samples) == 100);
     assert!(offset_of!(nicol_render_options, refine_tolerance) == 104);
     assert!(offset_of!(nicol_render_options, max_vertices) == 112);
+    assert!(offset_of!(nicol_render_options, split_lights) == 120);
+    assert!(offset_of!(nicol_render_options, light_samples) == 124);
 };
 
 #[repr(C)]
@@ -978,6 +1104,10 @@ pub struct nicol_statistics {
     pub vertices_shaded: u64,
     pub pixels_shaded: u64,
     pub vertices_added: u64,
+    pub small_lights: u64,
+    pub lights_split: u64,
+    pub light_rays: u64,
+    pub light_ms: f64,
 }
 impl Default for nicol_statistics {
     fn default() -> Self {
@@ -988,7 +1118,7 @@ impl Default for nicol_statistics {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_statistics>() == 280);
+    assert!(size_of::<nicol_statistics>() == 312);
     assert!(offset_of!(nicol_statistics, struct_size) == 0);
     assert!(offset_of!(nicol_statistics, order) == 4);
     assert!(offset_of!(nicol_statistics, vertices) == 8);
@@ -1026,6 +1156,10 @@ const _: () = {
     assert!(offset_of!(nicol_statistics, vertices_shaded) == 256);
     assert!(offset_of!(nicol_statistics, pixels_shaded) == 264);
     assert!(offset_of!(nicol_statistics, vertices_added) == 272);
+    assert!(offset_of!(nicol_statistics, small_lights) == 280);
+    assert!(offset_of!(nicol_statistics, lights_split) == 288);
+    assert!(offset_of!(nicol_statistics, light_rays) == 296);
+    assert!(offset_of!(nicol_statistics, light_ms) == 304);
 };
 pub type nicol_plane = u32;
 pub type nicol_format = u32;
@@ -1516,6 +1650,11 @@ extern "C" {
     pub fn nicol_mesh_create_rectangle(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
     /// [-1, 1]^3.
     pub fn nicol_mesh_create_cube(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
+    /// Radius 1 in the plane z = 0, facing +z: 128 sectors of 16 rings.
+    pub fn nicol_mesh_create_disk(context: nicol_context, mesh: *mut nicol_mesh) -> nicol_result;
+    /// Of this radius around the line from p0 to p1, in the scene's units, without its ends: 180 sides. The front
+    /// is outside. radius is above 0, p0 and p1 must differ.
+    pub fn nicol_mesh_create_cylinder(context: nicol_context, p0: *const [f64; 3], p1: *const [f64; 3], radius: f64, mesh: *mut nicol_mesh) -> nicol_result;
     /// Of its vertices and triangles.
     pub fn nicol_mesh_get_size(mesh: nicol_mesh, vertices: *mut u32, triangles: *mut u32) -> nicol_result;
     pub fn nicol_mesh_retain(mesh: nicol_mesh) -> nicol_result;
@@ -1526,7 +1665,7 @@ extern "C" {
     pub fn nicol_scene_create(context: nicol_context, scene: *mut nicol_scene) -> nicol_result;
     /// A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
     /// samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
-    /// glTF has no light: the scene is dark until nicol_scene_set_environment.
+    /// glTF has no environment, and may have lights.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
     /// id may be NULL; ids count up from 0, past those of removed instances too. A mesh must have the texture
     /// coordinates and colours that its material needs, here and in nicol_scene_set_material. Materials and
@@ -1553,6 +1692,27 @@ extern "C" {
     /// scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment is NULL,
     /// to_world the identity and scale 1.
     pub fn nicol_scene_get_environment(scene: nicol_scene, environment: *mut nicol_environment, to_world: *mut [f64; 16], scale: *mut f64) -> nicol_result;
+    /// Adds a light, with an id of its own: lights are counted from 0, apart from instances. id may be NULL. A
+    /// light must have one colour channel or as many as the scene; so must what an instance emits. The handle of
+    /// the texture may be released afterwards. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range,
+    /// here and below.
+    pub fn nicol_scene_add_light(scene: nicol_scene, light: *const nicol_light, id: *mut u32) -> nicol_result;
+    /// All of the light of this id. The next render bakes nothing.
+    pub fn nicol_scene_set_light(scene: nicol_scene, id: u32, light: *const nicol_light) -> nicol_result;
+    /// Its id is not used again; the others keep theirs.
+    pub fn nicol_scene_remove_light(scene: nicol_scene, id: u32) -> nicol_result;
+    /// The light as it was given; its texture, as a handle to release, in *texture (NULL: it has none) and not in
+    /// light->texture. texture may be NULL.
+    pub fn nicol_scene_get_light(scene: nicol_scene, id: u32, light: *mut nicol_light, texture: *mut nicol_texture) -> nicol_result;
+    pub fn nicol_scene_get_light_count(scene: nicol_scene, lights: *mut u32) -> nicol_result;
+    /// The ids of all lights, ascending; count: of the lights.
+    pub fn nicol_scene_get_light_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
+    /// Makes an instance shine, emission NULL: not shine. id is the instance's. A texture needs texture
+    /// coordinates of the mesh.
+    pub fn nicol_scene_set_emission(scene: nicol_scene, id: u32, emission: *const nicol_emission) -> nicol_result;
+    /// What an instance emits, its texture as of nicol_scene_get_light. Of one that does not shine the radiance
+    /// is 0.
+    pub fn nicol_scene_get_emission(scene: nicol_scene, id: u32, emission: *mut nicol_emission, texture: *mut nicol_texture) -> nicol_result;
     /// The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
     pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
