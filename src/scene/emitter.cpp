@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// <emitter>.
-#include <cmath>
-#include <glm/geometric.hpp>
+// <emitter>: which kinds there are, and what they have in common.
+#include <glm/trigonometric.hpp>
 
 #include "scene/plugin.hpp"
 #include "scene/readers.hpp"
@@ -10,50 +9,57 @@ namespace nicol::scene {
 
 namespace {
 
-void read_sky(Plugin& plugin, EmitterDescription& emitter) {
-    emitter.kind = EmitterDescription::Kind::sky;
-    emitter.radiance = plugin.color("radiance", 1.0);
-    emitter.dop_max = plugin.number("dop_max", emitter.dop_max, 0.0, 1.0);
-    const glm::dvec3 sun = plugin.vector("sun_direction", std::nullopt);
-    const double length = glm::length(sun);
-    if (!(length > 0.0) || !std::isfinite(length))
-        plugin.fail("sun_direction", "has no direction; expected a vector towards the sun");
-    emitter.sun_direction = sun / length;
-    emitter.ground_albedo = plugin.color("ground_albedo", emitter.ground_albedo, 1.0);
-    emitter.turbidity = plugin.number("turbidity", 0.0);
-    if (emitter.turbidity == 0.0) return;
-    emitter.turbidity = plugin.number("turbidity", 0.0, 1.7, 10.0);
-    if (sun.y < 0.0)
-        plugin.fail("sun_direction", "points below the horizon, where a sky with turbidity has no sun");
+/// What steers Mitsuba's sampling is not followed, and nothing may be left over.
+void finish(Plugin& plugin, pugi::xml_node node, Notices& notices) {
+    plugin.pass_over({"sampling_weight"});
+    for (const char* name : {"mis_compensation", "sampling_weight"})
+        if (plugin.has(name)) notices.add_unfollowed(node, name);
+    plugin.finish();
+    static_cast<void>(plugin.objects({}));
 }
 
 }  // namespace
 
-EmitterDescription read_emitter(const XmlDocument& document, pugi::xml_node node, Notices& notices) {
-    using Kind = EmitterDescription::Kind;
-    Plugin plugin(document, node);
-    EmitterDescription emitter;
-    if (plugin.type() == "envmap" || plugin.type() == "psh") {
-        emitter.kind = plugin.type() == "psh" ? Kind::psh : Kind::envmap;
-        emitter.filename = plugin.filename("filename");
-        emitter.scale = plugin.number("scale", 1.0, 0.0, kNoLimit);
-    } else if (plugin.type() == "constant") {
-        emitter.kind = Kind::constant;
-        emitter.radiance = plugin.color("radiance", 1.0);
-    } else if (plugin.type() == "sky") {
-        read_sky(plugin, emitter);
+void read_emitter(const XmlDocument& document, const NestedObject& object, Notices& notices,
+                  SceneDescription& scene) {
+    Plugin plugin(document, object.node);
+    if (auto environment = read_environment(plugin)) {
+        if (scene.environment)
+            document.fail(object.place, "a second emitter that surrounds the scene; expected one",
+                          ErrorCode::unsupported);
+        scene.environment = std::move(environment);
+    } else if (auto light = read_light(document, plugin)) {
+        scene.lights.push_back(std::move(*light));
     } else {
-        plugin.fail_type("envmap, constant, psh, sky", "only light from all around is");
+        plugin.fail_type("envmap, constant, psh, sky, directional, point, spot, projector",
+                         plugin.type() == "area" ? "it belongs into a <shape>" : "");
     }
-    emitter.to_world = plugin.transform("to_world");
-    // They steer Mitsuba's sampling.
-    for (const char* name : {"mis_compensation", "sampling_weight"}) {
-        plugin.pass_over({name});
-        if (plugin.has(name)) notices.add_unfollowed(node, name);
+    finish(plugin, object.node, notices);
+}
+
+EmissionDescription read_emission(const XmlDocument& document, pugi::xml_node node, Notices& notices) {
+    Plugin plugin(document, node);
+    if (plugin.type() != "area") plugin.fail_type("area", "others are in <scene>");
+    EmissionDescription emission;
+    emission.radiance = read_color(document, plugin, "radiance", 1.0, kNoLimit);
+    emission.two_sided = plugin.boolean("two_sided", false);
+    emission.state = read_polarization(plugin);
+    finish(plugin, node, notices);
+    return emission;
+}
+
+PolarizationState read_polarization(Plugin& plugin) {
+    PolarizationState state;
+    state.dolp = plugin.number("dolp", state.dolp);
+    state.aolp = glm::radians(plugin.number("aolp", 0.0));
+    state.docp = plugin.number("docp", state.docp);
+    state.axis = plugin.vector("polarization_axis", state.axis);
+    try {
+        check(state);
+    } catch (const Error& error) {
+        plugin.fail("", error.what());
     }
-    plugin.finish();
-    static_cast<void>(plugin.objects({}));
-    return emitter;
+    return state;
 }
 
 }  // namespace nicol::scene

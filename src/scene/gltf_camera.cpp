@@ -66,18 +66,25 @@ void read_orthographic(const GltfDocument& document, const std::string& where,
 
 }  // namespace
 
+glm::dmat4 gltf_view(const GltfDocument& document, const std::string& where, const char* thing,
+                     const glm::dmat4& to_world) {
+    const glm::dvec3 backward(to_world[2]);
+    const glm::dvec3 up(to_world[1]);
+    if (!(glm::length(glm::cross(up, backward)) > 1e-9 * glm::length(up) * glm::length(backward)))
+        document.fail(where,
+                      std::string("its ") + thing + " has axes of no length, or two that are parallel");
+    glm::dmat4 view = look_at(glm::dvec3(0), -glm::normalize(backward), glm::normalize(up));
+    view[3] = to_world[3];
+    return view;
+}
+
 SensorDescription read_gltf_camera(const GltfDocument& document, const tinygltf::Node& node,
                                    const std::string& where, const glm::dmat4& to_world,
                                    const GltfBounds& bounds) {
     const tinygltf::Camera& camera = document.at(document.model().cameras, "cameras", node.camera, where);
     const glm::dvec3 eye(to_world[3]);
-    const glm::dvec3 backward(to_world[2]);
-    const glm::dvec3 up(to_world[1]);
-    if (!(glm::length(glm::cross(up, backward)) > 1e-9 * glm::length(up) * glm::length(backward)))
-        document.fail(where, "its camera has axes of no length, or two that are parallel");
     SensorDescription sensor;
-    sensor.to_world = look_at(glm::dvec3(0), -glm::normalize(backward), glm::normalize(up));
-    sensor.to_world[3] = to_world[3];
+    sensor.to_world = gltf_view(document, where, "camera", to_world);
     const std::string name = "cameras[" + std::to_string(node.camera) + "]";
     if (camera.type == "perspective")
         read_perspective(document, name, camera.perspective, reach(bounds, eye), sensor);

@@ -45,7 +45,6 @@ public:
             camera_ ? read_gltf_camera(document_, *camera_->node, camera_->where, camera_->to_world, bounds_)
                     : gltf_camera_in_front(bounds_);
         if (!model_.animations.empty()) notices_.add("animations are not followed; the rest pose is drawn");
-        if (!model_.lights.empty()) notices_.add("the lights of KHR_lights_punctual are not followed");
         scene_.files = document_.files();
         scene_.notices = notices_.take();
         if (std::string text = left_out_.notice(document_.path().string()); !text.empty())
@@ -123,6 +122,8 @@ private:
             notices_.add("EXT_mesh_gpu_instancing is not followed; such a node is drawn once");
         if (node.camera >= 0 && camera_) notices_.add("only the first of several cameras is used");
         if (node.camera >= 0 && !camera_) camera_ = placed;
+        if (auto light = read_gltf_light(document_, node, placed.where, placed.to_world, notices_))
+            scene_.lights.push_back(std::move(*light));
         if (node.mesh >= 0) add_mesh(placed);
     }
 

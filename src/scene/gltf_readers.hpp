@@ -6,6 +6,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -56,6 +57,19 @@ struct GltfMaterial {
 };
 [[nodiscard]] GltfMaterial read_gltf_material(const GltfDocument& document, const GltfSurface& surface,
                                               GltfTextures& textures, GltfNotices& notices);
+
+/// The light that a node has by KHR_lights_punctual, which `to_world` places, its scale without effect; none
+/// if it has none.
+[[nodiscard]] std::optional<LightDescription> read_gltf_light(const GltfDocument& document,
+                                                              const tinygltf::Node& node,
+                                                              const std::string& where,
+                                                              const glm::dmat4& to_world,
+                                                              GltfNotices& notices);
+
+/// How a thing of glTF that looks along its -z with +y up is placed as one of ours, which looks along +z.
+/// Throws, naming the `thing`, where axes have no length or are parallel.
+[[nodiscard]] glm::dmat4 gltf_view(const GltfDocument& document, const std::string& where, const char* thing,
+                                   const glm::dmat4& to_world);
 
 /// The camera of a node that `to_world` places, its scale without effect.
 [[nodiscard]] SensorDescription read_gltf_camera(const GltfDocument& document, const tinygltf::Node& node,

@@ -3,6 +3,7 @@
 #include "files/suffix.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -14,6 +15,7 @@
 #include "light/psh_file.hpp"
 #include "scene/scene_color.hpp"
 #include "scene/scene_files.hpp"
+#include "scene/scene_lights.hpp"
 #include "scene/scene_materials.hpp"
 #include "scene/scene_textures.hpp"
 #include "scene/values.hpp"
@@ -35,21 +37,21 @@ std::string named(const std::string& kind, const std::string& id) {
     return id.empty() ? kind : kind + " \"" + id + "\"";
 }
 
-EnvironmentPtr make(const EmitterDescription& d, scene::SceneFiles& files) {
+EnvironmentPtr make(const EnvironmentDescription& d, scene::SceneFiles& files) {
     const SceneChannels rgb;
     switch (d.kind) {
-        case EmitterDescription::Kind::envmap: {
+        case EnvironmentDescription::Kind::envmap: {
             EnvironmentPtr light =
                 files.read(environment_files(d.filename), [&] { return load_environment(d.filename); });
             const std::string negative = notice_of_negative(*light, d.filename.string());
             if (!negative.empty()) files.notice(negative);
             return light;
         }
-        case EmitterDescription::Kind::psh:
+        case EnvironmentDescription::Kind::psh:
             return psh_environment(files.read(d.filename, [&] { return read_psh_vector(d.filename); }));
-        case EmitterDescription::Kind::constant:
+        case EnvironmentDescription::Kind::constant:
             return constant_environment(radiance(d.radiance, rgb));
-        case EmitterDescription::Kind::sky:
+        case EnvironmentDescription::Kind::sky:
             break;
     }
     return rayleigh_sky({.sun_direction = d.sun_direction,
@@ -77,6 +79,12 @@ Mesh make(const ShapeDescription& d, scene::SceneFiles& files) {
         case ShapeDescription::Kind::cube:
             mesh = make_cube();
             break;
+        case ShapeDescription::Kind::disk:
+            mesh = make_disk();
+            break;
+        case ShapeDescription::Kind::cylinder:
+            mesh = make_cylinder(d.p0, d.p1, d.radius);
+            break;
         default:
             mesh = files.read(d.filename, [&] {
                 return load_mesh(
@@ -97,16 +105,22 @@ public:
 
     std::shared_ptr<const Mesh> of(const ShapeDescription& d) {
         if (d.kind == ShapeDescription::Kind::mesh) return d.mesh;
-        const Key key{d.kind,     d.filename, d.index,        d.center.x,     d.center.y,
-                      d.center.z, d.radius,   d.face_normals, d.flip_normals, d.flip_tex_coords};
+        const Key key{
+            d.kind,
+            d.filename,
+            d.index,
+            {d.center.x, d.center.y, d.center.z, d.p0.x, d.p0.y, d.p0.z, d.p1.x, d.p1.y, d.p1.z, d.radius},
+            d.face_normals,
+            d.flip_normals,
+            d.flip_tex_coords};
         std::shared_ptr<const Mesh>& mesh = made_[key];
         if (!mesh) mesh = std::make_shared<const Mesh>(make(d, files_));
         return mesh;
     }
 
 private:
-    using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, double, double, double,
-                           double, bool, bool, bool>;
+    using Key = std::tuple<ShapeDescription::Kind, std::filesystem::path, std::size_t, std::array<double, 10>,
+                           bool, bool, bool>;
     scene::SceneFiles& files_;
     std::map<Key, std::shared_ptr<const Mesh>> made_;
 };
@@ -136,11 +150,11 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     scene::SceneFiles files(description.files, limits);
     LoadedScene out;
     out.notices = description.notices;
-    if (description.emitter) {
+    if (description.environment) {
         made(file, "emitter", [&] {
-            out.scene.set_environment(make(*description.emitter, files),
-                                      rotation_of(description.emitter->to_world, "the emitter"),
-                                      description.emitter->scale);
+            out.scene.set_environment(make(*description.environment, files),
+                                      rotation_of(description.environment->to_world, "the emitter"),
+                                      description.environment->scale);
         });
     }
     const SceneChannels channels = channels_under(out.scene.environment());
@@ -149,13 +163,20 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     for (const MaterialDescription& material : description.materials)
         materials.push_back(made(file, named("bsdf", material.id),
                                  [&] { return scene::make_material(material, channels, textures, files); }));
+    for (const LightDescription& light : description.lights)
+        made(file, named("emitter", light.id),
+             [&] { return out.scene.add_light(scene::make_light(light, channels, textures)); });
     Meshes meshes(files);
     for (const ShapeDescription& shape : description.shapes) {
         made(file, named("shape", shape.id), [&] {
             const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
             files.budget().take_instance(file, mesh->positions.size(), mesh->triangles.size());
-            out.scene.add(
-                {.mesh = mesh, .material = materials.at(shape.material), .to_world = shape.to_world});
+            const EmissionPtr emission =
+                shape.emission ? scene::make_emission(*shape.emission, channels, textures) : nullptr;
+            out.scene.add({.mesh = mesh,
+                           .material = materials.at(shape.material),
+                           .to_world = shape.to_world,
+                           .emission = emission});
         });
     }
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));

@@ -39,12 +39,6 @@ double refractive_index(Plugin& plugin, const std::string& name, double otherwis
     plugin.fail(name, "is " + in_quotes(text) + "; expected a number or one of " + list);
 }
 
-TexturedColor color(const XmlDocument& document, Plugin& plugin, const char* name, double otherwise,
-                    double most) {
-    if (const pugi::xml_node texture = plugin.texture(name)) return read_texture(document, texture);
-    return plugin.color(name, otherwise, most);
-}
-
 /// A number, or a texture.
 struct Roughness {
     double alpha;
@@ -92,8 +86,8 @@ void read_facets(const XmlDocument& document, Plugin& plugin, MaterialDescriptio
 
 void read_pplastic(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
     material.kind = MaterialDescription::Kind::pplastic;
-    material.diffuse_reflectance = color(document, plugin, "diffuse_reflectance", 0.5, 1.0);
-    material.specular_reflectance = color(document, plugin, "specular_reflectance", 1.0, 1.0);
+    material.diffuse_reflectance = read_color(document, plugin, "diffuse_reflectance", 0.5, 1.0);
+    material.specular_reflectance = read_color(document, plugin, "specular_reflectance", 1.0, 1.0);
     material.int_ior = refractive_index(plugin, "int_ior", material.int_ior);
     material.ext_ior = refractive_index(plugin, "ext_ior", material.ext_ior);
     if (material.int_ior == material.ext_ior) plugin.fail("int_ior", "equals ext_ior; they must differ");
@@ -135,14 +129,14 @@ void read_conductor(const XmlDocument& document, Plugin& plugin, MaterialDescrip
         for (glm::length_t i = 0; i < 3; ++i)
             if (material.eta.rgb[i] == 0.0 && material.k.rgb[i] == 0.0)
                 plugin.fail(plugin.has("k") ? "k" : "eta", "and the other part of the index are both 0");
-    material.specular_reflectance = color(document, plugin, "specular_reflectance", 1.0, 1.0);
+    material.specular_reflectance = read_color(document, plugin, "specular_reflectance", 1.0, 1.0);
     if (rough) read_facets(document, plugin, material);
 }
 
 /// Parameters of materials that are a table in a file.
 void read_tabulated(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
     material.filename = plugin.filename("filename");
-    material.scale = color(document, plugin, "scale", 1.0, kNoLimit);
+    material.scale = read_color(document, plugin, "scale", 1.0, kNoLimit);
     material.symmetrize = plugin.boolean("symmetrize", false);
     if (!material.scale.spectrum.empty())
         plugin.fail("scale", "is a table over the wavelength; expected one value or three",
@@ -179,7 +173,7 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
         if (plugin.type() == "pplastic") {
             read_pplastic(document, plugin, material);
         } else if (plugin.type() == "diffuse") {
-            material.reflectance = color(document, plugin, "reflectance", 0.5, 1.0);
+            material.reflectance = read_color(document, plugin, "reflectance", 0.5, 1.0);
         } else if (plugin.type() == "conductor" || plugin.type() == "roughconductor") {
             read_conductor(document, plugin, material);
         } else if (plugin.type() == "measured_polarized") {

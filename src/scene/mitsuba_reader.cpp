@@ -42,10 +42,7 @@ private:
                 scene_.sensor = read_sensor(document_, node, notices_);
             sensor_ = true;
         } else if (name == "emitter") {
-            if (scene_.emitter)
-                document_.fail(place, "a second emitter; expected one that surrounds the scene",
-                               ErrorCode::unsupported);
-            scene_.emitter = read_emitter(document_, node, notices_);
+            read_emitter(document_, object, notices_, scene_);
         } else if (name == "bsdf") {
             // Checked here, listed where a shape uses it.
             static_cast<void>(read_material(document_, node));
@@ -69,8 +66,8 @@ private:
 
     ShapeDescription single(pugi::xml_node node) {
         pugi::xml_node bsdf;
-        ShapeDescription description = read_shape(document_, node, bsdf);
-        description.material = material(bsdf);
+        ShapeDescription description = read_shape(document_, node, notices_, bsdf);
+        description.material = !bsdf && description.emission ? black() : material(bsdf);
         return description;
     }
 
@@ -105,12 +102,22 @@ private:
         return entry->second;
     }
 
+    /// Mitsuba's for shapes that shine and name none.
+    std::size_t black() {
+        if (!black_) {
+            black_ = scene_.materials.size();
+            scene_.materials.emplace_back().reflectance = 0.0;
+        }
+        return *black_;
+    }
+
     const XmlDocument& document_;
     Notices notices_;
     SceneDescription scene_;
     bool sensor_ = false;
     bool integrator_ = false;
     std::map<pugi::xml_node, std::size_t> materials_;
+    std::optional<std::size_t> black_;
     std::map<pugi::xml_node, std::vector<ShapeDescription>> groups_;
 };
 

@@ -61,9 +61,7 @@ NestedObject checked_object(const XmlDocument& document, pugi::xml_node place, c
     std::string reason = "accepted elements: " + joined(accepted);
     if (name == "spectrum")
         reason = "a <spectrum> with a type is not supported; give its value as <rgb>, <spectrum> or <float>";
-    if (name == "emitter")
-        reason =
-            "only distant light is supported, an <emitter> of type envmap, constant, psh or sky in <scene>";
+    if (name == "emitter") reason = "an <emitter> is inside <scene> or, of type area, inside a <shape>";
     if (name == "medium") reason = "surfaces are opaque and nothing is between them";
     document.fail(place, found + "; " + reason, code);
 }

@@ -13,6 +13,7 @@
 namespace nicol::scene {
 
 class Plugin;
+struct NestedObject;
 
 /// What is read and makes no difference, collected into one sentence; and sentences of their own.
 class Notices {
@@ -41,16 +42,31 @@ private:
 [[nodiscard]] std::optional<MaterialDescription> read_nested_material(const XmlDocument& document,
                                                                       Plugin& plugin, int& left);
 [[nodiscard]] TextureSpecificationPtr read_texture(const XmlDocument& document, pugi::xml_node node);
-[[nodiscard]] EmitterDescription read_emitter(const XmlDocument& document, pugi::xml_node node,
-                                              Notices& notices);
+/// Adds to the environment or the lights of the scene.
+void read_emitter(const XmlDocument& document, const NestedObject& object, Notices& notices,
+                  SceneDescription& scene);
+/// Of an <emitter> inside a <shape>.
+[[nodiscard]] EmissionDescription read_emission(const XmlDocument& document, pugi::xml_node node,
+                                                Notices& notices);
 void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices);
 /// All but the material. `bsdf` receives the <bsdf>, null if there is none.
-[[nodiscard]] ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node,
+[[nodiscard]] ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, Notices& notices,
                                           pugi::xml_node& bsdf);
 /// The <shape>s of a shapegroup.
 [[nodiscard]] std::vector<pugi::xml_node> read_group(const XmlDocument& document, pugi::xml_node node);
 /// The shapegroup of an instance; all of `instance` is set but the kind and what depends on it.
 [[nodiscard]] pugi::xml_node read_instance(const XmlDocument& document, pugi::xml_node node,
                                            ShapeDescription& instance);
+
+// These take parameters of a plug-in. The first two read what is theirs if it is of one of their types.
+
+[[nodiscard]] std::optional<EnvironmentDescription> read_environment(Plugin& plugin);
+[[nodiscard]] std::optional<LightDescription> read_light(const XmlDocument& document, Plugin& plugin);
+[[nodiscard]] PolarizationState read_polarization(Plugin& plugin);
+/// A colour in [0, most], or a texture.
+[[nodiscard]] TexturedColor read_color(const XmlDocument& document, Plugin& plugin, const char* name,
+                                       double otherwise, double most);
+/// By fov and fov_axis, or by focal_length.
+void read_field_of_view(Plugin& plugin, double& fov, SensorDescription::FovAxis& axis);
 
 }  // namespace nicol::scene

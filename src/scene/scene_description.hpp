@@ -16,6 +16,7 @@
 #include "files/file_record.hpp"
 #include "files/load_budget.hpp"
 #include "geometry/mesh.hpp"
+#include "light/small_light.hpp"
 #include "scene/color_description.hpp"
 #include "scene/texture_specification.hpp"
 
@@ -37,7 +38,9 @@ struct SensorDescription {
     bool luminance = false;  ///< the film has one channel, the luminance
 };
 
-/// The horizontal field of view in degrees of a perspective sensor, whatever its fov_axis.
+/// The horizontal field of view of an image, in degrees, from that along an axis and width over height.
+[[nodiscard]] double horizontal_fov(double fov, SensorDescription::FovAxis axis, double aspect);
+/// That of a perspective sensor.
 [[nodiscard]] double horizontal_fov(const SensorDescription& sensor);
 
 /// A colour that a texture may give.
@@ -91,23 +94,34 @@ struct MaterialDescription {
     bool mirrored_y = false;          ///< normalmap: see NormalVariation
 };
 
-struct ShapeDescription {
-    enum class Kind { obj, ply, off, stl, serialized, sphere, rectangle, cube, mesh };
-    Kind kind = Kind::obj;
-    std::string id;                    ///< of an instance, its own; empty when the file gives none
-    std::filesystem::path filename;    ///< of those before sphere
-    std::size_t index = 0;             ///< serialized: of the file's meshes
-    glm::dvec3 center{0.0};            ///< sphere
-    double radius = 1.0;               ///< sphere
-    std::shared_ptr<const Mesh> mesh;  ///< mesh: itself, the scene file holds it; validated
-    bool flip_normals = false;
-    bool face_normals = false;     ///< of those with a file: hard edges everywhere
-    bool flip_tex_coords = false;  ///< of those with a file: v becomes 1 - v
-    glm::dmat4 to_world{1.0};      ///< affine and invertible
-    std::size_t material = 0;      ///< index into SceneDescription::materials
+/// What a surface emits, see Emission.
+struct EmissionDescription {
+    TexturedColor radiance{1.0};
+    bool two_sided = false;
+    PolarizationState state;
 };
 
-struct EmitterDescription {
+struct ShapeDescription {
+    enum class Kind { obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, mesh };
+    Kind kind = Kind::obj;
+    std::string id;                  ///< of an instance, its own; empty when the file gives none
+    std::filesystem::path filename;  ///< of those before sphere
+    std::size_t index = 0;           ///< serialized: of the file's meshes
+    glm::dvec3 center{0.0};          ///< sphere
+    double radius = 1.0;             ///< sphere, cylinder
+    glm::dvec3 p0{0.0};              ///< cylinder: the ends of its axis
+    glm::dvec3 p1{0.0, 0.0, 1.0};
+    std::shared_ptr<const Mesh> mesh;  ///< mesh: itself, the scene file holds it; validated
+    bool flip_normals = false;
+    bool face_normals = false;                    ///< of those with a file: hard edges everywhere
+    bool flip_tex_coords = false;                 ///< of those with a file: v becomes 1 - v
+    glm::dmat4 to_world{1.0};                     ///< affine and invertible
+    std::size_t material = 0;                     ///< index into SceneDescription::materials
+    std::optional<EmissionDescription> emission;  ///< none: it does not shine
+};
+
+/// Light from all around.
+struct EnvironmentDescription {
     enum class Kind { envmap, psh, constant, sky };
     Kind kind = Kind::constant;
     std::filesystem::path filename;  ///< envmap: EXR; psh: a PSH vector (.npz)
@@ -120,11 +134,28 @@ struct EmitterDescription {
     glm::dmat4 to_world{1.0};             ///< affine and invertible; only its rotation matters
 };
 
+/// A light without a surface, see SmallLight.
+struct LightDescription {
+    std::string id;  ///< empty when the file gives none
+    SmallLight::Kind kind = SmallLight::Kind::point;
+    ColorDescription value{1.0};
+    double scale = 1.0;           ///< times value
+    glm::dmat4 to_world{1.0};     ///< affine and invertible; only its rotation and shift matter
+    double angular_radius = 0.0;  ///< directional: radians
+    double cutoff_angle = 0.0;    ///< spot: radians
+    double beam_width = 0.0;      ///< spot: radians
+    double fov = 45.0;            ///< projector: degrees along fov_axis, in (0, 180)
+    SensorDescription::FovAxis fov_axis = SensorDescription::FovAxis::x;
+    TextureSpecificationPtr texture;  ///< spot, projector, whose rectangle has its shape; null: none
+    PolarizationState state;
+};
+
 struct SceneDescription {
     SensorDescription sensor;
     std::vector<MaterialDescription> materials;
     std::vector<ShapeDescription> shapes;
-    std::optional<EmitterDescription> emitter;
+    std::optional<EnvironmentDescription> environment;
+    std::vector<LightDescription> lights;
     std::vector<FileRecord> files;     ///< the scene file and those that it includes
     std::vector<std::string> notices;  ///< what was read and not followed, one sentence each
 };
@@ -137,19 +168,23 @@ using SceneParameters = std::map<std::string, std::string>;
 
 /// Reads a scene of Mitsuba 3's XML format. Defaults are Mitsuba's, and so is the meaning of each parameter;
 /// beside its plug-ins (sensors perspective, orthographic; shapes obj, ply, serialized, sphere, rectangle,
-/// cube, shapegroup, instance; bsdfs pplastic, diffuse, conductor, roughconductor, measured_polarized,
-/// twosided, normalmap, bumpmap, mask, blendbsdf; textures bitmap, checkerboard, mesh_attribute, rawconstant;
-/// emitters envmap, constant) these are ours: shapes off and stl, bsdf psh, emitters psh and sky.
-/// An instance becomes a shape for each member of its group. Integrator, sampler and reconstruction filter
-/// are not followed, which one notice says. <rgb> takes one value, three, or #rrggbb, which is linear n /
-/// 255. Filenames are not opened, but looked for: in the folders of <path>, the newest first, in the folder
-/// of the file that holds them, then in those of the files that include it; where none has the file, the name
-/// is relative to the folder of the file. Throws Error: file_not_found (also of an <include>); unsupported (a
-/// plug-in, element or value outside the above; files of more than 16 MiB together, or more than 1000);
-/// invalid_file (XML that is not well-formed, unknown or missing parameters, values out of range, undefined
-/// $parameters, ids that are missing or doubled, includes in a circle or more than 15 deep) as file:line,
-/// plug-in and parameter with what is accepted and, within an included file, who includes it;
-/// invalid_argument (an entry of `parameters` that the files never use).
+/// cube, disk, cylinder, shapegroup, instance; bsdfs pplastic, diffuse, conductor, roughconductor,
+/// measured_polarized, twosided, normalmap, bumpmap, mask, blendbsdf; textures bitmap, checkerboard,
+/// mesh_attribute, rawconstant; emitters envmap, constant, directional, point, spot, projector, area) these
+/// are ours: shapes off and stl, bsdf psh, emitters psh and sky, and of the others but envmap and constant
+/// how their light is polarized (dolp, aolp in degrees, docp, polarization_axis), the angular_radius of
+/// directional and two_sided of area. A light given by its position or direction has its polarization_axis in
+/// the world's axes, one with to_world in its own. A shape that shines and has no bsdf is black, another
+/// without one is grey. An instance becomes a shape for each member of its group. Integrator, sampler and
+/// reconstruction filter are not followed, which one notice says. <rgb> takes one value, three, or #rrggbb,
+/// which is linear n / 255. Filenames are not opened, but looked for: in the folders of <path>, the newest
+/// first, in the folder of the file that holds them, then in those of the files that include it; where none
+/// has the file, the name is relative to the folder of the file. Throws Error: file_not_found (also of an
+/// <include>); unsupported (a plug-in, element or value outside the above; files of more than 16 MiB
+/// together, or more than 1000); invalid_file (XML that is not well-formed, unknown or missing parameters,
+/// values out of range, undefined $parameters, ids that are missing or doubled, includes in a circle or more
+/// than 15 deep) as file:line, plug-in and parameter with what is accepted and, within an included file, who
+/// includes it; invalid_argument (an entry of `parameters` that the files never use).
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
                                                   const SceneParameters& parameters = {});
 
@@ -161,8 +196,12 @@ using SceneParameters = std::map<std::string, std::string>;
 ///   roughness^2. Base colour, metal, roughness, normals and alphaMode MASK follow their textures.
 /// - The sensor is the first camera; without one it looks along -z, its image 45 degrees high, and the sphere
 ///   around the box of the scene fits in. The film is 768 pixels wide and as high as the camera's aspect
-///   ratio says, else 576. There is no emitter.
-/// - Notices name what is not followed: occlusion, emission, alphaMode BLEND, lights, skins, morph targets,
+///   ratio says, else 576. There is no environment.
+/// - Lights are those of KHR_lights_punctual, their numbers as they are; a spot falls off linearly in the
+/// angle
+///   between its cones. A range has no effect.
+/// - Notices name what is not followed: occlusion, emission, alphaMode BLEND, ranges of lights, skins, morph
+/// targets,
 ///   animations, points and lines, extensions without effect.
 /// Throws Error: file_not_found (also of a buffer); unsupported (another version, an unknown required
 /// extension, KHR_materials_unlit, buffers and images outside the folder of the file, more than kMaxShapes,

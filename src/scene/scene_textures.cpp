@@ -109,6 +109,12 @@ TexturePtr SceneTextures::vector(const TextureSpecification& description) {
     return of(description, Use::vector);
 }
 
+double SceneTextures::aspect(const TextureSpecification& d) const {
+    if (d.kind != TextureSpecification::Kind::image) return 1;
+    const TextureImage& image = images_.at({d.filename, d.raw});
+    return static_cast<double>(image.width) / image.height;
+}
+
 TexturePtr SceneTextures::of(const TextureSpecification& description, Use use) {
     if (description.kind != TextureSpecification::Kind::image) return made(description, use);
     std::vector<Made>& made_of_file = made_[description.filename];

@@ -28,6 +28,8 @@ public:
     [[nodiscard]] TexturePtr number(const TextureSpecification& description);
     /// Of a normal or another vector: as color(), whatever the scene's channels.
     [[nodiscard]] TexturePtr vector(const TextureSpecification& description);
+    /// Width over height of the image of a texture that one of these has made; 1 where it has none.
+    [[nodiscard]] double aspect(const TextureSpecification& description) const;
 
 private:
     enum class Use { color, number, vector };

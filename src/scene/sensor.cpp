@@ -63,14 +63,22 @@ void read_film(const XmlDocument& document, pugi::xml_node node, SensorDescripti
         notices.add_unfollowed(filter.node, "rfilter " + in_quotes(filter.node.attribute("type").value()));
 }
 
+bool is_rigid(const glm::dmat4& m) {
+    for (glm::length_t column = 0; column < 3; ++column)
+        if (std::abs(glm::length(glm::dvec3(m[column])) - 1.0) > 1e-3) return false;
+    return true;
+}
+
+}  // namespace
+
 /// Without `fov`, the diagonal of 35 mm film behind a lens of this focal length.
-void read_field_of_view(Plugin& plugin, SensorDescription& sensor) {
+void read_field_of_view(Plugin& plugin, double& fov, SensorDescription::FovAxis& axis) {
     const bool has_fov = plugin.has("fov");
     if (has_fov && plugin.has("focal_length"))
         plugin.fail("focal_length", "is given beside fov; expected one of them");
     if (has_fov) {
-        sensor.fov = plugin.number("fov", 0.0, 0.0, 180.0, true);
-        sensor.fov_axis = static_cast<SensorDescription::FovAxis>(
+        fov = plugin.number("fov", 0.0, 0.0, 180.0, true);
+        axis = static_cast<SensorDescription::FovAxis>(
             plugin.choice("fov_axis", 0, {"x", "y", "diagonal", "smaller", "larger"}));
         return;
     }
@@ -81,24 +89,16 @@ void read_field_of_view(Plugin& plugin, SensorDescription& sensor) {
     if (!millimetres || !(*millimetres > 0.0))
         plugin.fail("focal_length",
                     "is " + in_quotes(text) + "; expected a positive number of millimetres, as 50mm");
-    sensor.fov = 360.0 / std::numbers::pi * std::atan(std::hypot(36.0, 24.0) / (2.0 * *millimetres));
-    sensor.fov_axis = SensorDescription::FovAxis::diagonal;
+    fov = 360.0 / std::numbers::pi * std::atan(std::hypot(36.0, 24.0) / (2.0 * *millimetres));
+    axis = SensorDescription::FovAxis::diagonal;
 }
-
-bool is_rigid(const glm::dmat4& m) {
-    for (glm::length_t column = 0; column < 3; ++column)
-        if (std::abs(glm::length(glm::dvec3(m[column])) - 1.0) > 1e-3) return false;
-    return true;
-}
-
-}  // namespace
 
 SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node, Notices& notices) {
     Plugin plugin(document, node);
     SensorDescription sensor;
     sensor.to_world = plugin.transform("to_world");
     if (plugin.type() == "perspective") {
-        read_field_of_view(plugin, sensor);
+        read_field_of_view(plugin, sensor.fov, sensor.fov_axis);
         for (const char* offset : {"principal_point_offset_x", "principal_point_offset_y"})
             if (plugin.number(offset, 0.0) != 0.0)
                 plugin.fail(offset, "is not supported", ErrorCode::unsupported);
@@ -136,13 +136,15 @@ SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node, 
 }  // namespace scene
 
 double horizontal_fov(const SensorDescription& sensor) {
+    return horizontal_fov(sensor.fov, sensor.fov_axis, static_cast<double>(sensor.width) / sensor.height);
+}
+
+double horizontal_fov(double fov, SensorDescription::FovAxis axis, double aspect) {
     using Axis = SensorDescription::FovAxis;
-    const double aspect = static_cast<double>(sensor.width) / sensor.height;
-    Axis axis = sensor.fov_axis;
     if (axis == Axis::smaller) axis = aspect > 1.0 ? Axis::y : Axis::x;
     if (axis == Axis::larger) axis = aspect > 1.0 ? Axis::x : Axis::y;
     // Half the extent along the axis at distance 1, then that of x.
-    double extent = std::tan(sensor.fov * std::numbers::pi / 360.0);
+    double extent = std::tan(fov * std::numbers::pi / 360.0);
     if (axis == Axis::y) extent *= aspect;
     if (axis == Axis::diagonal) extent *= aspect / std::hypot(aspect, 1.0);
     return std::atan(extent) * 360.0 / std::numbers::pi;

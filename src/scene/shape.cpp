@@ -11,8 +11,8 @@
 namespace nicol::scene {
 namespace {
 
-constexpr std::array<std::string_view, 8> kKindNames = {"obj",        "ply",    "off",       "stl",
-                                                        "serialized", "sphere", "rectangle", "cube"};
+constexpr std::array<std::string_view, 10> kKindNames = {"obj",    "ply",       "off",  "stl",  "serialized",
+                                                         "sphere", "rectangle", "cube", "disk", "cylinder"};
 
 void read_mesh(Plugin& plugin, ShapeDescription& shape) {
     shape.filename = plugin.filename("filename");
@@ -29,11 +29,13 @@ void read_mesh(Plugin& plugin, ShapeDescription& shape) {
 
 }  // namespace
 
-ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, pugi::xml_node& bsdf) {
+ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, Notices& notices,
+                            pugi::xml_node& bsdf) {
     Plugin plugin(document, node);
     const auto kind = std::ranges::find(kKindNames, std::string_view(plugin.type()));
     if (kind == kKindNames.end())
-        plugin.fail_type("obj, ply, off, stl, serialized, sphere, rectangle, cube, shapegroup, instance");
+        plugin.fail_type(
+            "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, instance");
     ShapeDescription shape;
     shape.kind = static_cast<ShapeDescription::Kind>(kind - kKindNames.begin());
     shape.id = plugin.id();
@@ -41,14 +43,24 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, pu
         read_mesh(plugin, shape);
     } else if (shape.kind == ShapeDescription::Kind::sphere) {
         shape.center = plugin.vector("center", shape.center);
-        shape.radius = plugin.number("radius", shape.radius, 0.0, std::numeric_limits<double>::max(), true);
+        shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
+    } else if (shape.kind == ShapeDescription::Kind::cylinder) {
+        shape.p0 = plugin.vector("p0", shape.p0);
+        shape.p1 = plugin.vector("p1", shape.p1);
+        if (shape.p0 == shape.p1) plugin.fail("p1", "is p0; expected two points that differ");
+        shape.radius = plugin.number("radius", shape.radius, 0.0, kNoLimit, true);
     }
     shape.flip_normals = plugin.boolean("flip_normals", false);
     shape.to_world = plugin.transform("to_world");
     // Of Mitsuba's sampling for derivatives.
     plugin.pass_over({"silhouette_sampling_weight"});
     plugin.finish();
-    for (const NestedObject& object : plugin.single_objects({"bsdf"})) bsdf = object.node;
+    for (const NestedObject& object : plugin.single_objects({"bsdf", "emitter"})) {
+        if (std::string_view(object.node.name()) == "bsdf")
+            bsdf = object.node;
+        else
+            shape.emission = read_emission(document, object.node, notices);
+    }
     return shape;
 }
 

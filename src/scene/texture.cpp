@@ -73,4 +73,10 @@ TextureSpecificationPtr read_texture(const XmlDocument& document, pugi::xml_node
     return std::make_shared<const TextureSpecification>(std::move(texture));
 }
 
+TexturedColor read_color(const XmlDocument& document, Plugin& plugin, const char* name, double otherwise,
+                         double most) {
+    if (const pugi::xml_node texture = plugin.texture(name)) return read_texture(document, texture);
+    return plugin.color(name, otherwise, most);
+}
+
 }  // namespace nicol::scene

@@ -30,7 +30,7 @@ bool is_quick(const nicol::SceneDescription& scene) {
                                }) &&
            std::ranges::none_of(scene.materials, names_file) &&
            std::ranges::none_of(scene.materials, has_image) &&
-           !(scene.emitter && (names_file(*scene.emitter) || scene.emitter->turbidity > 0));
+           !(scene.environment && (names_file(*scene.environment) || scene.environment->turbidity > 0));
 }
 
 }  // namespace

@@ -84,7 +84,8 @@ TEST_CASE("documents that are not scenes of Mitsuba 3") {
 TEST_CASE("plug-ins and elements that do not exist here, with what does") {
     unsupported("\n<shape type='hair'/>",
                 {":3: shape \"hair\"",
-                 "obj, ply, off, stl, serialized, sphere, rectangle, cube, shapegroup, instance"});
+                 "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, "
+                 "instance"});
     unsupported("<bsdf type='principled'/>",
                 {":2: bsdf \"principled\"",
                  "pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided"});
@@ -101,10 +102,9 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
         {"<float> inside <scene>",
          "accepted elements: integrator, sensor, emitter, bsdf, texture, shape, film, sampler, rfilter"});
     unsupported(a_sensor + scene(""), {"<scene> inside <scene>"});
-    unsupported(shape_with("<emitter type='area'/>"),
-                {"<emitter> inside shape \"sphere\"", "only distant light"});
     unsupported(shape_with("<medium type='homogeneous'/>"), {"<medium> inside shape", "opaque"});
-    unsupported(shape_with("<sensor type='irradiancemeter'/>"), {"<sensor> inside shape", "elements: bsdf"});
+    unsupported(shape_with("<sensor type='irradiancemeter'/>"),
+                {"<sensor> inside shape", "elements: bsdf, emitter"});
     unsupported(plastic_with("<spectrum name='diffuse_reflectance' type='d65'/>"),
                 {"<spectrum> inside", "a <spectrum> with a type is not supported"});
     unsupported(plastic_with("<spectrum name='diffuse_reflectance' filename='a.spd'/>"),

@@ -53,9 +53,6 @@ TEST_CASE("what is read of glTF and not followed is one notice for each kind") {
              Case{one_mesh() + a_node + ",\"animations\":[{\"channels\":[],\"samplers\":[]}]", "animations"},
              Case{one_mesh() + ",\"nodes\":[{\"mesh\":0,\"extensions\":{\"EXT_mesh_gpu_instancing\":{}}}]",
                   "EXT_mesh_gpu_instancing"},
-             Case{one_mesh() + a_node +
-                      ",\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\"}]}}",
-                  "KHR_lights_punctual"},
              Case{one_mesh() + ",\"nodes\":[{\"mesh\":0,\"camera\":0},{\"camera\":0}],\"cameras\":[{\"type\":"
                                "\"perspective\",\"perspective\":{\"yfov\":1,\"znear\":1}}]",
                   "only the first of several cameras"},

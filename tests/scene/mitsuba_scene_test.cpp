@@ -39,9 +39,9 @@ TEST_CASE("defaults are Mitsuba's") {
     CHECK(plastic.ext_ior == 1.000277);
     CHECK(plastic.alpha == 0.1);
     CHECK(plastic.distribution == MaterialDescription::Distribution::beckmann);
-    REQUIRE(s.emitter);
-    CHECK(s.emitter->kind == EmitterDescription::Kind::constant);
-    CHECK(s.emitter->radiance.rgb == glm::dvec3(1.0));
+    REQUIRE(s.environment);
+    CHECK(s.environment->kind == EnvironmentDescription::Kind::constant);
+    CHECK(s.environment->radiance.rgb == glm::dvec3(1.0));
     CHECK(s.notices.empty());
 }
 
@@ -80,12 +80,12 @@ TEST_CASE("everything that a scene can hold is read") {
     CHECK(s.sensor.far_clip == 50.0);
     CHECK(s.sensor.width == 300);
     CHECK(s.sensor.height == 400);
-    REQUIRE(s.emitter);
-    CHECK(s.emitter->kind == EmitterDescription::Kind::envmap);
-    CHECK(s.emitter->filename == file / "light" / "sky.exr");
-    CHECK(s.emitter->scale == 2.5);
+    REQUIRE(s.environment);
+    CHECK(s.environment->kind == EnvironmentDescription::Kind::envmap);
+    CHECK(s.environment->filename == file / "light" / "sky.exr");
+    CHECK(s.environment->scale == 2.5);
     // A quarter of a rotation about y takes z to x.
-    CHECK(glm::distance(glm::dvec3(s.emitter->to_world * glm::dvec4(0, 0, 1, 0)), glm::dvec3(1, 0, 0)) <
+    CHECK(glm::distance(glm::dvec3(s.environment->to_world * glm::dvec4(0, 0, 1, 0)), glm::dvec3(1, 0, 0)) <
           1e-12);
     REQUIRE(s.shapes.size() == 8);
     CHECK(s.shapes[0].id == "first");
@@ -126,21 +126,21 @@ TEST_CASE("our own emitters") {
     const SceneDescription sky = read(a_sensor + a_shape +
                                       "<emitter type='sky'><vector name='sun_direction' value='0, 3, 4'/>"
                                       "<rgb name='radiance' value='2'/></emitter>");
-    REQUIRE(sky.emitter);
-    CHECK(sky.emitter->kind == EmitterDescription::Kind::sky);
-    CHECK(glm::distance(sky.emitter->sun_direction, glm::dvec3(0, 0.6, 0.8)) < 1e-12);
-    CHECK(sky.emitter->dop_max == 0.8);
-    CHECK(sky.emitter->radiance.rgb == glm::dvec3(2.0));
+    REQUIRE(sky.environment);
+    CHECK(sky.environment->kind == EnvironmentDescription::Kind::sky);
+    CHECK(glm::distance(sky.environment->sun_direction, glm::dvec3(0, 0.6, 0.8)) < 1e-12);
+    CHECK(sky.environment->dop_max == 0.8);
+    CHECK(sky.environment->radiance.rgb == glm::dvec3(2.0));
     const SceneDescription psh =
         read(a_sensor + a_shape + "<emitter type='psh'><string name='filename' value='a.npz'/></emitter>");
-    CHECK(psh.emitter->kind == EmitterDescription::Kind::psh);
-    CHECK(psh.emitter->filename.filename() == "a.npz");
-    CHECK(psh.emitter->scale == 1.0);
+    CHECK(psh.environment->kind == EnvironmentDescription::Kind::psh);
+    CHECK(psh.environment->filename.filename() == "a.npz");
+    CHECK(psh.environment->scale == 1.0);
 }
 
 TEST_CASE("a scene may have no light") {
     const SceneDescription s = read(a_sensor + a_shape);
-    CHECK_FALSE(s.emitter);
+    CHECK_FALSE(s.environment);
     CHECK(s.notices.empty());
 }
 

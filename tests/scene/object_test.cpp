@@ -16,8 +16,8 @@ MaterialDescription material(const std::string& bsdf) {
     return s.materials[0];
 }
 
-EmitterDescription emitter(const std::string& xml) {
-    return read(a_sensor + a_shape + xml).emitter.value();
+EnvironmentDescription emitter(const std::string& xml) {
+    return read(a_sensor + a_shape + xml).environment.value();
 }
 
 SensorDescription film(const std::string& parameters, std::vector<std::string>& notices) {
@@ -209,8 +209,6 @@ TEST_CASE("instances and groups that are refused") {
             {"\"shapegroup\" inside a shapegroup"});
     refused("<shape type='shapegroup'>\n<transform name='to_world'/></shape>", invalid, 3,
             {"\"to_world\" is unknown"});
-    refused("<shape type='shapegroup'>\n<shape type='sphere'><emitter type='area'/></shape></shape>",
-            unsupported, 3, {"only distant light"});
     refused(a_sensor + group, invalid, 1, {"no <shape>"});
     // 400 times 400 shapes from a small file.
     std::string many = "<shape type='shapegroup' id='g'>";
@@ -237,10 +235,10 @@ TEST_CASE("objects by reference") {
 
 TEST_CASE("skies with turbidity") {
     const std::string sun = "<emitter type='sky'><vector name='sun_direction' x='1' y='0.5'/>\n";
-    const EmitterDescription plain = emitter(sun + "</emitter>");
+    const EnvironmentDescription plain = emitter(sun + "</emitter>");
     CHECK(plain.turbidity == 0.0);
     CHECK(plain.ground_albedo.rgb == glm::dvec3(0.2));
-    const EmitterDescription hazy = emitter(
+    const EnvironmentDescription hazy = emitter(
         sun +
         "<float name='turbidity' value='3'/><rgb name='ground_albedo' value='0.1, 0.2, 0.3'/></emitter>");
     CHECK(hazy.turbidity == 3.0);
@@ -254,13 +252,6 @@ TEST_CASE("skies with turbidity") {
     CHECK(emitter(below + "</emitter>").sun_direction.y < 0.0);
     refused(below + "<float name='turbidity' value='3'/></emitter>", invalid, 2,
             {"\"sun_direction\" points below the horizon"});
-}
-
-TEST_CASE("emitters that are no distant light") {
-    for (const char* type : {"area", "point", "spot", "directional", "sunsky"})
-        refused(std::string("<emitter type='") + type + "'/>", unsupported, 2,
-                {std::string("emitter \"") + type + "\" is not supported: only light from all around is",
-                 "envmap, constant, psh, sky"});
 }
 
 TEST_CASE("film formats: what is asked for, and what is written instead") {
