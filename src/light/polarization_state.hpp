@@ -9,8 +9,9 @@
 
 namespace nicol {
 
-/// The same for all light of a lamp. A polarizer in front of it is dolp = 1 with its transmission axis as
-/// `axis`; a quarter-wave plate behind that, docp = 1 or -1.
+/// The same for all light of a lamp. A polarizing sheet in front of it, which absorbs along one axis however
+/// light passes it, is dolp = 1 and aolp = pi/2 with that as `axis`; so is Mitsuba 3's `polarizer`, whose
+/// axis is (sin theta, cos theta, 0) of its plate. A quarter-wave plate behind that: docp = 1 or -1.
 struct PolarizationState {
     double dolp = 0;  ///< degree of linear polarization, 0 to 1
     /// Angle of linear polarization, radians, from the frame's x to its y, see polarization_frame().

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "arguments.hpp"
+#include "light/environment.hpp"
 
 namespace nicol {
 namespace {
@@ -23,8 +24,8 @@ int channels_of(const std::vector<double>& values, const TexturePtr& texture) {
 void check_values(const std::vector<double>& values, std::string_view name) {
     if (values.empty()) refuse(std::string(name) + " has no value");
     for (const double value : values) {
-        if (!(value >= 0 && std::isfinite(value)))
-            refuse(std::string(name) + " is " + std::to_string(value) + "; it must be finite and >= 0");
+        if (!(value >= 0 && value <= kBrightestLight))
+            refuse(std::string(name) + " is " + std::to_string(value) + "; it must lie in 0 to 1e30");
     }
 }
 

@@ -24,7 +24,7 @@ struct SmallLight {
         projector,    ///< a texture, or one colour, onto a rectangle
     };
     Kind kind = Kind::point;
-    /// One value, or one a channel; finite and >= 0.
+    /// One value, or one a channel; 0 to kBrightestLight.
     /// directional: irradiance on a surface that faces the light; point, spot: intensity, on the axis of the
     /// latter; projector: irradiance on the plane z = 1 (of Mitsuba's: pi times its irradiance and scale).
     std::vector<double> value{1};
@@ -47,7 +47,7 @@ void check(const SmallLight& light);
 
 /// What a surface emits. It reflects as well, as its material says.
 struct Emission {
-    std::vector<double> radiance{1};  ///< one value or one a channel; finite and >= 0
+    std::vector<double> radiance{1};  ///< one value or one a channel; 0 to kBrightestLight
     TexturePtr texture;               ///< times it; null: 1. 1 or 3 channels of values >= 0
     /// Of light from both sides; else from the front alone.
     bool two_sided = false;

@@ -2,6 +2,7 @@
 // Lights with a size: closed forms, strategies against each other, and what the camera sees of them.
 #include "directions.hpp"
 #include "function_texture.hpp"
+#include "material/layered.hpp"
 #include "scenes.hpp"
 #include "test.hpp"
 
@@ -224,6 +225,33 @@ TEST_CASE("the camera sees a surface shine, with its polarization, added to what
     CHECK(point(scene, camera, 4)[0][0] == doctest::Approx(1.5).epsilon(1e-5));
 }
 
+TEST_CASE("a lamp behind a polarizing sheet is seen as Mitsuba 3 does") {
+    // Its `polarizer` of this angle in degrees at z = 0, from this place, camera upwards (0.2, 1, 0.1): s1 /
+    // s0 and s2 / s0 of Mitsuba 3.9.
+    const struct {
+        glm::dvec3 eye;
+        double theta, s1, s2;
+    } cases[] = {
+        {{0, 0, 4}, 0, 0.923, 0.385},       {{0, 0, 4}, 30, 0.795, -0.607},
+        {{0, 0, 4}, 75, -0.607, -0.795},    {{2, 1, 3}, 0, 0.971, 0.24},
+        {{2, 1, 3}, 30, 0.725, -0.688},     {{-1.5, 2.5, 2}, 75, 0.314, -0.949},
+        {{3, 0.2, 0.5}, 30, 0.946, -0.325}, {{2, 1, -3}, 0, 0.898, -0.44},
+        {{2, 1, -3}, 75, -0.753, 0.659},    {{-1.5, 2.5, -2}, 30, 0.785, 0.62},
+    };
+    for (const auto& c : cases) {
+        const double theta = c.theta * pi / 180;
+        Scene scene;
+        scene.add(lamp(
+            emission({.two_sided = true,
+                      .state = {.dolp = 1, .aolp = pi / 2, .axis = {std::sin(theta), std::cos(theta), 0}}}),
+            Frame(1.0), {0, 0, 0}, 1));
+        const Stokes seen = point(scene, camera_on({0, 0, 0}, c.eye, {0.2, 1, 0.1}), 1)[0];
+        CAPTURES(c.eye.x, c.eye.z, c.theta);
+        CHECK(std::abs(seen[1] / seen[0] - c.s1) < 1e-3);
+        CHECK(std::abs(seen[2] / seen[0] - c.s2) < 1e-3);
+    }
+}
+
 TEST_CASE("a texture of emission lies on its surface, as the camera sees it and as it lights") {
     const TexturePtr image =
         texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x, p.uv.y, 1, 1); });
@@ -239,6 +267,22 @@ TEST_CASE("a texture of emission lies on its surface, as the camera sees it and 
         CHECK(lit[0][0] / lit[2][0] == doctest::Approx(0.5).epsilon(0.01));
         CHECK(lit[1][0] / lit[2][0] == doctest::Approx(1).epsilon(0.01));
     }
+}
+
+TEST_CASE("where a lamp is cut out it does not shine, and hides nothing") {
+    const TexturePtr left =
+        texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x < 0.5F ? 1 : 0); }, 1);
+    const glm::dvec3 center(0.1, 0.2, 1.5);
+    Scene scene = floor();
+    Instance half = lamp(emission({.radiance = {2}}), facing_down, center, 0.8);
+    half.material = masked(half.material, left);
+    scene.add(half);
+    const std::vector<glm::dvec3> corners = {center + glm::dvec3(-0.8, -0.8, 0),
+                                             center + glm::dvec3(0, -0.8, 0), center + glm::dvec3(0, 0.8, 0),
+                                             center + glm::dvec3(-0.8, 0.8, 0)};
+    for (const Strategy strategy : strategies)
+        CHECK(at_origin(scene, strategy) ==
+              doctest::Approx(2 * 0.6 / pi * polygon_irradiance(corners)).epsilon(5e-3));
 }
 
 TEST_CASE("lamps and their shadows are counted as rays") {
