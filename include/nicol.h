@@ -634,12 +634,12 @@ NICOL_API nicol_result nicol_camera_look_at(nicol_camera* camera, const double o
 /* ---------------------------------------------------------------- light */
 
 /* clang-format off */
-/* How the light of a lamp is polarized, the same for all of it.
+/* How the light of a lamp is polarized, the same for all of it. Its frame, seen by who looks into the lamp:
  *
- *     y |  / E-vector      seen by who looks into the lamp, its light coming towards them along z:
- *       | /                x is the part of `axis` across the light's direction (of an `axis` along the light, what a
- *       |/ aolp            sphere's meridian gives), y = z cross x, and AoLP counts from x to y, counter-clockwise.
- *       +------- x
+ *  y|  / E-vector
+ *   | /    z  comes towards the viewer, along the light
+ *   |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the lamp's own +z)
+ *   +---x  y  = z cross x; the AoLP counts from x to y, counter-clockwise
  *
  * A polarizer before the lamp is dolp 1 with its transmission axis as `axis`; a quarter-wave plate behind it, docp 1
  * or -1. */

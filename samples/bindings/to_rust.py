@@ -83,7 +83,7 @@ def generate(header):
     text = HEAD.format(version=version)
     for name, value in header.constants.items():
         type_ = "nicol_result" if name == "NICOL_OK" or name.startswith("NICOL_ERROR_") else "u32"
-        type_ = "u64" if value >= 2**32 else type_
+        type_ = "u64" if value >= 2**32 else "i32" if value < 0 else type_
         text += f"pub const {name}: {type_} = {value};\n"
     text += "\n"
     for name in header.order:

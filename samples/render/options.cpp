@@ -14,7 +14,7 @@ const char* const usage =
     "\n"
     "  -o, --output FILE        the OpenEXR image to write\n"
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
-    "      --environment FILE   an environment map that lights the scene, in place of the scene's own light\n"
+    "      --environment FILE   an environment map that lights the scene, in place of the scene's own\n"
     "      --images DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
     "      --backend NAME       egl or osmesa; without it NICOL_BACKEND decides, else the first that works\n"
     "      --device N           the device to use, of those that --list-devices shows\n"
@@ -47,6 +47,9 @@ const char* const usage =
     "      --max-vertices N     that splitting may lead to; default 65536, or four times the scene's\n"
     "      --dering X           weakens high orders of the light against ringing; default 0, 0.001 helps\n"
     "      --no-physical        leaves s0 < 0 and DoLP > 1, which truncation may cause, as they are\n"
+    "      --split-lights N     lamps of the environment rendered as lights of their own, at most, 0 to 64;\n"
+    "                           default: those that the orders would miss\n"
+    "      --light-samples N    places of a lamp with a size that light each point, 1 to 1024; default 16\n"
     "      --samples N          of the reference method, camera rays a pixel, 1 to 1048576; default 256\n"
     "      --seed N             of the reference method, gives other noise; default 0\n"
     "      --cache DIR          keeps tables of materials and bakes of shadows there between runs;\n"
@@ -248,6 +251,11 @@ Options parse_options(int argc, const char* const* argv) {
             options.dering = parse_strength(name, value());
         else if (name == "--no-physical" && !attached)
             options.physical = false;
+        else if (name == "--split-lights")
+            options.split_lights =
+                static_cast<std::int32_t>(parse_count(name, value(), 0, NICOL_MAX_SPLIT_LIGHTS));
+        else if (name == "--light-samples")
+            options.light_samples = parse_count(name, value(), 1, 1024);
         else if (name == "--samples")
             options.samples = parse_count(name, value(), 1, 1048576);
         else if (name == "--seed")

@@ -36,7 +36,9 @@ struct Options {
     double dering = 0;
     std::optional<std::uint32_t> bake_directions;
     std::optional<double> refine_tolerance;
-    std::uint32_t max_vertices = 0;                                  ///< 0: the library's default
+    std::uint32_t max_vertices = 0;  ///< 0: the library's default
+    std::int32_t split_lights = NICOL_SPLIT_AUTOMATIC;
+    std::optional<std::uint32_t> light_samples;
     std::optional<std::uint32_t> samples;                            ///< of the reference method
     std::uint64_t seed = 0;                                          ///< likewise
     nicol_context_options load_limits = NICOL_CONTEXT_OPTIONS_INIT;  ///< no more than its limits of a load

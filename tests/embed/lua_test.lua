@@ -40,6 +40,22 @@ do
 end
 collectgarbage()
 
+do
+    local texture = nicol.texture_create_checkerboard(context, nil, nil, nil)
+    local polarization = nicol.polarization{ dolp = 1, aolp = 0.5 }
+    local lamp = nicol.light{ kind = nicol.LIGHT_SPOT, value = 2, polarization = polarization, texture = texture }
+    local id = ffi.new("uint32_t[1]")
+    nicol.scene_add_light(scene, lamp, id)
+    nicol.scene_add_light(scene, nicol.light{}, id)
+    assert(id[0] == 1)
+    local told = nicol.light()
+    assert(nicol.scene_get_light(scene, 0, told) ~= nil)
+    assert(told.value.values[0] == 2 and told.polarization.dolp == 1 and told.polarization.axis[0] == 1)
+    assert(nicol.scene_get_light(scene, 1, told) == nil and told.polarization.axis[0] == 1)
+    fails("docp is 3", nicol.scene_add_light, scene, nicol.light{ polarization = nicol.polarization{ docp = 3 } }, nil)
+    for i = 0, 1 do nicol.scene_remove_light(scene, i) end
+end
+
 local camera = nicol.camera{ fov = 40 }
 local function vector(x, y, z) return ffi.new("double[3]", x, y, z) end
 nicol.camera_look_at(camera, vector(0, 0, 4), vector(0, 0, 0), vector(0, 1, 0))

@@ -44,6 +44,20 @@ nicol.scene_get_environment(scene, again, turn, scale);
 assert.deepEqual([turn[0], turn[1], turn[5], scale[0]], [1, 0, 1, 1]);
 new Handle("nicol_environment", again[0]).release();
 
+const texture = nicol.texture_create_checkerboard(context, null, null, null);
+const polarization = nicol.polarization({ dolp: 1, aolp: 0.5 });
+const ids = [0];
+nicol.scene_add_light(scene, nicol.light({ kind: nicol.LIGHT_SPOT, value: 2, polarization, texture }), null);
+nicol.scene_add_light(scene, nicol.light(), ids);
+assert.equal(ids[0], 1);
+texture.release();
+const told = nicol.light();
+nicol.scene_get_light(scene, 0, told)?.release();
+assert.deepEqual([told.kind, told.value.values[0], told.polarization.dolp, told.polarization.axis[0]], [2, 2, 1, 1]);
+const wrong = nicol.light({ polarization: nicol.polarization({ docp: 3 }) });
+assert.throws(() => nicol.scene_add_light(scene, wrong, null), /docp is 3/);
+for (const id of [0, 1]) nicol.scene_remove_light(scene, id);
+
 const camera = nicol.camera({ fov: 40 });
 nicol.camera_look_at(camera, [0, 0, 4], [0, 0, 0], [0, 1, 0]);
 const framebuffer = nicol.framebuffer_create(context, 32, 24, 1);

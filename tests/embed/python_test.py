@@ -122,6 +122,33 @@ class CallTest(unittest.TestCase):
         self.assertIsNone(scene.get_environment()[0])
         self.assertIsInstance(self.context.get_info().renderer, str)
 
+    def test_lights(self):
+        scene = scene_of_sphere(self.context)
+        vertical = nicol.Polarization(dolp=1, axis=(0, 1, 0))
+        spot = nicol.Light(kind=nicol.LIGHT_SPOT, value=3, cutoff_angle=30, polarization=vertical,
+                           texture=nicol.Texture.create_checkerboard(self.context, 1, 0, None))  # fmt: skip
+        self.assertEqual([scene.add_light(nicol.Light()), scene.add_light(spot)], [0, 1])
+        told, texture = scene.get_light(1)
+        self.assertEqual((told.kind, told.value.values[0]), (nicol.LIGHT_SPOT, 3))
+        self.assertAlmostEqual(told.cutoff_angle, 30)
+        self.assertEqual((told.polarization.dolp, list(told.polarization.axis)), (1, [0, 1, 0]))
+        self.assertIsInstance(texture, nicol.Texture)
+        self.assertIsNone(scene.get_light(0)[1])
+        self.assertEqual(list(scene.get_light(0)[0].polarization.axis), [1, 0, 0])
+        scene.set_light(0, told)
+        scene.remove_light(1)
+        ids = array.array("I", bytes(4 * scene.get_light_count()))
+        scene.get_light_ids(ids)
+        self.assertEqual(list(ids), [0])
+        with self.assertRaisesRegex(nicol.Error, "dolp is 2"):
+            scene.add_light(nicol.Light(polarization=nicol.Polarization(dolp=2)))
+        with self.assertRaisesRegex(TypeError, "nicol.Polarization is wanted"):
+            nicol.Light(polarization=1)
+        scene.set_emission(0, nicol.Emission(radiance=4))
+        self.assertEqual(scene.get_emission(0)[0].radiance.values[0], 4)
+        scene.set_emission(0, None)
+        self.assertEqual(scene.get_emission(0)[0].radiance.values[0], 0)
+
     def render(self, size=32, options=None, scene=None):
         framebuffer = nicol.Framebuffer.create(self.context, size, size, 1)
         nicol.render(scene or self.scene, camera(), options, framebuffer)

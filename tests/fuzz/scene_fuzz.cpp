@@ -7,10 +7,11 @@
 
 namespace {
 
+bool is_image(const nicol::TextureSpecificationPtr& texture) {
+    return texture && !texture->filename.empty();
+}
+
 bool has_image(const nicol::MaterialDescription& material) {
-    const auto is_image = [](const nicol::TextureSpecificationPtr& texture) {
-        return texture && !texture->filename.empty();
-    };
     return is_image(material.reflectance.texture) || is_image(material.diffuse_reflectance.texture) ||
            is_image(material.specular_reflectance.texture) || is_image(material.alpha_texture) ||
            is_image(material.scale.texture) || is_image(material.texture) ||
@@ -26,8 +27,11 @@ bool is_quick(const nicol::SceneDescription& scene) {
            std::ranges::all_of(scene.shapes,
                                [](const nicol::ShapeDescription& s) {
                                    return s.kind == nicol::ShapeDescription::Kind::rectangle &&
-                                          !s.face_normals;
+                                          !s.face_normals &&
+                                          !(s.emission && is_image(s.emission->radiance.texture));
                                }) &&
+           std::ranges::none_of(
+               scene.lights, [](const nicol::LightDescription& light) { return is_image(light.texture); }) &&
            std::ranges::none_of(scene.materials, names_file) &&
            std::ranges::none_of(scene.materials, has_image) &&
            !(scene.environment && (names_file(*scene.environment) || scene.environment->turbidity > 0));

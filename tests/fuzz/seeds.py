@@ -202,6 +202,19 @@ TEXTURES = """<scene version="3.0.0"><sensor type="orthographic"/>
 """
 
 
+LIGHTS = """<scene version="3.0.0"><sensor type="orthographic"/>
+<emitter type="directional"><vector name="direction" x="1" y="-1"/><float name="angular_radius" value=".3"/>
+<spectrum name="irradiance" value="400:0, 700:9"/><float name="dolp" value=".6"/><float name="docp" value="-.8"/></emitter>
+<emitter type="point"><point name="position" value="1 2 3"/><vector name="polarization_axis" y="1"/></emitter>
+<emitter type="spot"><float name="cutoff_angle" value="30"/><texture name="texture" type="checkerboard"/></emitter>
+<emitter type="projector"><float name="fov" value="40"/><string name="fov_axis" value="y"/><float name="scale" value="2"/></emitter>
+<shape type="rectangle"><emitter type="area"><rgb name="radiance" value="1 2 300"/><boolean name="two_sided" value="true"/>
+<float name="aolp" value="45"/></emitter></shape>
+<shape type="disk"><emitter type="area"><texture name="radiance" type="checkerboard"/></emitter></shape>
+<shape type="cylinder"><point name="p0" x="1"/><point name="p1" z="2"/><float name="radius" value=".5"/></shape></scene>
+"""
+
+
 def gltf(binary):
     """Two nodes with one mesh of two primitives, interleaved and sparse, a camera and materials with textures."""
     data = struct.pack("<24f", *[0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1])
@@ -226,7 +239,9 @@ def gltf(binary):
                                    {"attributes": {"POSITION": 0, "TEXCOORD_0": 4, "COLOR_0": 1}, "material": 2},
                                    {"attributes": {"POSITION": 3}, "mode": 5, "material": 1}]}],
         "nodes": [{"mesh": 0, "children": [1], "translation": [1, 2, 3], "rotation": [0, 0, 0, 1]},
-                  {"mesh": 0, "scale": [1, 2, -1]}, {"camera": 0, "matrix": [1, 0, 0, 0] + [0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1]}],
+                  {"mesh": 0, "scale": [1, 2, -1], "extensions": {"KHR_lights_punctual": {"light": 0}}}, {"camera": 0, "matrix": [1, 0, 0, 0] + [0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 9, 1]}],
+        "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 3, "color": [1, 0.5, 0], "range": 9,
+                                                           "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.5}}]}},
         "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "aspectRatio": 1.5, "znear": 0.1}}],
         "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [1, 0.5, 0, 1]},
                        "extensions": {"KHR_materials_ior": {"ior": 1.4}}}, {"doubleSided": True},
@@ -299,7 +314,7 @@ SEEDS = {
             npz({"coeff": MATERIAL}, zipfile.ZIP_STORED)],
     "npy": [LIGHT, GREY_LIGHT, MATERIAL],
     "pbsdf": [pbsdf((3, 2, 2), [550]), pbsdf((4, 2, 3), [450, 550, 650]), pbsdf((2, 2, 2), [550], angles=False)],
-    "scene": [SCENE, SKY, TEXTURES],
+    "scene": [SCENE, SKY, TEXTURES, LIGHTS],
     "gltf": [gltf(False), gltf(True)],
     "http": list(requests()),
     # A byte chooses the function; zeros leave its arguments as they are.

@@ -143,10 +143,10 @@ class Success(RenderTest):
         self.assertGreater(stats["vertices"], 3)
         self.assertEqual(
             set(stats["milliseconds"]),
-            {"project", "bake", "bake_trace", "relight", "shade", "trace", "draw", "observe"},
+            {"project", "bake", "bake_trace", "relight", "shade", "light", "trace", "draw", "observe"},
         )
         # A flat square hides nothing from itself, and still the bake has to look.
-        self.assertEqual(stats["rays"], {"bake": stats["rays"]["bake"], "camera": 0, "shadow": 0})
+        self.assertEqual(stats["rays"], {"bake": stats["rays"]["bake"], "camera": 0, "shadow": 0, "light": 0})
         self.assertGreater(stats["rays"]["bake"], 0)
         self.assertEqual(stats["skipped"]["unoccluded"], stats["vertices"])
         self.assertGreater(stats["bytes"]["visibility"], 0)
@@ -155,6 +155,13 @@ class Success(RenderTest):
         self.assertEqual(set(stats["skipped"]), {"vertices", "unoccluded", "light_columns", "response_rows", "channels_shared"})
         self.assertGreater(stats["bytes"]["texture"], 24 * 16 * 16)
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["a.exr", "deep", "s.json"])
+
+    def test_lights(self):
+        table = "400:0, 500:8, 600:15.6, 700:18.4"
+        self.write("lit.xml", scene(emitter=f'''<emitter type="point"><spectrum name="intensity" value="{table}"/></emitter>
+            <emitter type="directional"><vector name="direction" value="0 0 -1"/><float name="dolp" value="1"/></emitter>'''))
+        run = self.assert_succeeds("lit.xml", "-o", "out/a.exr", "--split-lights", "0", "--light-samples=4")
+        self.assertEqual(run.stderr, "")
 
     def test_orders(self):
         for low in ("0", "4", "12", "32"):
@@ -364,6 +371,10 @@ class CommandLine(RenderTest):
             (["4"], "--order-low 8 --order-high 4"),
             (["--order-high", "-1"], "--order-high -1"),
             (["--order-low", "four"], "--order-low four"),
+            (["--split-lights", "65", "0 to 64"], "--split-lights 65"),
+            (["--split-lights", "'-1'"], "--split-lights -1"),
+            (["--light-samples", "0", "1 to 1024"], "--light-samples 0"),
+            (["--light-samples", "1025"], "--light-samples 1025"),
             (["--samples", "'many'"], "--samples many"),
             (["--samples", "0"], "--samples 0"),
             (["--samples", "1048577"], "--method reference --samples 1048577"),

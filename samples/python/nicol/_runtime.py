@@ -279,6 +279,8 @@ class Struct(ctypes.Structure):
     @classmethod
     def of(cls, value):
         """A spectrum from a number or numbers."""
+        if "values" not in cls._types_:
+            raise TypeError(f"a nicol.{cls.__name__} is wanted, not {value!r}")
         values = list(value) if hasattr(value, "__len__") else [value]
         most = cls._types_["values"]._length_
         if len(values) > most:

@@ -84,7 +84,7 @@ pub const NICOL_AOV_VARIANCE: u32 = 16;
 pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
 pub const NICOL_COMPONENTS_LINEAR: u32 = 3;
-pub const NICOL_SPLIT_AUTOMATIC: u32 = -1;
+pub const NICOL_SPLIT_AUTOMATIC: i32 = -1;
 pub const NICOL_MAX_SPLIT_LIGHTS: u32 = 64;
 pub const NICOL_MAX_JOBS: u32 = 256;
 pub const NICOL_JOB_WAITING: u32 = 0;
@@ -774,12 +774,12 @@ const _: () = {
     assert!(offset_of!(nicol_camera, jitter) == 160);
 };
 
-/// How the light of a lamp is polarized, the same for all of it.
+/// How the light of a lamp is polarized, the same for all of it. Its frame, seen by who looks into the lamp:
 ///
-///     y |  / E-vector      seen by who looks into the lamp, its light coming towards them along z:
-///       | /                x is the part of `axis` across the light's direction (of an `axis` along the light, what a
-///       |/ aolp            sphere's meridian gives), y = z cross x, and AoLP counts from x to y, counter-clockwise.
-///       +------- x
+///  y|  / E-vector
+///   | /    z  comes towards the viewer, along the light
+///   |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the lamp's own +z)
+///   +---x  y  = z cross x; the AoLP counts from x to y, counter-clockwise
 ///
 /// A polarizer before the lamp is dolp 1 with its transmission axis as `axis`; a quarter-wave plate behind it, docp 1
 /// or -1.
