@@ -55,26 +55,25 @@ LightKind light_kind(const Environment* light) {
     return light->circular() ? LightKind::full : LightKind::linear;
 }
 
-void LightProjection::update(const Scene& scene, const RenderOptions& options, const glm::dmat3& rotation,
-                             Statistics& statistics) {
+void LightProjection::update(const EnvironmentPtr& environment, double scale, const RenderOptions& options,
+                             const glm::dmat3& rotation, Statistics& statistics) {
     const int low = options.order_low;
     const int high = options.high_orders == HighOrders::none ? low : options.order_high;
     const LightKind kind = (options.disabled_optimisations & skip_light_components) != 0
                                ? LightKind::full
-                               : light_kind(scene.environment().get());
-    projecting_.run(scene.environment(), low, high, kind, options.dering, options.disabled_optimisations,
-                    [&] {
-                        const Stopwatch watch;
-                        project(scene.environment().get(), low, high, kind, options);
-                        ++statistics.lights_projected;
-                        statistics.project_ms += watch.milliseconds();
-                    });
+                               : light_kind(environment.get());
+    projecting_.run(environment, low, high, kind, options.dering, options.disabled_optimisations, [&] {
+        const Stopwatch watch;
+        project(environment.get(), low, high, kind, options);
+        ++statistics.lights_projected;
+        statistics.project_ms += watch.milliseconds();
+    });
     const Stopwatch watch;
-    bool changed = scaling_.run(light_.version(), scene.light_scale(), [&] {
-        check_brightness(*light_, scene.light_scale());
+    bool changed = scaling_.run(light_.version(), scale, [&] {
+        check_brightness(*light_, scale);
         PshVector& distant = distant_.change();
         distant = *light_;
-        for (double& coefficient : distant.data()) coefficient *= scene.light_scale();
+        for (double& coefficient : distant.data()) coefficient *= scale;
     });
     changed |= rotating_.run(distant_.version(), rotation, [&] {
         rotated_.change() = nicol::rotated(with_order(*distant_, low), rotation);

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "harmonics/light_layout.hpp"
+#include "light/environment.hpp"
 #include "render/render.hpp"
-#include "scene/scene.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -20,10 +20,10 @@ namespace nicol {
 /// light's own, for the high orders. Both are scaled, and have one channel where all are equal.
 class LightProjection {
 public:
-    /// As far as changes make it necessary. `rotation`: from the light's axes to the geometry's. Adds its
-    /// times and counts to `statistics`.
-    void update(const Scene& scene, const RenderOptions& options, const glm::dmat3& rotation,
-                Statistics& statistics);
+    /// As far as changes make it necessary. `environment`: the scene's, or a part of it; `rotation`: from the
+    /// light's axes to the geometry's. Adds its times and counts to `statistics`.
+    void update(const EnvironmentPtr& environment, double scale, const RenderOptions& options,
+                const glm::dmat3& rotation, Statistics& statistics);
 
     /// Of the low orders.
     [[nodiscard]] const LightLayout& layout() const { return *layout_; }

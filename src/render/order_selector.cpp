@@ -28,17 +28,31 @@ double cost(int low, bool split) {
     return std::pow(low + 1.0, 3) + (split ? 60 : 0);
 }
 
-// Energies by order of the parts of a light: s0, (s1, s2), s3. With s1 and s2 complex, half of their products
-// with a response are real.
-std::array<std::vector<double>, ResponsePower::kParts> energies(const PshVector& light, int channel) {
-    std::array<std::vector<double>, ResponsePower::kParts> out;
-    for (const Stokes& energy : energy_per_order(light, channel)) {
-        const double degrees = 2.0 * static_cast<double>(out[0].size()) + 1;
-        out[0].push_back(energy[0] / degrees);
-        out[1].push_back((energy[1] + energy[2]) / 2 / degrees);
-        out[2].push_back(energy[3] / degrees);
+// Energies by order of the parts of a light: s0, (s1, s2), s3, of each channel. With s1 and s2 complex, half
+// of their products with a response are real.
+using Spectra = std::array<ResponsePower::Spectrum, ResponsePower::kParts>;
+std::vector<Spectra> energies(const PshVector& light) {
+    std::vector<Spectra> out;
+    for (int c = 0; c < light.channels(); ++c) {
+        Spectra& of = out.emplace_back();
+        for (const Stokes& energy : energy_per_order(light, c)) {
+            const double degrees = 2.0 * static_cast<double>(of[0].size()) + 1;
+            of[0].push_back(energy[0] / degrees);
+            of[1].push_back((energy[1] + energy[2]) / 2 / degrees);
+            of[2].push_back(energy[3] / degrees);
+        }
     }
     return out;
+}
+
+// Of light with these energies, reflected with those; `coupling`: VisibilityPower's.
+double reflected(const ResponsePower::Spectrum& light, const ResponsePower::Spectrum& power,
+                 std::span<const double> coupling) {
+    double sum = 0;
+    for (std::size_t l = 0; l < light.size(); ++l)
+        for (std::size_t from = 0; from < power.size(); ++from)
+            sum += light[l] * coupling[l * power.size() + from] * power[from];
+    return sum;
 }
 
 std::size_t parts_of(LightKind kind) {
@@ -47,13 +61,14 @@ std::size_t parts_of(LightKind kind) {
 
 }  // namespace
 
-OrderSelector::Orders OrderSelector::choose(const Scene& scene, const SurfaceState& surfaces,
-                                            const RenderOptions& options, std::uint64_t memory_limit) {
-    measuring_.run(scene.environment(), surfaces.materials, surfaces.versions, [&] {
+OrderSelector::Orders OrderSelector::choose(const Scene& scene, const EnvironmentPtr& projected,
+                                            const SurfaceState& surfaces, const RenderOptions& options,
+                                            std::uint64_t memory_limit) {
+    measuring_.run(scene.environment(), projected, surfaces.materials, surfaces.versions, [&] {
         choosing_.reset();
         shares_.clear();
         mean_square_ = values_ = 0;
-        if (scene.environment()) measure(scene, surfaces);
+        if (projected) measure(scene, projected, surfaces);
     });
     limiting_.run(scene.geometry_version(), scene.environment(), options.shadows, options.high_order_shadows,
                   options.bake_directions, options.high_orders, memory_limit,
@@ -94,14 +109,15 @@ OrderSelector::Orders OrderSelector::cheapest(double tolerance, bool split) {
     return best;
 }
 
-void OrderSelector::measure(const Scene& scene, const SurfaceState& surfaces) {
-    projecting_.run(scene.environment(), [&] {
-        const PshVector light = scene.environment()->project(kOrder);
-        light_.clear();
-        for (int c = 0; c < light.channels(); ++c) light_.push_back(energies(light, c));
+void OrderSelector::measure(const Scene& scene, const EnvironmentPtr& projected,
+                            const SurfaceState& surfaces) {
+    projecting_.run(scene.environment(), projected, [&] {
+        light_ = energies(projected->project(kOrder));
+        all_light_ =
+            projected == scene.environment() ? light_ : energies(scene.environment()->project(kOrder));
     });
     const WorldGeometry& geometry = surfaces.geometry;
-    kind_ = light_kind(scene.environment().get());
+    kind_ = light_kind(projected.get());
     responding_.run(kind_, scene.channels(), [&] { responses_.clear(); });
     std::optional<VisibilityPower> visible;
     if (surfaces.visibility != nullptr)
@@ -134,15 +150,18 @@ void OrderSelector::measure(const Scene& scene, const SurfaceState& surfaces) {
         share.all.fill(Spectrum(size));
         share.seen.fill(Spectrum(size));
         for (int c = 0; c < scene.channels(); ++c) {
-            auto of_light = light_[light_.size() == 1 ? 0 : static_cast<std::size_t>(c)];
+            const std::size_t channel = light_.size() == 1 ? 0 : static_cast<std::size_t>(c);
+            auto of_light = light_[channel];
             for (std::size_t part = 0; part < parts_of(kind_); ++part) {
                 for (double& energy : of_light[part]) energy *= static_cast<double>(count);
                 for (std::size_t output = 0; output < kOutputs; ++output)
                     add_part(of_light[part], power.of(c, output, part), couplings[part == 1 ? 1 : 0],
                              fraction, output, share);
+                mean_square_ +=
+                    static_cast<double>(count) *
+                    reflected(all_light_[channel][part], power.of(c, 0, part), couplings[part == 1 ? 1 : 0]);
             }
         }
-        for (const double value : share.all[0]) mean_square_ += value;
         values_ += static_cast<double>(count) * scene.channels();
     }
 }

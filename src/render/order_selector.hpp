@@ -37,8 +37,9 @@ public:
     /// The fastest orders for the factored method with a predicted error of at most the options' tolerance,
     /// or where there are none those of the least error; high ones where they are split. A low order above
     /// that of the options needs no more than memory_limit bytes in all, nor than kMostBytes of transfer.
-    Orders choose(const Scene& scene, const SurfaceState& surfaces, const RenderOptions& options,
-                  std::uint64_t memory_limit);
+    /// `projected`: the part of the scene's environment that has orders; the error is relative to all of it.
+    Orders choose(const Scene& scene, const EnvironmentPtr& projected, const SurfaceState& surfaces,
+                  const RenderOptions& options, std::uint64_t memory_limit);
 
     static constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
 
@@ -66,7 +67,7 @@ private:
     [[nodiscard]] Orders cheapest(double tolerance, bool split);
     [[nodiscard]] static int highest_low(const Scene& scene, RenderOptions options,
                                          std::uint64_t memory_limit);
-    void measure(const Scene& scene, const SurfaceState& surfaces);
+    void measure(const Scene& scene, const EnvironmentPtr& projected, const SurfaceState& surfaces);
     // Adds what a part of the light has, its energies by order, reflected with these energies; `coupling`:
     // VisibilityPower's.
     static void add_part(const Spectrum& light, const Spectrum& power, std::span<const double> coupling,
@@ -74,12 +75,15 @@ private:
     double error(int low, int high);
     const std::array<double, kOutputs>& missed(const Share& share, int low, int high);
 
-    Stage<EnvironmentPtr, Version, SurfaceVersions> measuring_;
+    Stage<EnvironmentPtr, EnvironmentPtr, Version, SurfaceVersions> measuring_;
     LightKind kind_ = LightKind::unpolarized;
     Stage<LightKind, int> responding_;  // kind and channels
     std::map<MaterialPtr, Response> responses_;
-    Stage<EnvironmentPtr> projecting_;
-    std::vector<std::array<Spectrum, ResponsePower::kParts>> light_;  // energies by order, of each channel
+    // Energies by order, of each channel: of the light that is projected, and of all light.
+    using LightPower = std::vector<std::array<Spectrum, ResponsePower::kParts>>;
+    Stage<EnvironmentPtr, EnvironmentPtr> projecting_;
+    LightPower light_;
+    LightPower all_light_;
     std::vector<Share> shares_;
     double mean_square_ = 0;  // of s0, times `values_`
     double values_ = 0;       // vertices times channels

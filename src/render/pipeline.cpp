@@ -26,11 +26,12 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const SurfaceState surfaces = visibility_.state();
 
     // project. That the scene is rotated as a whole is a rotation of light and camera the other way.
+    split_.update(scene.environment(), given, run.statistics);
     const RenderOptions options = choose_orders(scene, given, run);
     const Projection projection = in_axes(of_world, surfaces_.to_world());
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
-    light_.update(scene, options, light_to_geometry, run.statistics);
+    light_.update(split_.rest(), scene.light_scale(), options, light_to_geometry, run.statistics);
     small_lights_.update(scene, visibility_.surfaces(), options, run.statistics);
     pixels_ =
         options.shade_at == ShadeAt::pixels ||
@@ -97,7 +98,7 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
     const Stopwatch watch;
     run.workers.run([&] {
         const OrderSelector::Orders orders =
-            selector_.choose(scene, visibility_.state(), options, run.memory_limit);
+            selector_.choose(scene, split_.rest(), visibility_.state(), options, run.memory_limit);
         chosen.order_low = orders.low;
         chosen.order_high = orders.high;
         run.statistics.predicted_error = orders.error;

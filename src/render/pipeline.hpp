@@ -15,6 +15,7 @@
 #include "render/high_orders.hpp"
 #include "render/hit_image.hpp"
 #include "render/light_projection.hpp"
+#include "render/light_split.hpp"
 #include "render/order_selector.hpp"
 #include "render/scene_geometry.hpp"
 #include "render/scene_visibility.hpp"
@@ -61,6 +62,7 @@ private:
 
     SceneGeometry surfaces_;
     SceneVisibility visibility_;
+    LightSplit split_;
     OrderSelector selector_;
     LightProjection light_;
     FactoredMethod factored_;

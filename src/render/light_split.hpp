@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// project, first of all: the lamps of a scene's environment, and the rest that becomes coefficients.
+#pragma once
+
+#include "light/split_lamps.hpp"
+#include "render/render.hpp"
+#include "versioned.hpp"
+
+namespace nicol {
+
+class LightSplit {
+public:
+    /// As far as changes make it necessary. Null is darkness. Adds its times and counts to `statistics`.
+    void update(const EnvironmentPtr& environment, const RenderOptions& options, Statistics& statistics);
+
+    /// The same pointers as long as update() has nothing to do.
+    [[nodiscard]] const EnvironmentPtr& rest() const noexcept { return split_.rest; }
+    [[nodiscard]] const std::vector<std::shared_ptr<const Lamp>>& lamps() const noexcept {
+        return split_.lamps;
+    }
+
+private:
+    Stage<EnvironmentPtr, int> splitting_;  // environment, lamps at most
+    SplitLight split_;
+};
+
+}  // namespace nicol
