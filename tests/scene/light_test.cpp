@@ -216,7 +216,10 @@ TEST_CASE("each instance of a group shines as its member") {
         "<float name='radiance' value='7'/></emitter></shape><shape type='cube'/></shape>"
         "<shape type='instance'><ref id='g'/></shape><shape type='instance'><ref id='g'/>" +
         moved + "</shape>");
-    for (const std::uint32_t id : {0U, 2U}) CHECK(loaded.scene.at(id).emission->radiance[0] == 7);
+    for (const std::uint32_t id : {0U, 2U}) {
+        REQUIRE(loaded.scene.at(id).emission);
+        CHECK(loaded.scene.at(id).emission->radiance[0] == 7);
+    }
     for (const std::uint32_t id : {1U, 3U}) CHECK_FALSE(loaded.scene.at(id).emission);
 }
 
