@@ -52,7 +52,7 @@ public:
     };
     [[nodiscard]] std::optional<Surfel> first_surface(const Ray& ray) const;
 
-    /// Streams of the points that add() leaves to others.
+    /// add() takes points of this stream and of those that follow.
     static constexpr std::uint32_t kFirstStream = 1;
     /// Adds, for each channel, an estimate of the Stokes vector of the light that travels against the ray, in
     /// `received`, whose z is -ray.direction. The points of this index choose the directions towards the

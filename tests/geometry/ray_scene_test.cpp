@@ -215,6 +215,25 @@ TEST_CASE("a lamp's own surface does not hide it, what lies before it does") {
     }
 }
 
+TEST_CASE("only what lies nearer than the distance hides, at any scale") {
+    for (const double scale : {1e-8, 1.0, 1e6}) {
+        const Mesh square = transformed(make_rectangle(1), glm::scale(glm::dmat4(1.0), glm::dvec3(scale)));
+        const RaySurface surfaces[] = {surface(square)};
+        const RayScene scene(surfaces);
+        const glm::dvec3 point(0.5 * scale, 0.5 * scale, -scale), up(0, 0, 1);
+        CAPTURE(scale);
+        CHECK(scene.occluded(point, up, up, 1.01 * scale));
+        CHECK(!scene.occluded(point, up, up, 0.99 * scale));
+        CHECK(!scene.occluded(point, up, up, 0));
+        // The ray starts on the side that it leaves to.
+        for (const double side : {-1.0, 1.0}) {
+            const Ray ray = scene.leaving(point, up, side * up);
+            CHECK(glm::length(ray.origin - (point + side * scene.offset() * up)) < 1e-9 * scale);
+            CHECK(ray.direction == side * up);
+        }
+    }
+}
+
 TEST_CASE("an empty scene has no hits") {
     const RayScene scene({});
     CHECK(!scene.intersect({.origin = {0, 0, 0}, .direction = {0, 0, 1}}).has_value());
