@@ -26,9 +26,9 @@ constexpr double kMostRadius = 0.5;
 // Orders that harmonics hold of a lamp, and those that matter of what it gives.
 constexpr double kHeldOrder = 9;
 constexpr double kLastOrder = 32;
-// Of lamps that are not worth their time: RMS of what they have between these orders, over the mean of the
-// light.
-constexpr double kOmitted = 0.6;
+// Of lamps that are not worth their time: RMS of what all have between these orders, over the mean of the
+// light. A point has this with 3 % of the light.
+constexpr double kOmitted = 1;
 // Lamps this near to each other (radians) are one.
 constexpr double kReach = 0.05;
 // Brightest regions of which lamps are made.
