@@ -14,6 +14,7 @@ namespace {
 EquirectWindow window_around(const std::vector<LampPixels::Pixel>& pixels, const EquirectView& view) {
     const auto [first, last] = std::ranges::minmax(pixels, {}, &LampPixels::Pixel::row);
     std::vector<int> columns;
+    columns.reserve(pixels.size());
     for (const auto& at : pixels) columns.push_back(at.column);
     std::ranges::sort(columns);
     int left = columns.front();
