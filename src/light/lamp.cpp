@@ -110,6 +110,8 @@ void Lamp::sample(const Lanes& u, const Lanes& v, LaneLight& out) const {
     out.points = (std::uint32_t{1} << kLanes) - 1;
     out.components = components_;
     out.irradiance.resize(channels_);
+    for (auto& stokes : out.irradiance)
+        for (std::size_t p = components_; p < 4; ++p) stokes[p].value.fill(0);
     const auto columns = static_cast<std::size_t>(window_.columns);
     const std::size_t pixel = 4 * channels_;
     const auto angle = static_cast<float>(pi / (window_.height - 1));
@@ -149,7 +151,7 @@ void Lamp::sample(const Lanes& u, const Lanes& v, LaneLight& out) const {
         const float* above = values_.data() + first * pixel;
         const float* below = above + (columns + 1) * pixel;
         for (std::size_t c = 0; c < channels_; ++c) {
-            for (std::size_t p = 0; p < 4; ++p) {
+            for (std::size_t p = 0; p < components_; ++p) {
                 const std::size_t k = 4 * c + p;
                 out.irradiance[c][p][i] = upper_left * above[k] + upper_right * above[k + pixel] +
                                           lower_left * below[k] + lower_right * below[k + pixel];

@@ -238,13 +238,13 @@ TEST_CASE("samples lie in the lamp's cone, in the frame of the image, with its p
 }
 
 TEST_CASE("a lamp tells which Stokes components it has") {
+    LaneLight out;  // has what the lamp before left
     for (const auto& [light, components] :
-         {std::pair{Stokes(3000, 0, 0, 0), 1U}, {Stokes(3000, 0, 500, 0), 3U}, {Stokes(3000, 0, 0, 5), 4U}}) {
+         {std::pair{Stokes(3000, 0, 0, 5), 4U}, {Stokes(3000, 0, 500, 0), 3U}, {Stokes(3000, 0, 0, 0), 1U}}) {
         EquirectImage image = room(64, 33, 1);
         add_lamp(image, 14, 3, 20, 2, light);
         const SplitLight split = split_lamps(image_environment(image), kAll);
         REQUIRE(split.lamps.size() == 1);
-        LaneLight out;
         split.lamps[0]->sample(Lanes{}, Lanes{}, out);  // the corner of u = v = 0 as well
         CHECK(out.components == components);
         CHECK(split.lamps[0]->polarized() == (components > 1));
@@ -254,6 +254,8 @@ TEST_CASE("a lamp tells which Stokes components it has") {
             CHECK(out.distance[i] == std::numeric_limits<float>::infinity());
             CHECK(out.irradiance[0][0][i] > 0);
             CHECK(std::isfinite(out.irradiance[0][0][i]));
+            CHECK((out.irradiance[0][2][i] != 0) == (components == 3));
+            CHECK((out.irradiance[0][3][i] != 0) == (components == 4));
         }
     }
 }
