@@ -6,12 +6,9 @@
 namespace nicol {
 namespace {
 
-// By default. A picture lacks the lamps that nothing shades.
-constexpr int kAutomatic = 0;
-
 int most_lamps(const RenderOptions& options) {
     if (options.method != Method::factored) return 0;
-    return options.split_lights == kSplitAutomatic ? kAutomatic : options.split_lights;
+    return options.split_lights == kSplitAutomatic ? kMaxSplitLights : options.split_lights;
 }
 
 }  // namespace

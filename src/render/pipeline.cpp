@@ -32,7 +32,8 @@ void Pipeline::run(const Scene& scene, const Projection& of_world, const RenderO
     const glm::dmat3 light_to_geometry =
         glm::transpose(glm::dmat3(surfaces_.to_world())) * scene.light_rotation();
     light_.update(split_.rest(), scene.light_scale(), options, light_to_geometry, run.statistics);
-    small_lights_.update(scene, visibility_.surfaces(), options, run.statistics);
+    small_lights_.update(scene, {split_.lamps(), light_to_geometry}, visibility_.surfaces(), options,
+                         run.statistics);
     pixels_ =
         options.shade_at == ShadeAt::pixels ||
         (options.shade_at == ShadeAt::automatic &&

@@ -94,7 +94,8 @@ struct RenderOptions {
     /// Lamps of the environment that are taken out of it as small lights, at most; kSplitAutomatic: those
     /// that the orders below would miss. With Method::factored.
     int split_lights = kSplitAutomatic;
-    /// Of each small light with a size: places of it that light a point, 1..kMaxLightSamples.
+    /// Of each small light with a size: places of it that light a point, at most, 1..kMaxLightSamples. All of
+    /// them where it is seen 0.2 radians or more from its middle to its edge; else as many fewer, but 4.
     int light_samples = 16;
     /// Stokes components that the image has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;

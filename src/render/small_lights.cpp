@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/rigid_motion.hpp"
+#include "shading/lamp_source.hpp"
 #include "visibility/bake_origins.hpp"
 
 namespace nicol {
@@ -28,9 +29,10 @@ ShiningSurface shining_surface(const Instance& instance, std::uint32_t id, const
 
 }  // namespace
 
-void SmallLights::update(const Scene& scene, const RefinedSurfaces& surfaces, const RenderOptions& options,
-                         Statistics& statistics) {
-    const bool shadows = options.shadows && scene.has_small_lights();
+void SmallLights::update(const Scene& scene, const Lamps& split, const RefinedSurfaces& surfaces,
+                         const RenderOptions& options, Statistics& statistics) {
+    const bool lit = scene.has_small_lights() || !split.lamps.empty();
+    const bool shadows = options.shadows && lit;
     tracing_.run(surfaces.version(), surfaces.material_version(), shadows, [&] {
         rays_.reset();
         vertex_origins_.clear();
@@ -38,8 +40,15 @@ void SmallLights::update(const Scene& scene, const RefinedSurfaces& surfaces, co
         if (shadows) make_rays(surfaces.geometry());
     });
     making_.run(scene.small_light_version(), scene.emission_version(), scene.geometry_version(),
-                surfaces.to_world(), rays_version_, options.light_samples,
-                [&] { make_sources(scene, surfaces.to_world(), options); });
+                surfaces.to_world(), rays_version_, options.light_samples, split.lamps, split.rotation,
+                scene.light_scale(), [&] {
+                    std::vector<LightSourcePtr> sources = make_sources(scene, split, surfaces.to_world());
+                    lights_ = sources.size();
+                    std::optional<SmallLighting>& lighting = lighting_.change();
+                    lighting.reset();
+                    if (!lit) return;
+                    lighting.emplace(std::move(sources), rays_ ? &*rays_ : nullptr, options.light_samples);
+                });
     statistics.small_lights = lights_;
 }
 
@@ -53,7 +62,8 @@ void SmallLights::make_rays(const WorldGeometry& geometry) {
         geometry.normals);
 }
 
-void SmallLights::make_sources(const Scene& scene, const glm::dmat4& to_world, const RenderOptions& options) {
+std::vector<LightSourcePtr> SmallLights::make_sources(const Scene& scene, const Lamps& split,
+                                                      const glm::dmat4& to_world) {
     const glm::dmat4 from_world = inverse_motion(to_world);
     std::vector<LightSourcePtr> sources;
     axes_.clear();
@@ -65,11 +75,9 @@ void SmallLights::make_sources(const Scene& scene, const glm::dmat4& to_world, c
         axes_.emplace(scene.ids()[i], surface.axis);
         if (LightSourcePtr source = light_source(surface)) sources.push_back(std::move(source));
     }
-    lights_ = sources.size();
-    std::optional<SmallLighting>& lighting = lighting_.change();
-    lighting.reset();
-    if (scene.has_small_lights())
-        lighting.emplace(std::move(sources), rays_ ? &*rays_ : nullptr, options.light_samples);
+    for (const std::shared_ptr<const Lamp>& lamp : split.lamps)
+        sources.push_back(std::make_unique<const LampSource>(*lamp, split.rotation, scene.light_scale()));
+    return sources;
 }
 
 }  // namespace nicol

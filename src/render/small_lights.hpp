@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "light/lamp.hpp"
 #include "render/refined_surfaces.hpp"
 #include "render/render.hpp"
 #include "scene/scene.hpp"
@@ -22,9 +23,14 @@ namespace nicol {
 /// hierarchy of boxes that their shadow rays need.
 class SmallLights {
 public:
+    /// Lamps that were split off the scene's environment, and the rotation of its axes to the surfaces'.
+    struct Lamps {
+        const std::vector<std::shared_ptr<const Lamp>>& lamps;
+        const glm::dmat3& rotation;
+    };
     /// As far as changes make it necessary.
-    void update(const Scene& scene, const RefinedSurfaces& surfaces, const RenderOptions& options,
-                Statistics& statistics);
+    void update(const Scene& scene, const Lamps& split, const RefinedSurfaces& surfaces,
+                const RenderOptions& options, Statistics& statistics);
 
     /// Another whenever vertices get other light.
     [[nodiscard]] Version version() const noexcept { return lighting_.version(); }
@@ -42,7 +48,8 @@ public:
 
 private:
     void make_rays(const WorldGeometry& geometry);
-    void make_sources(const Scene& scene, const glm::dmat4& to_world, const RenderOptions& options);
+    [[nodiscard]] std::vector<LightSourcePtr> make_sources(const Scene& scene, const Lamps& split,
+                                                           const glm::dmat4& to_world);
 
     Stage<Version, Version, bool>
         tracing_;  // vertices and triangles, materials, whether anything casts shadows
@@ -50,8 +57,10 @@ private:
     Version rays_version_ = 0;
     float offset_ = 0;
     std::vector<glm::vec3> vertex_origins_;
-    // Lights, emission, where instances are, the axes, rays, places of a light.
-    Stage<Version, Version, Version, glm::dmat4, Version, int> making_;
+    // Lights, emission, where instances are, the axes, rays, places of a light; lamps, their axes and scale.
+    Stage<Version, Version, Version, glm::dmat4, Version, int, std::vector<std::shared_ptr<const Lamp>>,
+          glm::dmat3, double>
+        making_;
     Versioned<std::optional<SmallLighting>> lighting_;
     std::map<std::uint32_t, glm::dvec3> axes_;  // by instance that shines
     std::uint64_t lights_ = 0;

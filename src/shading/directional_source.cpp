@@ -20,6 +20,7 @@ double half_sine_squared(double angle) {
 // stands for its whole solid angle, 4 pi sin^2 (r / 2).
 DirectionalSource::DirectionalSource(const SmallLight& light, const glm::dmat3& axes)
     : color_(light.value, light.channels(), light.state),
+      radius_(static_cast<float>(light.angular_radius)),
       height_(static_cast<float>(2 * half_sine_squared(light.angular_radius))),
       density_(static_cast<float>(1 / (1 - half_sine_squared(light.angular_radius)))),
       towards_(-axes[2]),

@@ -11,11 +11,12 @@ public:
     /// `axes`: of the light, a rotation into the points' axes.
     DirectionalSource(const SmallLight& light, const glm::dmat3& axes);
 
-    [[nodiscard]] bool has_size() const noexcept override { return height_ > 0; }
+    [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
 
 private:
     SourceColor color_;
+    float radius_;
     float height_;   // 1 - cos(radius)
     float density_;  // irradiance of a place times the solid angle, over that of the whole disc
     glm::vec3 towards_, right_, up_;

@@ -1,33 +1,94 @@
 // SPDX-License-Identifier: MIT
 #include "shading/lamp_source.hpp"
 
-#include <utility>
+#include <algorithm>
+#include <array>
+#include <limits>
 
 namespace nicol {
 namespace {
 
-void rotate(const glm::mat3& axes, LaneVectors& v) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float x = v.x[i], y = v.y[i], z = v.z[i];
-        v.x[i] = axes[0].x * x + axes[1].x * y + axes[2].x * z;
-        v.y[i] = axes[0].y * x + axes[1].y * y + axes[2].y * z;
-        v.z[i] = axes[0].z * x + axes[1].z * y + axes[2].z * z;
+glm::vec3 of_lane(const LaneVectors& v, std::size_t lane) {
+    return {v.x[lane], v.y[lane], v.z[lane]};
+}
+
+void put(LaneVectors& v, std::size_t lane, const glm::vec3& value) {
+    v.x[lane] = value.x;
+    v.y[lane] = value.y;
+    v.z[lane] = value.z;
+}
+
+// Calls visit(light, lane) for places in the middles of across x across cells of u and v, row by row; across
+// is a multiple of kLanes.
+template <class Visit>
+void for_places(const Lamp& lamp, std::size_t across, const Visit& visit) {
+    const float cell = 1 / static_cast<float>(across);
+    LaneLight light;
+    for (std::size_t row = 0; row < across; ++row) {
+        for (std::size_t first = 0; first < across; first += kLanes) {
+            Lanes u, v;
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                u[i] = (static_cast<float>(first + i) + 0.5F) * cell;
+                v[i] = (static_cast<float>(row) + 0.5F) * cell;
+            }
+            lamp.sample(u, v, light);
+            for (std::size_t i = 0; i < kLanes; ++i) visit(light, i);
+        }
     }
+}
+
+// Mean s0 of a channel.
+std::vector<double> mean_irradiance(const Lamp& lamp, std::size_t across) {
+    std::vector<double> means(static_cast<std::size_t>(lamp.channels()));
+    for_places(lamp, across, [&](const LaneLight& light, std::size_t lane) {
+        for (std::size_t c = 0; c < means.size(); ++c)
+            means[c] +=
+                static_cast<double>(light.irradiance[c][0][lane]) / static_cast<double>(across * across);
+    });
+    return means;
 }
 
 }  // namespace
 
-LampSource::LampSource(std::shared_ptr<const Lamp> lamp, const glm::dmat3& axes, double scale)
-    : lamp_(std::move(lamp)), axes_(axes), scale_(static_cast<float>(scale)) {}
+LampSource::LampSource(const Lamp& lamp, const glm::dmat3& axes, double scale)
+    : radius_(static_cast<float>(lamp.angular_radius())),
+      components_(lamp.circular()    ? 4
+                  : lamp.polarized() ? 3
+                                     : 1),
+      channels_(static_cast<std::size_t>(lamp.channels())) {
+    // Few places have nearly the mean of many; that no light is lost, they get all of it.
+    const std::vector<double> few = mean_irradiance(lamp, kAcross);
+    const std::vector<double> many = mean_irradiance(lamp, 4 * kAcross);
+    std::vector<float> scales;
+    for (std::size_t c = 0; c < channels_; ++c)
+        scales.push_back(static_cast<float>(few[c] > 0 ? scale * many[c] / few[c] : 0));
+    const glm::mat3 turn(axes);
+    for_places(lamp, kAcross, [&](const LaneLight& light, std::size_t lane) {
+        places_.push_back(
+            {.towards = turn * of_lane(light.towards, lane), .x = turn * of_lane(light.x, lane)});
+        for (std::size_t c = 0; c < channels_; ++c)
+            for (std::size_t p = 0; p < components_; ++p)
+                irradiance_.push_back(scales[c] * light.irradiance[c][p][lane]);
+    });
+}
 
-void LampSource::sample(const LaneVectors&, const Lanes& u, const Lanes& v, LaneLight& out) const {
-    lamp_->sample(u, v, out);
-    rotate(axes_, out.towards);
-    if (out.components > 1) rotate(axes_, out.x);
-    if (scale_ == 1) return;
-    for (std::array<Lanes, 4>& channel : out.irradiance)
-        for (std::size_t p = 0; p < out.components; ++p)
-            for (float& value : channel[p].value) value *= scale_;
+void LampSource::sample(const LaneVectors& /*points*/, const Lanes& u, const Lanes& v, LaneLight& out) const {
+    out.points = (std::uint32_t{1} << kLanes) - 1;
+    out.components = components_;
+    out.irradiance.resize(channels_);
+    constexpr float across = kAcross;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const auto column = static_cast<std::size_t>(u[i] * across);
+        const auto row = static_cast<std::size_t>(v[i] * across);
+        const std::size_t index = row * kAcross + column;
+        put(out.towards, i, places_[index].towards);
+        put(out.x, i, places_[index].x);
+        out.distance[i] = std::numeric_limits<float>::infinity();
+        const float* const values = irradiance_.data() + index * channels_ * components_;
+        for (std::size_t c = 0; c < channels_; ++c)
+            for (std::size_t p = 0; p < components_; ++p)
+                out.irradiance[c][p][i] = values[c * components_ + p];
+    }
 }
 
 }  // namespace nicol

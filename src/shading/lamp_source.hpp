@@ -3,24 +3,35 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
+#include <vector>
 
 #include "light/lamp.hpp"
 #include "shading/light_source.hpp"
 
 namespace nicol {
 
+/// Its places are those of a grid of u and v, found once, since finding one takes longer than reflecting it.
 class LampSource final : public LightSource {
 public:
     /// `axes`: from the environment's to the points', a rotation; `scale`: times the light.
-    LampSource(std::shared_ptr<const Lamp> lamp, const glm::dmat3& axes, double scale);
+    LampSource(const Lamp& lamp, const glm::dmat3& axes, double scale);
 
-    [[nodiscard]] bool has_size() const noexcept override { return true; }
+    [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
 
 private:
-    std::shared_ptr<const Lamp> lamp_;
-    glm::mat3 axes_;
-    float scale_;
+    static constexpr std::size_t kAcross = 16;  // places of a row, and rows
+
+    struct Place {
+        glm::vec3 towards;
+        glm::vec3 x;
+    };
+
+    float radius_;
+    std::size_t components_;
+    std::size_t channels_;
+    std::vector<Place> places_;      // [row][column]
+    std::vector<float> irradiance_;  // [row][column][channel][component]
 };
 
 }  // namespace nicol

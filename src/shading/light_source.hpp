@@ -22,11 +22,12 @@ public:
     LightSource(const LightSource&) = delete;
     LightSource& operator=(const LightSource&) = delete;
 
-    /// Whether light comes from several places, so that shadows are soft and the mean over many is needed.
-    [[nodiscard]] virtual bool has_size() const noexcept = 0;
+    /// How large the light is, seen from a point: the angular radius in radians, up to pi / 2, of a cone that
+    /// it is in. 0: it has one place alone; else shadows are soft, and the mean over many is needed.
+    [[nodiscard]] virtual float angular_radius(const glm::vec3& from) const noexcept = 0;
 
     /// What reaches sixteen points from the place that u and v, each in [0, 1), choose. The mean over u and v
-    /// is all of the light. Without a size u and v do not matter.
+    /// is all of the light. Of one place u and v do not matter.
     virtual void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const = 0;
 
 protected:

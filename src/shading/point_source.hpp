@@ -11,7 +11,7 @@ public:
     /// `to_axes`: from the light's own axes to the points', a rotation and a shift.
     PointSource(const SmallLight& light, const glm::dmat4& to_axes);
 
-    [[nodiscard]] bool has_size() const noexcept override { return false; }
+    [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return 0; }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
 
 private:

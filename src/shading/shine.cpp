@@ -8,12 +8,13 @@
 namespace nicol {
 
 void add_shine(const Emission& emission, const glm::dvec3& axis, const Viewpoint& view,
-               std::span<const glm::vec3> positions, std::span<const glm::vec2> texcoords,
-               std::span<const std::span<glm::vec4>> out) {
+               std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+               std::span<const glm::vec2> texcoords, std::span<const std::span<glm::vec4>> out) {
     for (std::size_t i = 0; i < positions.size(); ++i) {
+        const glm::dvec3 propagation = view.towards(glm::dvec3(positions[i]));
+        if (!(glm::dot(propagation, glm::dvec3(normals[i])) > 0)) continue;
         Stokes state = emission.state.stokes();
         if (emission.state.polarized()) {
-            const glm::dvec3 propagation = view.towards(glm::dvec3(positions[i]));
             state =
                 rotated(state, angle_between(polarization_frame(axis, propagation), view.frame(propagation)));
         }

@@ -45,14 +45,14 @@ public:
         }
     }
 
-    // The bits of `points` that something hides the light from.
-    std::uint32_t hidden(const LaneLight& light, std::uint32_t points) {
+    // The bits of `points` that nothing hides the light from.
+    std::uint32_t visible(const LaneLight& light, std::uint32_t points) {
         packet_.direction_x = light.towards.x.value;
         packet_.direction_y = light.towards.y.value;
         packet_.direction_z = light.towards.z.value;
         packet_.farthest = light.distance.value;
         count_ += static_cast<std::uint64_t>(std::popcount(points));
-        return scene_.occluded(packet_, static_cast<std::uint16_t>(points));
+        return points & ~std::uint32_t{scene_.occluded(packet_, static_cast<std::uint16_t>(points))};
     }
 
     [[nodiscard]] std::uint64_t count() const { return count_; }
@@ -61,6 +61,39 @@ private:
     const RayScene& scene_;
     RayPacket packet_;
     std::uint64_t count_ = 0;
+};
+
+// How many places of a light seen under an angle light a point: all of them from here on, and of smaller
+// ones, whose soft shadows are as much narrower, fewer.
+std::uint32_t places_of(float angular_radius, std::uint32_t most) {
+    constexpr float wide = 0.2F;
+    constexpr std::uint32_t fewest = 4;  // stratified, as the first places are
+    if (angular_radius <= 0) return 1;
+    const float share = std::min(1.0F, angular_radius / wide) * static_cast<float>(most) / fewest;
+    return std::min(most, fewest * static_cast<std::uint32_t>(std::ceil(share)));
+}
+
+// Which of a light's places reach points, by as few rays as may be: where nothing hides the first few from
+// any point, or something all of them from all, the others are taken to be the same.
+class LightShadows {
+public:
+    explicit LightShadows(ShadowRays* rays) : rays_(rays) {}
+
+    // The bits of `points` that the k-th place reaches.
+    std::uint32_t reached(std::uint32_t k, const LaneLight& light, std::uint32_t points) {
+        if (rays_ == nullptr || points == 0) return points;
+        constexpr std::uint32_t probes = 4;
+        if (k >= probes && seen_ != hidden_) return seen_ ? points : 0;
+        const std::uint32_t visible = rays_->visible(light, points);
+        seen_ = seen_ || visible != 0;
+        hidden_ = hidden_ || visible != points;
+        return visible;
+    }
+
+private:
+    ShadowRays* rays_;
+    bool seen_ = false;    // some place, from some point
+    bool hidden_ = false;  // likewise
 };
 
 }  // namespace
@@ -85,17 +118,19 @@ std::uint64_t SmallLighting::add(const Viewpoint& view, const LitPoints& points,
     std::array<std::uint32_t, kLanes> seeds{};
     for (std::size_t s = 0; s < sources_.size(); ++s) {
         const LightSource& source = *sources_[s];
-        const std::uint32_t samples = source.has_size() ? samples_ : 1;
+        const float radius = source.angular_radius(points.positions.front());
+        const std::uint32_t samples = places_of(radius, samples_);
         const float factor = 1 / static_cast<float>(samples);
         for (std::size_t i = 0; i < count; ++i)
             seeds[i] = place_seed(points.seeds[i], static_cast<std::uint32_t>(s));
+        LightShadows shadowing(shadows ? &*shadows : nullptr);
         for (std::uint32_t k = 0; k < samples; ++k) {
             Lanes u{}, v{};
-            if (source.has_size()) light_places(k, std::span(seeds).first(count), u, v);
+            if (radius > 0) light_places(k, std::span(seeds).first(count), u, v);
             source.sample(positions, u, v, light);
             std::uint32_t lit = all & light.points & reflected.lit(light);
             if (!points.facets.empty()) lit &= above(facets, light);
-            if (lit != 0 && shadows) lit &= ~shadows->hidden(light, lit);
+            lit = shadowing.reached(k, light, lit);
             if (lit == 0) continue;
             for (std::size_t l = 0; l < material.layers.size(); ++l) {
                 const LayerWeights* const weights = material.weights.empty() ? nullptr : &material.weights[l];

@@ -38,7 +38,8 @@ struct LitMaterial {
 /// Immutable; threads share it.
 class SmallLighting {
 public:
-    /// rays: what casts shadows, null: nothing; must outlive this. samples: places of a light with a size.
+    /// rays: what casts shadows, null: nothing; must outlive this. samples: places of a
+    /// light that is seen wide; of narrower ones fewer.
     SmallLighting(std::vector<LightSourcePtr> sources, const RayScene* rays, int samples);
 
     /// Adds to out[c][i] channel c's Stokes vector towards the viewpoint, in the camera's frame field, of

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 namespace nicol {
 
@@ -32,7 +33,15 @@ SurfaceSource::SurfaceSource(const ShiningSurface& surface)
                               .scale = static_cast<float>(area_ / areas[t])});
         if (!surface.texcoords.empty()) texcoords_.push_back(surface.texcoords[t]);
         before += areas[t];
+        for (const glm::vec3& corner : corners) centre_ += static_cast<float>(areas[t] / area_ / 3) * corner;
     }
+    for (const std::array<glm::vec3, 3>& corners : surface.triangles)
+        for (const glm::vec3& corner : corners) radius_ = std::max(radius_, glm::distance(centre_, corner));
+}
+
+float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
+    const float distance = glm::distance(from, centre_);
+    return distance > radius_ ? std::asin(radius_ / distance) : std::numbers::pi_v<float> / 2;
 }
 
 void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {

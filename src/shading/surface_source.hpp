@@ -10,7 +10,7 @@ class SurfaceSource final : public LightSource {
 public:
     explicit SurfaceSource(const ShiningSurface& surface);
 
-    [[nodiscard]] bool has_size() const noexcept override { return true; }
+    [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
 
     [[nodiscard]] double area() const noexcept { return area_; }
@@ -29,6 +29,8 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<std::array<glm::vec2, 3>> texcoords_;
     double area_ = 0;
+    glm::vec3 centre_{0};  // of a sphere that all of it is in
+    float radius_ = 0;
 };
 
 }  // namespace nicol

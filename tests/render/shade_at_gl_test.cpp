@@ -203,6 +203,7 @@ GL_TEST_CASE("the physical range is that of the sum of all orders, at pixels") {
     };
     for (const Executor executor : {Executor::cpu, Executor::compute}) {
         RenderOptions options = at(ShadeAt::pixels, executor);
+        options.split_lights = 0;
         const StokesImage plain = render(scene, options);
         CHECK(unphysical(plain) > 100);
         options.physical = true;

@@ -86,7 +86,7 @@ TEST_CASE("a disc of the sky sheds its irradiance on a surface that faces it") {
                                     .to_world = glm::rotate(glm::dmat4(1), 0.7, {1, 2, 3}),
                                     .angular_radius = radius},
                          glm::dmat4(1));
-        CHECK(sun->has_size() == (radius > 0));
+        CHECK(sun->angular_radius({1, 2, 3}) == static_cast<float>(radius));
         const glm::dvec3 towards = -glm::dvec3(glm::rotate(glm::dmat4(1), 0.7, {1, 2, 3})[2]);
         CHECK(irradiance(*sun, {1, 2, 3}, towards)[0] == doctest::Approx(3).epsilon(5e-4));
         CHECK(irradiance(*sun, {1, 2, 3}, towards, 4096, 1)[0] == doctest::Approx(2).epsilon(5e-4));
@@ -115,7 +115,7 @@ TEST_CASE("points, spots and projectors fall off with distance and angle") {
     for (const auto& row : table) {
         CAPTURES(row.place.x, row.place.z);
         const LightSourcePtr source = light_source(row.light, glm::translate(glm::dmat4(1), {1, 2, 3}));
-        CHECK_FALSE(source->has_size());
+        CHECK(source->angular_radius({1, 2, 3}) == 0);
         CHECK(irradiance(*source, glm::vec3(row.place + glm::dvec3(1, 2, 3)), glm::normalize(-row.place),
                          1)[0] == doctest::Approx(row.expected).epsilon(1e-5));
     }
@@ -129,6 +129,7 @@ TEST_CASE("surfaces that shine are Lambert's polygons") {
     const double expected = of_polygon({a, b, c, d}, normal);
     Emission emission{.radiance = {2}, .state = {.dolp = 0.6, .aolp = 0.2}};
     const LightSourcePtr one = light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = quad});
+    CHECK(one->angular_radius({0, 0, 0}) == doctest::Approx(std::asin(std::sqrt(2.0625) / 2.25)));
     const Stokes got = irradiance(*one, {0, 0, 0}, normal);
     CHECK(got[0] == doctest::Approx(2 * expected).epsilon(2e-3));
     CHECK(got[1] == doctest::Approx(2 * expected * 0.6 * std::cos(0.4)).epsilon(2e-3));

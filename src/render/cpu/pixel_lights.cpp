@@ -78,7 +78,8 @@ void PixelLights::add_emission(const VertexRange& range, const PixelPoints& poin
         }
     }
     add_shine(*range.emission, lights_.axis_of(range.instance), input_.view,
-              std::span(surface.positions).first(count), std::span(texcoords).first(count), out);
+              std::span(surface.positions).first(count), std::span(surface.normals).first(count),
+              std::span(texcoords).first(count), out);
 }
 
 }  // namespace nicol

@@ -53,7 +53,7 @@ std::uint64_t VertexLights::add(const VertexRange& range, std::span<const std::u
                                                       {.layers = {&material, 1}, .weights = {}}, channels);
     if (range.emission != nullptr) {
         add_shine(*range.emission, lights_.axis_of(range.instance), input_.view,
-                  std::span(positions).first(count), {}, channels);
+                  std::span(positions).first(count), std::span(normals).first(count), {}, channels);
     }
     for (std::size_t c = 0; c < out.size(); ++c)
         for (std::size_t i = 0; i < count; ++i) {
