@@ -43,9 +43,9 @@ void leave_for_pixels(const FrameRotation& back, std::span<const glm::vec3> norm
     }
 }
 
-TexturedSurface textured_surface(const SpatialVariation& variation, bool back,
-                                 const FactoredMethod::Tables& tables, const PixelInput& input) {
-    TexturedSurface out{.variation = &variation, .back = back, .responses = {}, .high_orders = {}};
+TexturedSurface textured_surface(const SpatialVariation& variation, const FactoredMethod::Tables& tables,
+                                 const PixelInput& input) {
+    TexturedSurface out;
     std::vector<HighOrderLayers::Layer> high_orders;
     for (const MaterialLayer& layer : variation.layers) {
         out.responses.push_back(&tables.at(layer.material));
@@ -164,9 +164,7 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
     std::vector<PixelSurface> surfaces;
     std::deque<TexturedSurface> textured;  // which stay where they are
     for (const VertexRange& range : input.geometry.ranges) {
-        PixelSurface& surface = surfaces.emplace_back(PixelSurface{.first = range.first,
-                                                                   .last = range.last,
-                                                                   .shade = &shade,
+        PixelSurface& surface = surfaces.emplace_back(PixelSurface{.shade = &shade,
                                                                    .textures = nullptr,
                                                                    .response = nullptr,
                                                                    .high_orders = nullptr,
@@ -179,8 +177,7 @@ void CpuExecutor::shade_pixels(const FactoredMethod& method, const PixelInput& i
             surface.response = &method.tables()->at(range.material);
             continue;
         }
-        surface.textures = &textured.emplace_back(
-            textured_surface(*variation, is_back(input.geometry, range), *method.tables(), input));
+        surface.textures = &textured.emplace_back(textured_surface(*variation, *method.tables(), input));
     }
     run_pixels(input, surfaces, run);
 }
@@ -195,9 +192,7 @@ void CpuExecutor::shade_pixels(const DenseMethod& method, const PixelInput& inpu
     }
     std::vector<PixelSurface> surfaces;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        surfaces.push_back({.first = runs[i].first,
-                            .last = runs[i].first + runs[i].matrices.vertices(),
-                            .shade = &shades[i],
+        surfaces.push_back({.shade = &shades[i],
                             .textures = nullptr,
                             .response = runs[i].response.get(),
                             .high_orders = nullptr,

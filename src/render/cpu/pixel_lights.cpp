@@ -34,23 +34,28 @@ std::vector<const Material*> layers_of(const Material& material) {
 
 }  // namespace
 
-std::uint64_t PixelLights::add(const VertexRange& range, const PixelPoints& points,
-                               std::span<const std::span<glm::vec4>> out) const {
+std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::span<glm::vec4>> out) const {
+    const std::span points = batch.points();
+    const PixelPoint& any = points.front();
+    const VertexRange& range = input_.geometry.ranges[any.range];
+    const bool shadowed = input_.visibility == nullptr || any.occluded != 0;
     const std::vector<const Material*> layers = layers_of(*range.material);
     const bool turned = turns_normals(*range.material);
     std::uint64_t rays = 0;
     std::vector<std::span<glm::vec4>> channels(out.size());
-    for (std::size_t first = 0; first < points.pixels.size(); first += kLanes) {
-        const std::size_t count = std::min(kLanes, points.pixels.size() - first);
-        const LaneSurface& surface = points.surfaces[first / kLanes];
+    for (std::size_t first = 0; first < points.size(); first += kLanes) {
+        const std::size_t count = std::min(kLanes, points.size() - first);
+        const LaneSurface& surface = batch.surfaces()[first / kLanes];
         std::array<glm::vec3, kLanes> facets, origins;
+        std::array<std::uint32_t, kLanes> seeds;
         for (std::size_t i = 0; i < count; ++i) {
-            facets[i] = facet_of(input_.geometry, points.triangles[first + i], surface.normals[i]);
+            facets[i] = facet_of(input_.geometry, points[first + i].triangle, surface.normals[i]);
             origins[i] = surface.positions[i] + lights_.offset() * facets[i];
+            seeds[i] = points[first + i].pixel;
         }
         std::span<const LayerWeights> weights;
-        if (!points.weights.empty())
-            weights = points.weights.subspan(first / kLanes * layers.size(), layers.size());
+        if (!batch.weights().empty())
+            weights = batch.weights().subspan(first / kLanes * layers.size(), layers.size());
         for (std::size_t c = 0; c < out.size(); ++c) channels[c] = out[c].subspan(first, count);
         const std::span of_facets = std::span(facets).first(count);
         rays += lights_.lighting().add(input_.view,
@@ -58,22 +63,23 @@ std::uint64_t PixelLights::add(const VertexRange& range, const PixelPoints& poin
                                         .normals = std::span(surface.normals).first(count),
                                         .facets = turned ? of_facets : std::span<glm::vec3>(),
                                         .origins = std::span(origins).first(count),
-                                        .seeds = points.pixels.subspan(first, count),
-                                        .shadowed = points.shadowed},
+                                        .seeds = std::span(seeds).first(count),
+                                        .shadowed = shadowed},
                                        {.layers = layers, .weights = weights}, channels);
-        if (range.emission != nullptr) add_emission(range, points, first, channels);
+        if (range.emission != nullptr) add_emission(range, batch, first, channels);
     }
     return rays;
 }
 
-void PixelLights::add_emission(const VertexRange& range, const PixelPoints& points, std::size_t first,
+void PixelLights::add_emission(const VertexRange& range, const PixelBatch& batch, std::size_t first,
                                std::span<const std::span<glm::vec4>> out) const {
-    const LaneSurface& surface = points.surfaces[first / kLanes];
+    const LaneSurface& surface = batch.surfaces()[first / kLanes];
     const std::size_t count = out.front().size();
     std::array<glm::vec2, kLanes> texcoords{};
     if (range.emission->texture != nullptr) {
         for (std::size_t i = 0; i < count; ++i) {
-            const std::array<glm::vec2, 3>& corners = input_.geometry.texcoords[points.triangles[first + i]];
+            const std::array<glm::vec2, 3>& corners =
+                input_.geometry.texcoords[batch.points()[first + i].triangle];
             for (std::size_t k = 0; k < 3; ++k) texcoords[i] += surface.weights[k][i] * corners[k];
         }
     }

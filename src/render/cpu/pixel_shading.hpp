@@ -23,16 +23,12 @@ namespace nicol {
 
 /// A material that varies.
 struct TexturedSurface {
-    const SpatialVariation* variation;
-    bool back;                                    ///< of a two-sided instance
     std::vector<const ResponseTable*> responses;  ///< of the layers
     std::optional<HighOrderLayers> high_orders;
 };
 
-/// What the pixels of some of the geometry's vertices are shaded by.
+/// What the pixels of a range are shaded by.
 struct PixelSurface {
-    std::size_t first;  ///< vertex
-    std::size_t last;
     const Shade* shade;
     const TexturedSurface* textures;  ///< of a material that varies, instead of the next; or null
     const ResponseTable* response;
@@ -53,43 +49,23 @@ struct PixelCounts {
 /// Shades the pixels of an image that show a surface. Calls for different pixels may run side by side.
 class PixelShading {
 public:
-    /// `surfaces`: by vertices, ascending. `fractions`: of the vertices' lobes of high orders, or empty.
+    /// `surfaces`: of the geometry's ranges. `fractions`: of the vertices' lobes of high orders, or empty.
     PixelShading(const PixelInput& input, std::span<const PixelSurface> surfaces,
                  std::span<const glm::vec2> fractions);
 
     /// For first <= pixel < last writes to out[c][pixel] the mean of channel c's Stokes vectors over the
-    /// samples, those without a surface showing the background. Samples of triangles that share a corner are
-    /// of one smooth surface, which is shaded once, at their mean.
+    /// samples, those without a surface showing the background.
     PixelCounts run(std::size_t first, std::size_t last, std::span<const std::span<glm::vec4>> out) const;
 
 private:
-    // A pixel, or the part of it that shows one surface.
-    struct Pixel {
-        std::uint32_t surface;
-        std::uint32_t occluded;  // 1 where a corner is, which sorts them apart
-        std::uint32_t triangle;
-        std::uint32_t index;
-        float weight;  // the fraction of the pixel's samples
-        glm::vec2 at;  // their mean from the pixel's centre, in pixels
-        [[nodiscard]] std::uint64_t group() const { return std::uint64_t{2} * surface + occluded; }
-    };
-    struct Batch;
-    struct Patch;
+    struct Work;
 
-    void collect(std::size_t first, std::size_t last, std::vector<Pixel>& out,
-                 std::span<float> coverage) const;
-    void add(const Patch& patch, std::size_t index, std::size_t& surface, std::vector<Pixel>& out) const;
-    // Pixels of one group, at most as many as a batch has room for.
-    void shade(std::span<const Pixel> pixels, Batch& batch, std::span<const std::span<glm::vec4>> out,
+    void shade(const PixelBatch& batch, Work& work, std::span<const std::span<glm::vec4>> out,
                PixelCounts& counts) const;
-    void add_small_lights(std::span<const Pixel> pixels, Batch& batch,
-                          std::span<const std::span<glm::vec4>> stokes, PixelCounts& counts) const;
-    void find_points(std::span<const Pixel> pixels, Batch& batch) const;
-    void find_light(const PixelSurface& surface, std::span<const Pixel> pixels, Batch& batch) const;
-    // Sorts the batch by the layers that pixels use, and turns its normals. Returns the pixels in that order.
-    [[nodiscard]] std::span<const Pixel> find_textures(const TexturedSurface& surface,
-                                                       std::span<const Pixel> pixels, Batch& batch) const;
-    void find_fractions(std::span<const Pixel> pixels, Batch& batch) const;
+    void add_small_lights(const PixelBatch& batch, std::span<const std::span<glm::vec4>> stokes,
+                          PixelCounts& counts) const;
+    void find_light(const PixelSurface& surface, const PixelBatch& batch, Work& work) const;
+    void find_fractions(const PixelBatch& batch, Work& work) const;
     [[nodiscard]] PixelRays rays() const;
 
     const PixelInput& input_;
