@@ -159,14 +159,15 @@ void Renderer::render_into(const Scene& scene, const Camera& camera, const Rende
     }
     RenderOptions values = options;
     values.progress = nullptr;
-    const bool rendered = rendering_.run(
-        scene.geometry_version(), scene.material_version(), scene.light_version(), camera, values, [&] {
-            if (options.method == Method::reference) {
-                render_by_reference(scene, camera, options, threads_, target);
-            } else {
-                draw(scene, camera, options, target);
-            }
-        });
+    const bool rendered =
+        rendering_.run(scene.geometry_version(), scene.material_version(), scene.light_version(),
+                       scene.emission_version(), scene.small_light_version(), camera, values, [&] {
+                           if (options.method == Method::reference) {
+                               render_by_reference(scene, camera, options, threads_, target);
+                           } else {
+                               draw(scene, camera, options, target);
+                           }
+                       });
     content_ = target.content();
     if (!rendered) target.statistics().nothing_ran();
 }

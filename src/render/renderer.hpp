@@ -62,7 +62,7 @@ private:
     Painter painter_;
 
     // What the last image was made of: versions of the scene, camera, options.
-    Stage<Version, Version, Version, Camera, RenderOptions> rendering_;
+    Stage<Version, Version, Version, Version, Version, Camera, RenderOptions> rendering_;
     Version content_ = 0;  // of the framebuffer that has it
 };
 
