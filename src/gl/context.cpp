@@ -190,4 +190,8 @@ void finish(Context& context) {
     context.state().check("finish");
 }
 
+void flush(Context& context) {
+    functions(context, "flush").Flush();
+}
+
 }  // namespace nicol::gl

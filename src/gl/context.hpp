@@ -158,5 +158,8 @@ auto Context::run(F&& f) -> std::invoke_result_t<F&> {
 /// Waits until all earlier commands of the context are done, so that times measured around them are theirs.
 /// In a host's context, where the host's own wait as well, they are only sent on their way. Inside run().
 void finish(Context& context);
+/// Sends all earlier commands on their way, so that the device works while the caller does something else.
+/// Inside run().
+void flush(Context& context);
 
 }  // namespace nicol::gl

@@ -34,8 +34,8 @@ struct ShadeInput : TransferInput {
 
 /// What shading at pixels starts from; chosen are vertices of triangles in view.
 struct PixelInput : ShadeInput {
-    const Projection& projection;  ///< of the geometry's axes
-    const HitImage& hits;
+    const Projection& projection;          ///< of the geometry's axes
+    const HitImage& hits;                  ///< where there are small lights, on the host in any case
     const HighOrderTransfer* high_orders;  ///< null: none
     bool physical;                         ///< Stokes vectors are moved into the physical range
     const SmallLights* small_lights;       ///< null: none
@@ -81,9 +81,8 @@ public:
     /// Moves Stokes vectors into the physical range. Returns how many it moved.
     virtual std::uint64_t make_physical(const ShadeInput& input) = 0;
 
-    /// Adds what vertices reflect of small lights, and what they emit. Executors that do not are not used for
-    /// scenes with small lights.
-    virtual void illuminate(const SmallLights& /*lights*/, const ShadeInput& /*input*/, RenderRun& /*run*/) {}
+    /// Adds what the chosen vertices reflect of small lights, and what they emit.
+    virtual void illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) = 0;
 
     /// Waits until all of the above is done.
     virtual void finish() = 0;

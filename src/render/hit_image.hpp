@@ -36,6 +36,7 @@ public:
     enum class Kept {
         on_host,    ///< at() has them
         on_device,  ///< texture() has them
+        on_both,
     };
 
     /// `buffers` and `cut_outs` are of `geometry`, and the projection of its axes. `offsets`: of the samples,
@@ -59,7 +60,7 @@ public:
     [[nodiscard]] std::uint64_t bytes() const;
     /// All that draw() takes, the context's included.
     [[nodiscard]] static std::uint64_t bytes_per_pixel(std::size_t samples, Kept kept) {
-        const std::size_t targets = kept == Kept::on_device ? samples : 1;
+        const std::size_t targets = kept == Kept::on_host ? 1 : samples;
         const std::size_t read = kept == Kept::on_device ? 0 : samples;
         return read * sizeof(std::uint32_t) + targets * (sizeof(std::uint32_t) + sizeof(float));
     }

@@ -76,6 +76,13 @@ std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
     return bytes;
 }
 
+// Threads shade small lights, of which the environment's lamps may become some.
+HitImage::Kept hits_of(const Scene& scene, const RenderOptions& options) {
+    if (options.executor != Executor::compute) return HitImage::Kept::on_host;
+    const bool lamps = scene.environment() != nullptr && options.split_lights != 0;
+    return lamps || scene.has_small_lights() ? HitImage::Kept::on_both : HitImage::Kept::on_device;
+}
+
 MemoryEstimate reference_memory(const Scene& scene) {
     // Embree's own measure for its robust mode, corners and boxes together.
     constexpr std::uint64_t hierarchy_of_triangle = 200;
@@ -128,19 +135,17 @@ MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options)
     return estimate;
 }
 
-std::uint64_t image_memory(const RenderOptions& options, int width, int height, int channels) {
+std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int width, int height) {
     if (options.method == Method::reference) return 0;
     constexpr std::uint64_t texel = sizeof(glm::vec4);
     constexpr std::uint64_t depth = sizeof(float);
     const bool several = options.pixel_samples > 1;
     const auto samples = static_cast<std::size_t>(options.pixel_samples);
-    const auto planes = static_cast<std::uint64_t>(channels);
+    const auto planes = static_cast<std::uint64_t>(scene.channels());
     const std::uint64_t at_vertices =
         several ? std::min<std::uint64_t>(Framebuffer::kGroup, planes) * texel + depth : 0;
-    const auto kept =
-        options.executor == Executor::compute ? HitImage::Kept::on_device : HitImage::Kept::on_host;
-    const std::uint64_t at_pixels =
-        HitImage::bytes_per_pixel(samples, kept) + PixelImage::kBytesPerPixel + planes * texel;
+    const std::uint64_t at_pixels = HitImage::bytes_per_pixel(samples, hits_of(scene, options)) +
+                                    PixelImage::kBytesPerPixel + planes * texel;
     std::uint64_t bytes = 0;
     if (options.shade_at != ShadeAt::pixels) bytes = at_vertices;
     if (options.shade_at != ShadeAt::vertices) bytes = std::max(bytes, at_pixels);
@@ -156,7 +161,7 @@ std::uint64_t image_memory(const RenderOptions& options, int width, int height, 
 void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int width, int height) {
     vertices_ = size_of(scene).vertices;
     if (bytes_ == kNone) return;
-    image_ = image_memory(options, width, height, scene.channels());
+    image_ = image_memory(scene, options, width, height);
     checking_.run(
         scene.geometry_version(), scene.channels(), kind_of(scene, options), options.method,
         options.order_low, options.order_high, options.high_orders, options.shadows,

@@ -26,9 +26,10 @@ struct MemoryEstimate {
 /// of triangles and the triangles themselves.
 [[nodiscard]] MemoryEstimate estimate_memory(const Scene& scene, const RenderOptions& options);
 
-/// Bytes that samples and shading at pixels take at most beside a framebuffer of this size and these
+/// Bytes that samples and shading at pixels take at most beside a framebuffer of this size and the scene's
 /// channels, as Statistics counts them.
-[[nodiscard]] std::uint64_t image_memory(const RenderOptions& options, int width, int height, int channels);
+[[nodiscard]] std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int width,
+                                         int height);
 
 /// What a scene and its image may take at most.
 class MemoryLimit {

@@ -130,14 +130,16 @@ void Pipeline::shade(ShadeInput input, const Projection& projection, const Rende
     method_for(options.method).shade(input, executor, run);
     if (high_orders) executor.specular(high_orders_, input, run);
     if (options.physical) run.statistics.vertices_unphysical += executor.make_physical(input);
+    run.statistics.vertices_shaded += static_cast<std::uint64_t>(std::ranges::count(chosen_, 1));
     if (small_lights_.any()) {
         const Stopwatch lighting;
+        // It has shaded all vertices; rays are for those that can be seen.
+        if (!executor.can_choose()) find_seen(input.geometry, projection, options, run);
         executor.illuminate(small_lights_, input, run);
         run.statistics.light_ms += lighting.milliseconds();
     }
     executor.finish();
     shading_.complete(chosen_);
-    run.statistics.vertices_shaded += static_cast<std::uint64_t>(std::ranges::count(chosen_, 1));
     run.statistics.shade_ms += watch.milliseconds();
 }
 
@@ -145,7 +147,7 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
                             const RenderOptions& options, bool high_orders, RenderExecutor& executor,
                             RenderRun& run, const DrawHits& draw_hits) {
     const Stopwatch drawing;
-    const HitImage& hits = draw_hits();
+    const HitImage& hits = draw_hits(small_lights_.any());
     run.statistics.draw_ms += drawing.milliseconds();
 
     const Stopwatch watch;
@@ -168,14 +170,19 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
 
 void Pipeline::choose_vertices(const WorldGeometry& geometry, const Projection& projection,
                                const RenderOptions& options, RenderRun& run) {
+    find_seen(geometry, projection, options, run);
+    const std::span current = shading_.current();
+    for (std::size_t v = 0; v < chosen_.size(); ++v) chosen_[v] = chosen_[v] != 0 && current[v] == 0 ? 1 : 0;
+}
+
+void Pipeline::find_seen(const WorldGeometry& geometry, const Projection& projection,
+                         const RenderOptions& options, RenderRun& run) {
     if ((options.disabled_optimisations & skip_hidden) != 0) {
         chosen_.assign(geometry.positions.size(), 1);
     } else {
         run.workers.run(
             [&] { run.statistics.vertices_skipped = find_visible(geometry, projection, chosen_); });
     }
-    const std::span current = shading_.current();
-    for (std::size_t v = 0; v < chosen_.size(); ++v) chosen_[v] = chosen_[v] != 0 && current[v] == 0 ? 1 : 0;
 }
 
 void Pipeline::count(const TransferInput& input, const DistantLight& distant, Statistics& statistics) const {

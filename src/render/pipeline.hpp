@@ -32,8 +32,9 @@ public:
     /// Where to keep what takes long to compute; an empty folder: nowhere.
     void set_cache(const std::filesystem::path& folder, const CacheNotice& notice);
 
-    /// Which triangles of surfaces() are at the pixels of an image.
-    using DrawHits = std::function<const HitImage&()>;
+    /// Which triangles of surfaces() are at the pixels of an image; on_host: whatever the executor, the host
+    /// needs them, too.
+    using DrawHits = std::function<const HitImage&(bool on_host)>;
 
     /// Shades every vertex that can be seen, or every pixel that shows a surface;
     /// `executor` keeps the results. Adds times and counts to the statistics. `projection`: of the world.
@@ -55,6 +56,9 @@ private:
     void shade_pixels(const Scene& scene, ShadeInput input, const Projection& projection,
                       const RenderOptions& options, bool high_orders, RenderExecutor& executor,
                       RenderRun& run, const DrawHits& draw_hits);
+    /// Sets chosen_ to 1 for each vertex that can be seen.
+    void find_seen(const WorldGeometry& geometry, const Projection& projection, const RenderOptions& options,
+                   RenderRun& run);
     /// Sets chosen_ to 1 for each vertex that can be seen and whose Stokes vector is not current.
     void choose_vertices(const WorldGeometry& geometry, const Projection& projection,
                          const RenderOptions& options, RenderRun& run);

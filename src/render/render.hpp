@@ -42,9 +42,9 @@ enum class ShadeAt {
 
 /// Where relight and shade run; the results agree.
 enum class Executor {
-    automatic,  ///< compute, unless the processor rasterises, the driver cannot or there are small lights
+    automatic,  ///< compute, unless the processor rasterises or the driver cannot
     cpu,        ///< threads
-    compute,    ///< compute shaders
+    compute,    ///< compute shaders; for small lights threads beside them
 };
 
 /// What a render leaves out where it is not needed; the image stays the same.

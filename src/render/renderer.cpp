@@ -98,11 +98,10 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       hits_(context),
       painter_(std::move(context)) {}
 
-bool Renderer::on_device(const Scene& scene, const RenderOptions& options) const {
+bool Renderer::on_device(const RenderOptions& options) const {
     const Executor executor = options.executor;
     if (executor == Executor::cpu) return false;
-    std::string obstacle = GpuExecutor::obstacle(*context_);
-    if (scene.has_small_lights()) obstacle = "threads alone shade small lights";
+    const std::string obstacle = GpuExecutor::obstacle(*context_);
     if (executor == Executor::automatic) return !context_->info().software && obstacle.empty();
     if (!obstacle.empty()) {
         throw Error(ErrorCode::unsupported, "the executor cannot be compute shaders: " + obstacle);
@@ -110,8 +109,8 @@ bool Renderer::on_device(const Scene& scene, const RenderOptions& options) const
     return true;
 }
 
-RenderExecutor& Renderer::executor_for(const Scene& scene, const RenderOptions& options) {
-    if (on_device(scene, options)) {
+RenderExecutor& Renderer::executor_for(const RenderOptions& options) {
+    if (on_device(options)) {
         cpu_.reset();
         if (!gpu_) gpu_.emplace(context_, buffers_);
         return *gpu_;
@@ -182,7 +181,7 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
     const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
-    RenderExecutor& executor = executor_for(scene, options);
+    RenderExecutor& executor = executor_for(options);
     statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);
@@ -190,13 +189,15 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOption
                   .progress = progress,
                   .statistics = statistics,
                   .memory_limit = memory_limit_.for_scene()};
-    const auto draw_hits = [&]() -> const HitImage& {
+    const auto draw_hits = [&](bool on_host) -> const HitImage& {
+        const HitImage::Kept kept = !gpu_     ? HitImage::Kept::on_host
+                                    : on_host ? HitImage::Kept::on_both
+                                              : HitImage::Kept::on_device;
         context_->run([&] {
             const RefinedSurfaces& surfaces = pipeline_.surfaces();
             update_buffers(surfaces, target.channels());
             hits_.draw(surfaces.geometry(), buffers_, cut_outs_, in_axes(projection, surfaces.to_world()),
-                       target.width(), target.height(), sample_pattern(options.pixel_samples),
-                       gpu_ ? HitImage::Kept::on_device : HitImage::Kept::on_host);
+                       target.width(), target.height(), sample_pattern(options.pixel_samples), kept);
         });
         return hits_;
     };

@@ -31,10 +31,9 @@ public:
     /// The same scene every time. A framebuffer of one channel gets the luminance of a scene of three. Throws
     /// Error(invalid_argument) for options or a camera out of range, a framebuffer of another context or with
     /// channels that do not fit the scene; Error(unsupported) where compute shaders are requested and the
-    /// driver lacks what they need or there are small lights, and where a material varies and vertices or the
-    /// dense method are requested; Error(cancelled); Error(out_of_memory), also where the limit is exceeded.
-    /// After an error the framebuffer is unchanged. Where nothing has changed since the last call, nothing is
-    /// computed.
+    /// driver lacks what they need, and where a material varies and vertices or the dense method are
+    /// requested; Error(cancelled); Error(out_of_memory), also where the limit is exceeded. After an error
+    /// the framebuffer is unchanged. Where nothing has changed since the last call, nothing is computed.
     void render(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
 
 private:
@@ -45,8 +44,8 @@ private:
     // Copies surfaces to the device, inside run() of the context.
     void update_buffers(const RefinedSurfaces& surfaces, int channels);
     // Whether compute shaders are the executor.
-    [[nodiscard]] bool on_device(const Scene& scene, const RenderOptions& options) const;
-    [[nodiscard]] RenderExecutor& executor_for(const Scene& scene, const RenderOptions& options);
+    [[nodiscard]] bool on_device(const RenderOptions& options) const;
+    [[nodiscard]] RenderExecutor& executor_for(const RenderOptions& options);
 
     std::shared_ptr<gl::Context> context_;
     int threads_;

@@ -286,14 +286,7 @@ std::uint64_t CpuExecutor::make_physical(const ShadeInput& input) {
 
 void CpuExecutor::illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) {
     const std::vector<std::span<glm::vec4>> channels(stokes_.begin(), stokes_.end());
-    const VertexLights vertices(lights, input);
-    std::atomic<std::uint64_t> rays = 0;
-    for (const VertexRange& range : input.geometry.ranges) {
-        run.workers.for_vertices(
-            range.first, range.last, input.geometry.positions.size(), "shade", run.progress,
-            [&](std::size_t begin, std::size_t end) { rays += vertices.add(range, begin, end, channels); });
-    }
-    run.statistics.light_rays += rays;
+    VertexLights(lights, input).add(run, channels);
 }
 
 void CpuExecutor::store(VertexBuffers& buffers) const {

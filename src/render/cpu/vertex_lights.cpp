@@ -2,11 +2,22 @@
 #include "render/cpu/vertex_lights.hpp"
 
 #include <array>
+#include <atomic>
 #include <vector>
 
 #include "shading/shine.hpp"
 
 namespace nicol {
+
+void VertexLights::add(RenderRun& run, std::span<const std::span<glm::vec4>> out) const {
+    std::atomic<std::uint64_t> rays = 0;
+    for (const VertexRange& range : input_.geometry.ranges) {
+        run.workers.for_vertices(
+            range.first, range.last, input_.geometry.positions.size(), "shade", run.progress,
+            [&](std::size_t begin, std::size_t end) { rays += add(range, begin, end, out); });
+    }
+    run.statistics.light_rays += rays;
+}
 
 std::uint64_t VertexLights::add(const VertexRange& range, std::size_t first, std::size_t last,
                                 std::span<const std::span<glm::vec4>> out) const {

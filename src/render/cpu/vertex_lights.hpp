@@ -16,12 +16,14 @@ class VertexLights {
 public:
     VertexLights(const SmallLights& lights, const ShadeInput& input) : lights_(lights), input_(input) {}
 
-    /// Adds to out[c][v], for chosen vertices first <= v < last of a range, what they reflect of small lights
-    /// and what they emit. Returns the number of rays. Calls for different vertices may run side by side.
-    std::uint64_t add(const VertexRange& range, std::size_t first, std::size_t last,
-                      std::span<const std::span<glm::vec4>> out) const;
+    /// Adds to out[c][v], for chosen vertices, what they reflect of small lights and what they emit. Counts
+    /// rays in the statistics.
+    void add(RenderRun& run, std::span<const std::span<glm::vec4>> out) const;
 
 private:
+    // For first <= v < last of a range. Returns the number of rays.
+    std::uint64_t add(const VertexRange& range, std::size_t first, std::size_t last,
+                      std::span<const std::span<glm::vec4>> out) const;
     std::uint64_t add(const VertexRange& range, std::span<const std::uint32_t> vertices,
                       std::span<const std::span<glm::vec4>> out) const;
 

@@ -55,20 +55,23 @@ std::vector<DevicePixelList::Chunk> DevicePixelList::find(const PixelInput& inpu
     input_ = &input;
     buffers_ = &buffers;
     image_ = &image;
-    compile(input.hits.offsets());
+    compile(input.hits.offsets(), input.small_lights != nullptr);
     find_groups();
     const std::size_t pixels =
         static_cast<std::size_t>(input.hits.width()) * static_cast<std::size_t>(input.hits.height());
     return chunks_of(count(pixels), 2 * input.geometry.ranges.size(), pixels);
 }
 
-void DevicePixelList::compile(std::span<const glm::dvec2> offsets) {
-    compiling_.run(offsets.size(), [&] {
-        const std::vector<gl::Define> defines{{.name = "SAMPLES", .value = std::to_string(offsets.size())},
-                                              {.name = "LISTING"}};
-        count_ = gl::Program::compute(context_, "pixel_collect.comp", std::span(defines).first(1));
-        list_ = gl::Program::compute(context_, "pixel_collect.comp", defines);
-        gather_ = gl::Program::compute(context_, "pixel_gather.comp", std::span(defines).first(1));
+void DevicePixelList::compile(std::span<const glm::dvec2> offsets, bool lit) {
+    compiling_.run(offsets.size(), lit, [&] {
+        const auto program = [&](const char* file, std::vector<gl::Define> defines) {
+            defines.push_back({.name = "SAMPLES", .value = std::to_string(offsets.size())});
+            return gl::Program::compute(context_, file, defines);
+        };
+        using Defines = std::vector<gl::Define>;
+        count_ = program("pixel_collect.comp", {});
+        list_ = program("pixel_collect.comp", {{.name = "LISTING"}});
+        gather_ = program("pixel_gather.comp", lit ? Defines{{.name = "LIT"}} : Defines());
         offsets_ = storage(context_, std::vector<glm::vec2>(offsets.begin(), offsets.end()));
     });
 }
@@ -135,7 +138,8 @@ void DevicePixelList::list(const Chunk& chunk) {
     gl::dispatch(*list_, groups_for(chunk.last - chunk.first));
 }
 
-void DevicePixelList::gather(const Chunk& chunk, std::span<const gl::Buffer* const> stokes) {
+void DevicePixelList::gather(const Chunk& chunk, std::span<const gl::Buffer* const> stokes,
+                             std::span<const std::vector<glm::vec4>> small_lights) {
     gather_->set("first", static_cast<int>(chunk.first));
     gather_->set("count", static_cast<int>(chunk.last - chunk.first));
     gather_->set("width", input_->hits.width());
@@ -145,6 +149,11 @@ void DevicePixelList::gather(const Chunk& chunk, std::span<const gl::Buffer* con
     shares_->bind_storage(0);
     for (std::size_t c = 0; c < stokes.size(); ++c) {
         stokes[c]->bind_storage(1);
+        std::optional<gl::Buffer> lights;
+        if (input_->small_lights != nullptr) {
+            lights = storage(context_, small_lights[c]);
+            lights->bind_storage(2);
+        }
         image_->channel(static_cast<int>(c)).bind_image();
         gl::dispatch(*gather_, groups_for(chunk.last - chunk.first));
     }

@@ -42,13 +42,15 @@ public:
     void list(const Chunk& chunk);
     /// By glsl/pixel_points.glsl.
     [[nodiscard]] const gl::Buffer& points() const { return points_.value(); }
-    /// Makes the chunk's pixels: `stokes` are its points', by channel.
-    void gather(const Chunk& chunk, std::span<const gl::Buffer* const> stokes);
+    /// Makes the chunk's pixels: `stokes` are its points', by channel. `small_lights`, where the input has
+    /// any: what they add to each pixel, by channel.
+    void gather(const Chunk& chunk, std::span<const gl::Buffer* const> stokes,
+                std::span<const std::vector<glm::vec4>> small_lights);
     /// Gives the memory of the last list back.
     void release();
 
 private:
-    void compile(std::span<const glm::dvec2> offsets);
+    void compile(std::span<const glm::dvec2> offsets, bool lit);
     void find_groups();
     void bind_hits(gl::Program& program, std::size_t first, std::size_t last);
     [[nodiscard]] std::vector<std::uint32_t> count(std::size_t pixels);
@@ -58,7 +60,7 @@ private:
     VertexBuffers* buffers_ = nullptr;
     DevicePixelImage* image_ = nullptr;
 
-    Stage<std::size_t> compiling_;  // samples
+    Stage<std::size_t, bool> compiling_;  // samples, small lights
     std::optional<gl::Program> count_;
     std::optional<gl::Program> list_;
     std::optional<gl::Program> gather_;

@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "gl/context.hpp"
 #include "gl/draw.hpp"
+#include "render/cpu/light_image.hpp"
 #include "render/high_orders.hpp"
 #include "render/hit_image.hpp"
 #include "scene/projection.hpp"
@@ -35,7 +36,7 @@ DevicePixels::DevicePixels(std::shared_ptr<gl::Context> context, DevicePixelImag
       interpolate_(gl::Program::compute(context_, "pixel_interpolate.comp")) {}
 
 std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers, std::size_t most,
-                                Progress& progress, const Shade& shade) {
+                                RenderRun& render, const Shade& shade) {
     check_size(*context_, input.geometry);
     input_ = &input;
     buffers_ = &buffers;
@@ -43,8 +44,10 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
     const auto height = static_cast<std::size_t>(input.hits.height());
     sizing_.run(width, height, input.channels, [&] { release(); });
     std::uint64_t shaded = 0;
+    std::vector<std::vector<glm::vec4>> small_lights;  // of the pixels of a chunk, by channel
     for (const DevicePixelList::Chunk& chunk : list_.find(input, buffers, image_)) {
-        progress.report("shade", static_cast<double>(chunk.first) / static_cast<double>(width * height));
+        render.progress.report("shade",
+                               static_cast<double>(chunk.first) / static_cast<double>(width * height));
         make_room_for(chunk.size);
         list_.list(chunk);
         for (std::size_t g = 0; g < chunk.counts.size(); ++g) {
@@ -60,7 +63,12 @@ std::uint64_t DevicePixels::run(const PixelInput& input, VertexBuffers& buffers,
             }
             shaded += chunk.counts[g];
         }
-        list_.gather(chunk, points_.stokes);
+        // Threads work beside the device, which has what it needs of this chunk.
+        if (input.small_lights != nullptr) {
+            gl::flush(*context_);
+            find_light_image(input, chunk.first, chunk.last, render, small_lights);
+        }
+        list_.gather(chunk, points_.stokes, small_lights);
     }
     return shaded;
 }

@@ -33,9 +33,9 @@ public:
 
     using Shade = std::function<void(const PixelRun&)>;
     /// Calls shade(run) until it was called for all points, at most `most` at once; it fills points().stokes,
-    /// from which the image is made. Returns the number of points. Throws Error(unsupported) for more
-    /// triangles or vertices than the driver lets a shader reach.
-    std::uint64_t run(const PixelInput& input, VertexBuffers& buffers, std::size_t most, Progress& progress,
+    /// from which the image is made; small lights are added to it. Returns the number of points. Throws
+    /// Error(unsupported) for more triangles or vertices than the driver lets a shader reach.
+    std::uint64_t run(const PixelInput& input, VertexBuffers& buffers, std::size_t most, RenderRun& render,
                       const Shade& shade);
 
     /// While shade() runs: the points.

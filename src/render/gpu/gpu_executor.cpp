@@ -5,10 +5,16 @@
 #include <utility>
 
 #include "gl/draw.hpp"
+#include "render/cpu/vertex_lights.hpp"
 #include "render/hit_image.hpp"
 #include "render/plain_materials.hpp"
 
 namespace nicol {
+namespace {
+
+constexpr std::size_t kStep = std::size_t{1} << 20;  // Stokes vectors of one dispatch
+
+}  // namespace
 
 std::string GpuExecutor::obstacle(const gl::Context& context) {
     constexpr int bindings = 8;
@@ -110,7 +116,7 @@ void GpuExecutor::shade_pixels_by(const Method& method, Device& device, const Pi
         if (input.high_orders != nullptr) high_orders_.compute_fractions(*input.high_orders, input, buffers_);
         const std::size_t most = device.prepare_pixels(method, input);
         textures_.prepare(input, buffers_);
-        return pixels_->run(input, buffers_, most, run.progress, [&](const PixelRun& points) {
+        return pixels_->run(input, buffers_, most, run, [&](const PixelRun& points) {
             const bool varies = points.surface.material->variation() != nullptr;
             if (varies) textures_.find(input, points, *pixels_);
             device.light_pixels(input, points, *pixels_);
@@ -151,17 +157,41 @@ std::uint64_t GpuExecutor::make_physical(const ShadeInput& input) {
 
 void GpuExecutor::make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
                                 const gl::Buffer& counter) {
-    constexpr std::size_t step = std::size_t{1} << 20;
     if (!physical_) physical_ = gl::Program::compute(context_, "physical.comp");
     for (const gl::Buffer* const stokes : points.stokes) {
-        for (std::size_t begin = first; begin < last; begin += step) {
-            const std::size_t end = std::min(begin + step, last);
+        for (std::size_t begin = first; begin < last; begin += kStep) {
+            const std::size_t end = std::min(begin + kStep, last);
             std::ignore = bind_vertices(*stokes, 0, 4, begin, end);
             counter.bind_storage(1);
             physical_->set("count", static_cast<int>(end - begin));
             physical_->set("noise", noise);
             gl::dispatch(*physical_, groups_for(end - begin));
         }
+    }
+}
+
+void GpuExecutor::illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) {
+    // Threads work beside the device, which still shades.
+    context_->run([&] { gl::flush(*context_); });
+    const std::size_t vertices = input.geometry.positions.size();
+    VertexStokes sums(static_cast<std::size_t>(input.channels), std::vector<glm::vec4>(vertices));
+    const std::vector<std::span<glm::vec4>> channels(sums.begin(), sums.end());
+    VertexLights(lights, input).add(run, channels);
+    context_->run([&] {
+        if (!prepare(input)) return;
+        for (std::size_t c = 0; c < sums.size(); ++c) add(sums[c], *buffers_.stokes(static_cast<int>(c)));
+    });
+}
+
+void GpuExecutor::add(const std::vector<glm::vec4>& more, const gl::Buffer& stokes) {
+    if (!add_) add_ = gl::Program::compute(context_, "add.comp");
+    const gl::Buffer copy = storage(context_, more);
+    for (std::size_t begin = 0; begin < more.size(); begin += kStep) {
+        const std::size_t end = std::min(begin + kStep, more.size());
+        std::ignore = bind_vertices(copy, 0, 4, begin, end);
+        std::ignore = bind_vertices(stokes, 1, 4, begin, end);
+        add_->set("count", static_cast<int>(end - begin));
+        gl::dispatch(*add_, groups_for(end - begin));
     }
 }
 

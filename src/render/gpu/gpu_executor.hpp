@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // relight, shade and specular as compute shaders: what the methods make is copied to the device, where the
-// results stay.
+// results stay. What small lights add is found on threads.
 #pragma once
 
 #include <memory>
@@ -38,6 +38,7 @@ public:
     void shade_pixels(const FactoredMethod& method, const PixelInput& input, RenderRun& run) override;
     void shade_pixels(const DenseMethod& method, const PixelInput& input, RenderRun& run) override;
     std::uint64_t make_physical(const ShadeInput& input) override;
+    void illuminate(const SmallLights& lights, const ShadeInput& input, RenderRun& run) override;
     void finish() override;
     void store(VertexBuffers& /*buffers*/) const override {}
     void store(PixelImage& image) const override { image_.copy_to(image); }
@@ -54,6 +55,9 @@ private:
     void make_physical(const DevicePoints& points, std::size_t first, std::size_t last, float noise,
                        const gl::Buffer& counter);
 
+    /// stokes += more.
+    void add(const std::vector<glm::vec4>& more, const gl::Buffer& stokes);
+
     std::shared_ptr<gl::Context> context_;
     VertexBuffers& buffers_;
     DevicePixelImage image_;
@@ -64,6 +68,7 @@ private:
     DeviceHighOrders high_orders_;
     std::optional<DevicePixels> pixels_;
     std::optional<gl::Program> physical_;
+    std::optional<gl::Program> add_;
 };
 
 }  // namespace nicol
