@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "coarse.hpp"
 
-#include <nicol_files.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include <utility>
 
 #include "comparison.hpp"
+#include "lamp_room.hpp"
 #include "temporary_folder.hpp"
 
 namespace {
@@ -111,28 +110,6 @@ void write_scene(const std::filesystem::path& path) {
     if (!out.flush()) throw std::runtime_error(path.string() + ": cannot be written");
 }
 
-// A room with four lamps, each about 1,800 times its mean.
-void write_lamps(const std::filesystem::path& path, nicol_backend backend) {
-    constexpr std::uint32_t width = 128, height = 64;
-    std::vector<float> pixels(std::size_t{3} * width * height, 0.07F);
-    for (const auto& [row, column] : {std::pair{9U, 20U}, {14U, 52U}, {20U, 90U}, {11U, 117U}}) {
-        for (std::size_t c = 0; c < 3; ++c)
-            pixels[3 * (std::size_t{row} * width + column) + c] = 1000.0F - 100.0F * static_cast<float>(c);
-    }
-    const Context context = make_context(backend, "");
-    nicol_image image = NICOL_IMAGE_INIT;
-    image.width = width;
-    image.height = height;
-    image.channels = 3;
-    image.components = 1;
-    image.pixels = pixels.data();
-    image.byte_size = pixels.size() * sizeof(float);
-    nicol_environment handle = nullptr;
-    check(nicol_environment_create_image(context.get(), &image, &handle));
-    const Environment lamps(handle);
-    check(nicol_environment_write(lamps.get(), nullptr, path.string().c_str()));
-}
-
 std::string ratio(double coarse, double fine) {
     if (!(fine > 0)) return " (below the noise)";
     char text[32];
@@ -154,7 +131,7 @@ Report bench_coarse(const Options& given) {
     std::vector<std::pair<std::string, std::string>> lights{{"light", given.light}};
     if (given.light.empty()) {
         const std::filesystem::path lamps = folder.path() / "lamps.exr";
-        write_lamps(lamps, given.backend);
+        write_lamp_room(lamps, given.backend);
         lights = {{"lamps", lamps.string()}, {"forest", NICOL_BENCH_ASSETS "/forest.exr"}};
     }
     const Triangles coarse = torus(48, 30);

@@ -12,6 +12,7 @@
 #include "error.hpp"
 #include "frame.hpp"
 #include "harmonics.hpp"
+#include "lights.hpp"
 #include "materials.hpp"
 #include "options.hpp"
 #include "pareto.hpp"
@@ -48,6 +49,11 @@ const Command commands[] = {
      {"--light", "--backend", "--cache", "--size", "--samples", "--orders", "--csv", "--json"},
      "errors of a mesh of few triangles at vertices and at pixels, beside each triangle split in\n"
      "              sixteen, under lamps and in the forest"},
+    {"lights",
+     bench_lights,
+     {"--backend", "--cache", "--size", "--samples", "--seconds", "--csv", "--json"},
+     "errors of small lights and of lamps that are split off their environment, and what they\n"
+     "              add to a frame"},
     {"textures",
      bench_textures,
      {"--light", "--backend", "--cache", "--size", "--samples", "--orders", "--csv", "--json"},

@@ -9,6 +9,7 @@ std::string Recipe::name() const {
         text += std::to_string(top);
     }
     if (shade_at == NICOL_SHADE_AT_PIXELS) text += ", at pixels";
+    if (split != 0) text += ", lamps split off";
     if (samples > 1) text += ", " + std::to_string(samples) + " samples";
     return shadows ? text : text + ", no shadows";
 }
@@ -20,6 +21,7 @@ nicol_render_options Recipe::options() const {
     wanted.shadows = shadows ? 1 : 0;
     if (defaults) return wanted;
     wanted.method = method;
+    wanted.split_lights = split;
     if (tolerance > 0) {
         wanted.tolerance = tolerance;
     } else {
