@@ -42,6 +42,7 @@ void SmallLights::update(const Scene& scene, const Lamps& split, const RefinedSu
     making_.run(scene.small_light_version(), scene.emission_version(), scene.geometry_version(),
                 surfaces.to_world(), rays_version_, options.light_samples, split.lamps, split.rotation,
                 scene.light_scale(), [&] {
+                    if (!lit && !any()) return;  // vertices keep what they have
                     std::vector<LightSourcePtr> sources = make_sources(scene, split, surfaces.to_world());
                     lights_ = sources.size();
                     std::optional<SmallLighting>& lighting = lighting_.change();
