@@ -65,7 +65,9 @@ GL_TEST_CASE("run returns values, passes exceptions on, and nests") {
 GL_TEST_CASE("objects refuse to be used outside run") {
     CHECK_THROWS_AS(Buffer(context, BufferUse::vertex, 16, BufferUpdate::fixed), Error);
     CHECK_THROWS_AS(finish(*context), Error);
+    CHECK_THROWS_AS(flush(*context), Error);
     CHECK_NOTHROW(context->run([&] { finish(*context); }));
+    CHECK_NOTHROW(context->run([&] { flush(*context); }));
     CHECK_THROWS_AS(Buffer(nullptr, BufferUse::vertex, 16, BufferUpdate::fixed), Error);
 }
 

@@ -203,6 +203,25 @@ GL_TEST_CASE("beside compute shaders small lights follow changes") {
     }
 }
 
+GL_TEST_CASE("beside compute shaders lamps of an environment are split off") {
+    EquirectImage room(64, 33, 3);
+    for (int c = 0; c < 3; ++c) {
+        for (int y = 0; y < 33; ++y)
+            for (int x = 0; x < 64; ++x) room.at(c, y, x)[0] = 1;
+        room.at(c, 8, 20)[0] = 400;
+        room.at(c, 12, 45)[0] = 300;
+    }
+    Scene scene = plain_still();
+    scene.set_environment(image_environment(room), theta_phi_frame(glm::normalize(glm::dvec3(1, 2, -1))),
+                          0.7);
+    Comparison comparison(context, 3);
+    for (const ShadeAt shade_at : {ShadeAt::vertices, ShadeAt::pixels}) {
+        comparison.run(scene, {.order_low = 3, .order_high = 6, .shade_at = shade_at});
+        CHECK(comparison.by_shaders.statistics().lights_split == 2);
+        CHECK(comparison.rays() > 0);
+    }
+}
+
 GL_TEST_CASE("the hits that threads read beside compute shaders are in the prediction of memory") {
     Scene scene = plain_still();
     Comparison comparison(context, 1);
