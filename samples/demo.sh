@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# From a fresh clone to polarized images: packages, Release build, three scenes, each with two rotations of the light.
+# From a fresh clone to polarized images: packages, Release build, four scenes, each with two rotations of the light.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -9,7 +9,7 @@ cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release
 cmake --build build --target nicol-render
 
 # What each vertex can see does not depend on the light: the cache keeps it for all images.
-for scene in snail_hdr snail_sky snail_textured; do
+for scene in snail_hdr snail_sky snail_sun snail_textured; do
     for angle in 0 120; do
         folder=out/demo/${scene}_$angle
         mkdir -p "$folder"

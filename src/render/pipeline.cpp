@@ -93,6 +93,10 @@ RenderOptions Pipeline::choose_orders(const Scene& scene, const RenderOptions& o
     constexpr double of_dark = 1.0 / 3;
     RenderOptions chosen = options;
     noise_ = 0;
+    if (scene.environment() == nullptr) {  // what small lights light has no orders
+        chosen.order_low = chosen.order_high = 0;
+        return chosen;
+    }
     const bool predicted =
         options.method == Method::factored && options.high_orders != HighOrders::convolution;
     if (!options.choose_orders || !predicted || !(options.tolerance > 0)) return chosen;

@@ -173,6 +173,7 @@ GL_TEST_CASE("small lights are those of the reference method") {
             CHECK(at_pixels < 0.02);
             CHECK((render.statistics.light_rays > 0) == shadows);
             CHECK(render.statistics.small_lights == 1);
+            CHECK(render.statistics.order == 0);
             if (scene.varies()) continue;
             const double at_vertices =
                 rms(minus(reduced(render(scene, options(ShadeAt::vertices, shadows))), expected)) / size;
