@@ -137,6 +137,7 @@ TEST_CASE("ringing can be windowed away, and what is left of it moved into the p
         return low;
     };
     RenderOptions options = with(4, 4, HighOrders::none);
+    options.split_lights = 0;
     Statistics statistics;
     const StokesImage plain = render(context, scene, options, camera_of(), &statistics);
     CHECK(lowest(plain) < -0.01F);
