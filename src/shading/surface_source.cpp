@@ -2,6 +2,7 @@
 #include "shading/surface_source.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -35,8 +36,21 @@ SurfaceSource::SurfaceSource(const ShiningSurface& surface)
         before += areas[t];
         for (const glm::vec3& corner : corners) centre_ += static_cast<float>(areas[t] / area_ / 3) * corner;
     }
+    // A power of two, so that a part's first u is exact.
+    guide_.resize(std::bit_ceil(2 * triangles_.size()));
+    for (std::size_t part = 0; part < guide_.size() && !triangles_.empty(); ++part) {
+        const float first = static_cast<float>(part) / static_cast<float>(guide_.size());
+        const auto after = std::ranges::upper_bound(triangles_, first, {}, &Triangle::before);
+        guide_[part] = static_cast<std::uint32_t>(after - triangles_.begin() - 1);
+    }
     for (const std::array<glm::vec3, 3>& corners : surface.triangles)
         for (const glm::vec3& corner : corners) radius_ = std::max(radius_, glm::distance(centre_, corner));
+}
+
+std::size_t SurfaceSource::triangle_at(float u) const {
+    std::size_t index = guide_[static_cast<std::size_t>(u * static_cast<float>(guide_.size()))];
+    while (index + 1 < triangles_.size() && triangles_[index + 1].before <= u) ++index;
+    return index;
 }
 
 float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
@@ -50,8 +64,7 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
     out.points = 0;
     for (std::size_t i = 0; i < kLanes; ++i) {
         // u chooses the triangle, and what is left of it a place: neighbours in u are neighbours there.
-        const auto found = std::ranges::upper_bound(triangles_, u[i], {}, &Triangle::before);
-        const auto index = static_cast<std::size_t>(found - triangles_.begin()) - 1;
+        const std::size_t index = triangle_at(u[i]);
         const Triangle& triangle = triangles_[index];
         const float root = std::sqrt(1 - std::clamp((u[i] - triangle.before) * triangle.scale, 0.0F, 1.0F));
         const float b1 = 1 - root;

@@ -16,6 +16,8 @@ public:
     [[nodiscard]] double area() const noexcept { return area_; }
 
 private:
+    [[nodiscard]] std::size_t triangle_at(float u) const;
+
     struct Triangle {
         glm::vec3 corner, first, second;  // edges
         glm::vec3 normal;                 // unit
@@ -29,7 +31,8 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<std::array<glm::vec2, 3>> texcoords_;
     double area_ = 0;
-    glm::vec3 centre_{0};  // of a sphere that all of it is in
+    std::vector<std::uint32_t> guide_;  // of parts of u, in equal steps: the last triangle before each
+    glm::vec3 centre_{0};               // of a sphere that all of it is in
     float radius_ = 0;
 };
 
