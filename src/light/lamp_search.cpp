@@ -27,7 +27,7 @@ constexpr double kMostRadius = 0.5;
 constexpr double kHeldOrder = 9;
 constexpr double kLastOrder = 32;
 // Of lamps that are not worth their time: RMS of what all have between these orders, over the mean of the
-// light. A point has this with 3 % of the light.
+// light. A point has this with 6 % of the light.
 constexpr double kOmitted = 2;
 // Lamps this near to each other (radians) are one.
 constexpr double kReach = 0.05;

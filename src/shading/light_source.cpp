@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "light/environment.hpp"
 #include "material/reflectance.hpp"
 #include "shading/directional_source.hpp"
+#include "shading/globe_source.hpp"
 #include "shading/point_source.hpp"
+#include "shading/surface_source.hpp"
 
 namespace nicol {
 
@@ -17,10 +20,22 @@ LightSourcePtr light_source(const SmallLight& light, const glm::dmat4& to_axes) 
     return std::make_unique<const PointSource>(light, axes);
 }
 
+LightSourcePtr light_source(const ShiningSurface& surface) {
+    if (surface.emission.texture == nullptr && !surface.emission.two_sided) {
+        if (const std::optional<Globe> globe = globe_of(surface.triangles))
+            return std::make_unique<const GlobeSource>(*globe, surface.emission, surface.axis);
+    }
+    auto source = std::make_unique<const SurfaceSource>(surface);
+    if (!(source->area() > 0)) return nullptr;
+    return source;
+}
+
 SourceColor::SourceColor(const std::vector<double>& value, int channels, const PolarizationState& state)
     : components_(state.circular()    ? 4
                   : state.polarized() ? 3
                                       : 1) {
+    constexpr double least = 1e-8;  // so that the quotient is a float
+    largest_factor_ = static_cast<float>(kBrightestLight / std::max(std::ranges::max(value), least));
     for (int c = 0; c < channels; ++c) {
         const Stokes stokes = of_channel(value, c) * state.stokes();
         std::array<float, 4>& out = stokes_.emplace_back();
@@ -35,7 +50,8 @@ void SourceColor::put(std::span<const Lanes> factors, LaneLight& out) const {
     for (std::size_t c = 0; c < stokes_.size(); ++c) {
         const Lanes& factor = factors[std::min(c, factors.size() - 1)];
         for (std::size_t p = 0; p < components_; ++p)
-            for (std::size_t i = 0; i < kLanes; ++i) out.irradiance[c][p][i] = stokes_[c][p] * factor[i];
+            for (std::size_t i = 0; i < kLanes; ++i)
+                out.irradiance[c][p][i] = stokes_[c][p] * std::min(factor[i], largest_factor_);
     }
 }
 

@@ -45,7 +45,7 @@ struct ShiningSurface {
     std::vector<std::array<glm::vec3, 3>> triangles;
     std::vector<std::array<glm::vec2, 3>> texcoords;  ///< where its emission has a texture
 };
-/// Null where it has no area. Its places are uniform over its area.
+/// Null where it has no area. Its places are uniform over its area, of a sphere over what is seen of it.
 [[nodiscard]] LightSourcePtr light_source(const ShiningSurface& surface);
 
 /// Stokes vectors of one colour and one polarization, each lane times a factor.
@@ -53,13 +53,15 @@ class SourceColor {
 public:
     SourceColor(const std::vector<double>& value, int channels, const PolarizationState& state);
 
-    /// Sets irradiance and components; `factors`: of each channel of three, or one of all.
+    /// Sets irradiance and components; `factors`: of each channel of three, or one of all. The irradiance is
+    /// at most kBrightestLight, as that of a light that a point touches would be infinite.
     void put(std::span<const Lanes> factors, LaneLight& out) const;
     [[nodiscard]] bool polarized() const noexcept { return components_ > 1; }
 
 private:
     std::vector<std::array<float, 4>> stokes_;  // by channel
     std::size_t components_;
+    float largest_factor_;
 };
 
 /// Sets the x axes of light that is polarized along `axis`, from its directions.

@@ -33,7 +33,7 @@ template <class Number>
     return out;
 }
 
-struct Points {
+struct LitFrames {
     LaneVectors& tangent;
     LaneVectors& bitangent;
     const LaneVectors& normal;
@@ -44,7 +44,7 @@ struct Points {
 
 template <class Number>
 [[gnu::always_inline]] inline void find_frames(const CameraAxes& camera, const LanePoints& positions,
-                                               const Points& points) {
+                                               const LitFrames& points) {
     // Double precision, as the difference of two positions loses digits.
     LaneVectors towards;
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -192,7 +192,7 @@ void ReflectedLight::set(const Viewpoint& view, std::span<const glm::vec3> posit
     }
     dispatch<find_frames<FourLanes>, find_frames<EightLanes>, find_frames<AllLanes>>(
         view.axes(), lane_points(positions),
-        Points{tangent_, bitangent_, normal_, towards_viewer_, frame_cosine_, frame_sine_});
+        LitFrames{tangent_, bitangent_, normal_, towards_viewer_, frame_cosine_, frame_sine_});
 }
 
 std::uint32_t ReflectedLight::lit(const LaneLight& light) const {

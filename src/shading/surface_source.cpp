@@ -83,7 +83,7 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
         out.towards.y[i] = scale * y;
         out.towards.z[i] = scale * z;
         // Radiance times the solid angle that the place stands for: area cos / distance^2.
-        factors[0][i] = static_cast<float>(area_) * across * scale * scale * scale;
+        factors[0][i] = static_cast<float>(area_) * scale * scale * (across * scale);
         if (shines) out.points |= 1U << i;
         if (emission_.texture == nullptr) continue;
         const std::array<glm::vec2, 3>& texcoords = texcoords_[index];
@@ -103,12 +103,6 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
     }
     color_.put(std::span(factors).first(colors), out);
     if (color_.polarized()) put_axes(axis_, out);
-}
-
-LightSourcePtr light_source(const ShiningSurface& surface) {
-    auto source = std::make_unique<const SurfaceSource>(surface);
-    if (!(source->area() > 0)) return nullptr;
-    return source;
 }
 
 }  // namespace nicol

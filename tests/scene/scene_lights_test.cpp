@@ -84,7 +84,7 @@ TEST_CASE("lights that do not fit the scene, or are not there, are refused by na
     CHECK(scene.lights().size() == 1);
 }
 
-TEST_CASE("every change of a light is a new version of the small lights alone") {
+TEST_CASE("every change of a light, or of what shines, is a new version of those alone") {
     Scene scene;
     const std::uint32_t id = scene.add(square());
     const std::uint32_t light = scene.add_light({});
@@ -97,17 +97,18 @@ TEST_CASE("every change of a light is a new version of the small lights alone") 
         CALL(scene.remove_light(light)),
     };
     for (const auto& change : changes) {
-        const Version lights = scene.small_light_version();
+        const std::pair lights(scene.small_light_version(), scene.emission_version());
         const Version others[] = {scene.geometry_version(), scene.material_version(), scene.light_version()};
         change();
-        CHECK(scene.small_light_version() != lights);
+        const bool of_lights = scene.small_light_version() != lights.first;
+        CHECK(of_lights != (scene.emission_version() != lights.second));
         CHECK(scene.geometry_version() == others[0]);
         CHECK(scene.material_version() == others[1]);
         CHECK(scene.light_version() == others[2]);
     }
     const EmissionPtr same = emission({1});
     scene.set_emission(id, same);
-    const Version lights = scene.small_light_version();
+    const Version shining = scene.emission_version();
     scene.set_emission(id, same);
-    CHECK(scene.small_light_version() == lights);
+    CHECK(scene.emission_version() == shining);
 }

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <set>
 
+#include "geometry/mesh.hpp"
+#include "light/environment.hpp"
 #include "shading/light_places.hpp"
 #include "test.hpp"
 
@@ -143,6 +145,41 @@ TEST_CASE("surfaces that shine are Lambert's polygons") {
     CHECK(light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = {{a, a, b}}}) == nullptr);
 }
 
+TEST_CASE("spheres that shine shed the light of the cone that they fill, by few places") {
+    const Mesh ball = make_sphere({1, 2, 5}, 0.5);
+    Triangles triangles, inwards, half;
+    for (const glm::uvec3& t : ball.triangles) {
+        const glm::vec3 a = ball.positions[t.x], b = ball.positions[t.y], c = ball.positions[t.z];
+        triangles.push_back({a, b, c});
+        inwards.push_back({a, c, b});
+        if (a.z < 5) half.push_back({a, b, c});
+    }
+    const Emission emission{.radiance = {2}, .state = {.dolp = 0.5}};
+    const auto at = [&](const Triangles& of, std::uint32_t samples) {
+        const LightSourcePtr source =
+            light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = of});
+        return irradiance(*source, {0, 0, 0}, glm::normalize(glm::dvec3(1, 2, 5)), samples);
+    };
+    const double expected = 2 * kPi * 0.25 / 30;  // pi L (r / d)^2
+    CHECK(at(triangles, 4)[0] == doctest::Approx(expected).epsilon(3e-3));
+    CHECK(at(triangles, 4)[1] == doctest::Approx(0.5 * expected).epsilon(3e-3));
+    CHECK(at(inwards, 4096)[0] > 0);  // of its far side
+    CHECK(at(inwards, 4096)[0] == doctest::Approx(expected).epsilon(0.02));
+    CHECK(at(half, 4096)[0] == doctest::Approx(expected).epsilon(0.05));
+
+    const LightSourcePtr source =
+        light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = triangles});
+    LaneLight light;
+    Lanes middle;
+    middle.value.fill(0.4F);
+    source->sample(lanes({0, 0, 0}), middle, middle, light);
+    const glm::dvec3 place =
+        double{light.distance[0]} * glm::dvec3(light.towards.x[0], light.towards.y[0], light.towards.z[0]);
+    CHECK(glm::distance(place, glm::dvec3(1, 2, 5)) == doctest::Approx(0.5).epsilon(1e-2));
+    source->sample(lanes({1, 2, 5.1F}), middle, middle, light);
+    CHECK(light.points == 0);  // inside
+}
+
 TEST_CASE("frames of polarized light have the axis across the light") {
     const SmallLight lamp{.value = {1}, .state = {.dolp = 1, .axis = {1, 2, 0.5}}};
     const LightSourcePtr source = light_source(lamp, glm::dmat4(1));
@@ -152,5 +189,29 @@ TEST_CASE("frames of polarized light have the axis across the light") {
         const Frame expected = polarization_frame(lamp.state.axis, glm::normalize(glm::dvec3(at)));
         const glm::dvec3 x(light.x.x[5], light.x.y[5], light.x.z[5]);
         CHECK(glm::length(x - expected[0]) < 1e-5);
+    }
+}
+
+TEST_CASE("however bright and near a light is, what reaches a point is finite") {
+    const Emission bright{.radiance = {kBrightestLight}};
+    const Triangles small{{glm::vec3(0), glm::vec3(1e-20F, 0, 0), glm::vec3(0, 1e-20F, 0)}};
+    const Triangles large{{glm::vec3(0), glm::vec3(1e15F, 0, 0), glm::vec3(0, 1e15F, 0)}};
+    std::vector<LightSourcePtr> sources;
+    for (const double value : {1e-20, 1.0, kBrightestLight})
+        sources.push_back(light_source(SmallLight{.value = {value, 0}}, glm::dmat4(1)));
+    for (const Triangles& triangles : {small, large})
+        sources.push_back(light_source({.emission = bright, .axis = {1, 0, 0}, .triangles = triangles}));
+    for (const LightSourcePtr& source : sources) {
+        for (const float distance : {0.0F, 1e-30F, 1e-15F, 1.0F, 1e15F}) {
+            CAPTURE(distance);
+            LaneLight light;
+            Lanes middle;
+            middle.value.fill(0.25F);
+            source->sample(lanes({0, 0, distance}), middle, middle, light);
+            const float got = light.irradiance[0][0][2];
+            CHECK(std::isfinite(got));
+            CHECK(got >= 0);
+            CHECK(got <= 1.001F * static_cast<float>(kBrightestLight));
+        }
     }
 }

@@ -428,8 +428,8 @@ class Polarization(Struct):
       |/     x  is the part of axis across z (of an axis along z, the direction of growing angle from the lamp's own +z)
       +---x  y  = z cross x; the AoLP counts from x to y, counter-clockwise
 
-    A polarizer before the lamp is dolp 1 with its transmission axis as `axis`; a quarter-wave plate behind it, docp 1
-    or -1."""
+    A sheet polarizer that absorbs along `axis`, across which the lamp shines, is dolp 1 and aolp pi / 2, seen from
+    anywhere; a quarter-wave plate behind it docp 1 or -1."""
     _fields_ = [
         ("dolp", c_double),
         ("aolp", c_double),

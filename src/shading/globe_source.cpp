@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "shading/globe_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "simd/lane_angle.hpp"
+
+namespace nicol {
+
+std::optional<Globe> globe_of(const std::vector<std::array<glm::vec3, 3>>& triangles) {
+    constexpr double pi = std::numbers::pi;
+    double area = 0;
+    glm::dvec3 centre(0);
+    for (const std::array<glm::vec3, 3>& t : triangles) {
+        const glm::dvec3 a(t[0]), b(t[1]), c(t[2]);
+        const double own = glm::length(glm::cross(b - a, c - a)) / 2;
+        area += own;
+        centre += own / 3 * (a + b + c);
+    }
+    if (!(area > 0)) return std::nullopt;
+    centre /= area;
+    const double radius = std::sqrt(area / (4 * pi));
+    // A sphere of 12 by 24 parts has 2 % less area.
+    constexpr double tolerance = 0.03;
+    double cones = 0;  // volume, by cones over the triangles
+    for (const std::array<glm::vec3, 3>& t : triangles) {
+        const glm::dvec3 a = glm::dvec3(t[0]) - centre, b = glm::dvec3(t[1]) - centre,
+                         c = glm::dvec3(t[2]) - centre;
+        for (const glm::dvec3& corner : {a, b, c})
+            if (!(std::abs(glm::length(corner) - radius) <= tolerance * radius)) return std::nullopt;
+        cones += glm::dot(a, glm::cross(b, c)) / 6;
+    }
+    // Closed, once around, and outwards: or the volume is another.
+    const double volume = 4 * pi / 3 * radius * radius * radius;
+    if (!(std::abs(cones - volume) <= 2 * tolerance * volume)) return std::nullopt;
+    return Globe{.centre = centre, .radius = radius};
+}
+
+GlobeSource::GlobeSource(const Globe& globe, const Emission& emission, const glm::dvec3& axis)
+    : color_(emission.radiance, emission.channels(), emission.state),
+      axis_(glm::normalize(axis)),
+      centre_(globe.centre),
+      radius_(static_cast<float>(globe.radius)) {}
+
+float GlobeSource::angular_radius(const glm::vec3& from) const noexcept {
+    const float distance = glm::distance(from, centre_);
+    return distance > radius_ ? std::asin(radius_ / distance) : std::numbers::pi_v<float> / 2;
+}
+
+void GlobeSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
+    Lanes solid_angle;
+    out.points = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const glm::vec3 way = centre_ - glm::vec3(points.x[i], points.y[i], points.z[i]);
+        const float to_centre = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+        const bool outside = to_centre > radius_;
+        if (outside) out.points |= 1U << i;
+        const float ratio = outside ? radius_ / to_centre : 1;
+        const float widest =
+            ratio * ratio / (1 + std::sqrt(std::max(0.0F, 1 - ratio * ratio)));  // 1 - cosine
+        const float fall = u[i] * widest;
+        const float sine = std::sqrt(fall * (2 - fall));
+        float x = 0, y = 0;
+        turn(v[i], x, y);
+
+        // A frame about the way to the centre (Duff et al. 2017).
+        const glm::vec3 z = outside ? way / to_centre : glm::vec3(0, 0, 1);
+        const float sign = std::copysign(1.0F, z.z);
+        const float a = -1 / (sign + z.z);
+        const float b = z.x * z.y * a;
+        const glm::vec3 right(1 + sign * z.x * z.x * a, sign * b, -sign * z.x);
+        const glm::vec3 up(b, sign + z.y * z.y * a, -z.y);
+        const glm::vec3 towards = (1 - fall) * z + sine * x * right + sine * y * up;
+        out.towards.x[i] = towards.x;
+        out.towards.y[i] = towards.y;
+        out.towards.z[i] = towards.z;
+        const float beside = to_centre * sine;
+        out.distance[i] =
+            to_centre * (1 - fall) - std::sqrt(std::max(0.0F, radius_ * radius_ - beside * beside));
+        solid_angle[i] = 2 * std::numbers::pi_v<float> * widest;
+    }
+    color_.put({&solid_angle, 1}, out);
+    if (color_.polarized()) put_axes(axis_, out);
+}
+
+}  // namespace nicol
