@@ -5,6 +5,7 @@
 
 #include "files/suffix.hpp"
 #include "scene/plugin.hpp"
+#include "scene/polarizing_plate.hpp"
 #include "scene/readers.hpp"
 #include "scene/values.hpp"
 
@@ -152,7 +153,10 @@ void read_measured(const XmlDocument& document, Plugin& plugin, MaterialDescript
 }
 
 /// Why a plug-in of Mitsuba is not there.
-std::string reason(const std::string& type) {
+std::string reason(pugi::xml_node node) {
+    const std::string type = node.attribute("type").value();
+    if (is_plate_material(node))
+        return "it belongs into a <shape> of type rectangle or disk, before a lamp, in no group";
     if (type.find("dielectric") != std::string::npos) return "nothing passes through a surface";
     if (type == "plastic" || type == "roughplastic") return "its polarized form is pplastic";
     return "";
@@ -185,7 +189,7 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
             plugin.fail_type(
                 "pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided, "
                 "normalmap, bumpmap, mask, blendbsdf",
-                reason(plugin.type()));
+                reason(node));
         }
         plugin.finish();
         static_cast<void>(plugin.objects({}));

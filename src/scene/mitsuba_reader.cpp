@@ -3,6 +3,7 @@
 #include <map>
 
 #include "scene/plugin.hpp"
+#include "scene/polarizing_plate.hpp"
 #include "scene/readers.hpp"
 
 namespace nicol {
@@ -12,13 +13,15 @@ namespace {
 /// One scene. Materials are numbered in the order in which its shapes use them.
 class Reader {
 public:
-    explicit Reader(const XmlDocument& document) : document_(document), notices_(document) {}
+    explicit Reader(const XmlDocument& document)
+        : document_(document), notices_(document), plates_(document) {}
 
     SceneDescription run() {
         for (const pugi::xml_node node : document_.elements(document_.root())) read(node);
         if (!sensor_)
             document_.fail(document_.root(), "no <sensor>; expected one of type perspective or orthographic");
         if (scene_.shapes.empty()) document_.fail(document_.root(), "no <shape>; expected at least one");
+        plates_.put_before_lamps(scene_.shapes);
         scene_.files = document_.files();
         scene_.notices = notices_.take();
         return std::move(scene_);
@@ -45,7 +48,10 @@ private:
             read_emitter(document_, object, notices_, scene_);
         } else if (name == "bsdf") {
             // Checked here, listed where a shape uses it.
-            static_cast<void>(read_material(document_, node));
+            if (is_plate_material(node))
+                static_cast<void>(read_plate_material(document_, node));
+            else
+                static_cast<void>(read_material(document_, node));
         } else if (name == "texture") {
             static_cast<void>(read_texture(document_, node));
         } else if (name == "shape") {
@@ -61,12 +67,25 @@ private:
         else if (type == "instance")
             instance(place, node);
         else
-            add(place, single(node));
+            single(place, node);
     }
 
-    ShapeDescription single(pugi::xml_node node) {
+    void single(pugi::xml_node place, pugi::xml_node node) {
         pugi::xml_node bsdf;
         ShapeDescription description = read_shape(document_, node, notices_, bsdf);
+        if (PolarizingPlates::are(description, bsdf))
+            plates_.add(place, description, bsdf);
+        else
+            add(place, with_material(std::move(description), bsdf));
+    }
+
+    ShapeDescription member(pugi::xml_node node) {
+        pugi::xml_node bsdf;
+        ShapeDescription description = read_shape(document_, node, notices_, bsdf);
+        return with_material(std::move(description), bsdf);
+    }
+
+    ShapeDescription with_material(ShapeDescription description, pugi::xml_node bsdf) {
         description.material = !bsdf && description.emission ? black() : material(bsdf);
         return description;
     }
@@ -74,8 +93,8 @@ private:
     const std::vector<ShapeDescription>& group(pugi::xml_node node) {
         const auto [entry, is_new] = groups_.try_emplace(node);
         if (is_new)
-            for (const pugi::xml_node member : read_group(document_, node))
-                entry->second.push_back(single(member));
+            for (const pugi::xml_node of_group : read_group(document_, node))
+                entry->second.push_back(member(of_group));
         return entry->second;
     }
 
@@ -113,6 +132,7 @@ private:
 
     const XmlDocument& document_;
     Notices notices_;
+    PolarizingPlates plates_;
     SceneDescription scene_;
     bool sensor_ = false;
     bool integrator_ = false;

@@ -97,6 +97,7 @@ struct MaterialDescription {
 /// What a surface emits, see Emission.
 struct EmissionDescription {
     TexturedColor radiance{1.0};
+    double scale = 1.0;  ///< times radiance
     bool two_sided = false;
     PolarizationState state;
 };
@@ -174,7 +175,9 @@ using SceneParameters = std::map<std::string, std::string>;
 /// are ours: shapes off and stl, bsdf psh, emitters psh and sky, and of the others but envmap and constant
 /// how their light is polarized (dolp, aolp in degrees, docp, polarization_axis), the angular_radius of
 /// directional and two_sided of area. A light given by its position or direction has its polarization_axis in
-/// the world's axes, one with to_world in its own. A shape that shines and has no bsdf is black, another
+/// the world's axes, one with to_world in its own. Rectangles and disks of a bsdf polarizer, retarder or
+/// circular become the Stokes state of the lamps that they stand directly before, see PolarizingPlates, as at
+/// normal incidence; elsewhere they are refused. A shape that shines and has no bsdf is black, another
 /// without one is grey. An instance becomes a shape for each member of its group. Integrator, sampler and
 /// reconstruction filter are not followed, which one notice says. <rgb> takes one value, three, or #rrggbb,
 /// which is linear n / 255. Filenames are not opened, but looked for: in the folders of <path>, the newest

@@ -30,6 +30,7 @@ EmissionPtr make_emission(const EmissionDescription& d, const SceneChannels& cha
                           SceneTextures& textures) {
     Emission emission;
     emission.radiance = d.radiance.texture ? std::vector<double>{1} : radiance(d.radiance, channels);
+    for (double& value : emission.radiance) value *= d.scale;
     if (d.radiance.texture) emission.texture = textures.color(*d.radiance.texture);
     emission.two_sided = d.two_sided;
     emission.state = d.state;

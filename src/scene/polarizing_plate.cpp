@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "scene/polarizing_plate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <numbers>
+#include <string_view>
+
+#include "scene/plugin.hpp"
+
+namespace nicol::scene {
+namespace {
+
+// Every lamp is compared with every plate.
+constexpr std::size_t kMostPlates = 1000;
+using std::numbers::pi;
+
+std::string_view type_of(pugi::xml_node node) {
+    return node.attribute("type").value();
+}
+
+Mueller linear_polarizer() {
+    return Mueller({0.5, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+}
+
+/// Of the fast axis x; delta in radians.
+Mueller linear_retarder(double delta) {
+    const double c = std::cos(delta);
+    const double s = std::sin(delta);
+    return Mueller({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, c, s, 0, 0, -s, c});
+}
+
+Mueller circular_polarizer(bool left_handed) {
+    const double s3 = left_handed ? -0.5 : 0.5;
+    return Mueller({0.5, 0, 0, s3, 0, 0, 0, 0, 0, 0, 0, 0, s3, 0, 0, 0.5});
+}
+
+/// Of light that a plate lets through; the same for all colours.
+double transmittance(Plugin& plugin) {
+    const ColorDescription color = plugin.color("transmittance", 1.0, 1.0);
+    if (!color.spectrum.empty() || color.rgb != glm::dvec3(color.rgb.x))
+        plugin.fail("transmittance", "is coloured; expected one value", ErrorCode::unsupported);
+    return color.rgb.x;
+}
+
+/// A rectangle or a disk in the world.
+class FlatShape {
+public:
+    explicit FlatShape(const ShapeDescription& shape)
+        : round_(shape.kind == ShapeDescription::Kind::disk), center_(shape.to_world[3]) {
+        const glm::dmat3 axes(shape.to_world);
+        u_ = axes[0];
+        v_ = axes[1];
+        normal_ = glm::normalize(glm::transpose(glm::inverse(axes))[2]) * (shape.flip_normals ? -1.0 : 1.0);
+        to_local_ = glm::inverse(glm::dmat3(u_, v_, normal_));
+    }
+
+    [[nodiscard]] const glm::dvec3& normal() const { return normal_; }
+    /// x = the image of the shape's x, z = normal.
+    [[nodiscard]] Frame frame() const { return frame_with_x(normal_, u_); }
+
+    /// How far a plate stands before this lamp; 0 or less if it does not.
+    [[nodiscard]] double distance_to(const FlatShape& plate) const {
+        constexpr double nearer_than = 0.1;
+        const double most_parallel = std::cos(glm::radians(0.1));
+        const double distance = glm::dot(plate.center_ - center_, normal_);
+        const bool before = distance > 0 &&
+                            distance < nearer_than * std::min(glm::length(u_), glm::length(v_)) &&
+                            std::abs(glm::dot(normal_, plate.normal_)) >= most_parallel && lies_on(plate);
+        return before ? distance : 0;
+    }
+
+private:
+    /// Of the outline, moved along the plate's normal: both are convex.
+    [[nodiscard]] bool lies_on(const FlatShape& plate) const {
+        const int points = round_ ? 64 : 4;
+        const double radius = round_ ? 1 : std::sqrt(2.0);
+        for (int i = 0; i < points; ++i) {
+            const double angle = 2 * pi * (i + 0.5) / points;
+            if (!plate.holds(center_ + radius * (std::cos(angle) * u_ + std::sin(angle) * v_))) return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool holds(const glm::dvec3& point) const {
+        constexpr double rounding = 1e-6;
+        const glm::dvec3 p = glm::abs(to_local_ * (point - center_));
+        return (round_ ? std::hypot(p.x, p.y) : std::max(p.x, p.y)) <= 1 + rounding;
+    }
+
+    bool round_;
+    glm::dvec3 center_, u_, v_, normal_;
+    glm::dmat3 to_local_;
+};
+
+/// What `plate` makes of the light of a lamp, both in the lamp's frame.
+Stokes passed(const PlateMaterial& material, const FlatShape& plate, const Frame& lamp, const Stokes& light) {
+    const Frame frame = plate.frame();
+    const glm::dvec3 axis = std::cos(material.angle) * frame[0] + std::sin(material.angle) * frame[1];
+    const double angle = std::atan2(glm::dot(axis, lamp[1]), glm::dot(axis, lamp[0]));
+    return in_rotated_frames(material.mueller, -angle, -angle) * light;
+}
+
+/// The axis is that along which there is least light: that of a polarizer absorbs however light passes.
+PolarizationState state_of(const Stokes& light, const Frame& frame, const glm::dmat4& to_world) {
+    PolarizationState state;
+    if (light[0] <= 0) return state;
+    state.dolp = std::min(std::hypot(light[1], light[2]) / light[0], 1.0);
+    state.aolp = pi / 2;
+    state.docp = std::clamp(light[3] / light[0], -1.0, 1.0);
+    const double least = std::atan2(light[2], light[1]) / 2 + pi / 2;
+    state.axis = glm::normalize(glm::inverse(glm::dmat3(to_world)) *
+                                (std::cos(least) * frame[0] + std::sin(least) * frame[1]));
+    return state;
+}
+
+bool is_flat(const ShapeDescription& shape) {
+    return shape.kind == ShapeDescription::Kind::rectangle || shape.kind == ShapeDescription::Kind::disk;
+}
+
+}  // namespace
+
+bool is_plate_material(pugi::xml_node bsdf) {
+    const std::string_view type = type_of(bsdf);
+    return type == "polarizer" || type == "retarder" || type == "circular";
+}
+
+PlateMaterial read_plate_material(const XmlDocument& document, pugi::xml_node bsdf) {
+    Plugin plugin(document, bsdf);
+    PlateMaterial material;
+    if (plugin.type() == "polarizer") {
+        material.mueller = linear_polarizer();
+        // Mitsuba turns polarizers clockwise, and retarders counter-clockwise.
+        material.angle = -glm::radians(plugin.number("theta", 0.0));
+        if (!plugin.boolean("polarizing", true))
+            plugin.fail("polarizing", "is false; expected true", ErrorCode::unsupported);
+    } else if (plugin.type() == "retarder") {
+        material.angle = glm::radians(plugin.number("theta", 0.0));
+        material.mueller = linear_retarder(glm::radians(plugin.number("delta", 90.0)));
+    } else {
+        material.mueller = circular_polarizer(plugin.boolean("left_handed", false));
+    }
+    material.mueller *= transmittance(plugin);
+    plugin.finish();
+    static_cast<void>(plugin.objects({}));
+    return material;
+}
+
+bool PolarizingPlates::are(const ShapeDescription& shape, pugi::xml_node bsdf) {
+    return is_plate_material(bsdf) && is_flat(shape) && !shape.emission;
+}
+
+void PolarizingPlates::add(pugi::xml_node place, const ShapeDescription& shape, pugi::xml_node bsdf) {
+    if (plates_.size() == kMostPlates)
+        document_.fail(place, "more than " + std::to_string(kMostPlates) + " polarizing plates",
+                       ErrorCode::unsupported);
+    if (shape.kind == ShapeDescription::Kind::disk && type_of(bsdf) != "circular")
+        document_.fail(place,
+                       "a " + std::string(type_of(bsdf)) +
+                           " on a disk, whose x axis goes round with the angle; expected a rectangle",
+                       ErrorCode::unsupported);
+    plates_.push_back({place, shape, read_plate_material(document_, bsdf)});
+}
+
+void PolarizingPlates::put_before_lamps(std::vector<ShapeDescription>& shapes) const {
+    struct Before {
+        double distance;
+        std::size_t plate;
+    };
+    std::vector<FlatShape> plates;
+    for (const Plate& plate : plates_) plates.emplace_back(plate.shape);
+    std::vector<bool> used(plates.size(), false);
+    for (ShapeDescription& shape : shapes) {
+        if (plates.empty() || !is_flat(shape) || !shape.emission || shape.emission->two_sided) continue;
+        const FlatShape lamp(shape);
+        std::vector<Before> before;
+        for (std::size_t i = 0; i < plates.size(); ++i)
+            if (const double distance = lamp.distance_to(plates[i]); distance > 0)
+                before.push_back({distance, i});
+        if (before.empty()) continue;
+        std::ranges::sort(before, {}, &Before::distance);
+        const Frame frame = lamp.frame();
+        PolarizationState& state = shape.emission->state;
+        Stokes light = stokes_in(frame, state, glm::normalize(glm::dmat3(shape.to_world) * state.axis));
+        for (const auto& [distance, plate] : before) {
+            light = passed(plates_[plate].material, plates[plate], frame, light);
+            used[plate] = true;
+        }
+        shape.emission->scale *= light[0];
+        state = state_of(light, frame, shape.to_world);
+    }
+    for (std::size_t i = 0; i < plates.size(); ++i)
+        if (!used[i])
+            document_.fail(plates_[i].place,
+                           "a polarizing plate that stands before no lamp, which is not supported; expected "
+                           "a rectangle or disk with an emitter \"area\" (not two_sided) directly behind it: "
+                           "parallel within 0.1 degrees, facing the plate, nearer than a tenth of its "
+                           "smaller half side, and covered by the plate",
+                           ErrorCode::unsupported);
+}
+
+}  // namespace nicol::scene

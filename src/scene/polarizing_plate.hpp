@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Flat shapes of a <bsdf> that polarizes the light that passes: they become the Stokes state of a lamp.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <pugixml.hpp>
+#include <vector>
+
+#include "polarization/mueller.hpp"
+#include "scene/scene_description.hpp"
+#include "scene/xml_document.hpp"
+
+namespace nicol::scene {
+
+/// An ideal sheet at normal incidence, the same from both sides.
+struct PlateMaterial {
+    Mueller mueller;   ///< in a frame whose x is the sheet's axis: polarizers transmit along it
+    double angle = 0;  ///< of that axis, radians, from the plate's x to y, where y = normal cross x
+};
+
+/// True of a <bsdf> of type polarizer, retarder or circular; false of null.
+[[nodiscard]] bool is_plate_material(pugi::xml_node bsdf);
+
+/// Of a <bsdf> of which is_plate_material() is true. Throws as read_mitsuba_scene does.
+[[nodiscard]] PlateMaterial read_plate_material(const XmlDocument& document, pugi::xml_node bsdf);
+
+/// The plates of one scene. A plate stands before a lamp, a rectangle or disk that shines from one side, if
+/// it is parallel to it within 0.1 degrees, on the side that shines, nearer than a tenth of the smaller half
+/// side, and all of the lamp, moved along its normal, lies on the plate.
+class PolarizingPlates {
+public:
+    explicit PolarizingPlates(const XmlDocument& document) : document_(document) {}
+
+    /// True of a rectangle or disk that does not shine, of a plate's material.
+    [[nodiscard]] static bool are(const ShapeDescription& shape, pugi::xml_node bsdf);
+
+    /// `place` is for messages. Throws as read_mitsuba_scene does; also of a polarizer or a retarder on a
+    /// disk, whose axis would go round with the angle.
+    void add(pugi::xml_node place, const ShapeDescription& shape, pugi::xml_node bsdf);
+
+    /// Gives the lamps among the shapes the state and the brightness of their light behind the plates before
+    /// them, nearest first. Throws Error(unsupported) about a plate that stands before none.
+    void put_before_lamps(std::vector<ShapeDescription>& shapes) const;
+
+private:
+    struct Plate {
+        pugi::xml_node place;
+        ShapeDescription shape;
+        PlateMaterial material;
+    };
+    const XmlDocument& document_;
+    std::vector<Plate> plates_;
+};
+
+}  // namespace nicol::scene
