@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
+#include <string>
 #include <string_view>
 
 #include "scene/plugin.hpp"

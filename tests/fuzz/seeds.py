@@ -211,6 +211,8 @@ LIGHTS = """<scene version="3.0.0"><sensor type="orthographic"/>
 <shape type="rectangle"><emitter type="area"><rgb name="radiance" value="1 2 300"/><boolean name="two_sided" value="true"/>
 <float name="aolp" value="45"/></emitter></shape>
 <shape type="disk"><emitter type="area"><texture name="radiance" type="checkerboard"/></emitter></shape>
+<shape type="rectangle"><bsdf type="polarizer"><float name="theta" value="30"/></bsdf><transform name="to_world"><translate z=".01"/></transform></shape>
+<shape type="rectangle"><bsdf type="retarder"><float name="delta" value="60"/></bsdf><transform name="to_world"><translate z=".02"/></transform></shape>
 <shape type="cylinder"><point name="p0" x="1"/><point name="p1" z="2"/><float name="radius" value=".5"/></shape></scene>
 """
 
