@@ -14,22 +14,23 @@ SurfaceSource::SurfaceSource(const ShiningSurface& surface)
       color_(emission_.radiance, emission_.channels(), emission_.state),
       axis_(glm::normalize(surface.axis)) {
     std::vector<double> areas;
+    std::vector<glm::dvec3> normals;  // squares of very small or large edges are no floats
     for (const std::array<glm::vec3, 3>& t : surface.triangles) {
-        const glm::dvec3 first = glm::dvec3(t[1]) - glm::dvec3(t[0]);
-        const glm::dvec3 second = glm::dvec3(t[2]) - glm::dvec3(t[0]);
-        areas.push_back(glm::length(glm::cross(first, second)) / 2);
+        const glm::dvec3 normal =
+            glm::cross(glm::dvec3(t[1]) - glm::dvec3(t[0]), glm::dvec3(t[2]) - glm::dvec3(t[0]));
+        const double length = glm::length(normal);
+        normals.push_back(normal / length);
+        areas.push_back(length / 2);
         area_ += areas.back();
     }
     double before = 0;
     for (std::size_t t = 0; t < areas.size(); ++t) {
         if (!(areas[t] > 0)) continue;
         const std::array<glm::vec3, 3>& corners = surface.triangles[t];
-        const glm::vec3 first = corners[1] - corners[0];
-        const glm::vec3 second = corners[2] - corners[0];
         triangles_.push_back({.corner = corners[0],
-                              .first = first,
-                              .second = second,
-                              .normal = glm::normalize(glm::cross(first, second)),
+                              .first = corners[1] - corners[0],
+                              .second = corners[2] - corners[0],
+                              .normal = glm::vec3(normals[t]),
                               .before = static_cast<float>(before / area_),
                               .scale = static_cast<float>(area_ / areas[t])});
         if (!surface.texcoords.empty()) texcoords_.push_back(surface.texcoords[t]);

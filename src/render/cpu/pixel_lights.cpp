@@ -13,10 +13,12 @@ namespace {
 
 glm::vec3 facet_of(const WorldGeometry& geometry, std::uint32_t triangle, const glm::vec3& otherwise) {
     const glm::uvec3& t = geometry.triangles[triangle];
-    const glm::vec3& corner = geometry.positions[t.x];
-    const glm::vec3 normal = glm::cross(geometry.positions[t.y] - corner, geometry.positions[t.z] - corner);
-    const float length = glm::length(normal);
-    return length > 0 ? normal / length : otherwise;
+    // In double precision, as squares of very small or large edges are no floats.
+    const glm::dvec3 corner(geometry.positions[t.x]);
+    const glm::dvec3 normal = glm::cross(glm::dvec3(geometry.positions[t.y]) - corner,
+                                         glm::dvec3(geometry.positions[t.z]) - corner);
+    const double length = glm::length(normal);
+    return length > 0 ? glm::vec3(normal / length) : otherwise;
 }
 
 bool turns_normals(const Material& material) {
