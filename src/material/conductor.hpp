@@ -35,9 +35,9 @@ inline constexpr std::array<double, 3> kRgbWavelengths{611.4, 549.1, 464.2};
 
 /// Index n - ik of a metal at wavelengths in nm, 400 to 800. Gold ("Au"), silver ("Ag") and copper ("Cu"):
 /// measured by Johnson and Christy, Phys. Rev. B 6, 4370 (1972), linear in the photon energy between their
-/// values. Aluminium ("Al"): the Lorentz-Drude model of Rakic et al., Appl. Opt. 37, 5271 (1998). Also
-/// accepted: the names in full (`aluminum` too), in lower case. Throws Error(invalid_argument) for other
-/// names and wavelengths.
+/// values. Aluminium ("Al"): the Lorentz-Drude model of Rakic et al., Appl. Opt. 37, 5271 (1998). Amorphous
+/// carbon ("a-C"): Palik, as Mitsuba has it. Also accepted: the names in full (`aluminum` too), in lower
+/// case. Throws Error(invalid_argument) for other names and wavelengths.
 [[nodiscard]] std::vector<std::complex<double>> metal_index(std::string_view metal,
                                                             const std::vector<double>& wavelengths = {
                                                                 kRgbWavelengths.begin(),

@@ -2,6 +2,8 @@
 // <bsdf>.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/exponential.hpp>
 
 #include "files/suffix.hpp"
 #include "scene/plugin.hpp"
@@ -45,10 +47,28 @@ struct Roughness {
     double alpha;
     TextureSpecificationPtr texture;
 
-    [[nodiscard]] bool same_as(const Roughness& o) const {
+    bool operator==(const Roughness& o) const {
         return texture && o.texture ? *texture == *o.texture : !texture && !o.texture && alpha == o.alpha;
     }
 };
+
+/// The geometric mean, which keeps the height of a highlight. None unless both are numbers, or textures
+/// that differ in nothing but two colours.
+std::optional<Roughness> mean(const Roughness& u, const Roughness& v) {
+    if (!u.texture && !v.texture) return Roughness{std::sqrt(u.alpha * v.alpha), nullptr};
+    if (!u.texture || !v.texture) return std::nullopt;
+    TextureSpecification texture = *u.texture;
+    texture.color0 = v.texture->color0;
+    texture.color1 = v.texture->color1;
+    if (texture != *v.texture) return std::nullopt;
+    const auto multiply = [](ColorDescription& color, const ColorDescription& other) {
+        color.rgb = glm::sqrt(color.rgb * other.rgb);
+        return color.spectrum.empty() && other.spectrum.empty();
+    };
+    if (!multiply(texture.color0, u.texture->color0) || !multiply(texture.color1, u.texture->color1))
+        return std::nullopt;
+    return Roughness{u.alpha, std::make_shared<const TextureSpecification>(std::move(texture))};
+}
 
 Roughness roughness(const XmlDocument& document, Plugin& plugin, const char* name, double otherwise) {
     // What the tables of a material resolve.
@@ -58,8 +78,9 @@ Roughness roughness(const XmlDocument& document, Plugin& plugin, const char* nam
     return {plugin.number(name, otherwise, least, most), nullptr};
 }
 
-/// Given once or alike for both directions; Mitsuba's parameters.
-Roughness roughness(const XmlDocument& document, Plugin& plugin, double otherwise) {
+/// Given once, or for both directions; Mitsuba's parameters.
+Roughness roughness(const XmlDocument& document, pugi::xml_node node, Plugin& plugin, Notices& notices,
+                    double otherwise) {
     Roughness alpha = roughness(document, plugin, "alpha", otherwise);
     if (!plugin.has("alpha_u") && !plugin.has("alpha_v")) {
         plugin.pass_over({"alpha_u", "alpha_v"});
@@ -69,30 +90,38 @@ Roughness roughness(const XmlDocument& document, Plugin& plugin, double otherwis
     if (!plugin.has("alpha_u") || !plugin.has("alpha_v"))
         plugin.fail(plugin.has("alpha_u") ? "alpha_u" : "alpha_v",
                     "is given alone; expected alpha, or both alpha_u and alpha_v");
-    alpha = roughness(document, plugin, "alpha_u", otherwise);
-    if (!alpha.same_as(roughness(document, plugin, "alpha_v", otherwise)))
-        plugin.fail("alpha_v", "differs from alpha_u; only isotropic materials are supported",
+    const Roughness u = roughness(document, plugin, "alpha_u", otherwise);
+    const Roughness v = roughness(document, plugin, "alpha_v", otherwise);
+    if (u == v) return u;
+    const std::optional<Roughness> both = mean(u, v);
+    if (!both)
+        plugin.fail("alpha_v",
+                    "differs from alpha_u by its texture; expected two numbers or two checkerboards alike: "
+                    "materials are isotropic, and take the mean of both",
                     ErrorCode::unsupported);
-    return alpha;
+    notices.add(node, "alpha_u and alpha_v differ: materials are isotropic, and take sqrt(alpha_u alpha_v)");
+    return *both;
 }
 
-void read_facets(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
+void read_facets(const XmlDocument& document, pugi::xml_node node, Plugin& plugin, Notices& notices,
+                 MaterialDescription& material) {
     material.distribution =
         static_cast<MaterialDescription::Distribution>(plugin.choice("distribution", 0, {"beckmann", "ggx"}));
-    const Roughness alpha = roughness(document, plugin, material.alpha);
+    const Roughness alpha = roughness(document, node, plugin, notices, material.alpha);
     material.alpha = alpha.alpha;
     material.alpha_texture = alpha.texture;
     plugin.pass_over({"sample_visible"});
 }
 
-void read_pplastic(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
+void read_pplastic(const XmlDocument& document, pugi::xml_node node, Plugin& plugin, Notices& notices,
+                   MaterialDescription& material) {
     material.kind = MaterialDescription::Kind::pplastic;
     material.diffuse_reflectance = read_color(document, plugin, "diffuse_reflectance", 0.5, 1.0);
     material.specular_reflectance = read_color(document, plugin, "specular_reflectance", 1.0, 1.0);
     material.int_ior = refractive_index(plugin, "int_ior", material.int_ior);
     material.ext_ior = refractive_index(plugin, "ext_ior", material.ext_ior);
     if (material.int_ior == material.ext_ior) plugin.fail("int_ior", "equals ext_ior; they must differ");
-    read_facets(document, plugin, material);
+    read_facets(document, node, plugin, notices, material);
 }
 
 struct NamedMetal {
@@ -101,7 +130,7 @@ struct NamedMetal {
 };
 
 // Mitsuba's names, and the words.
-constexpr std::array<NamedMetal, 10> kNamedMetals = {{{"none", ""},
+constexpr std::array<NamedMetal, 11> kNamedMetals = {{{"none", ""},
                                                       {"au", "Au"},
                                                       {"gold", "Au"},
                                                       {"ag", "Ag"},
@@ -110,16 +139,18 @@ constexpr std::array<NamedMetal, 10> kNamedMetals = {{{"none", ""},
                                                       {"copper", "Cu"},
                                                       {"al", "Al"},
                                                       {"aluminium", "Al"},
-                                                      {"aluminum", "Al"}}};
+                                                      {"aluminum", "Al"},
+                                                      {"a-c", "a-C"}}};
 
-void read_conductor(const XmlDocument& document, Plugin& plugin, MaterialDescription& material) {
+void read_conductor(const XmlDocument& document, pugi::xml_node node, Plugin& plugin, Notices& notices,
+                    MaterialDescription& material) {
     const bool rough = plugin.type() == "roughconductor";
     material.kind = rough ? MaterialDescription::Kind::roughconductor : MaterialDescription::Kind::conductor;
     const std::string name = lower_case(plugin.string("material", "none"));
     const auto found = std::ranges::find(kNamedMetals, std::string_view(name), &NamedMetal::name);
     if (found == kNamedMetals.end())
-        plugin.fail("material",
-                    "is " + in_quotes(name) + "; expected one of Au, Ag, Cu, Al, none, or eta and k instead");
+        plugin.fail("material", "is " + in_quotes(name) +
+                                    "; expected one of Au, Ag, Cu, Al, a-C, none, or eta and k instead");
     material.metal = found->metal;
     material.eta = plugin.color("eta", material.eta, 100.0);
     material.k = plugin.color("k", material.k, 100.0);
@@ -131,7 +162,7 @@ void read_conductor(const XmlDocument& document, Plugin& plugin, MaterialDescrip
             if (material.eta.rgb[i] == 0.0 && material.k.rgb[i] == 0.0)
                 plugin.fail(plugin.has("k") ? "k" : "eta", "and the other part of the index are both 0");
     material.specular_reflectance = read_color(document, plugin, "specular_reflectance", 1.0, 1.0);
-    if (rough) read_facets(document, plugin, material);
+    if (rough) read_facets(document, node, plugin, notices, material);
 }
 
 /// Parameters of materials that are a table in a file.
@@ -164,22 +195,23 @@ std::string reason(pugi::xml_node node) {
 
 }  // namespace
 
-MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node, int& left) {
+MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node, Notices& notices,
+                                  int& left) {
     // This ends circles, and trees that a few <ref>s make large.
     if (left-- == 0)
         document.fail(node, "a bsdf made of more than " + std::to_string(kMostParts) +
                                 ", itself counted; does one refer to itself?");
     Plugin plugin(document, node);
     MaterialDescription material;
-    if (auto nested = read_nested_material(document, plugin, left)) {
+    if (auto nested = read_nested_material(document, plugin, notices, left)) {
         material = std::move(*nested);
     } else {
         if (plugin.type() == "pplastic") {
-            read_pplastic(document, plugin, material);
+            read_pplastic(document, node, plugin, notices, material);
         } else if (plugin.type() == "diffuse") {
             material.reflectance = read_color(document, plugin, "reflectance", 0.5, 1.0);
         } else if (plugin.type() == "conductor" || plugin.type() == "roughconductor") {
-            read_conductor(document, plugin, material);
+            read_conductor(document, node, plugin, notices, material);
         } else if (plugin.type() == "measured_polarized") {
             read_measured(document, plugin, material);
         } else if (plugin.type() == "psh") {
@@ -198,9 +230,9 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
     return material;
 }
 
-MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node) {
+MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node, Notices& notices) {
     int left = kMostParts;
-    return read_material(document, node, left);
+    return read_material(document, node, notices, left);
 }
 
 }  // namespace nicol::scene

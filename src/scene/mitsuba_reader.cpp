@@ -51,7 +51,7 @@ private:
             if (is_plate_material(node))
                 static_cast<void>(read_plate_material(document_, node));
             else
-                static_cast<void>(read_material(document_, node));
+                static_cast<void>(read_material(document_, node, notices_));
         } else if (name == "texture") {
             static_cast<void>(read_texture(document_, node));
         } else if (name == "shape") {
@@ -117,7 +117,9 @@ private:
     /// Of no bsdf, Mitsuba's for shapes that name none: grey and diffuse.
     std::size_t material(pugi::xml_node bsdf) {
         const auto [entry, is_new] = materials_.try_emplace(bsdf, scene_.materials.size());
-        if (is_new) scene_.materials.push_back(bsdf ? read_material(document_, bsdf) : MaterialDescription());
+        if (is_new)
+            scene_.materials.push_back(bsdf ? read_material(document_, bsdf, notices_)
+                                            : MaterialDescription());
         return entry->second;
     }
 

@@ -15,7 +15,7 @@ TextureSpecificationPtr fraction(const XmlDocument& document, Plugin& plugin, co
     return std::make_shared<const TextureSpecification>(std::move(constant));
 }
 
-MaterialDescription twosided(const XmlDocument& document, const Plugin& plugin, int& left) {
+MaterialDescription twosided(const XmlDocument& document, const Plugin& plugin, Notices& notices, int& left) {
     const std::vector<NestedObject> sides = plugin.objects({"bsdf"});
     if (sides.empty()) plugin.fail("", "has no bsdf inside; expected one");
     for (const NestedObject& side : sides) {
@@ -25,28 +25,29 @@ MaterialDescription twosided(const XmlDocument& document, const Plugin& plugin, 
             document.fail(side.place, "a second bsdf in a \"twosided\"; both sides must be the same",
                           ErrorCode::unsupported);
     }
-    MaterialDescription material = read_material(document, sides.front().node, left);
+    MaterialDescription material = read_material(document, sides.front().node, notices, left);
     material.twosided = true;
     return material;
 }
 
-void read_parts(const XmlDocument& document, const Plugin& plugin, std::size_t count, int& left,
-                MaterialDescription& material) {
+void read_parts(const XmlDocument& document, const Plugin& plugin, std::size_t count, Notices& notices,
+                int& left, MaterialDescription& material) {
     const std::vector<NestedObject> parts = plugin.objects({"bsdf"});
     if (parts.size() != count)
         plugin.fail(
             "", "has " + std::to_string(parts.size()) + " bsdfs inside; expected " + std::to_string(count));
-    for (const NestedObject& part : parts) material.parts.push_back(read_material(document, part.node, left));
+    for (const NestedObject& part : parts)
+        material.parts.push_back(read_material(document, part.node, notices, left));
 }
 
 }  // namespace
 
 std::optional<MaterialDescription> read_nested_material(const XmlDocument& document, Plugin& plugin,
-                                                        int& left) {
+                                                        Notices& notices, int& left) {
     MaterialDescription material;
     if (plugin.type() == "twosided") {
         plugin.finish();
-        return twosided(document, plugin, left);
+        return twosided(document, plugin, notices, left);
     }
     if (plugin.type() == "normalmap") {
         material.kind = MaterialDescription::Kind::normalmap;
@@ -66,7 +67,7 @@ std::optional<MaterialDescription> read_nested_material(const XmlDocument& docum
         return std::nullopt;
     }
     plugin.finish();
-    read_parts(document, plugin, material.kind == MaterialDescription::Kind::blendbsdf ? 2 : 1, left,
+    read_parts(document, plugin, material.kind == MaterialDescription::Kind::blendbsdf ? 2 : 1, notices, left,
                material);
     return material;
 }

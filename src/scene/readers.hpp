@@ -36,11 +36,14 @@ private:
 [[nodiscard]] SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node,
                                             Notices& notices);
 /// `left`: how many bsdfs it may still be made of, itself counted; the other form begins a tree of them.
-[[nodiscard]] MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node, int& left);
-[[nodiscard]] MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node);
+[[nodiscard]] MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node,
+                                                Notices& notices, int& left);
+[[nodiscard]] MaterialDescription read_material(const XmlDocument& document, pugi::xml_node node,
+                                                Notices& notices);
 /// One that is made of others; none if the plug-in is of another type. The id is left empty.
 [[nodiscard]] std::optional<MaterialDescription> read_nested_material(const XmlDocument& document,
-                                                                      Plugin& plugin, int& left);
+                                                                      Plugin& plugin, Notices& notices,
+                                                                      int& left);
 [[nodiscard]] TextureSpecificationPtr read_texture(const XmlDocument& document, pugi::xml_node node);
 /// Adds to the environment or the lights of the scene.
 void read_emitter(const XmlDocument& document, const NestedObject& object, Notices& notices,

@@ -75,7 +75,7 @@ struct MaterialDescription {
     TexturedColor specular_reflectance{1.0};  ///< pplastic, conductor, roughconductor
     double int_ior = 1.49;                    ///< pplastic, inside
     double ext_ior = 1.000277;                ///< pplastic, outside
-    std::string metal;          ///< conductor, roughconductor: Au, Ag, Cu or Al; empty: eta and k hold
+    std::string metal;          ///< conductor, roughconductor: Au, Ag, Cu, Al or a-C; empty: eta and k hold
     ColorDescription eta{0.0};  ///< conductor, roughconductor: real part of the index, 0 to 100
     ColorDescription k{1.0};    ///< conductor, roughconductor: imaginary part, 0 to 100
     double alpha = 0.1;         ///< pplastic, roughconductor: roughness, 0.001 to 1
@@ -178,8 +178,9 @@ using SceneParameters = std::map<std::string, std::string>;
 /// the world's axes, one with to_world in its own. Rectangles and disks of a bsdf polarizer, retarder or
 /// circular become the Stokes state of the lamps that they stand directly before, see PolarizingPlates, as at
 /// normal incidence; elsewhere they are refused. A shape that shines and has no bsdf is black, another
-/// without one is grey. An instance becomes a shape for each member of its group. Integrator, sampler and
-/// reconstruction filter are not followed, which one notice says. <rgb> takes one value, three, or #rrggbb,
+/// without one is grey. An instance becomes a shape for each member of its group. Integrators, sampler and
+/// reconstruction filter are not followed, which one notice says; a roughness that differs by direction
+/// becomes its geometric mean, with a notice. <rgb> takes one value, three, or #rrggbb,
 /// which is linear n / 255. Filenames are not opened, but looked for: in the folders of <path>, the newest
 /// first, in the folder of the file that holds them, then in those of the files that include it; where none
 /// has the file, the name is relative to the folder of the file. Throws Error: file_not_found (also of an

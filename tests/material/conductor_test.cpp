@@ -88,6 +88,8 @@ TEST_CASE("named metals have their colours and the published constants") {
     // Aluminium at 632.8 nm, by the model.
     CHECK(metal_index("Al", {632.8})[0].real() == Approx(1.34).epsilon(0.01));
     CHECK(metal_index("Al", {632.8})[0].imag() == Approx(-7.30).epsilon(0.01));
+    CHECK(metal_index("a-C", {1239.84198 / 2.0})[0].real() == Approx(2.43));
+    CHECK(metal_index("a-C", {1239.84198 / 1.9})[0].imag() == Approx(-0.725));
     CHECK_THROWS_AS(metal_index("Unobtainium"), Error);
     CHECK_THROWS_AS(metal_index("Au", {399}), Error);
     CHECK_THROWS_AS(metal_index("Al", {std::nan("")}), Error);

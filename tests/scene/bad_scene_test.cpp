@@ -91,8 +91,8 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
                  "pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided"});
     unsupported("<bsdf type='roughdielectric'/>", {"bsdf \"roughdielectric\"", "nothing passes"});
     unsupported("<bsdf type='roughplastic'/>", {"pplastic"});
-    unsupported("<integrator type='aov'/>", {"integrator \"aov\"", "stokes, direct, path"});
-    unsupported("<integrator type='stokes'><integrator type='volpath'/></integrator>", {"\"volpath\""});
+    unsupported("<integrator type='bdpt'/>", {"integrator \"bdpt\"", "stokes, moment, aov, direct"});
+    unsupported("<integrator type='stokes'><integrator type='ptracer'/></integrator>", {"\"ptracer\""});
     unsupported("<sensor type='thinlens'/>",
                 {"sensor \"thinlens\"", "in focus", "perspective, orthographic"});
     unsupported(sensor_with("<float name='fov' value='40'/><film type='specfilm'/>"),

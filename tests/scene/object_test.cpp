@@ -92,8 +92,9 @@ TEST_CASE("conductors: defaults, metals, an index in numbers, colours and tables
 
 TEST_CASE("conductors that are refused") {
     const std::string gold = "<string name='material' value='Au'/>";
-    invalid_bsdf("conductor", "<string name='material' value='Unobtainium'/>",
-                 {"bsdf \"conductor\": parameter \"material\" is \"unobtainium\"", "Au, Ag, Cu, Al, none"});
+    invalid_bsdf(
+        "conductor", "<string name='material' value='Unobtainium'/>",
+        {"bsdf \"conductor\": parameter \"material\" is \"unobtainium\"", "Au, Ag, Cu, Al, a-C, none"});
     invalid_bsdf("conductor", "<float name='eta' value='1'/>" + gold, {"\"eta\" is given beside material"});
     invalid_bsdf("conductor", "<float name='k' value='1'/>" + gold, {"\"k\" is given beside material"});
     invalid_bsdf("conductor", "<rgb name='k' value='1, 0, 1'/>", {"\"k\"", "both 0"});
@@ -109,10 +110,6 @@ TEST_CASE("conductors that are refused") {
                  "<float name='alpha' value='.1'/><float name='alpha_u' value='.1'/><float name='alpha_v' "
                  "value='.1'/>",
                  {"\"alpha\" is given beside"});
-    refused(
-        "<bsdf type='roughconductor'><float name='alpha_u' value='0.1'/>\n<float name='alpha_v' "
-        "value='0.2'/></bsdf>",
-        unsupported, 3, {"\"alpha_v\" differs", "isotropic"});
     refused("<bsdf type='conductor'>\n<spectrum name='eta' filename='Au.eta.spd'/></bsdf>", unsupported, 3,
             {"\"eta\" is the file \"Au.eta.spd\""});
 }
@@ -300,10 +297,68 @@ TEST_CASE("one notice for all that only steers Mitsuba's sampling") {
     REQUIRE(twice.notices.size() == 1);
     CHECK(twice.notices[0].ends_with("integrator \"stokes\", integrator \"direct\", sampling_weight."));
     refused("<integrator type='path'/>\n<integrator type='path'/>", invalid, 3, {"second integrator"});
-    refused("<integrator type='stokes' id='a'>\n<ref id='a'/></integrator>", invalid, 3,
-            {"\"stokes\" in another"});
+    refused("<integrator type='moment' id='a'>\n<ref id='a'/></integrator>", invalid, 2,
+            {"more than 16 integrators", "refer to itself"});
     refused("<integrator type='path'>\n<integrator type='direct'/></integrator>", unsupported, 3,
             {"<integrator> inside integrator \"path\""});
+}
+
+TEST_CASE("integrators that hold others") {
+    const auto notices = [](const std::string& integrator) {
+        return read(integrator + a_sensor + a_shape).notices;
+    };
+    const auto listed = notices(
+        "<default name='integrator' value='volpath'/><integrator type='moment'><integrator type='aov'>"
+        "<string name='aovs' value='dd.y:depth'/><integrator type='$integrator'/>"
+        "<integrator type='depth'/></integrator></integrator>");
+    REQUIRE(listed.size() == 1);
+    CHECK(
+        listed[0].ends_with("not followed: integrator \"moment\", integrator \"aov\", integrator \"volpath\" "
+                            "(light is reflected once), integrator \"depth\"."));
+    const std::string hide = "<boolean name='hide_emitters' value=";
+    CHECK(notices("<integrator type='path'>" + hide + "'false'/></integrator>").size() == 1);
+    const auto hidden = notices("<integrator type='moment'>\n<integrator type='path'>" + hide +
+                                "'true'/></integrator></integrator>");
+    REQUIRE(hidden.size() == 2);
+    CHECK(hidden[1].ends_with("xml:3: hide_emitters: the environment and surfaces that shine are seen."));
+}
+
+TEST_CASE("a roughness that differs by direction becomes its geometric mean, with one notice") {
+    const auto shape = [](const std::string& alpha) {
+        // Read where it stands and for both shapes.
+        return read(
+            "<bsdf type='normalmap' id='b'><texture name='n' type='rawconstant'><float name='value' "
+            "value='1'/></texture>\n<bsdf type='roughconductor'>" +
+            alpha + "</bsdf></bsdf>" + a_sensor + "<shape type='sphere'><ref id='b'/></shape>" +
+            "<shape type='cube'><ref id='b'/></shape>");
+    };
+    const SceneDescription numbers =
+        shape("<float name='alpha_u' value='0.25'/><float name='alpha_v' value='0.04'/>");
+    REQUIRE(numbers.notices.size() == 1);
+    CHECK(numbers.notices[0].find("xml:3: alpha_u and alpha_v differ") != std::string::npos);
+    CHECK(numbers.materials[0].parts[0].alpha == doctest::Approx(0.1));
+    const auto checkerboard = [](const std::string& name, const std::string& colors) {
+        return "<texture name='" + name +
+               "' type='checkerboard'><transform name='to_uv'><scale x='3' y='2'/>" + "</transform>" +
+               colors + "</texture>";
+    };
+    const SceneDescription textures = shape(
+        checkerboard("alpha_u", "<float name='color0' value='0.01'/><float name='color1' value='0.5'/>") +
+        checkerboard("alpha_v", "<float name='color0' value='0.25'/><float name='color1' value='0.5'/>"));
+    REQUIRE(textures.notices.size() == 1);
+    const TextureSpecificationPtr mean = textures.materials[0].parts[0].alpha_texture;
+    REQUIRE(mean);
+    CHECK(mean->kind == TextureSpecification::Kind::checkerboard);
+    CHECK(mean->color0.rgb.x == doctest::Approx(0.05));
+    CHECK(mean->color1.rgb.x == doctest::Approx(0.5));
+    CHECK(mean->sampling.to_uv[0][0] == doctest::Approx(3));
+    refused("<bsdf type='roughconductor'>" + checkerboard("alpha_u", "") +
+                "\n<texture name='alpha_v' type='checkerboard'/></bsdf>",
+            unsupported, 3, {"\"alpha_v\" differs", "isotropic"});
+    const std::string table = "<spectrum name='color0' value='400:0.1, 700:0.2'/>";
+    refused("<bsdf type='roughconductor'>" + checkerboard("alpha_u", "") + "\n" +
+                checkerboard("alpha_v", table) + "</bsdf>",
+            unsupported, 3, {"\"alpha_v\" differs"});
 }
 
 TEST_CASE("a lookat without up takes Mitsuba's") {
