@@ -45,7 +45,11 @@ private:
                 scene_.sensor = read_sensor(document_, node, notices_);
             sensor_ = true;
         } else if (name == "emitter") {
-            read_emitter(document_, object, notices_, scene_);
+            // An area with an id serves the shapes that refer to it.
+            if (node.attribute("type").value() == std::string_view("area") && node.attribute("id"))
+                static_cast<void>(read_emission(document_, node, notices_));
+            else
+                read_emitter(document_, object, notices_, scene_);
         } else if (name == "bsdf") {
             // Checked here, listed where a shape uses it.
             if (is_plate_material(node))

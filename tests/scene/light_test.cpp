@@ -210,6 +210,23 @@ TEST_CASE("a shape that shines is black where it names no bsdf") {
     CHECK(reflectance(3) == 0.5);
 }
 
+TEST_CASE("an area with an id serves the shapes that refer to it, before and after it") {
+    const std::string shape = "<shape type='rectangle'><ref id='glow'/></shape>";
+    const std::string glow =
+        "<emitter type='area' id='glow'><rgb name='radiance' value='3'/><float name='dolp' "
+        "value='1'/></emitter>";
+    const LoadedScene loaded = load(shape + glow + shape);
+    REQUIRE(loaded.scene.instances().size() == 2);
+    for (const Instance& instance : loaded.scene.instances()) {
+        REQUIRE(instance.emission);
+        CHECK(instance.emission->radiance.front() == 3);
+        CHECK(instance.emission->state.dolp == 1);
+    }
+    CHECK_FALSE(load(glow + "<shape type='cube'/>").scene.has_small_lights());
+    refused("<emitter type='area' id='glow'>\n<rgb name='radiance' value='-3'/></emitter>", invalid, 5,
+            {"radiance"});
+}
+
 TEST_CASE("each instance of a group shines as its member") {
     const LoadedScene loaded = load(
         "<shape type='shapegroup' id='g'><shape type='rectangle'><emitter type='area'>"
