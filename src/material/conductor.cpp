@@ -18,7 +18,7 @@ namespace nicol {
 namespace {
 
 template <class Number>
-[[gnu::always_inline]] inline void reflect_lanes(const LaneFacets& facets,
+[[gnu::always_inline]] inline void reflect_metal(const LaneFacets& facets,
                                                  const std::vector<std::complex<double>>& eta,
                                                  const LaneVectors& towards_light,
                                                  const LaneVectors& towards_viewer, std::size_t columns,
@@ -94,7 +94,7 @@ public:
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
                         std::size_t columns, std::span<LaneMueller> out) const override {
         const LaneFacets facets{p_.distribution, static_cast<float>(p_.alpha)};
-        dispatch<reflect_lanes<FourLanes>, reflect_lanes<EightLanes>, reflect_lanes<AllLanes>>(
+        dispatch<reflect_metal<FourLanes>, reflect_metal<EightLanes>, reflect_metal<AllLanes>>(
             facets, p_.eta, towards_light, towards_viewer, columns, out.data());
     }
 

@@ -27,9 +27,10 @@ struct LanePlastic {
 
 // Pplastic::base() and boundary().
 template <class Number>
-[[gnu::always_inline]] inline void reflect_lanes(const LanePlastic& plastic, const LaneVectors& towards_light,
-                                                 const LaneVectors& towards_viewer, std::size_t columns,
-                                                 LaneMueller* out) {
+[[gnu::always_inline]] inline void reflect_plastic(const LanePlastic& plastic,
+                                                   const LaneVectors& towards_light,
+                                                   const LaneVectors& towards_viewer, std::size_t columns,
+                                                   LaneMueller* out) {
     LaneMueller& base = out[0];
     base = {};
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
@@ -96,7 +97,7 @@ public:
     }
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
                         std::size_t columns, std::span<LaneMueller> out) const override {
-        dispatch<reflect_lanes<FourLanes>, reflect_lanes<EightLanes>, reflect_lanes<AllLanes>>(
+        dispatch<reflect_plastic<FourLanes>, reflect_plastic<EightLanes>, reflect_plastic<AllLanes>>(
             lanes_, towards_light, towards_viewer, columns, out.data());
     }
 

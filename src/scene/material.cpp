@@ -90,7 +90,7 @@ Roughness roughness(const XmlDocument& document, pugi::xml_node node, Plugin& pl
     if (!plugin.has("alpha_u") || !plugin.has("alpha_v"))
         plugin.fail(plugin.has("alpha_u") ? "alpha_u" : "alpha_v",
                     "is given alone; expected alpha, or both alpha_u and alpha_v");
-    const Roughness u = roughness(document, plugin, "alpha_u", otherwise);
+    Roughness u = roughness(document, plugin, "alpha_u", otherwise);
     const Roughness v = roughness(document, plugin, "alpha_v", otherwise);
     if (u == v) return u;
     const std::optional<Roughness> both = mean(u, v);

@@ -58,8 +58,8 @@ public:
     [[nodiscard]] std::uint64_t count() const { return count_; }
 
 private:
-    const RayScene& scene_;
     RayPacket packet_;
+    const RayScene& scene_;
     std::uint64_t count_ = 0;
 };
 
