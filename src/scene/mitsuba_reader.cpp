@@ -22,6 +22,8 @@ public:
             document_.fail(document_.root(), "no <sensor>; expected one of type perspective or orthographic");
         if (scene_.shapes.empty()) document_.fail(document_.root(), "no <shape>; expected at least one");
         plates_.put_before_lamps(scene_.shapes);
+        for (const pugi::xml_node node : document_.left_open())
+            notices_.add(node, "a $parameter that has no value, of a sampler, which is not followed");
         scene_.files = document_.files();
         scene_.notices = notices_.take();
         return std::move(scene_);

@@ -48,8 +48,7 @@ std::string Parameters::replaced(std::string_view text) {
                 (best == values_.end() || entry->first.size() > best->first.size()))
                 best = entry;
         if (best == values_.end())
-            throw std::invalid_argument("undefined parameter in " + in_quotes(text) + "; defined are " +
-                                        names());
+            throw std::out_of_range("undefined parameter in " + in_quotes(text) + "; defined are " + names());
         best->second.used = true;
         out.append(best->second.text);
         if (out.size() > kMaxLength)

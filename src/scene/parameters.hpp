@@ -18,8 +18,9 @@ public:
     /// A <default>; without effect where the name has a value already.
     void add_default(const std::string& name, const std::string& value);
     /// `text` with every $name replaced. As in Mitsuba the longest name that fits is meant, so that
-    /// "$folder/a.obj" works; \$ stands for a dollar. Throws std::invalid_argument: unknown name, or a result
-    /// longer than 64 KiB (defaults that double each other would fill the memory).
+    /// "$folder/a.obj" works; \$ stands for a dollar. Throws std::out_of_range: unknown name;
+    /// std::invalid_argument: a result longer than 64 KiB (defaults that double each other would fill the
+    /// memory).
     [[nodiscard]] std::string replaced(std::string_view text);
     /// Throws Error(invalid_argument) if an override was neither used nor declared by a <default>.
     void require_all_used(const std::string& file) const;

@@ -186,9 +186,9 @@ using SceneParameters = std::map<std::string, std::string>;
 /// has the file, the name is relative to the folder of the file. Throws Error: file_not_found (also of an
 /// <include>); unsupported (a plug-in, element or value outside the above; files of more than 16 MiB
 /// together, or more than 1000); invalid_file (XML that is not well-formed, unknown or missing parameters,
-/// values out of range, undefined $parameters, ids that are missing or doubled, includes in a circle or more
-/// than 15 deep) as file:line, plug-in and parameter with what is accepted and, within an included file, who
-/// includes it; invalid_argument (an entry of `parameters` that the files never use).
+/// values out of range, undefined $parameters but of samplers, ids that are missing or doubled, includes in a
+/// circle or more than 15 deep) as file:line, plug-in and parameter with what is accepted and, within an
+/// included file, who includes it; invalid_argument (an entry of `parameters` that the files never use).
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
                                                   const SceneParameters& parameters = {});
 

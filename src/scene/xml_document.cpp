@@ -65,9 +65,18 @@ private:
         if (std::string_view(attribute.value()).find('$') == std::string_view::npos) return;
         try {
             attribute.set_value(document_.parameters_.replaced(attribute.value()).c_str());
+        } catch (const std::out_of_range& e) {
+            if (!inside_sampler(node)) document_.fail(node, e.what());
+            document_.left_open_.push_back(node);
         } catch (const std::invalid_argument& e) {
             document_.fail(node, e.what());
         }
+    }
+
+    // Nothing of a picture depends on a sampler.
+    static bool inside_sampler(pugi::xml_node node) {
+        while (node && !is(node, "sampler")) node = node.parent();
+        return static_cast<bool>(node);
     }
 
     void declare(pugi::xml_node node) {

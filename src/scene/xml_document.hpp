@@ -31,6 +31,8 @@ public:
     [[nodiscard]] pugi::xml_node with_id(const std::string& id) const;
     /// What a name inside `node` stands for, as read_mitsuba_scene says.
     [[nodiscard]] std::filesystem::path resolved(pugi::xml_node node, const std::string& filename) const;
+    /// Elements with a $parameter that no one has given, of samplers alone: elsewhere it is an error.
+    [[nodiscard]] const std::vector<pugi::xml_node>& left_open() const noexcept { return left_open_; }
     /// The scene file, then those that it includes.
     [[nodiscard]] std::vector<FileRecord> files() const;
     /// "file:line" of a node.
@@ -59,6 +61,7 @@ private:
     std::map<pugi::xml_node, Source*> source_of_root_;
     std::map<pugi::xml_node, Source*> source_of_include_;
     std::map<std::string, pugi::xml_node> ids_;
+    std::vector<pugi::xml_node> left_open_;
 };
 
 }  // namespace nicol::scene

@@ -2,6 +2,8 @@
 // Scenes that must be refused, and how.
 #include <sys/stat.h>
 
+#include <algorithm>
+
 #include "scene/scene_file.hpp"
 #include "test.hpp"
 
@@ -245,6 +247,13 @@ TEST_CASE("ids and references") {
 TEST_CASE("$parameters") {
     bad_shape("<float name='radius' value='$size'/>", {"undefined parameter", "$size"});
     invalid("<default name='a' value='$b'/>", {":2: undefined parameter"});
+    const SceneFile open(
+        scene("<sensor type='perspective'><float name='fov' value='40'/><sampler type='independent'>"
+              "<integer name='sample_count' value='$spp'/></sampler></sensor>" +
+              a_shape));
+    const std::vector<std::string> notices = read_mitsuba_scene(open.scene()).notices;
+    CHECK(std::ranges::any_of(
+        notices, [](const std::string& n) { return n.find("$parameter") != std::string::npos; }));
     invalid("<default name='size' value='1'/>" + shape_with("<float name='radius' value='$'/>"),
             {"undefined", "$size"});
     invalid("<default value='1'/>", {"<default> needs a name"});
