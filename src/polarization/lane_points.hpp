@@ -17,6 +17,12 @@ struct LaneVectors {
     Lanes x, y, z;
 };
 
+inline void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
+    lanes.x[i] = v.x;
+    lanes.y[i] = v.y;
+    lanes.z[i] = v.z;
+}
+
 /// The part from lane `first` on.
 template <class Number>
 [[gnu::always_inline]] inline void load_part(const LaneVectors& from, std::size_t first,

@@ -19,14 +19,13 @@ double half_sine_squared(double angle) {
 // A uniform disc of radius r and radiance L sheds L pi sin^2 r onto a surface that faces it, and each place
 // stands for its whole solid angle, 4 pi sin^2 (r / 2).
 DirectionalSource::DirectionalSource(const SmallLight& light, const glm::dmat3& axes)
-    : color_(light.value, light.channels(), light.state),
+    : color_(light.value, nullptr, light.state, axes * light.state.axis),
       radius_(static_cast<float>(light.angular_radius)),
       height_(static_cast<float>(2 * half_sine_squared(light.angular_radius))),
       density_(static_cast<float>(1 / (1 - half_sine_squared(light.angular_radius)))),
       towards_(-axes[2]),
       right_(axes[0]),
-      up_(axes[1]),
-      axis_(glm::normalize(axes * light.state.axis)) {}
+      up_(axes[1]) {}
 
 void DirectionalSource::sample(const LaneVectors&, const Lanes& u, const Lanes& v, LaneLight& out) const {
     Lanes factor;
@@ -44,8 +43,7 @@ void DirectionalSource::sample(const LaneVectors&, const Lanes& u, const Lanes& 
         factor[i] = density_;
     }
     out.points = 0xFFFF;
-    color_.put({&factor, 1}, out);
-    if (color_.polarized()) put_axes(axis_, out);
+    color_.put(factor, out);
 }
 
 }  // namespace nicol

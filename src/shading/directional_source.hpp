@@ -20,7 +20,6 @@ private:
     float height_;   // 1 - cos(radius)
     float density_;  // irradiance of a place times the solid angle, over that of the whole disc
     glm::vec3 towards_, right_, up_;
-    glm::vec3 axis_;
 };
 
 }  // namespace nicol

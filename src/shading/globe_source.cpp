@@ -40,14 +40,12 @@ std::optional<Globe> globe_of(const std::vector<std::array<glm::vec3, 3>>& trian
 }
 
 GlobeSource::GlobeSource(const Globe& globe, const Emission& emission, const glm::dvec3& axis)
-    : color_(emission.radiance, emission.channels(), emission.state),
-      axis_(glm::normalize(axis)),
+    : color_(emission.radiance, nullptr, emission.state, axis),
       centre_(globe.centre),
       radius_(static_cast<float>(globe.radius)) {}
 
 float GlobeSource::angular_radius(const glm::vec3& from) const noexcept {
-    const float distance = glm::distance(from, centre_);
-    return distance > radius_ ? std::asin(radius_ / distance) : std::numbers::pi_v<float> / 2;
+    return angular_radius_of_ball(from, centre_, radius_);
 }
 
 void GlobeSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
@@ -82,8 +80,7 @@ void GlobeSource::sample(const LaneVectors& points, const Lanes& u, const Lanes&
             to_centre * (1 - fall) - std::sqrt(std::max(0.0F, radius_ * radius_ - beside * beside));
         solid_angle[i] = 2 * std::numbers::pi_v<float> * widest;
     }
-    color_.put({&solid_angle, 1}, out);
-    if (color_.polarized()) put_axes(axis_, out);
+    color_.put(solid_angle, out);
 }
 
 }  // namespace nicol

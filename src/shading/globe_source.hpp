@@ -27,7 +27,6 @@ public:
 
 private:
     SourceColor color_;
-    glm::vec3 axis_;
     glm::vec3 centre_;
     float radius_;
 };

@@ -12,12 +12,6 @@ glm::vec3 of_lane(const LaneVectors& v, std::size_t lane) {
     return {v.x[lane], v.y[lane], v.z[lane]};
 }
 
-void put_lane(LaneVectors& v, std::size_t lane, const glm::vec3& value) {
-    v.x[lane] = value.x;
-    v.y[lane] = value.y;
-    v.z[lane] = value.z;
-}
-
 // Calls visit(light, lane) for places in the middles of across x across cells of u and v, row by row; across
 // is a multiple of kLanes.
 template <class Visit>
@@ -81,8 +75,8 @@ void LampSource::sample(const LaneVectors& /*points*/, const Lanes& u, const Lan
         const auto column = static_cast<std::size_t>(u[i] * across);
         const auto row = static_cast<std::size_t>(v[i] * across);
         const std::size_t index = row * kAcross + column;
-        put_lane(out.towards, i, places_[index].towards);
-        put_lane(out.x, i, places_[index].x);
+        put(out.towards, i, places_[index].towards);
+        put(out.x, i, places_[index].x);
         out.distance[i] = std::numeric_limits<float>::infinity();
         const float* const values = irradiance_.data() + index * channels_ * components_;
         for (std::size_t c = 0; c < channels_; ++c)

@@ -29,12 +29,6 @@ struct Points {
     LaneVectors normal;
 };
 
-void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
-    lanes.x[i] = v.x;
-    lanes.y[i] = v.y;
-    lanes.z[i] = v.z;
-}
-
 // The compiler's own vectors: loops over lanes with so many choices stay loops over single numbers.
 using Number [[gnu::vector_size(64)]] = float;
 

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
 
 #include "light/environment.hpp"
 #include "material/reflectance.hpp"
@@ -30,13 +33,17 @@ LightSourcePtr light_source(const ShiningSurface& surface) {
     return source;
 }
 
-SourceColor::SourceColor(const std::vector<double>& value, int channels, const PolarizationState& state)
-    : components_(state.circular()    ? 4
+SourceColor::SourceColor(const std::vector<double>& value, TexturePtr texture, const PolarizationState& state,
+                         const glm::dvec3& axis)
+    : texture_(std::move(texture)),
+      axis_(glm::normalize(axis)),
+      components_(state.circular()    ? 4
                   : state.polarized() ? 3
                                       : 1) {
     constexpr double least = 1e-8;  // so that the quotient is a float
     largest_factor_ = static_cast<float>(kBrightestLight / std::max(std::ranges::max(value), least));
-    for (int c = 0; c < channels; ++c) {
+    const int of_texture = texture_ != nullptr ? texture_->channels() : 1;
+    for (int c = 0; c < std::max(static_cast<int>(value.size()), of_texture); ++c) {
         const Stokes stokes = of_channel(value, c) * state.stokes();
         std::array<float, 4>& out = stokes_.emplace_back();
         for (glm::length_t p = 0; p < 4; ++p)
@@ -44,7 +51,21 @@ SourceColor::SourceColor(const std::vector<double>& value, int channels, const P
     }
 }
 
-void SourceColor::put(std::span<const Lanes> factors, LaneLight& out) const {
+void SourceColor::put(const Lanes& factor, LaneLight& out) const {
+    put_factors({&factor, 1}, out);
+}
+
+void SourceColor::put(const Lanes& factor, const TexturePoints& at, LaneLight& out) const {
+    if (texture_ == nullptr) return put(factor, out);
+    std::array<Lanes, 4> texels;
+    texture_->at_lanes(at, texels);
+    const std::size_t colors = texture_->channels() == 3 ? 3 : 1;
+    for (std::size_t c = 0; c < colors; ++c)
+        for (std::size_t i = 0; i < kLanes; ++i) texels[c][i] *= factor[i];
+    put_factors(std::span(texels).first(colors), out);
+}
+
+void SourceColor::put_factors(std::span<const Lanes> factors, LaneLight& out) const {
     out.components = components_;
     out.irradiance.resize(stokes_.size());
     for (std::size_t c = 0; c < stokes_.size(); ++c) {
@@ -53,15 +74,16 @@ void SourceColor::put(std::span<const Lanes> factors, LaneLight& out) const {
             for (std::size_t i = 0; i < kLanes; ++i)
                 out.irradiance[c][p][i] = stokes_[c][p] * std::min(factor[i], largest_factor_);
     }
+    if (components_ > 1) put_axes(out);
 }
 
-void put_axes(const glm::vec3& axis, LaneLight& out) {
+void SourceColor::put_axes(LaneLight& out) const {
     // Where the axis lies along the light, any direction across it will do; so near is that for floats.
     constexpr float parallel = 1e-10F;
     for (std::size_t i = 0; i < kLanes; ++i) {
         const glm::vec3 towards(out.towards.x[i], out.towards.y[i], out.towards.z[i]);
-        const float along = axis.x * towards.x + axis.y * towards.y + axis.z * towards.z;
-        glm::vec3 x = axis - along * towards;
+        const float along = axis_.x * towards.x + axis_.y * towards.y + axis_.z * towards.z;
+        glm::vec3 x = axis_ - along * towards;
         float square = x.x * x.x + x.y * x.y + x.z * x.z;
         if (square <= parallel) {
             x = glm::vec3(theta_phi_frame(-glm::dvec3(towards))[0]);
@@ -72,6 +94,11 @@ void put_axes(const glm::vec3& axis, LaneLight& out) {
         out.x.y[i] = scale * x.y;
         out.x.z[i] = scale * x.z;
     }
+}
+
+float angular_radius_of_ball(const glm::vec3& from, const glm::vec3& centre, float radius) {
+    const float distance = glm::distance(from, centre);
+    return distance > radius ? std::asin(radius / distance) : std::numbers::pi_v<float> / 2;
 }
 
 }  // namespace nicol

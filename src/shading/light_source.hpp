@@ -48,23 +48,33 @@ struct ShiningSurface {
 /// Null where it has no area. Its places are uniform over its area, of a sphere over what is seen of it.
 [[nodiscard]] LightSourcePtr light_source(const ShiningSurface& surface);
 
-/// Stokes vectors of one colour and one polarization, each lane times a factor.
+/// What light sources have in common: one colour, times a texture, of one polarization.
 class SourceColor {
 public:
-    SourceColor(const std::vector<double>& value, int channels, const PolarizationState& state);
+    /// `axis`: of the polarization, in the points' axes. Texture null: 1.
+    SourceColor(const std::vector<double>& value, TexturePtr texture, const PolarizationState& state,
+                const glm::dvec3& axis);
 
-    /// Sets irradiance and components; `factors`: of each channel of three, or one of all. The irradiance is
-    /// at most kBrightestLight, as that of a light that a point touches would be infinite.
-    void put(std::span<const Lanes> factors, LaneLight& out) const;
-    [[nodiscard]] bool polarized() const noexcept { return components_ > 1; }
+    /// Sets irradiance and components, and the x axes of polarized light from its directions: the colour
+    /// times a factor, at most kBrightestLight, as that of a light that a point touches would be infinite.
+    void put(const Lanes& factor, LaneLight& out) const;
+    /// The same times the texture, where there is one.
+    void put(const Lanes& factor, const TexturePoints& at, LaneLight& out) const;
+    [[nodiscard]] bool textured() const noexcept { return texture_ != nullptr; }
 
 private:
+    // Factors of each channel of three, or one of all.
+    void put_factors(std::span<const Lanes> factors, LaneLight& out) const;
+    void put_axes(LaneLight& out) const;
+
     std::vector<std::array<float, 4>> stokes_;  // by channel
+    TexturePtr texture_;
+    glm::vec3 axis_;
     std::size_t components_;
     float largest_factor_;
 };
 
-/// Sets the x axes of light that is polarized along `axis`, from its directions.
-void put_axes(const glm::vec3& axis, LaneLight& out);
+/// The angular radius of a ball, and pi / 2 within it.
+[[nodiscard]] float angular_radius_of_ball(const glm::vec3& from, const glm::vec3& centre, float radius);
 
 }  // namespace nicol

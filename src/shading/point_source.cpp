@@ -24,13 +24,12 @@ double pattern(const SmallLight& light, const glm::dvec3& direction) {
 
 PointSource::PointSource(const SmallLight& light, const glm::dmat4& to_axes)
     : light_(light),
-      color_(light.value, light.channels(), light.state),
+      color_(light.value, light.texture, light.state, glm::dmat3(to_axes) * light.state.axis),
       place_(to_axes[3]),
-      axes_(to_axes),
-      axis_(glm::normalize(glm::dmat3(to_axes) * light.state.axis)) {}
+      axes_(to_axes) {}
 
 void PointSource::sample(const LaneVectors& points, const Lanes&, const Lanes&, LaneLight& out) const {
-    std::array<Lanes, 3> factors;
+    Lanes factor;
     LaneVectors own;  // the light's direction, in its own axes
     for (std::size_t i = 0; i < kLanes; ++i) {
         const float x = place_.x - points.x[i];
@@ -42,39 +41,27 @@ void PointSource::sample(const LaneVectors& points, const Lanes&, const Lanes&, 
         out.towards.x[i] = x / distance;
         out.towards.y[i] = y / distance;
         out.towards.z[i] = z / distance;
-        factors[0][i] = 1 / square;
+        factor[i] = 1 / square;
         own.x[i] = -(axes_[0].x * x + axes_[0].y * y + axes_[0].z * z) / distance;
         own.y[i] = -(axes_[1].x * x + axes_[1].y * y + axes_[1].z * z) / distance;
         own.z[i] = -(axes_[2].x * x + axes_[2].y * y + axes_[2].z * z) / distance;
     }
     out.points = 0xFFFF;
-    std::size_t colors = 1;
-    if (light_.kind != SmallLight::Kind::point) {
-        aim(own, factors, out);
-        if (light_.texture != nullptr && light_.texture->channels() == 3) colors = 3;
-    }
-    color_.put(std::span(factors).first(colors), out);
-    if (color_.polarized()) put_axes(axis_, out);
+    TexturePoints at{};
+    if (light_.kind != SmallLight::Kind::point) aim(own, factor, at, out);
+    color_.put(factor, at, out);
 }
 
-void PointSource::aim(const LaneVectors& directions, std::array<Lanes, 3>& factors, LaneLight& out) const {
-    TexturePoints at{};
+void PointSource::aim(const LaneVectors& directions, Lanes& factor, TexturePoints& at, LaneLight& out) const {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const glm::dvec3 direction(directions.x[i], directions.y[i], directions.z[i]);
         const double aimed = pattern(light_, direction);
         if (aimed == 0) out.points &= ~(1U << i);
-        factors[0][i] *= static_cast<float>(aimed);
-        if (light_.texture == nullptr) continue;
-        const glm::vec2 uv = direction.z > 0 ? light_texcoords(light_, direction) : glm::dvec2(0);
+        factor[i] *= static_cast<float>(aimed);
+        if (!color_.textured() || !(direction.z > 0)) continue;
+        const glm::vec2 uv = light_texcoords(light_, direction);
         at.uv[0][i] = uv.x;
         at.uv[1][i] = uv.y;
-    }
-    if (light_.texture == nullptr) return;
-    std::array<Lanes, 4> colors;
-    light_.texture->at_lanes(at, colors);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const float brightness = factors[0][i];
-        for (std::size_t c = 0; c < 3; ++c) factors[c][i] = brightness * colors[c][i];
     }
 }
 

@@ -15,14 +15,14 @@ public:
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
 
 private:
-    // Multiplies factors by how bright the light is in directions in its own axes.
-    void aim(const LaneVectors& directions, std::array<Lanes, 3>& factors, LaneLight& out) const;
+    // Multiplies `factor` by how bright the light is in directions in its own axes, and finds where they meet
+    // its texture.
+    void aim(const LaneVectors& directions, Lanes& factor, TexturePoints& at, LaneLight& out) const;
 
     SmallLight light_;
     SourceColor color_;
     glm::vec3 place_;
     glm::mat3 axes_;  // the light's own
-    glm::vec3 axis_;
 };
 
 }  // namespace nicol

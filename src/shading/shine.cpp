@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shading/shine.hpp"
 
-#include <algorithm>
-
-#include "material/reflectance.hpp"
+#include <glm/geometric.hpp>
 
 namespace nicol {
 
@@ -13,20 +11,12 @@ void add_shine(const Emission& emission, const glm::dvec3& axis, const Viewpoint
     for (std::size_t i = 0; i < positions.size(); ++i) {
         const glm::dvec3 propagation = view.towards(glm::dvec3(positions[i]));
         if (!(glm::dot(propagation, glm::dvec3(normals[i])) > 0)) continue;
-        Stokes state = emission.state.stokes();
-        if (emission.state.polarized()) {
-            state =
-                rotated(state, angle_between(polarization_frame(axis, propagation), view.frame(propagation)));
-        }
-        glm::vec4 color(1);
-        if (emission.texture != nullptr) color = emission.texture->at({.uv = texcoords[i]});
-        for (std::size_t c = 0; c < out.size(); ++c) {
-            const int channel = emission.radiance.size() == 1 ? 0 : static_cast<int>(c);
-            const double radiance =
-                of_channel(emission.radiance, channel) *
-                static_cast<double>(color[static_cast<glm::length_t>(std::min<std::size_t>(c, 2))]);
-            out[c][i] += glm::vec4(radiance * state);
-        }
+        const Stokes state = stokes_in(view.frame(propagation), emission.state, axis);
+        const glm::vec4 texel =
+            emission.texture != nullptr ? emission.texture->at({.uv = texcoords[i]}) : glm::vec4(1);
+        for (std::size_t c = 0; c < out.size(); ++c)
+            out[c][i] += glm::vec4(
+                textured_value(emission.radiance, emission.texture, texel, static_cast<int>(c)) * state);
     }
 }
 

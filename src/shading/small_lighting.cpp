@@ -14,12 +14,7 @@ namespace {
 
 LaneVectors in_lanes(std::span<const glm::vec3> from) {
     LaneVectors out;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::vec3& v = from[std::min(i, from.size() - 1)];
-        out.x[i] = v.x;
-        out.y[i] = v.y;
-        out.z[i] = v.z;
-    }
+    for (std::size_t i = 0; i < kLanes; ++i) put(out, i, from[std::min(i, from.size() - 1)]);
     return out;
 }
 

@@ -5,14 +5,12 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 namespace nicol {
 
 SurfaceSource::SurfaceSource(const ShiningSurface& surface)
-    : emission_(surface.emission),
-      color_(emission_.radiance, emission_.channels(), emission_.state),
-      axis_(glm::normalize(surface.axis)) {
+    : two_sided_(surface.emission.two_sided),
+      color_(surface.emission.radiance, surface.emission.texture, surface.emission.state, surface.axis) {
     std::vector<double> areas;
     std::vector<glm::dvec3> normals;  // squares of very small or large edges are no floats
     for (const std::array<glm::vec3, 3>& t : surface.triangles) {
@@ -55,12 +53,11 @@ std::size_t SurfaceSource::triangle_at(float u) const {
 }
 
 float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
-    const float distance = glm::distance(from, centre_);
-    return distance > radius_ ? std::asin(radius_ / distance) : std::numbers::pi_v<float> / 2;
+    return angular_radius_of_ball(from, centre_, radius_);
 }
 
 void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
-    std::array<Lanes, 3> factors;
+    Lanes factor;
     TexturePoints at{};
     out.points = 0;
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -76,7 +73,7 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
         const float square = x * x + y * y + z * z;
         const float distance = std::sqrt(square);
         float across = -(triangle.normal.x * x + triangle.normal.y * y + triangle.normal.z * z);
-        if (emission_.two_sided) across = std::abs(across);
+        if (two_sided_) across = std::abs(across);
         const bool shines = across > 0;
         const float scale = shines ? 1 / distance : 0;
         out.distance[i] = distance;
@@ -84,26 +81,16 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
         out.towards.y[i] = scale * y;
         out.towards.z[i] = scale * z;
         // Radiance times the solid angle that the place stands for: area cos / distance^2.
-        factors[0][i] = static_cast<float>(area_) * scale * scale * (across * scale);
+        factor[i] = static_cast<float>(area_) * scale * scale * (across * scale);
         if (shines) out.points |= 1U << i;
-        if (emission_.texture == nullptr) continue;
+        if (!color_.textured()) continue;
         const std::array<glm::vec2, 3>& texcoords = texcoords_[index];
         const glm::vec2 uv =
             texcoords[0] + b1 * (texcoords[1] - texcoords[0]) + b2 * (texcoords[2] - texcoords[0]);
         at.uv[0][i] = uv.x;
         at.uv[1][i] = uv.y;
     }
-    std::size_t colors = 1;
-    if (emission_.texture != nullptr) {
-        std::array<Lanes, 4> values;
-        emission_.texture->at_lanes(at, values);
-        const Lanes brightness = factors[0];
-        colors = emission_.texture->channels() == 3 ? 3 : 1;
-        for (std::size_t c = 0; c < colors; ++c)
-            for (std::size_t i = 0; i < kLanes; ++i) factors[c][i] = brightness[i] * values[c][i];
-    }
-    color_.put(std::span(factors).first(colors), out);
-    if (color_.polarized()) put_axes(axis_, out);
+    color_.put(factor, at, out);
 }
 
 }  // namespace nicol

@@ -25,9 +25,8 @@ private:
         float scale;                      // 1 over its part
     };
 
-    Emission emission_;
+    bool two_sided_;
     SourceColor color_;
-    glm::vec3 axis_;
     std::vector<Triangle> triangles_;
     std::vector<std::array<glm::vec2, 3>> texcoords_;
     double area_ = 0;

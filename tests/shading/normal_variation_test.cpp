@@ -19,12 +19,6 @@ TexturePtr random_texture(std::mt19937& random) {
 glm::vec3 lane(const LaneVectors& lanes, std::size_t i) {
     return {lanes.x[i], lanes.y[i], lanes.z[i]};
 }
-void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
-    lanes.x[i] = v.x;
-    lanes.y[i] = v.y;
-    lanes.z[i] = v.z;
-}
-
 }  // namespace
 
 TEST_CASE("sixteen normals are turned as each of them is, and face the viewer") {

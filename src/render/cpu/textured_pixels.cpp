@@ -68,12 +68,6 @@ private:
     Step right_, down_;
 };
 
-void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
-    lanes.x[i] = v.x;
-    lanes.y[i] = v.y;
-    lanes.z[i] = v.z;
-}
-
 // What textures and normals need to know of sixteen points.
 class Block {
 public:
