@@ -26,7 +26,8 @@ constexpr std::array<Type, 8> kTypes = {{{"stokes", true, false},
                                          {"volpathmis", false, true}}};
 
 /// `left`: how many integrators may be read, itself counted. This ends circles of <ref>s.
-void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices, int& left) {
+void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices,
+                     IntegratorDescription& integrator, int& left) {
     if (left-- == 0)
         document.fail(node, "more than " + std::to_string(kMostIntegrators) +
                                 " integrators inside each other; does one refer to itself?");
@@ -37,20 +38,25 @@ void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& 
         for (const Type& known : kTypes) names.append(names.empty() ? "" : ", ").append(known.name);
         plugin.fail_type(names, "light is reflected once, to Stokes vectors");
     }
+    const double max_depth = type->reflects_often ? plugin.number("max_depth", -1.0) : 2.0;
+    const bool reflects_often = max_depth < 0.0 || max_depth > 2.0;
+    integrator.reflects_often |= reflects_often;
     notices.add_unfollowed(node, "integrator " + in_quotes(plugin.type()) +
-                                     (type->reflects_often ? " (light is reflected once)" : ""));
+                                     (reflects_often ? " (light is reflected once)" : ""));
     if (plugin.boolean("hide_emitters", false))
         notices.add(node, "hide_emitters: the environment and surfaces that shine are seen");
     if (!type->holds_others) return static_cast<void>(plugin.objects({}));
     for (const NestedObject& inner : plugin.objects({"integrator"}))
-        read_integrator(document, inner.node, notices, left);
+        read_integrator(document, inner.node, notices, integrator, left);
 }
 
 }  // namespace
 
-void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices) {
+IntegratorDescription read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices) {
     int left = kMostIntegrators;
-    read_integrator(document, node, notices, left);
+    IntegratorDescription integrator{.reflects_often = false};
+    read_integrator(document, node, notices, integrator, left);
+    return integrator;
 }
 
 }  // namespace nicol::scene

@@ -38,7 +38,7 @@ private:
         const std::string_view name = node.name();
         if (name == "integrator") {
             if (integrator_) document_.fail(place, "a second integrator; expected one");
-            read_integrator(document_, node, notices_);
+            scene_.integrator = read_integrator(document_, node, notices_);
             integrator_ = true;
         } else if (name == "sensor") {
             if (sensor_)

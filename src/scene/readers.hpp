@@ -51,7 +51,8 @@ void read_emitter(const XmlDocument& document, const NestedObject& object, Notic
 /// Of an <emitter> inside a <shape>.
 [[nodiscard]] EmissionDescription read_emission(const XmlDocument& document, pugi::xml_node node,
                                                 Notices& notices);
-void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices);
+[[nodiscard]] IntegratorDescription read_integrator(const XmlDocument& document, pugi::xml_node node,
+                                                    Notices& notices);
 /// All but the material. `bsdf` receives the <bsdf>, null if there is none.
 [[nodiscard]] ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, Notices& notices,
                                           pugi::xml_node& bsdf);

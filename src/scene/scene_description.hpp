@@ -151,7 +151,14 @@ struct LightDescription {
     PolarizationState state;
 };
 
+/// What of an integrator matters.
+struct IntegratorDescription {
+    /// Light is asked for that surfaces reflect to each other.
+    bool reflects_often = true;
+};
+
 struct SceneDescription {
+    IntegratorDescription integrator;
     SensorDescription sensor;
     std::vector<MaterialDescription> materials;
     std::vector<ShapeDescription> shapes;

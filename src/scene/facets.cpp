@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// What <bsdf>s of facets and of boundaries share.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/exponential.hpp>
+
+#include "files/suffix.hpp"
+#include "scene/material_readers.hpp"
+#include "scene/values.hpp"
+
+namespace nicol::scene {
+namespace {
+
+struct NamedIor {
+    std::string_view name;
+    double ior;
+};
+
+// The names that Mitsuba 3 has and their values at the sodium line.
+constexpr std::array<NamedIor, 23> kNamedIors = {
+    {{"vacuum", 1.0},      {"helium", 1.000036},        {"hydrogen", 1.000132},
+     {"air", 1.000277},    {"carbon dioxide", 1.00045}, {"water", 1.3330},
+     {"acetone", 1.36},    {"ethanol", 1.361},          {"carbon tetrachloride", 1.461},
+     {"glycerol", 1.4729}, {"benzene", 1.501},          {"silicone oil", 1.52045},
+     {"bromine", 1.661},   {"water ice", 1.31},         {"fused quartz", 1.458},
+     {"pyrex", 1.470},     {"acrylic glass", 1.49},     {"polypropylene", 1.49},
+     {"bk7", 1.5046},      {"sodium chloride", 1.544},  {"amber", 1.55},
+     {"pet", 1.5750},      {"diamond", 2.419}}};
+
+/// A number, or a texture.
+struct Roughness {
+    double alpha;
+    TextureSpecificationPtr texture;
+
+    bool operator==(const Roughness& o) const {
+        return texture && o.texture ? *texture == *o.texture : !texture && !o.texture && alpha == o.alpha;
+    }
+};
+
+/// The geometric mean, which keeps the height of a highlight. None unless both are numbers, or textures
+/// that differ in nothing but two colours.
+std::optional<Roughness> mean(const Roughness& u, const Roughness& v) {
+    if (!u.texture && !v.texture) return Roughness{std::sqrt(u.alpha * v.alpha), nullptr};
+    if (!u.texture || !v.texture) return std::nullopt;
+    TextureSpecification texture = *u.texture;
+    texture.color0 = v.texture->color0;
+    texture.color1 = v.texture->color1;
+    if (texture != *v.texture) return std::nullopt;
+    const auto multiply = [](ColorDescription& color, const ColorDescription& other) {
+        color.rgb = glm::sqrt(color.rgb * other.rgb);
+        return color.spectrum.empty() && other.spectrum.empty();
+    };
+    if (!multiply(texture.color0, u.texture->color0) || !multiply(texture.color1, u.texture->color1))
+        return std::nullopt;
+    return Roughness{u.alpha, std::make_shared<const TextureSpecification>(std::move(texture))};
+}
+
+Roughness roughness(const XmlDocument& document, Plugin& plugin, const char* name, double otherwise) {
+    // What the tables of a material resolve.
+    constexpr double least = 0.001, most = 1.0;
+    if (const pugi::xml_node texture = plugin.texture(name))
+        return {otherwise, read_texture(document, texture)};
+    return {plugin.number(name, otherwise, least, most), nullptr};
+}
+
+/// Given once, or for both directions; Mitsuba's parameters.
+Roughness roughness(const MaterialSource& source, double otherwise) {
+    const XmlDocument& document = source.document;
+    Plugin& plugin = source.plugin;
+    Roughness alpha = roughness(document, plugin, "alpha", otherwise);
+    if (!plugin.has("alpha_u") && !plugin.has("alpha_v")) {
+        plugin.pass_over({"alpha_u", "alpha_v"});
+        return alpha;
+    }
+    if (plugin.has("alpha")) plugin.fail("alpha", "is given beside alpha_u or alpha_v");
+    if (!plugin.has("alpha_u") || !plugin.has("alpha_v"))
+        plugin.fail(plugin.has("alpha_u") ? "alpha_u" : "alpha_v",
+                    "is given alone; expected alpha, or both alpha_u and alpha_v");
+    Roughness u = roughness(document, plugin, "alpha_u", otherwise);
+    const Roughness v = roughness(document, plugin, "alpha_v", otherwise);
+    if (u == v) return u;
+    const std::optional<Roughness> both = mean(u, v);
+    if (!both)
+        plugin.fail("alpha_v",
+                    "differs from alpha_u by its texture; expected two numbers or two checkerboards alike: "
+                    "materials are isotropic, and take the mean of both",
+                    ErrorCode::unsupported);
+    source.notices.add(source.node,
+                       "alpha_u and alpha_v differ: materials are isotropic, and take sqrt(alpha_u alpha_v)");
+    return *both;
+}
+
+}  // namespace
+
+double refractive_index(Plugin& plugin, const std::string& name, double otherwise) {
+    if (!plugin.has_tag(name, "string")) return plugin.number(name, otherwise, 0.0, kNoLimit, true);
+    const std::string text = lower_case(plugin.string(name, ""));
+    const auto found = std::ranges::find(kNamedIors, std::string_view(text), &NamedIor::name);
+    if (found != kNamedIors.end()) return found->ior;
+    std::string list;
+    for (const NamedIor& entry : kNamedIors) list.append(list.empty() ? "" : ", ").append(entry.name);
+    plugin.fail(name, "is " + in_quotes(text) + "; expected a number or one of " + list);
+}
+
+void read_facets(const MaterialSource& source, MaterialDescription& material) {
+    material.distribution = static_cast<MaterialDescription::Distribution>(
+        source.plugin.choice("distribution", 0, {"beckmann", "ggx"}));
+    const Roughness alpha = roughness(source, material.alpha);
+    material.alpha = alpha.alpha;
+    material.alpha_texture = alpha.texture;
+    source.plugin.pass_over({"sample_visible"});
+}
+
+}  // namespace nicol::scene

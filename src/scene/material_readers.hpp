@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Parameters of <bsdf>s, one reader for each family of models.
+#pragma once
+
+#include <string>
+
+#include "scene/plugin.hpp"
+#include "scene/readers.hpp"
+
+namespace nicol::scene {
+
+/// One <bsdf>.
+struct MaterialSource {
+    const XmlDocument& document;
+    pugi::xml_node node;
+    Plugin& plugin;
+    Notices& notices;
+};
+
+/// Each sets the kind and what belongs to it, and throws as read_mitsuba_scene does.
+void read_pplastic(const MaterialSource& source, MaterialDescription& material);
+void read_conductor(const MaterialSource& source, MaterialDescription& material);
+
+/// A number, or the name of a medium.
+[[nodiscard]] double refractive_index(Plugin& plugin, const std::string& name, double otherwise);
+/// The distribution of facets and their roughness.
+void read_facets(const MaterialSource& source, MaterialDescription& material);
+
+}  // namespace nicol::scene
