@@ -25,6 +25,7 @@ Camera camera_from(const nicol_camera& given) {
     camera.near_clip = given.near_clip;
     camera.far_clip = given.far_clip;
     camera.jitter = {given.jitter[0], given.jitter[1]};
+    camera.shift = {given.shift[0], given.shift[1]};
     return camera;
 }
 

@@ -178,6 +178,15 @@ nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment en
     });
 }
 
+nicol_result nicol_scene_hide_emitters(nicol_scene scene, uint32_t hide) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        if (hide > 1) refuse("hide is " + std::to_string(hide) + "; it must be 0 or 1");
+        const Edit edit(self);
+        self.content->scene.hide_emitters(hide == 1);
+    });
+}
+
 nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment,
                                          double to_world[16], double* scale) {
     return guarded([&] {
@@ -206,6 +215,8 @@ nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera) {
         out.far_clip = from.far_clip;
         out.jitter[0] = from.jitter.x;
         out.jitter[1] = from.jitter.y;
+        out.shift[0] = from.shift.x;
+        out.shift[1] = from.shift.y;
         write_struct(camera, out, "camera");
     });
 }

@@ -621,10 +621,13 @@ typedef struct nicol_camera {
     double jitter[2]; /* pixels to the right and down, -0.5 to 0.5 each, default 0: what is that far from a
                          pixel's centre is at its centre. Images of different jitter, averaged, are
                          anti-aliased */
+    double shift[2];  /* how far the middle of the image is from the view direction (its principal point),
+                         right  and down, in widths and heights of the image; -1e5 to 1e5 each, default 0. A
+                         crop of a  larger image is its own fov and shift */
 } nicol_camera;
 /* clang-format off */
 #define NICOL_CAMERA_INIT \
-    { sizeof(nicol_camera), 0, NICOL_IDENTITY_4X4, 45, 0.01, 10000, { 0, 0 } }
+    { sizeof(nicol_camera), 0, NICOL_IDENTITY_4X4, 45, 0.01, 10000, { 0, 0 }, { 0, 0 } }
 /* clang-format on */
 
 /* A camera at `origin` that looks at `target`; sets to_world alone. `up` must not lie along the view. */
@@ -755,6 +758,10 @@ NICOL_API nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_envi
  * to_world the identity and scale 1. */
 NICOL_API nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment,
                                                    double to_world[16], double* scale);
+/* hide 1: no light goes straight to the camera from the environment, which leaves black (alpha 0), or from
+ * instances that emit, which show what they reflect alone; both light the scene as before. 0: they are seen,
+ * unless the scene's file has hide_emitters. */
+NICOL_API nicol_result nicol_scene_hide_emitters(nicol_scene scene, uint32_t hide);
 /* Adds a light, with an id of its own: lights are counted from 0, apart from instances. id may be NULL. A
  * light must have one colour channel or as many as the scene; so must what an instance emits. The handle of
  * the texture may be released afterwards. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range,
@@ -904,7 +911,8 @@ typedef struct nicol_render_options {
     uint32_t
         samples; /* reference: camera rays a pixel, 1 to 2^20, default 256. Powers of two are spread best */
     nicol_executor executor; /* default automatic */
-    uint64_t seed;           /* reference: equal seeds give equal images, whatever the threads */
+    uint64_t seed; /* of the reference method and of places of small lights: equal seeds give equal images,
+                      whatever the threads */
     /* Where both orders are automatic: the largest predicted error of the orders left out, as RMSE of s0, s1
      * and s2 relative to the RMS of s0; the fastest orders that keep it are taken, order_low up to 16. Errors
      * are mostly a half to a third of the prediction, and that of the DoLP, as the mean over pixels, is no
@@ -920,10 +928,12 @@ typedef struct nicol_render_options {
                                     1, the default, or 0: unshadowed highlights */
     uint32_t aovs;               /* sum of NICOL_AOV_... to make. 0: none */
     nicol_shade_at shade_at;     /* default automatic */
-    uint32_t pixel_samples;      /* real-time methods: samples of a pixel, 1, 4 or 8; 0, the default, is 1. A
+    uint32_t pixel_samples;      /* real-time methods: samples of a pixel, 1 to 1024; 0, the default, is 1. A
                                     pixel is the mean of surfaces and environment by the number of samples
-                                    that show them. With shade_at vertices the scene is drawn once a sample;
-                                    pixels shade each surface once a pixel, at the mean of its samples */
+                                    that show them. 4 and 8 are drawn together: shade_at pixels shades each
+                                    surface once a pixel, at the mean of its samples. Other numbers are
+                                    drawn and shaded one by one, each at the cost of an image, which also
+                                    averages normal maps and soft shadows; AOVs are those of 8 */
     double refine_tolerance; /* the bake splits triangles where shadows change faster than the mesh is fine,
                                 until what interpolation errs by in the hidden part of an even light is at
                                 most this part of all of it; 0: none is split. 0 to 1, default 0.02 */

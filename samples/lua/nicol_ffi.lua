@@ -182,6 +182,7 @@ typedef struct nicol_camera {
     double near_clip;
     double far_clip;
     double jitter[2];
+    double shift[2];
 } nicol_camera;
 typedef struct nicol_polarization {
     double dolp;
@@ -491,6 +492,7 @@ nicol_result nicol_scene_get_instance_count(nicol_scene scene, uint32_t* instanc
 nicol_result nicol_scene_get_instance_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment, const double to_world[16], double scale);
 nicol_result nicol_scene_get_environment(nicol_scene scene, nicol_environment* environment, double to_world[16], double* scale);
+nicol_result nicol_scene_hide_emitters(nicol_scene scene, uint32_t hide);
 nicol_result nicol_scene_add_light(nicol_scene scene, const nicol_light* light, uint32_t* id);
 nicol_result nicol_scene_set_light(nicol_scene scene, uint32_t id, const nicol_light* light);
 nicol_result nicol_scene_remove_light(nicol_scene scene, uint32_t id);
@@ -739,6 +741,7 @@ return {
         scene_get_instance_ids = true,
         scene_set_environment = true,
         scene_get_environment = true,
+        scene_hide_emitters = true,
         scene_add_light = true,
         scene_set_light = true,
         scene_remove_light = true,

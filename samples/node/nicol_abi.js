@@ -399,6 +399,7 @@ export const types = [
       ["near_clip", "double", 0, 0.01],
       ["far_clip", "double", 0, 10000],
       ["jitter", "double", 2],
+      ["shift", "double", 2],
     ],
   },
   {
@@ -803,6 +804,7 @@ export const functions = {
   scene_get_instance_ids: ["nicol_result nicol_scene_get_instance_ids(nicol_scene scene, _Out_ uint32_t *ids, uint64_t count)", true, null],
   scene_set_environment: ["nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment environment, const double *to_world, double scale)", true, null],
   scene_get_environment: ["nicol_result nicol_scene_get_environment(nicol_scene scene, _Out_ nicol_environment *environment, _Out_ double *to_world, _Out_ double *scale)", true, null],
+  scene_hide_emitters: ["nicol_result nicol_scene_hide_emitters(nicol_scene scene, uint32_t hide)", true, null],
   scene_add_light: ["nicol_result nicol_scene_add_light(nicol_scene scene, const nicol_light *light, _Out_ uint32_t *id)", true, null],
   scene_set_light: ["nicol_result nicol_scene_set_light(nicol_scene scene, uint32_t id, const nicol_light *light)", true, null],
   scene_remove_light: ["nicol_result nicol_scene_remove_light(nicol_scene scene, uint32_t id)", true, null],

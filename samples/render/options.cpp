@@ -33,7 +33,7 @@ const char* const usage =
     "                           default split\n"
     "      --shade-at NAME      where light becomes a Stokes vector: vertices, pixels (for coarse meshes)\n"
     "                           or automatic, by the predicted error; default automatic\n"
-    "      --pixel-samples N    samples of a pixel by the methods in real time, 1, 4 or 8, against jagged\n"
+    "      --pixel-samples N    samples of a pixel by the methods in real time, 1 to 1024, against jagged\n"
     "                           outlines; default 1\n"
     "      --tolerance E        where no order is given, orders are chosen for which the predicted relative\n"
     "                           RMSE of s0, s1 and s2 is at most E; default 0.03\n"
@@ -234,7 +234,7 @@ Options parse_options(int argc, const char* const* argv) {
         else if (name == "--shade-at")
             options.shade_at = parse_shade_at(value());
         else if (name == "--pixel-samples")
-            options.pixel_samples = parse_count(name, value(), 1, 8);
+            options.pixel_samples = parse_count(name, value(), 1, 1024);
         else if (name == "--tolerance")
             options.tolerance = parse_strength(name, value());
         else if (name == "--components")

@@ -48,6 +48,7 @@ struct DirectLight::Reflection {
 
 DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
     : environment_(scene.environment().get()),
+      emitters_hidden_(scene.emitters_hidden()),
       light_to_world_(scene.light_rotation()),
       light_scale_(scene.light_scale()),
       strategy_(strategy),
@@ -109,10 +110,10 @@ bool DirectLight::add(const Ray& ray, const Frame& received, const LowDiscrepanc
     workspace.irradiance.resize(sum.size());
     const std::optional<RayHit> found = rays_->intersect(ray);
     if (!found) {
-        if (environment_ != nullptr) add_background(ray.direction, received, sum);
+        if (environment_ != nullptr && !emitters_hidden_) add_background(ray.direction, received, sum);
         return false;
     }
-    add_emitted(*found, received, sum, workspace);
+    if (!emitters_hidden_) add_emitted(*found, received, sum, workspace);
     const SurfaceHit hit = surface_hit(surfaces_[found->surface], *found, -ray.direction);
     if (!(hit.towards_viewer.z > 0)) return true;
     weigh_layers(hit, workspace);

@@ -90,6 +90,7 @@ private:
     [[nodiscard]] Stokes radiance(int channel, const glm::dvec3& towards_light) const;
 
     const Environment* environment_;
+    bool emitters_hidden_;
     std::unique_ptr<const Environment> table_;  ///< what environment_ points to, where it had to be made
     glm::dmat3 light_to_world_;
     double light_scale_;

@@ -39,6 +39,7 @@ struct PixelInput : ShadeInput {
     const HighOrderTransfer* high_orders;  ///< null: none
     bool physical;                         ///< Stokes vectors are moved into the physical range
     const SmallLights* small_lights;       ///< null: none
+    std::uint32_t seed;                    ///< of places of small lights
     const Background* background;          ///< what is behind the surfaces; null: nothing, or it is drawn
     double light_scale;                    ///< times the background
 };

@@ -15,6 +15,7 @@
 #include "render/hit_image.hpp"
 #include "render/light_projection.hpp"
 #include "render/pixel_image.hpp"
+#include "render/sample_pattern.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
 
@@ -140,7 +141,7 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
     constexpr std::uint64_t texel = sizeof(glm::vec4);
     constexpr std::uint64_t depth = sizeof(float);
     const bool several = options.pixel_samples > 1;
-    const auto samples = static_cast<std::size_t>(options.pixel_samples);
+    const std::size_t samples = samples_at_once(options.pixel_samples);
     const auto planes = static_cast<std::uint64_t>(scene.channels());
     const std::uint64_t at_vertices =
         several ? std::min<std::uint64_t>(Framebuffer::kGroup, planes) * texel + depth : 0;
@@ -155,6 +156,7 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
             static_cast<std::uint64_t>(AovLayout(options.aovs | aov_depth).attachments());
         bytes += (several ? 2 : 1) * (attachments * texel + depth);
     }
+    if (sample_pattern(options.pixel_samples).empty()) bytes += planes * texel;  // of one of them
     return bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
 }
 

@@ -43,10 +43,10 @@ void Painter::draw(const Scene& scene, const RefinedSurfaces& surfaces, VertexBu
                    const Projection& projection, Framebuffer& target) {
     const int channels = target.channels();
     binding_.run(buffers.version(), channels, [&] { bind_vertices(buffers, channels); });
-    const bool behind = scene.environment() != nullptr && !(pixels != nullptr && pixels->adds_background());
+    const bool behind = scene.background() != nullptr && !(pixels != nullptr && pixels->adds_background());
     if (behind)
-        uploading_.run(scene.environment(), channels,
-                       [&] { upload_environment(*scene.environment(), channels); });
+        uploading_.run(scene.background(), channels,
+                       [&] { upload_environment(*scene.background(), channels); });
     aovs_.prepare(surfaces.geometry(), buffers, cut_outs, wanted.aovs, wanted.samples, target);
 
     prepare_sample(pixels == nullptr && wanted.samples.size() > 1, target);
@@ -92,7 +92,7 @@ void Painter::draw_samples(const Scene& scene, const RefinedSurfaces& surfaces, 
         draw_surface(scene, surfaces.geometry(), wanted.components, in_axes(moved, surfaces.to_world()),
                      group, channels, drawn);
         // The environment is as smooth as its image is: a pixel has that of its centre.
-        if (scene.environment())
+        if (scene.background())
             draw_background(scene, wanted.components, projection, false, group, channels, drawn);
         if (sample_) add_sample(s, wanted, channels, image);
     }
@@ -115,7 +115,7 @@ void Painter::draw_surface(const Scene& scene, const WorldGeometry& geometry, in
                            gl::RenderTarget& image) {
     gl::Program& surface = program("surface.vert", "surface.frag", channels, {});
     surface.set("world_to_clip", glm::mat4(projection.world_to_clip));
-    clear(image, scene.environment() != nullptr, components);
+    clear(image, scene.background() != nullptr, components);
     const auto draw_some = [&](std::size_t first, std::size_t last, gl::Cull cull) {
         if (first == last) return;
         gl::draw(image, surface, *groups_[group].vertices, 3 * first, 3 * (last - first),
@@ -196,7 +196,7 @@ void Painter::draw_background(const Scene& scene, int components, const Projecti
                               std::size_t group, int channels, gl::RenderTarget& image) {
     const Viewpoint& view = projection.view;
     std::set<std::string> features;
-    if (scene.environment()->polarized()) features.insert("POLARIZED");
+    if (scene.background()->polarized()) features.insert("POLARIZED");
     if (shaded) features.insert("SHADED");
     gl::Program& sky = program("fullscreen.vert", "background.frag", channels, features);
     sky.set("camera", glm::mat3(view.right, view.up, view.forward));

@@ -158,16 +158,17 @@ void Pipeline::shade_pixels(const Scene& scene, ShadeInput input, const Projecti
     shading_.reset();  // what vertices have is of another render then
     chosen_.assign(input.geometry.positions.size(), 1);
     input.chosen = chosen_;
-    const bool behind = scene.environment() != nullptr && executor.adds_background();
-    showing_.run(scene.environment(), input.channels, behind, [&] {
+    const bool behind = scene.background() != nullptr && executor.adds_background();
+    showing_.run(scene.background(), input.channels, behind, [&] {
         background_.reset();
-        if (behind) background_.emplace(*scene.environment(), input.channels);
+        if (behind) background_.emplace(*scene.background(), input.channels);
     });
     method_for(options.method)
-        .shade_pixels({input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
-                       small_lights_.any() ? &small_lights_ : nullptr, behind ? &*background_ : nullptr,
-                       scene.light_scale()},
-                      executor, run);
+        .shade_pixels(
+            {input, projection, hits, high_orders ? &high_orders_ : nullptr, options.physical,
+             small_lights_.any() ? &small_lights_ : nullptr, static_cast<std::uint32_t>(options.seed),
+             behind ? &*background_ : nullptr, scene.light_scale()},
+            executor, run);
     executor.finish();
     run.statistics.shade_ms += watch.milliseconds();
 }

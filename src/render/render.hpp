@@ -99,8 +99,9 @@ struct RenderOptions {
     int light_samples = 16;
     /// Stokes components that the image has: 1 (s0), 3 (s0, s1, s2) or 4; the others are 0.
     int components = 4;
-    /// Of the real-time methods: samples of a pixel, 1, 4 or 8. Surfaces and the environment behind them are
-    /// averaged by the number of samples that show them.
+    /// Of the real-time methods: samples of a pixel, 1 to kMostDrawnSamples. Surfaces and the environment
+    /// behind them are averaged by the number of samples that show them. 4 and 8 are shaded together, as
+    /// ShadeAt says; other numbers one by one: the image is the mean of as many, whose camera is jittered.
     int pixel_samples = 1;
     /// AOVs to make beside the image, bits of AovBit (image/aovs.hpp).
     std::uint32_t aovs = 0;
@@ -108,7 +109,8 @@ struct RenderOptions {
     std::uint32_t disabled_optimisations = 0;
     /// Of the reference method: camera rays a pixel, 1 to 2^20. Powers of two are stratified best.
     int samples = 256;
-    /// Of the reference method: the same seed gives the same image whatever the number of threads.
+    /// Of the reference method, and of the places of small lights: the same seed gives the same image
+    /// whatever the number of threads.
     std::uint64_t seed = 0;
     /// Called about ten times a second on the calling thread with the verb at work and the fraction done;
     /// false stops the render with Error(cancelled).
@@ -172,6 +174,22 @@ struct Statistics {
     std::uint64_t vertices_relit = 0;   ///< into whose frames light was brought
     std::uint64_t vertices_shaded = 0;  ///< whose Stokes vectors were computed
     std::uint64_t pixels_shaded = 0;    ///< likewise
+
+    /// Adds times and counts of what was made of another render of the scene; the rest becomes its.
+    void add(const Statistics& other) {
+        Statistics sum = other;
+        for (double Statistics::*const ms :
+             {&Statistics::project_ms, &Statistics::bake_ms, &Statistics::bake_trace_ms,
+              &Statistics::relight_ms, &Statistics::shade_ms, &Statistics::light_ms, &Statistics::draw_ms,
+              &Statistics::observe_ms})
+            sum.*ms += this->*ms;
+        for (std::uint64_t Statistics::*const count :
+             {&Statistics::bake_rays, &Statistics::light_rays, &Statistics::lights_projected,
+              &Statistics::materials_projected, &Statistics::vertices_traced, &Statistics::matrices_baked,
+              &Statistics::vertices_relit, &Statistics::vertices_shaded, &Statistics::pixels_shaded})
+            sum.*count += this->*count;
+        *this = sum;
+    }
 
     /// Sets times and counts of what was made to 0, for a render that could keep all.
     void nothing_ran() {

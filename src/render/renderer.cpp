@@ -53,8 +53,9 @@ void check(const RenderOptions& options) {
     if (options.components != 1 && options.components != 3 && options.components != 4) {
         refuse("components is " + std::to_string(options.components) + "; it must be 1, 3 or 4");
     }
-    if (sample_pattern(options.pixel_samples).empty()) {
-        refuse("pixel_samples is " + std::to_string(options.pixel_samples) + "; it must be 1, 4 or 8");
+    if (options.pixel_samples < 1 || options.pixel_samples > kMostDrawnSamples) {
+        refuse("pixel_samples is " + std::to_string(options.pixel_samples) + "; it must lie in 1 to " +
+               std::to_string(kMostDrawnSamples));
     }
     if ((options.disabled_optimisations & ~std::uint32_t{skip_all}) != 0) {
         refuse("disabled_optimisations is " + std::to_string(options.disabled_optimisations) +
@@ -78,7 +79,7 @@ void check_varying(const RenderOptions& options) {
 void check_size(const RenderOptions& options, const Framebuffer& target) {
     constexpr std::uint64_t most = std::uint64_t{1} << 27;
     if (options.method == Method::reference || options.shade_at == ShadeAt::vertices) return;
-    const std::uint64_t samples = static_cast<std::uint64_t>(options.pixel_samples) *
+    const std::uint64_t samples = std::uint64_t{samples_at_once(options.pixel_samples)} *
                                   static_cast<std::uint64_t>(target.width()) *
                                   static_cast<std::uint64_t>(target.height());
     if (samples <= most) return;
@@ -161,14 +162,49 @@ void Renderer::render_into(const Scene& scene, const Camera& camera, const Rende
     const bool rendered =
         rendering_.run(scene.geometry_version(), scene.material_version(), scene.light_version(),
                        scene.emission_version(), scene.small_light_version(), camera, values, [&] {
-                           if (options.method == Method::reference) {
-                               render_by_reference(scene, camera, options, threads_, target);
+                           if (options.method == Method::reference)
+                               return render_by_reference(scene, camera, options, threads_, target);
+                           const Projection projection = project(camera, target.width(), target.height());
+                           if (sample_pattern(options.pixel_samples).empty()) {
+                               draw_one_by_one(scene, projection, options, target);
                            } else {
-                               draw(scene, camera, options, target);
+                               draw(scene, projection, options, target);
                            }
                        });
     content_ = target.content();
     if (!rendered) target.statistics().nothing_ran();
+}
+
+void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection, const RenderOptions& options,
+                               Framebuffer& target) {
+    Framebuffer sample(context_, target.width(), target.height(), target.channels());
+    StokesImage mean(target.width(), target.height(), target.channels());
+    Statistics statistics;
+    Aovs aovs;
+    RenderOptions one = options;
+    one.progress = nullptr;
+    if (options.aovs != 0) {
+        // Which surfaces a pixel shows is averaged by the most samples that are drawn together.
+        one.pixel_samples = kMostPixelSamples;
+        draw(scene, projection, one, sample);
+        aovs = sample.aovs();
+        statistics = sample.statistics();
+        one.aovs = 0;
+    }
+    one.pixel_samples = 1;
+    Projection sharp = projection;
+    sharp.sample_size = 1 / std::sqrt(options.pixel_samples);
+    Progress progress(options.progress);
+    const float weight = 1.0F / static_cast<float>(options.pixel_samples);
+    for (int s = 0; s < options.pixel_samples; ++s) {
+        progress.report("draw", static_cast<double>(s) / options.pixel_samples);
+        one.seed = options.seed + static_cast<std::uint64_t>(s);
+        draw(scene, jittered(sharp, sample_place(s)), one, sample);
+        const StokesImage& image = sample.image();
+        for (std::size_t i = 0; i < mean.data.size(); ++i) mean.data[i] += weight * image.data[i];
+        statistics.add(sample.statistics());
+    }
+    target.show(std::move(mean), statistics, std::move(aovs));
 }
 
 void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {
@@ -176,9 +212,8 @@ void Renderer::update_buffers(const RefinedSurfaces& surfaces, int channels) {
     cut_outs_.update(surfaces.geometry(), surfaces.version(), surfaces.material_version(), buffers_);
 }
 
-void Renderer::draw(const Scene& scene, const Camera& camera, const RenderOptions& options,
+void Renderer::draw(const Scene& scene, const Projection& projection, const RenderOptions& options,
                     Framebuffer& target) {
-    const Projection projection = project(camera, target.width(), target.height());
     Progress progress(options.progress);
     Statistics statistics;
     RenderExecutor& executor = executor_for(options);

@@ -40,7 +40,11 @@ private:
     // Into a framebuffer of the scene's channels, by the reference method also of their luminance.
     void render_into(const Scene& scene, const Camera& camera, const RenderOptions& options,
                      Framebuffer& target);
-    void draw(const Scene& scene, const Camera& camera, const RenderOptions& options, Framebuffer& target);
+    void draw(const Scene& scene, const Projection& projection, const RenderOptions& options,
+              Framebuffer& target);
+    // As many images as the options have samples of a pixel, and their mean.
+    void draw_one_by_one(const Scene& scene, const Projection& projection, const RenderOptions& options,
+                         Framebuffer& target);
     // Copies surfaces to the device, inside run() of the context.
     void update_buffers(const RefinedSurfaces& surfaces, int channels);
     // Whether compute shaders are the executor.

@@ -20,6 +20,9 @@ struct Camera {
     /// Pixels, right and down, -0.5 to 0.5 each: what is that far from the centre of an image's pixel without
     /// jitter is at the centre with it. For averaging over frames.
     glm::dvec2 jitter{0.0};
+    /// How far the middle of the image is from the view direction (its principal point), right and down, in
+    /// widths and heights of the image, -1e5 to 1e5 each.
+    glm::dvec2 shift{0.0};
 
     bool operator==(const Camera&) const = default;
 };

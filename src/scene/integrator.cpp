@@ -43,8 +43,7 @@ void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& 
     integrator.reflects_often |= reflects_often;
     notices.add_unfollowed(node, "integrator " + in_quotes(plugin.type()) +
                                      (reflects_often ? " (light is reflected once)" : ""));
-    if (plugin.boolean("hide_emitters", false))
-        notices.add(node, "hide_emitters: the environment and surfaces that shine are seen");
+    integrator.hide_emitters |= plugin.boolean("hide_emitters", false);
     if (!type->holds_others) return static_cast<void>(plugin.objects({}));
     for (const NestedObject& inner : plugin.objects({"integrator"}))
         read_integrator(document, inner.node, notices, integrator, left);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <iterator>
 #include <map>
 #include <tuple>
@@ -137,6 +138,17 @@ Camera make(const SensorDescription& d) {
     camera.orthographic = d.kind == SensorDescription::Kind::orthographic;
     camera.to_world = d.to_world;
     if (!camera.orthographic) camera.fov = horizontal_fov(d);
+    camera.shift = d.principal_point_offset;
+    if (d.crop) {
+        // The pixels of a crop look where they do in the film.
+        const glm::dvec2 film(d.width, d.height);
+        const glm::dvec2 size(d.crop->size);
+        const double part = size.x / film.x;
+        camera.to_world[0] *= camera.orthographic ? part : 1;
+        camera.to_world[1] *= camera.orthographic ? part : 1;
+        camera.fov = glm::degrees(2 * std::atan(part * std::tan(glm::radians(camera.fov / 2))));
+        camera.shift = (camera.shift * film + glm::dvec2(d.crop->offset) + 0.5 * (size - film)) / size;
+    }
     camera.near_clip = d.near_clip;
     camera.far_clip = d.far_clip;
     return camera;
@@ -157,6 +169,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
                                       description.environment->scale);
         });
     }
+    out.scene.hide_emitters(description.integrator.hide_emitters);
     const SceneChannels channels = channels_under(out.scene.environment());
     scene::SceneTextures textures(channels, files);
     std::vector<MaterialPtr> materials;
@@ -182,8 +195,9 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));
     out.files = files.records();
     out.camera = make(description.sensor);
-    out.width = description.sensor.width;
-    out.height = description.sensor.height;
+    const SensorDescription& sensor = description.sensor;
+    out.width = sensor.crop ? sensor.crop->size.x : sensor.width;
+    out.height = sensor.crop ? sensor.crop->size.y : sensor.height;
     out.luminance = description.sensor.luminance;
     return out;
 }

@@ -16,7 +16,7 @@ namespace nicol {
 struct LoadedScene {
     Scene scene;
     Camera camera;
-    int width = 0;  ///< of the film, pixels
+    int width = 0;  ///< of the film or its crop, pixels
     int height = 0;
     bool luminance = false;            ///< the film has one channel
     std::vector<FileRecord> files;     ///< all that were read, as they were then; the scene file first

@@ -72,6 +72,8 @@ private:
             static_cast<void>(group(node));
         else if (type == "instance")
             instance(place, node);
+        else if (type == "merge")
+            merge(node);
         else
             single(place, node);
     }
@@ -111,6 +113,11 @@ private:
             member.to_world = instance.to_world * member.to_world;
             add(place, std::move(member));
         }
+    }
+
+    /// Its meshes become one in Mitsuba, which looks the same.
+    void merge(pugi::xml_node node) {
+        for (const pugi::xml_node of_group : read_group(document_, node)) single(of_group, of_group);
     }
 
     void add(pugi::xml_node place, ShapeDescription description) {

@@ -76,6 +76,10 @@ Projection project(const Camera& camera, int width, int height) {
         refuse_camera("jitter is " + std::to_string(camera.jitter.x) + " " + std::to_string(camera.jitter.y) +
                       "; each must lie in -0.5 to 0.5");
     }
+    if (!(std::abs(camera.shift.x) <= 1e5 && std::abs(camera.shift.y) <= 1e5)) {
+        refuse_camera("shift is " + std::to_string(camera.shift.x) + " " + std::to_string(camera.shift.y) +
+                      "; each must lie in -100000 to 100000");
+    }
     const glm::dmat3 axes(camera.to_world);
     const double aspect = static_cast<double>(width) / height;
 
@@ -114,7 +118,7 @@ Projection project(const Camera& camera, int width, int height) {
     }
     p.world_to_clip = clip * world_to_eye;
     p.pixel = {2.0 / width, 2.0 / height};
-    return jittered(p, camera.jitter);
+    return jittered(p, camera.jitter + camera.shift * glm::dvec2(width, height));
 }
 
 }  // namespace nicol

@@ -18,6 +18,7 @@ struct Projection {
     glm::dvec2 pixel;  ///< the size of one, in clip space
     glm::dvec2 shift{
         0.0};  ///< of the image on the image plane, in half widths to the right and half heights up
+    double sample_size = 1;  ///< of the square of a pixel that a sample stands for, in pixels: of textures
 };
 
 /// Where a point of an image of width x height pixels, (0, 0) its upper left corner, is on the image plane:

@@ -200,6 +200,12 @@ bool Scene::has_small_lights() const {
     });
 }
 
+void Scene::hide_emitters(bool hide) {
+    if (hide == emitters_hidden_) return;
+    emitters_hidden_ = hide;
+    emission_version_ = new_version();
+}
+
 void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale) {
     if (!(scale >= 0) || !std::isfinite(scale)) {
         refuse("the scale of the environment is " + std::to_string(scale) +

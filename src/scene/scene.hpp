@@ -56,10 +56,16 @@ public:
     /// `scale` multiplies the radiance and must be finite and not negative.
     void set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale);
 
+    /// Where true, no light goes straight from an environment or a surface that shines to the camera.
+    void hide_emitters(bool hide);
+    [[nodiscard]] bool emitters_hidden() const noexcept { return emitters_hidden_; }
+
     [[nodiscard]] const std::vector<Instance>& instances() const noexcept { return instances_; }
     /// Of instances(), ascending.
     [[nodiscard]] const std::vector<std::uint32_t>& ids() const noexcept { return ids_; }
     [[nodiscard]] const EnvironmentPtr& environment() const noexcept { return environment_; }
+    /// What is seen behind the instances: the environment, or null where emitters are hidden.
+    [[nodiscard]] EnvironmentPtr background() const { return emitters_hidden_ ? nullptr : environment_; }
     [[nodiscard]] const glm::dmat3& light_rotation() const noexcept { return rotation_; }
     [[nodiscard]] double light_scale() const noexcept { return scale_; }
     /// Colour channels: the largest number of any part; parts of one channel serve all.
@@ -73,7 +79,7 @@ public:
     [[nodiscard]] Version material_version() const noexcept { return material_version_; }
     /// Of the environment, its rotation and scale.
     [[nodiscard]] Version light_version() const noexcept { return light_version_; }
-    /// Of which instances shine, and how.
+    /// Of which instances shine, and how, and whether they are seen.
     [[nodiscard]] Version emission_version() const noexcept { return emission_version_; }
     /// Of lights().
     [[nodiscard]] Version small_light_version() const noexcept { return small_light_version_; }
@@ -100,6 +106,7 @@ private:
     EnvironmentPtr environment_;
     glm::dmat3 rotation_{1.0};
     double scale_ = 1;
+    bool emitters_hidden_ = false;
     Version geometry_version_ = new_version();
     Version material_version_ = new_version();
     Version light_version_ = new_version();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
 #include <memory>
@@ -33,8 +34,15 @@ struct SensorDescription {
     glm::dmat4 to_world{1.0};
     double near_clip = 1e-2;
     double far_clip = 1e4;
-    int width = 768;
+    int width = 768;  ///< of the film
     int height = 576;
+    struct Crop {
+        glm::ivec2 offset{0};  ///< pixels right and down
+        glm::ivec2 size{0};
+    };
+    std::optional<Crop> crop;  ///< none: all of it
+    /// Of the film's middle from the view direction, right and down, in its widths and heights.
+    glm::dvec2 principal_point_offset{0.0};
     bool luminance = false;  ///< the film has one channel, the luminance
 };
 
@@ -155,6 +163,7 @@ struct LightDescription {
 struct IntegratorDescription {
     /// Light is asked for that surfaces reflect to each other.
     bool reflects_often = true;
+    bool hide_emitters = false;  ///< see Scene::hide_emitters()
 };
 
 struct SceneDescription {

@@ -15,17 +15,23 @@ namespace {
 
 constexpr int kMaxSize = 32768;
 
-/// The part to render must be the whole.
-void check_crop(Plugin& film, const SensorDescription& sensor) {
-    struct Crop {
-        const char* name;
+/// What part of the film is rendered.
+void read_crop(Plugin& film, SensorDescription& sensor) {
+    struct Axis {
+        const char* offset;
+        const char* size;
         int whole;
     };
-    for (const auto& [name, whole] : {Crop{"crop_offset_x", 0}, Crop{"crop_offset_y", 0},
-                                      Crop{"crop_width", sensor.width}, Crop{"crop_height", sensor.height}})
-        if (film.integer(name, whole, 0, kMaxSize) != whole)
-            film.fail(name, "is not " + std::to_string(whole) + "; a part of the image is not supported",
-                      ErrorCode::unsupported);
+    SensorDescription::Crop crop;
+    glm::length_t i = 0;
+    for (const Axis& axis : {Axis{"crop_offset_x", "crop_width", sensor.width},
+                             Axis{"crop_offset_y", "crop_height", sensor.height}}) {
+        crop.offset[i] = film.integer(axis.offset, 0, 0, axis.whole - 1);
+        const int left = axis.whole - crop.offset[i];
+        crop.size[i] = film.integer(axis.size, left, 1, left);
+        ++i;
+    }
+    if (crop.size != glm::ivec2(sensor.width, sensor.height)) sensor.crop = crop;
 }
 
 /// Images are EXR files of 32-bit floats.
@@ -53,7 +59,7 @@ void read_film(const XmlDocument& document, pugi::xml_node node, SensorDescripti
     if (film.type() != "hdrfilm") film.fail_type("hdrfilm");
     sensor.width = film.integer("width", sensor.width, 1, kMaxSize);
     sensor.height = film.integer("height", sensor.height, 1, kMaxSize);
-    check_crop(film, sensor);
+    read_crop(film, sensor);
     read_format(film, node, sensor, notices);
     if (film.boolean("sample_border", false)) notices.add_unfollowed(node, "sample_border");
     // Of Mitsuba's summing, and of older versions.
@@ -97,17 +103,25 @@ SensorDescription read_sensor(const XmlDocument& document, pugi::xml_node node, 
     Plugin plugin(document, node);
     SensorDescription sensor;
     sensor.to_world = plugin.transform("to_world");
-    if (plugin.type() == "perspective") {
+    const bool thin_lens = plugin.type() == "thinlens";
+    if (plugin.type() == "perspective" || thin_lens) {
         read_field_of_view(plugin, sensor.fov, sensor.fov_axis);
-        for (const char* offset : {"principal_point_offset_x", "principal_point_offset_y"})
-            if (plugin.number(offset, 0.0) != 0.0)
-                plugin.fail(offset, "is not supported", ErrorCode::unsupported);
+        constexpr double most = 1e4;
+        sensor.principal_point_offset = {plugin.number("principal_point_offset_x", 0.0, -most, most),
+                                         plugin.number("principal_point_offset_y", 0.0, -most, most)};
         if (!is_rigid(sensor.to_world))
             plugin.fail("to_world", "scales; a perspective sensor may only be rotated and moved");
     } else if (plugin.type() == "orthographic") {
         sensor.kind = SensorDescription::Kind::orthographic;
     } else {
-        plugin.fail_type("perspective, orthographic", plugin.type() == "thinlens" ? "all is in focus" : "");
+        plugin.fail_type("perspective, thinlens, orthographic",
+                         plugin.type() == "batch" ? "one image is rendered at a time" : "");
+    }
+    if (thin_lens) {
+        if (!plugin.has("aperture_radius"))
+            plugin.fail("aperture_radius", "is missing; expected a positive <float>");
+        static_cast<void>(plugin.number("aperture_radius", 0.0, 0.0, kNoLimit, true));
+        notices.add(node, "a thinlens is read as a pinhole: all is in focus");
     }
     if (glm::determinant(glm::dmat3(sensor.to_world)) < 0.0)
         plugin.fail("to_world", "mirrors; a sensor may not", ErrorCode::unsupported);

@@ -35,7 +35,8 @@ ShapeDescription read_shape(const XmlDocument& document, pugi::xml_node node, No
     const auto kind = std::ranges::find(kKindNames, std::string_view(plugin.type()));
     if (kind == kKindNames.end())
         plugin.fail_type(
-            "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, instance");
+            "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, instance, "
+            "merge");
     ShapeDescription shape;
     shape.kind = static_cast<ShapeDescription::Kind>(kind - kKindNames.begin());
     shape.id = plugin.id();
@@ -71,8 +72,8 @@ std::vector<pugi::xml_node> read_group(const XmlDocument& document, pugi::xml_no
     for (const NestedObject& object : plugin.objects({"shape"})) {
         const std::string_view type = object.node.attribute("type").value();
         // This ends circles too.
-        if (type == "shapegroup" || type == "instance")
-            document.fail(object.place, "a shape " + in_quotes(type) + " inside a shapegroup",
+        if (type == "shapegroup" || type == "instance" || type == "merge")
+            document.fail(object.place, "a shape " + in_quotes(type) + " inside a " + plugin.type(),
                           ErrorCode::unsupported);
         members.push_back(object.node);
     }

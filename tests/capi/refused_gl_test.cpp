@@ -371,7 +371,7 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"shade_at", [](auto& o) { o.shade_at = 3; }},
          {"refine_tolerance", [](auto& o) { o.refine_tolerance = -1e-9; }},
          {"refine_tolerance", [](auto& o) { o.refine_tolerance = not_a_number; }},
-         {"pixel_samples is 2; it must be 1, 4 or 8", [](auto& o) { o.pixel_samples = 2; }},
+         {"pixel_samples is 1025; it must lie in 1 to 1024", [](auto& o) { o.pixel_samples = 1025; }},
          {"pixel_samples", [](auto& o) { o.pixel_samples = UINT32_MAX; }},
          {"split_lights is 65; it must lie in 0 to 64", [](auto& o) { o.split_lights = 65; }},
          {"split_lights is -2", [](auto& o) { o.split_lights = -2; }},

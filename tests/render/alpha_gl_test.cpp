@@ -59,6 +59,37 @@ GL_TEST_CASE("what black surfaces leave of an even light is one minus alpha, by 
     }
 }
 
+GL_TEST_CASE("hidden emitters light the scene, and leave the camera what surfaces reflect") {
+    Renderer renderer(context, 0);
+    for (const RenderOptions& options : ways()) {
+        CAPTURES(options.method, options.shade_at, options.pixel_samples, options.samples);
+        Scene scene = black_scene();
+        scene.set_material(0, diffuse({0.5}));
+        scene.set_environment(test::falling_light(0, false, 1), glm::dmat3(1), 1);
+        Framebuffer seen(context, kSide, kSide, 1);
+        renderer.render(scene, test::camera_at({0, 0, 5}), options, seen);
+        // The plate is black and shines.
+        scene.set_emission(1,
+                           std::make_shared<const Emission>(Emission{.radiance = {3.0}, .two_sided = true}));
+        scene.hide_emitters(true);
+        Framebuffer hidden(context, kSide, kSide, 1);
+        renderer.render(scene, test::camera_at({0, 0, 5}), options, hidden);
+        double most = 0;
+        int of_plate = 0;
+        for (std::size_t p = 0; p < std::size_t{kSide} * kSide; ++p) {
+            const float s0 = hidden.image().data[4 * p];
+            const float alpha = hidden.aovs().alpha[p];
+            if (alpha == 0) CHECK(s0 == 0);
+            if (alpha == 1 && s0 == 0) ++of_plate;
+            most = std::max(most, double{s0});
+        }
+        CHECK(of_plate > 10);
+        CHECK(most > 0.3 * seen.image().at(0, 0, 0)[0]);
+        CHECK(hidden.image().at(0, 0, 0)[0] == 0);
+        CHECK(seen.image().at(0, 0, 0)[0] > 0);
+    }
+}
+
 GL_TEST_CASE("alpha is the same in darkness") {
     Renderer renderer(context, 0);
     for (const RenderOptions& options : ways()) {

@@ -67,7 +67,48 @@ TEST_CASE("samples lie in their pixel around its centre, one in each row and col
         for (const glm::dvec2& at : pattern) sum += at;
         CHECK(sum == glm::dvec2(0));
     }
-    for (const int samples : {-1, 0, 2, 3, 5, 16}) CHECK(sample_pattern(samples).empty());
+    for (const int samples : {-1, 0, 2, 3, 5, 16}) {
+        CHECK(sample_pattern(samples).empty());
+        CHECK(samples_at_once(samples) == kMostPixelSamples);
+    }
+}
+
+TEST_CASE("samples that are drawn one by one lie in their pixel, and any number of them evenly") {
+    for (const int samples : {2, 16, 64, 1024}) {
+        // Every box of a corner of the pixel holds its share of them, to little more than their discrepancy.
+        double worst = 0;
+        for (double x = -0.5; x <= 0.5; x += 0.0625)
+            for (double y = -0.5; y <= 0.5; y += 0.0625) {
+                int inside = 0;
+                for (int s = 0; s < samples; ++s) {
+                    const glm::dvec2 at = sample_place(s);
+                    REQUIRE(std::max(std::abs(at.x), std::abs(at.y)) <= 0.5);
+                    inside += at.x < x && at.y < y ? 1 : 0;
+                }
+                worst = std::max(worst, std::abs(inside / double{1} / samples - (x + 0.5) * (y + 0.5)));
+            }
+        CHECK(worst < (1 + std::log2(samples)) / samples);
+    }
+}
+
+GL_TEST_CASE("a number that is not drawn together is the mean of images of a jittered camera") {
+    Studio render(context, 40, 40);
+    const Scene scene = sphere_on_plate();
+    for (const ShadeAt where : kPlaces) {
+        constexpr int samples = 5;
+        StokesImage expected(render.width, render.height, scene.channels());
+        Camera camera = test::some_camera();
+        for (int s = 0; s < samples; ++s) {
+            // To the right and down in both.
+            camera.jitter = sample_place(s);
+            const StokesImage image = render(scene, with(1, where), camera);
+            for (std::size_t i = 0; i < expected.data.size(); ++i)
+                expected.data[i] += image.data[i] / samples;
+        }
+        const StokesImage image = render(scene, with(samples, where), test::some_camera());
+        CHECK(rms(minus(image, expected)) < 1e-6 * rms(expected));
+        CHECK(rms(minus(image, render(scene, with(1, where), test::some_camera()))) > 1e-3 * rms(expected));
+    }
 }
 
 GL_TEST_CASE("a straight edge covers a pixel to half a sample") {
@@ -236,10 +277,10 @@ GL_TEST_CASE("an image of several samples is that of a fresh start, whatever was
 
 GL_TEST_CASE("other numbers of samples are refused") {
     Studio render(context);
-    for (const int samples : {0, 2, 16})
+    for (const int samples : {0, -4, 1025})
         check_error(ErrorCode::invalid_argument,
                     CALL(render(sphere_on_plate(), with(samples, ShadeAt::vertices))), "pixel_samples",
-                    "1, 4 or 8");
+                    "1 to 1024");
 }
 
 GL_TEST_CASE("where nothing else asks for pixels, threads shade several samples there, which costs less") {

@@ -87,7 +87,7 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
     unsupported("\n<shape type='hair'/>",
                 {":3: shape \"hair\"",
                  "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, "
-                 "instance"});
+                 "instance, merge"});
     unsupported("<bsdf type='principled'/>",
                 {":2: bsdf \"principled\"",
                  "pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided"});
@@ -95,8 +95,9 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
     unsupported("<bsdf type='roughplastic'/>", {"pplastic"});
     unsupported("<integrator type='bdpt'/>", {"integrator \"bdpt\"", "stokes, moment, aov, direct"});
     unsupported("<integrator type='stokes'><integrator type='ptracer'/></integrator>", {"\"ptracer\""});
-    unsupported("<sensor type='thinlens'/>",
-                {"sensor \"thinlens\"", "in focus", "perspective, orthographic"});
+    unsupported("<sensor type='batch'/>",
+                {"sensor \"batch\"", "one image", "perspective, thinlens, orthographic"});
+    invalid("<sensor type='thinlens'/>", {"sensor \"thinlens\"", "aperture_radius", "missing"});
     unsupported(sensor_with("<float name='fov' value='40'/><film type='specfilm'/>"),
                 {"film \"specfilm\"", "hdrfilm"});
     unsupported(
@@ -182,8 +183,10 @@ TEST_CASE("cameras and films that cannot be") {
                  {"\"width\" is", "from 1 to 32768"});
     bad_film("<float name='width' value='10'/>", {"<float>", "<integer>"});
     for (const char* crop : {"crop_width", "crop_height", "crop_offset_x", "crop_offset_y"})
-        unsupported(film_with(std::string("<integer name='") + crop + "' value='10'/>"),
-                    {"film \"hdrfilm\": parameter", crop, "a part of the image"});
+        bad_film(std::string("<integer name='") + crop + "' value='1000'/>",
+                 {"film \"hdrfilm\": parameter", crop, "is \"1000\"; expected"});
+    bad_film("<integer name='crop_offset_x' value='700'/><integer name='crop_width' value='100'/>",
+             {"\"crop_width\" is \"100\"", "from 1 to 68"});
     unsupported(film_with("<string name='pixel_format' value='xyz'/>"),
                 {"\"pixel_format\"", "rgb and luminance"});
     unsupported(film_with("<string name='pixel_format' value='xyza'/>"), {"\"pixel_format\""});
@@ -204,8 +207,7 @@ TEST_CASE("cameras and films that cannot be") {
     bad_sensor("<transform name='to_world'><scale value='2'/></transform>", {"\"to_world\" scales"});
     unsupported(sensor_with("<transform name='to_world'><scale x='-1'/></transform>"),
                 {"sensor \"perspective\": parameter \"to_world\" mirrors"});
-    unsupported(sensor_with("<float name='principal_point_offset_x' value='0.1'/>"),
-                {"principal_point_offset_x"});
+    bad_sensor("<float name='principal_point_offset_x' value='1e9'/>", {"\"principal_point_offset_x\" is"});
     bad_sensor("<film type='hdrfilm'/><film type='hdrfilm'/>", {"second <film>"});
 }
 

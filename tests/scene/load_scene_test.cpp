@@ -5,6 +5,7 @@
 #include "material/measured.hpp"
 #include "material/pbsdf_file.hpp"
 #include "material/psh_matrix_file.hpp"
+#include "scene/projection.hpp"
 #include "scene/scene_file.hpp"
 
 using namespace nicol;
@@ -143,6 +144,43 @@ TEST_CASE("what fails while a scene is made names the file and the object") {
         for (const std::string& part : wrong.parts)
             CHECK_MESSAGE(message.find(part) != std::string::npos, message, " lacks ", part);
     }
+}
+
+TEST_CASE("the pixels of a crop look where they do in the film, by its principal point") {
+    const auto projection = [](const std::string& type, const std::string& film) {
+        const SceneFile file(
+            scene("<sensor type='" + type +
+                  "'><transform name='to_world'><lookat origin='1, 2, 5' target='0, 0, 0' up='0, 1, 0'/>"
+                  "</transform><film type='hdrfilm'><integer name='width' value='120'/>"
+                  "<integer name='height' value='80'/>" +
+                  film + "</sensor>" + a_shape));
+        const LoadedScene loaded = load_scene(file.scene(), {});
+        return std::pair(project(loaded.camera, loaded.width, loaded.height),
+                         glm::dvec2(loaded.width, loaded.height));
+    };
+    const auto pixel = [](const auto& of, const glm::dvec3& point) {
+        const glm::dvec4 clip = of.first.world_to_clip * glm::dvec4(point, 1);
+        return (glm::dvec2(clip) / clip.w * glm::dvec2(0.5, -0.5) + 0.5) * of.second;
+    };
+    constexpr glm::dvec3 point(0.3, -0.2, 0.5);
+    const std::string crop =
+        "<integer name='crop_offset_x' value='70'/><integer name='crop_width' value='31'/>"
+        "<integer name='crop_offset_y' value='9'/><integer name='crop_height' value='60'/></film>";
+    const std::string offset =
+        "<float name='principal_point_offset_x' value='0.25'/>"
+        "<float name='principal_point_offset_y' value='-0.1'/>";
+    for (const char* type : {"perspective", "orthographic"}) {
+        const auto whole = projection(type, "</film>");
+        const auto part = projection(type, crop);
+        CHECK(part.second == glm::dvec2(31, 60));
+        CHECK(glm::distance(pixel(part, point), pixel(whole, point) - glm::dvec2(70, 9)) < 1e-9);
+    }
+    // A pixel looks where the one that is a quarter of the width further to the right would.
+    const auto whole = projection("perspective", "</film>");
+    const auto moved = projection("perspective", "</film>" + offset);
+    const auto both = projection("perspective", crop + offset);
+    CHECK(glm::distance(pixel(moved, point), pixel(whole, point) - glm::dvec2(30, -8)) < 1e-9);
+    CHECK(glm::distance(pixel(both, point), pixel(moved, point) - glm::dvec2(70, 9)) < 1e-9);
 }
 
 TEST_CASE("a path that is too long is that of a file which is not there") {

@@ -56,7 +56,7 @@ TEST_CASE("everything that a scene can hold is read") {
   <film type="hdrfilm"><integer name="width" value="300"/><integer name="height" value="400"/>
     <string name="pixel_format" value="rgb"/><string name="component_format" value="float32"/><rfilter type="box"/></film>
 </sensor>
-<sensor type="thinlens"/>
+<sensor type="batch"/>
 <emitter type="envmap"><string name="filename" value="light/sky.exr"/><float name="scale" value="2.5"/>
   <transform name="to_world"><rotate y="1" angle="90"/></transform></emitter>
 <shape type="ply" id="first"><string name="filename" value="../first.PLY"/><boolean name="face_normals" value="TRUE"/>

@@ -88,5 +88,7 @@ TEST_CASE("cameras out of range are refused by the name of the member") {
     refused("finite", [](Camera& c) { c.to_world[3].x = HUGE_VAL; });
     refused("jitter", [](Camera& c) { c.jitter.x = 0.51; });
     refused("jitter", [](Camera& c) { c.jitter.y = std::nan(""); });
+    refused("shift", [](Camera& c) { c.shift.x = -2e5; });
+    refused("shift", [](Camera& c) { c.shift.y = HUGE_VAL; });
     refused("last row", [](Camera& c) { c.to_world[3].w = 2; });
 }

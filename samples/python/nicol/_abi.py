@@ -406,6 +406,7 @@ class Camera(Struct):
         ("near_clip", c_double),
         ("far_clip", c_double),
         ("jitter", c_double * 2),
+        ("shift", c_double * 2),
     ]
     _defaults_ = {
         "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
@@ -1135,6 +1136,12 @@ class Scene(Handle):
         check(_scene_get_environment(self, byref(environment), to_world, byref(scale)))
         return environment if environment.value else None, tuple(to_world), scale.value
 
+    def hide_emitters(self, hide):
+        """hide 1: no light goes straight to the camera from the environment, which leaves black (alpha 0), or from
+        instances that emit, which show what they reflect alone; both light the scene as before. 0: they are seen,
+        unless the scene's file has hide_emitters."""
+        check(_scene_hide_emitters(self, hide))
+
     def add_light(self, light):
         """Adds a light, with an id of its own: lights are counted from 0, apart from instances. id may be NULL. A
         light must have one colour channel or as many as the scene; so must what an instance emits. The handle of
@@ -1636,6 +1643,7 @@ _scene_get_instance_count = declare("nicol_scene_get_instance_count", c_int32, S
 _scene_get_instance_ids = declare("nicol_scene_get_instance_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_set_environment = declare("nicol_scene_set_environment", c_int32, Scene, Environment, POINTER(c_double), c_double)
 _scene_get_environment = declare("nicol_scene_get_environment", c_int32, Scene, POINTER(Environment), POINTER(c_double), POINTER(c_double))
+_scene_hide_emitters = declare("nicol_scene_hide_emitters", c_int32, Scene, c_uint32)
 _scene_add_light = declare("nicol_scene_add_light", c_int32, Scene, POINTER(Light), POINTER(c_uint32))
 _scene_set_light = declare("nicol_scene_set_light", c_int32, Scene, c_uint32, POINTER(Light))
 _scene_remove_light = declare("nicol_scene_remove_light", c_int32, Scene, c_uint32)

@@ -750,6 +750,7 @@ pub struct nicol_camera {
     pub near_clip: f64,
     pub far_clip: f64,
     pub jitter: [f64; 2],
+    pub shift: [f64; 2],
 }
 impl Default for nicol_camera {
     fn default() -> Self {
@@ -764,7 +765,7 @@ impl Default for nicol_camera {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_camera>() == 176);
+    assert!(size_of::<nicol_camera>() == 192);
     assert!(offset_of!(nicol_camera, struct_size) == 0);
     assert!(offset_of!(nicol_camera, projection) == 4);
     assert!(offset_of!(nicol_camera, to_world) == 8);
@@ -772,6 +773,7 @@ const _: () = {
     assert!(offset_of!(nicol_camera, near_clip) == 144);
     assert!(offset_of!(nicol_camera, far_clip) == 152);
     assert!(offset_of!(nicol_camera, jitter) == 160);
+    assert!(offset_of!(nicol_camera, shift) == 176);
 };
 
 /// How the light of a lamp is polarized, the same for all of it. Its frame, seen by who looks into the lamp:
@@ -1692,6 +1694,10 @@ extern "C" {
     /// scale. to_world and scale may be NULL. In darkness, also that of a file's scale of 0, *environment is NULL,
     /// to_world the identity and scale 1.
     pub fn nicol_scene_get_environment(scene: nicol_scene, environment: *mut nicol_environment, to_world: *mut [f64; 16], scale: *mut f64) -> nicol_result;
+    /// hide 1: no light goes straight to the camera from the environment, which leaves black (alpha 0), or from
+    /// instances that emit, which show what they reflect alone; both light the scene as before. 0: they are seen,
+    /// unless the scene's file has hide_emitters.
+    pub fn nicol_scene_hide_emitters(scene: nicol_scene, hide: u32) -> nicol_result;
     /// Adds a light, with an id of its own: lights are counted from 0, apart from instances. id may be NULL. A
     /// light must have one colour channel or as many as the scene; so must what an instance emits. The handle of
     /// the texture may be released afterwards. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range,

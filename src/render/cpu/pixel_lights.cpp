@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "shading/light_places.hpp"
 #include "shading/shine.hpp"
 
 namespace nicol {
@@ -53,7 +54,7 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         for (std::size_t i = 0; i < count; ++i) {
             facets[i] = facet_of(input_.geometry, points[first + i].triangle, surface.normals[i]);
             origins[i] = surface.positions[i] + lights_.offset() * facets[i];
-            seeds[i] = points[first + i].pixel;
+            seeds[i] = place_seed(points[first + i].pixel, input_.seed);
         }
         std::span<const LayerWeights> weights;
         if (!batch.weights().empty())

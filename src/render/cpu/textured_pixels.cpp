@@ -32,8 +32,9 @@ public:
         slope_u_ = a.x * across_first + b.x * across_second;
         slope_v_ = a.y * across_first + b.y * across_second;
         // The steps to neighbours, at unit distance or, of an orthographic camera, anywhere.
-        right_ = Step(camera.right * (2 * view.projection.half_width / view.width), *this);
-        down_ = Step(camera.up * (-2 * view.projection.half_height / view.height), *this);
+        const Projection& p = view.projection;
+        right_ = Step(camera.right * (2 * p.sample_size * p.half_width / view.width), *this);
+        down_ = Step(camera.up * (-2 * p.sample_size * p.half_height / view.height), *this);
     }
 
     // Where a ray meets the triangle. distance: along the view direction, or 1 of an orthographic camera.

@@ -42,8 +42,9 @@ void DeviceTextures::find(const PixelInput& input, const PixelRun& run, const De
     gl::Program& program = this->program(variation.textures());
     set_view_uniforms(program, input.view);
     const Projection& projection = input.projection;
-    program.set("pixel_size", glm::vec2(2 * projection.half_width / input.hits.width(),
-                                        2 * projection.half_height / input.hits.height()));
+    program.set("pixel_size",
+                glm::vec2(2 * projection.sample_size * projection.half_width / input.hits.width(),
+                          2 * projection.sample_size * projection.half_height / input.hits.height()));
     program.set("count", static_cast<int>(count));
     program.set("stride", static_cast<int>(stride_));
     program.set("corner_numbers", corners_->numbers());
