@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace nicol {
@@ -12,6 +13,13 @@ namespace nicol {
     const double sign = std::copysign(1.0, n.z);
     const double a = -1.0 / (sign + n.z);
     return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+}
+
+/// The unit vector across a unit vector that is nearest to `along`; some, where all are as near.
+[[nodiscard]] inline glm::dvec3 perpendicular(const glm::dvec3& n, const glm::dvec3& along) {
+    const glm::dvec3 across = along - glm::dot(along, n) * n;
+    const double length = glm::length(across);
+    return length > 1e-6 * glm::length(along) ? across / length : perpendicular(n);
 }
 
 }  // namespace nicol

@@ -53,10 +53,18 @@ public:
         }
         check_reflectance(p_.specular_reflectance, "specular_reflectance");
         check_range(p_.alpha, 0.001, 1, "alpha");
+        if (p_.alpha_v != 0) check_range(p_.alpha_v, 0.001, 1, "alpha_v");
+        alpha_ = {p_.alpha, p_.alpha_v != 0 ? p_.alpha_v : p_.alpha};
         check_channels(p_.eta.size(), "eta", p_.specular_reflectance.size(), "specular_reflectance");
         if (std::all_of(p_.eta.begin(), p_.eta.end(), [this](auto eta) { return eta == p_.eta.front(); }) &&
             p_.specular_reflectance.size() > 1)
             p_.eta.resize(1);
+        if (alpha_.x != alpha_.y) {
+            RoughConductorParameters mean = p_;
+            mean.alpha = std::sqrt(alpha_.x * alpha_.y);
+            mean.alpha_v = 0;
+            isotropic_ = std::make_unique<const RoughConductor>(std::move(mean));
+        }
     }
 
     [[nodiscard]] int channels() const noexcept override {
@@ -66,12 +74,16 @@ public:
     [[nodiscard]] double weight(int term, int channel) const override {
         return p_.eta.size() == 1 || term == channel ? of_channel(p_.specular_reflectance, channel) : 0;
     }
-    [[nodiscard]] double lobe_width(int) const noexcept override { return p_.alpha; }
+    [[nodiscard]] double lobe_width(int) const noexcept override { return std::min(alpha_.x, alpha_.y); }
+    [[nodiscard]] glm::dvec2 lobe_widths(int) const noexcept override { return alpha_; }
+    [[nodiscard]] const Material& isotropic() const noexcept override {
+        return isotropic_ ? *isotropic_ : *this;
+    }
     [[nodiscard]] std::string content_key() const override {
         return Key("roughconductor")
             .add("eta", p_.eta)
             .add("specular_reflectance", p_.specular_reflectance)
-            .add("alpha", p_.alpha)
+            .add("alpha", isotropic_ ? std::vector{alpha_.x, alpha_.y} : std::vector{alpha_.x})
             .add("distribution", p_.distribution == Distribution::ggx)
             .text();
     }
@@ -79,7 +91,7 @@ public:
     [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
                                    const glm::dvec3& towards_viewer) const override {
         if (towards_light.z <= 0 || towards_viewer.z <= 0) return {};
-        const Facet facet(p_, towards_light, towards_viewer);
+        const Facet facet(p_.distribution, alpha_, towards_light, towards_viewer);
         return facet.reflect(p_.eta[static_cast<std::size_t>(term)]);
     }
     void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
@@ -88,12 +100,12 @@ public:
             std::fill(out.begin(), out.end(), Mueller{});
             return;
         }
-        const Facet facet(p_, towards_light, towards_viewer);
+        const Facet facet(p_.distribution, alpha_, towards_light, towards_viewer);
         for (std::size_t t = 0; t < p_.eta.size(); ++t) out[t] = facet.reflect(p_.eta[t]);
     }
     void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
                         std::size_t columns, std::span<LaneMueller> out) const override {
-        const LaneFacets facets{p_.distribution, static_cast<float>(p_.alpha)};
+        const LaneFacets facets{p_.distribution, static_cast<float>(alpha_.x), static_cast<float>(alpha_.y)};
         dispatch<reflect_metal<FourLanes>, reflect_metal<EightLanes>, reflect_metal<AllLanes>>(
             facets, p_.eta, towards_light, towards_viewer, columns, out.data());
     }
@@ -101,10 +113,11 @@ public:
 private:
     // What every index shares.
     struct Facet {
-        Facet(const RoughConductorParameters& p, const glm::dvec3& light, const glm::dvec3& viewer)
+        Facet(Distribution distribution, const glm::dvec2& alpha, const glm::dvec3& light,
+              const glm::dvec3& viewer)
             : half(glm::normalize(light + viewer)),
               cosine(std::min(1.0, glm::dot(viewer, half))),
-              scale(facet_reflection(p.distribution, p.alpha, light, viewer, half)),
+              scale(facet_reflection(distribution, alpha, light, viewer, half)),
               rotations(rotations_from_s_frames(light, viewer)) {}
         [[nodiscard]] Mueller reflect(std::complex<double> eta) const {
             return in_rotated_frames(scale, reflection_block(cosine, eta), rotations);
@@ -117,6 +130,8 @@ private:
     };
 
     RoughConductorParameters p_;
+    glm::dvec2 alpha_;                                 // along x and y
+    std::unique_ptr<const RoughConductor> isotropic_;  // null: it is so itself
 };
 
 }  // namespace

@@ -17,6 +17,9 @@ struct RoughConductorParameters {
     std::vector<std::complex<double>> eta{{0.0, -1.0}};
     std::vector<double> specular_reflectance{1.0};  ///< 0..1, one value or one a channel
     double alpha = 0.1;                             ///< roughness, 0.001..1
+    /// Roughness along y where alpha is that along x, 0.001..1; 0: as alpha. One that differs makes the
+    /// material anisotropic; its isotropic() counterpart has the geometric mean of both.
+    double alpha_v = 0;
     Distribution distribution = Distribution::beckmann;
 };
 /// Throws Error(invalid_argument) naming the parameter that is out of range.

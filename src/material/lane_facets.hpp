@@ -15,27 +15,29 @@
 
 namespace nicol {
 
-/// Facets of a distribution.
+/// Facets of a distribution, whose roughness along y may be another than along x.
 struct LaneFacets {
     Distribution distribution;
     float alpha;
+    float alpha_y = alpha;
 };
 
 /// facet_visibility() over the cosine, which stays finite at the horizon.
 template <class Number>
 [[gnu::always_inline]] inline void visibility_over_cosine(const LaneFacets& facets,
                                                           const Vector3<Number>& direction, Number& out) {
-    const Number rho2 = direction.x * direction.x + direction.y * direction.y;
+    const Number x = facets.alpha * direction.x;
+    const Number y = facets.alpha_y * direction.y;
+    const Number slope2 = x * x + y * y;
     const Number& z = direction.z;
     if (facets.distribution == Distribution::ggx) {
-        Number root = z * z + facets.alpha * facets.alpha * rho2;
+        Number root = z * z + slope2;
         square_root(root);
         out = 2.0F / (z + root);
         return;
     }
-    Number slope = rho2;
+    Number slope = slope2;
     square_root(slope);
-    slope *= facets.alpha;
     const Number inverse = 1.0F / (slope > 1e-18F ? slope : Number{} + 1e-18F);
     const Number a = z * inverse;
     const auto few_hidden = a < 1.6F;
@@ -47,11 +49,12 @@ template <class Number>
 template <class Number>
 [[gnu::always_inline]] inline void density(const LaneFacets& facets, const Vector3<Number>& half,
                                            const Number& length2, Number& out) {
-    const float alpha2 = facets.alpha * facets.alpha;
-    const float scale = 1 / (std::numbers::pi_v<float> * alpha2);
-    const Number rho2 = half.x * half.x + half.y * half.y;
+    const float scale = 1 / (std::numbers::pi_v<float> * facets.alpha * facets.alpha_y);
+    const Number x = (1 / facets.alpha) * half.x;
+    const Number y = (1 / facets.alpha_y) * half.y;
+    const Number slope2 = x * x + y * y;
     if (facets.distribution == Distribution::ggx) {
-        const Number ratio = length2 / (half.z * half.z + rho2 / alpha2);
+        const Number ratio = length2 / (half.z * half.z + slope2);
         out = scale * ratio * ratio;
         return;
     }
@@ -60,7 +63,7 @@ template <class Number>
     const Number least = 1e-9F * length2;
     const Number z2 = half.z * half.z;
     const Number inverse = 1.0F / (z2 > least ? z2 : least);
-    const Number power = -rho2 * inverse / alpha2;
+    const Number power = -slope2 * inverse;
     const auto some = power > -60.0F;
     Number fraction = some ? power : Number{};
     exponential(fraction);

@@ -36,6 +36,7 @@ public:
         if (terms_.empty())
             terms_.push_back(
                 {.material = variation_.layers.front().material, .index = 0, .scale = glm::dvec3(0)});
+        make_isotropic();
     }
 
     [[nodiscard]] int channels() const noexcept override { return channels_; }
@@ -49,6 +50,13 @@ public:
     [[nodiscard]] double lobe_width(int term) const noexcept override {
         const Term& of = at(term);
         return of.material->lobe_width(of.index);
+    }
+    [[nodiscard]] glm::dvec2 lobe_widths(int term) const noexcept override {
+        const Term& of = at(term);
+        return of.material->lobe_widths(of.index);
+    }
+    [[nodiscard]] const Material& isotropic() const noexcept override {
+        return isotropic_ ? *isotropic_ : *this;
     }
     [[nodiscard]] bool mirror_symmetric() const noexcept override {
         return std::ranges::all_of(
@@ -100,6 +108,16 @@ private:
     };
     [[nodiscard]] const Term& at(int term) const { return terms_[static_cast<std::size_t>(term)]; }
 
+    void make_isotropic() {
+        const auto anisotropic = [](const MaterialLayer& layer) { return layer.material->anisotropic(); };
+        if (std::ranges::none_of(variation_.layers, anisotropic)) return;
+        SpatialVariation layers = variation_;
+        // Each layer's material owns its counterpart.
+        for (MaterialLayer& layer : layers.layers)
+            layer.material = MaterialPtr(layer.material, &layer.material->isotropic());
+        isotropic_ = std::make_shared<const Layered>(std::move(layers));
+    }
+
     void add(const MaterialLayer& layer) {
         glm::vec3 mean = layer.scale;
         for (const LayerFactor& factor : layer.factors) {
@@ -129,6 +147,7 @@ private:
     bool varies_ = false;
     int channels_ = 1;
     std::vector<Term> terms_;
+    MaterialPtr isotropic_;  // null where no layer is anisotropic
 };
 
 SpatialVariation parts_of(const MaterialPtr& material, const char* of) {

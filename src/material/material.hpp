@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <glm/vec2.hpp>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,7 +18,7 @@ namespace nicol {
 
 struct SpatialVariation;
 
-/// An isotropic pBRDF without the cosine, as a sum of colourless terms with one weight a colour channel:
+/// A pBRDF without the cosine, as a sum of colourless terms with one weight a colour channel:
 /// M(channel) = sum over t of weight(t, channel) * evaluate(t, ...). Immutable.
 class Material {
 public:
@@ -31,8 +32,9 @@ public:
     [[nodiscard]] virtual double weight(int term, int channel) const = 0;
 
     /// Mueller matrix for light from `towards_light` to `towards_viewer`, unit vectors in the surface's frame
-    /// with the normal along z. Frames: the theta-phi frames of the propagation directions, -towards_light
-    /// and towards_viewer. Zero where either lies below the horizon. Units 1/sr.
+    /// with the normal along z and, of an anisotropic material, x where texture coordinate u grows. Frames:
+    /// the theta-phi frames of the propagation directions, -towards_light and towards_viewer. Zero where
+    /// either lies below the horizon. Units 1/sr.
     [[nodiscard]] virtual Mueller evaluate(int term, const glm::dvec3& towards_light,
                                            const glm::dvec3& towards_viewer) const = 0;
 
@@ -49,10 +51,20 @@ public:
     /// Angular radius of the narrowest feature of a term around the mirror direction, radians: what an
     /// integration over incident directions has to resolve.
     [[nodiscard]] virtual double lobe_width(int term) const noexcept = 0;
+    /// The widths along x and along y; the smaller one is lobe_width().
+    [[nodiscard]] virtual glm::dvec2 lobe_widths(int term) const noexcept {
+        return glm::dvec2(lobe_width(term));
+    }
 
-    /// Whether the pBRDF is its own mirror image in every plane through the normal: mirroring both directions
-    /// reverses the sign of what mixes (s0, s1) with (s2, s3), and changes nothing else. Measurements are not
-    /// quite.
+    /// What stands for it in harmonics, whose tables are of isotropic materials: itself, or the isotropic
+    /// counterpart that it keeps, of as many terms with the same weights and mirror symmetry.
+    [[nodiscard]] virtual const Material& isotropic() const noexcept { return *this; }
+    /// Whether the azimuth of the frame's x axis matters.
+    [[nodiscard]] bool anisotropic() const noexcept { return &isotropic() != this; }
+
+    /// Whether the isotropic() pBRDF is its own mirror image in every plane through the normal: mirroring
+    /// both directions reverses the sign of what mixes (s0, s1) with (s2, s3), and changes nothing else.
+    /// Measurements are not quite.
     [[nodiscard]] virtual bool mirror_symmetric() const noexcept { return true; }
     /// Pairings of the numbers of light (LightLayout) that rows of its response need: 1 or 2.
     [[nodiscard]] std::size_t pairings() const noexcept { return mirror_symmetric() ? 1 : 2; }

@@ -22,7 +22,7 @@ constexpr bool is_even(std::size_t p, std::size_t q, std::size_t pairing) {
 }  // namespace
 
 RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
-    : material_(material),
+    : material_(material.isotropic()),
       layout_(layout),
       pairings_(material.pairings()),
       waves_(static_cast<std::size_t>(layout.order()) + 1) {
@@ -30,7 +30,7 @@ RowIntegral::RowIntegral(const Material& material, const LightLayout& layout)
     const int terms = material.terms();
     bool equal_widths = true;
     for (int t = 1; t < terms; ++t)
-        equal_widths = equal_widths && material.lobe_width(t) == material.lobe_width(0);
+        equal_widths = equal_widths && material_.lobe_width(t) == material_.lobe_width(0);
     if (equal_widths) groups_.emplace_back();
     for (int t = 0; t < terms; ++t) {
         if (!equal_widths) groups_.emplace_back();

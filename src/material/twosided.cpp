@@ -18,9 +18,15 @@ public:
         return front_->weight(term, channel);
     }
     [[nodiscard]] double lobe_width(int term) const noexcept override { return front_->lobe_width(term); }
+    [[nodiscard]] glm::dvec2 lobe_widths(int term) const noexcept override {
+        return front_->lobe_widths(term);
+    }
+    // Tables hold the front.
+    [[nodiscard]] const Material& isotropic() const noexcept override {
+        return front_->anisotropic() ? front_->isotropic() : *this;
+    }
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return front_->mirror_symmetric(); }
     [[nodiscard]] bool twosided() const noexcept override { return true; }
-    // Tables hold the front.
     [[nodiscard]] std::string content_key() const override { return front_->content_key(); }
     [[nodiscard]] const IsotropicMatrix* matrix(int channel) const override {
         return front_->matrix(channel);

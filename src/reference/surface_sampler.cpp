@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -25,22 +26,22 @@ glm::dvec3 cosine_sample(const glm::dvec2& point) {
 /// The normal of a facet that is visible to the viewer, after Dupuy and Benyoub 2023: stretched until the
 /// roughness is 1, the facets are a hemisphere, whose reflections of the viewer fill a cap of the sphere
 /// evenly.
-glm::dvec3 visible_facet(double roughness, const glm::dvec3& viewer, const glm::dvec2& point) {
-    const glm::dvec3 stretched = glm::normalize(viewer * glm::dvec3(roughness, roughness, 1));
+glm::dvec3 visible_facet(const glm::dvec2& roughness, const glm::dvec3& viewer, const glm::dvec2& point) {
+    const glm::dvec3 stretched = glm::normalize(viewer * glm::dvec3(roughness, 1));
     const double z = (1 - point.x) * (1 + stretched.z) - stretched.z;
     const double radius = std::sqrt(std::max(0.0, 1 - z * z));
     const double phi = 2 * pi * point.y;
     const glm::dvec3 half = glm::dvec3(radius * std::cos(phi), radius * std::sin(phi), z) + stretched;
-    return glm::normalize(half * glm::dvec3(roughness, roughness, 1));
+    return glm::normalize(half * glm::dvec3(roughness, 1));
 }
 
-double facet_pdf(double roughness, const glm::dvec3& viewer, const glm::dvec3& light) {
+double facet_pdf(const glm::dvec2& roughness, const glm::dvec3& viewer, const glm::dvec3& light) {
     const glm::dvec3 sum = viewer + light;
     const double length = glm::length(sum);
     if (!(length > 0) || !(sum.z > 0)) return 0;
     // Density of the visible facets, G1 D (v.h) / v.z, times the Jacobian of reflecting, 1 / (4 v.h).
-    return facet_visibility(Distribution::ggx, roughness, viewer.z) *
-           facet_density(Distribution::ggx, roughness, std::min(1.0, sum.z / length)) / (4 * viewer.z);
+    return facet_visibility(Distribution::ggx, roughness, viewer) *
+           facet_density(Distribution::ggx, roughness, sum / length) / (4 * viewer.z);
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ SurfaceSampler::SurfaceSampler(const Material& material) {
     for (int t = 0; t < material.terms(); ++t) {
         const double width = material.lobe_width(t);
         wide = wide || !(width < 1);
-        const double roughness = std::max(width, kNarrowest);
+        const glm::dvec2 roughness = glm::max(material.lobe_widths(t), kNarrowest);
         const auto same = [&](const Lobe& lobe) { return lobe.roughness == roughness; };
         if (width < 1 && std::ranges::none_of(lobes_, same)) lobes_.push_back({roughness, 0});
     }

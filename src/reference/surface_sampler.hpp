@@ -11,8 +11,8 @@
 namespace nicol {
 
 /// A mixture of the cosine-weighted hemisphere and, for each lobe width of the material below 1, reflection
-/// off the visible facets of a GGX surface of that roughness. All directions are in the
-/// surface's frame with the normal along z.
+/// off the visible facets of a GGX surface of that roughness, which may be another along y than along x. All
+/// directions are in the surface's frame with the normal along z.
 class SurfaceSampler {
 public:
     explicit SurfaceSampler(const Material& material);
@@ -26,7 +26,7 @@ public:
 
 private:
     struct Lobe {
-        double roughness;
+        glm::dvec2 roughness;
         double share;
     };
     std::vector<Lobe> lobes_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "geometry/perpendicular.hpp"
 #include "material/spatial_variation.hpp"
 #include "shading/normal_variation.hpp"
 
@@ -28,6 +29,13 @@ TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
     if (mesh.texcoords.empty()) return {};
     return nicol::texture_axes(corners_of(mesh.positions, mesh.triangles[triangle]),
                                corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]));
+}
+
+// The frame of a shading normal, for what the surface is made of.
+Frame surface_frame(const TracedSurface& surface, std::uint32_t triangle, const glm::dvec3& normal) {
+    if (!surface.material->anisotropic()) return theta_phi_frame(normal);
+    const glm::dvec3 x = perpendicular(normal, glm::dvec3(texture_axes(surface.mesh, triangle).by_u));
+    return Frame(x, glm::cross(normal, x), normal);
 }
 
 glm::dvec3 weights_of(const RayHit& hit) {
@@ -100,7 +108,7 @@ SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const gl
                 glm::normalize(glm::dvec3(facing(turned, normal_of_mesh, glm::vec3(towards_viewer))));
         }
     }
-    out.frame = theta_phi_frame(shading_normal);
+    out.frame = surface_frame(surface, hit.triangle, shading_normal);
     out.towards_viewer = glm::normalize(towards_viewer * out.frame);
     return out;
 }

@@ -41,8 +41,10 @@ struct SurfaceHit {
     const TracedSurface& surface;
     glm::dvec3 position;
     glm::dvec3 geometric_normal;
-    glm::dvec3 unturned;        ///< the interpolated normal, on the side of the shading normal
-    Frame frame;                ///< z = the shading normal, of a two-sided material on the viewer's side
+    glm::dvec3 unturned;  ///< the interpolated normal, on the side of the shading normal
+    /// z = the shading normal, of a two-sided material on the viewer's side; of an anisotropic one x = where
+    /// texture coordinate u grows.
+    Frame frame;
     glm::dvec3 towards_viewer;  ///< in that frame
     TexturePoint point;
 };

@@ -34,8 +34,8 @@ struct WorldGeometry {
     std::size_t one_sided = 0;          ///< how many of them
     std::vector<VertexRange> ranges;
 
-    /// Of the corners of triangles, in their order, 0 for meshes without any; empty unless the materials that
-    /// vary need them.
+    /// Of the corners of triangles, in their order, 0 for meshes without any; empty unless materials that
+    /// vary or are anisotropic need them.
     std::vector<std::array<glm::vec2, 3>> texcoords;
     /// Likewise colours of vertices; 1 for meshes without any.
     std::vector<std::array<glm::vec3, 3>> colors;

@@ -224,7 +224,8 @@ void SceneGeometry::set_corners() {
     bool colors = false;
     for (const VertexRange& range : geometry_->ranges) {
         const SpatialVariation* const variation = range.material->variation();
-        texcoords = texcoords || (variation != nullptr && variation->needs_texcoords()) ||
+        texcoords = texcoords || range.material->anisotropic() ||
+                    (variation != nullptr && variation->needs_texcoords()) ||
                     (range.emission != nullptr && range.emission->texture != nullptr);
         colors = colors || (variation != nullptr && variation->needs_colors());
     }

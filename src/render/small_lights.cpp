@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "render/rigid_motion.hpp"
+#include "render/tangents.hpp"
 #include "shading/lamp_source.hpp"
 #include "visibility/bake_origins.hpp"
 
@@ -39,6 +40,8 @@ void SmallLights::update(const Scene& scene, const Lamps& split, const RefinedSu
         rays_version_ = new_version();
         if (shadows) make_rays(surfaces.geometry());
     });
+    tangents_.run(surfaces.version(), surfaces.material_version(),
+                  [&] { vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry()); });
     making_.run(scene.small_light_version(), scene.emission_version(), scene.geometry_version(),
                 surfaces.to_world(), rays_version_, options.light_samples, split.lamps, split.rotation,
                 scene.light_scale(), [&] {

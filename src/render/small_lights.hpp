@@ -42,6 +42,8 @@ public:
     [[nodiscard]] float offset() const { return offset_; }
     /// ... and beside each vertex.
     [[nodiscard]] std::span<const glm::vec3> vertex_origins() const { return vertex_origins_; }
+    /// Where texture coordinate u grows, by vertex; empty: no material is anisotropic.
+    [[nodiscard]] std::span<const glm::vec3> vertex_tangents() const { return vertex_tangents_; }
 
     /// Of the polarization of what an instance emits.
     [[nodiscard]] const glm::dvec3& axis_of(std::uint32_t instance) const { return axes_.at(instance); }
@@ -57,6 +59,8 @@ private:
     Version rays_version_ = 0;
     float offset_ = 0;
     std::vector<glm::vec3> vertex_origins_;
+    Stage<Version, Version> tangents_;  // vertices and triangles, materials
+    std::vector<glm::vec3> vertex_tangents_;
     // Lights, emission, where instances are, the axes, rays, places of a light; lamps, their axes and scale.
     Stage<Version, Version, Version, glm::dmat4, Version, int, std::vector<std::shared_ptr<const Lamp>>,
           glm::dmat3, double>

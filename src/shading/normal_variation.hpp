@@ -21,6 +21,7 @@ struct TextureAxes {
 struct LaneTextureAxes {
     LaneVectors by_u, by_v;
 };
+/// Of a triangle.
 [[nodiscard]] TextureAxes texture_axes(const std::array<glm::vec3, 3>& positions,
                                        const std::array<glm::vec2, 3>& texcoords);
 

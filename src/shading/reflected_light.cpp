@@ -33,10 +33,32 @@ template <class Number>
     return out;
 }
 
+// Of a surface's frame, by Duff et al. 2017, which takes neither root nor branch.
+template <class Number>
+[[gnu::always_inline]] inline void some_axes(const Vector3<Number>& n, Vector3<Number>& x,
+                                             Vector3<Number>& y) {
+    const Number sign = n.z < 0.0F ? Number{} - 1.0F : Number{} + 1.0F;
+    const Number a = -1.0F / (sign + n.z);
+    const Number b = n.x * n.y * a;
+    x = {1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    y = {b, sign + n.y * n.y * a, -n.y};
+}
+
+// x nearest to the unit `along`, where that is not n itself.
+template <class Number>
+[[gnu::always_inline]] inline void axes_along(const Vector3<Number>& along, const Vector3<Number>& n,
+                                              Vector3<Number>& x, Vector3<Number>& y) {
+    Number number;
+    dot(along, n, number);
+    x = normalized_or(minus_scaled(along, number, n), 1e-10F, x);
+    y = cross(n, x);
+}
+
 struct LitFrames {
     LaneVectors& tangent;
     LaneVectors& bitangent;
     const LaneVectors& normal;
+    const LaneVectors* along;  // of tangents; null: any will do
     LaneVectors& towards_viewer;
     Lanes& frame_cosine;
     Lanes& frame_sine;
@@ -57,15 +79,16 @@ template <class Number>
     const Vector3<float> up = in_floats(camera.up);
     const Vector3<float> right = in_floats(camera.right);
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
-        // Any axes will do; these, by Duff et al. 2017, take neither root nor branch.
-        Vector3<Number> n;
+        Vector3<Number> n, x_axis, y_axis;
         load_part(points.normal, first, n);
-        const Number sign = n.z < 0.0F ? Number{} - 1.0F : Number{} + 1.0F;
-        const Number a = -1.0F / (sign + n.z);
-        const Number b = n.x * n.y * a;
-        store_part(Vector3<Number>{1.0F + sign * n.x * n.x * a, sign * b, -sign * n.x}, first,
-                   points.tangent);
-        store_part(Vector3<Number>{b, sign + n.y * n.y * a, -n.y}, first, points.bitangent);
+        some_axes(n, x_axis, y_axis);
+        if (points.along != nullptr) {
+            Vector3<Number> tangent;
+            load_part(*points.along, first, tangent);
+            axes_along(tangent, n, x_axis, y_axis);
+        }
+        store_part(x_axis, first, points.tangent);
+        store_part(y_axis, first, points.bitangent);
 
         Vector3<Number> w;
         load_part(towards, first, w);
@@ -183,16 +206,15 @@ template <class Number>
 }  // namespace
 
 void ReflectedLight::set(const Viewpoint& view, std::span<const glm::vec3> positions,
-                         std::span<const glm::vec3> normals) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::vec3& n = normals[i < normals.size() ? i : 0];
-        normal_.x[i] = n.x;
-        normal_.y[i] = n.y;
-        normal_.z[i] = n.z;
-    }
+                         std::span<const glm::vec3> normals, std::span<const glm::vec3> tangents) {
+    for (std::size_t i = 0; i < kLanes; ++i) put(normal_, i, normals[i < normals.size() ? i : 0]);
+    LaneVectors along;
+    if (!tangents.empty())
+        for (std::size_t i = 0; i < kLanes; ++i) put(along, i, tangents[i < tangents.size() ? i : 0]);
     dispatch<find_frames<FourLanes>, find_frames<EightLanes>, find_frames<AllLanes>>(
         view.axes(), lane_points(positions),
-        LitFrames{tangent_, bitangent_, normal_, towards_viewer_, frame_cosine_, frame_sine_});
+        LitFrames{tangent_, bitangent_, normal_, tangents.empty() ? nullptr : &along, towards_viewer_,
+                  frame_cosine_, frame_sine_});
 }
 
 std::uint32_t ReflectedLight::lit(const LaneLight& light) const {

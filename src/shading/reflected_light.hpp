@@ -19,8 +19,10 @@ namespace nicol {
 class ReflectedLight {
 public:
     /// At most kLanes positions and their unit shading normals, of two-sided materials on the viewer's side;
-    /// the other lanes repeat the first.
-    void set(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
+    /// the other lanes repeat the first. `tangents`: where texture coordinate u grows there, which
+    /// anisotropic materials follow, unit or 0; empty: none is anisotropic.
+    void set(const Viewpoint& view, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,
+             std::span<const glm::vec3> tangents = {});
 
     /// Bit i: light reaches point i (unless something is in between) from above the horizon of its normal,
     /// and the viewer is above it as well. At all others add() adds nothing: they need no shadow ray.

@@ -105,7 +105,7 @@ std::uint64_t SmallLighting::add(const Viewpoint& view, const LitPoints& points,
     thread_local ReflectedLight reflected;
     thread_local LaneLight light;
     thread_local std::vector<std::array<Lanes, 4>> sums;
-    reflected.set(view, points.positions, points.normals);
+    reflected.set(view, points.positions, points.normals, points.tangents);
     sums.assign(out.size(), {});
     std::optional<ShadowRays> shadows;
     if (rays_ != nullptr && points.shadowed) shadows.emplace(*rays_, points.origins);

@@ -21,6 +21,8 @@ namespace nicol {
 struct LitPoints {
     std::span<const glm::vec3> positions;
     std::span<const glm::vec3> normals;  ///< unit, of shading
+    /// Where texture coordinate u grows, unit or 0, for anisotropic materials. Empty: the material is none.
+    std::span<const glm::vec3> tangents;
     /// Unit: light from below these is hidden by the surface itself, though a texture turns the normal
     /// towards it. Empty: no texture does.
     std::span<const glm::vec3> facets;

@@ -85,7 +85,7 @@ std::array<Tap, SplitStencil::kCount> SplitStencil::taps(double theta_out) const
 }
 
 SplitFit::SplitFit(const Material& material, int l_low, int l_high, int channels)
-    : material_(material), l_low_(l_low), l_high_(l_high), channels_(channels) {
+    : material_(material.isotropic()), l_low_(l_low), l_high_(l_high), channels_(channels) {
     std::vector<std::vector<double>> lobes;
     lobes.reserve(kLobes);
     for (const double width : kLobeWidths) lobes.push_back(gaussian_gains(width, l_low + 1, l_high));

@@ -75,6 +75,10 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
     const auto metal = [](double alpha, Distribution distribution) {
         return rough_conductor({.eta = metal_index("Au"), .alpha = alpha, .distribution = distribution});
     };
+    const auto brushed = [](double alpha_u, double alpha_v, Distribution distribution) {
+        return rough_conductor(
+            {.eta = metal_index("Au"), .alpha = alpha_u, .alpha_v = alpha_v, .distribution = distribution});
+    };
     const Distribution beckmann = Distribution::beckmann;
     const Distribution ggx = Distribution::ggx;
     const MaterialPtr callback =
@@ -98,6 +102,8 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
         {"plastic, total reflection", plastic(0.2, ggx, 0.8), 0.2},
         {"metal, beckmann", metal(0.1, beckmann), 0.1},
         {"metal, ggx", metal(0.3, ggx), 0.3},
+        {"brushed metal, beckmann", brushed(0.3, 0.1, beckmann), 0.1},
+        {"brushed metal, ggx", brushed(0.05, 0.4, ggx), 0.05},
         {"metal, smooth", conductor(metal_index("Ag")), kSmoothAlpha},
         {"metal without absorption", rough_conductor({.eta = {{1.5, 0}}, .alpha = 0.2}), 0.2},
         {"two-sided", twosided(plastic(0.1, ggx, 1.5)), 0.1},

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reference/surface_sampler.hpp"
+
+#include "material/conductor.hpp"
 #include "sampling.hpp"
 #include "test.hpp"
 
@@ -16,11 +18,20 @@ glm::dvec3 viewer_at(double degrees) {
 }  // namespace
 
 TEST_CASE("the density integrates to 1 over the sphere and is that of the samples") {
-    for (const double alpha : {0.1, 0.3, 0.8}) {
-        const MaterialPtr material = pplastic({.alpha = alpha, .distribution = Distribution::ggx});
+    const auto plastic = [](double alpha) {
+        return pplastic({.alpha = alpha, .distribution = Distribution::ggx});
+    };
+    const struct {
+        const char* name;
+        MaterialPtr material;
+    } rows[] = {{"smooth", plastic(0.1)},
+                {"glossy", plastic(0.3)},
+                {"rough", plastic(0.8)},
+                {"brushed metal", rough_conductor({.alpha = 0.5, .alpha_v = 0.1})}};
+    for (const auto& [name, material] : rows) {
         const SurfaceSampler sampler(*material);
         for (const double degrees : {0.0, 40.0, 75.0, 83.0}) {
-            CAPTURES(alpha, degrees);
+            CAPTURES(name, degrees);
             const glm::dvec3 viewer = viewer_at(degrees);
             const std::vector<double> expected =
                 integrals([&](const glm::dvec3& d) { return sampler.pdf(viewer, d); });

@@ -156,6 +156,48 @@ GL_TEST_CASE("a directional light on a Lambertian sphere is its cosine") {
     CHECK(near > 0.99 * count);
 }
 
+GL_TEST_CASE("highlights of brushed metal follow texture coordinates, as by the reference method") {
+    const auto lit = [](const Mesh& mesh, const glm::dmat4& to_world, double alpha_u, double alpha_v) {
+        Scene scene;
+        scene.add(
+            {.mesh = std::make_shared<const Mesh>(mesh),
+             .material = rough_conductor({.eta = metal_index("Au"), .alpha = alpha_u, .alpha_v = alpha_v}),
+             .to_world = to_world});
+        scene.add_light({.value = {40}, .to_world = aimed({1, 3, 1.5}), .state = some_state()});
+        return scene;
+    };
+    Studio render(context, 96, 72);
+    const auto by_rays = [&](const Scene& scene) {
+        return render(scene, {.method = Method::reference, .samples = 16});
+    };
+    // On a plate the axes of texture coordinates are at right angles.
+    const glm::dmat4 lying = test::plate_at(-0.5, 2);
+    const Mesh along_x = *test::with_texcoords(make_rectangle(4));
+    Mesh along_y = along_x;
+    for (glm::vec2& uv : along_y.texcoords) uv = {uv.y, uv.x};
+    const StokesImage plate = by_rays(lit(along_x, lying, 0.5, 0.15));
+    CHECK(rms(plate) > 0.01);
+    CHECK(rms(minus(by_rays(lit(along_y, lying, 0.15, 0.5)), plate)) < 1e-5 * rms(plate));
+    CHECK(rms(minus(by_rays(lit(along_y, lying, 0.5, 0.15)), plate)) > 0.3 * rms(plate));
+    CHECK(rms(minus(by_rays(lit(along_x, lying, std::sqrt(0.075), 0)), plate)) > 0.1 * rms(plate));
+
+    const Scene ball = lit(*test::with_texcoords(make_sphere()), glm::dmat4(1), 0.5, 0.15);
+    const StokesImage expected = by_rays(ball);
+    const double size = rms(expected);
+    CHECK(size > 0.01);
+    Studio fine(context, 384, 288);
+    for (const ShadeAt shade_at : {ShadeAt::pixels, ShadeAt::vertices}) {
+        CAPTURE(shade_at == ShadeAt::pixels);
+        const StokesImage image = reduced(fine(ball, options(shade_at)));
+        CHECK(rms(minus(image, expected)) < 0.03 * size);
+    }
+    // Without texture coordinates there is a direction, too.
+    Scene plain;
+    plain.add({.mesh = test::fine_sphere(), .material = rough_conductor({.alpha = 0.5, .alpha_v = 0.15})});
+    plain.add_light({.value = {40}, .to_world = aimed({1, 3, 1.5})});
+    CHECK(rms(render(plain, options(ShadeAt::pixels))) > 0.01);
+}
+
 GL_TEST_CASE("small lights are those of the reference method") {
     for (const Case& light : cases()) {
         CAPTURE(light.name);

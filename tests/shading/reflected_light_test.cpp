@@ -24,7 +24,12 @@ glm::dvec3 lane(const LaneVectors& lanes, std::size_t i) {
 /// Unit normals that mostly face the viewer, and lights that mostly lie above them.
 struct Points {
     std::vector<glm::vec3> positions, normals;
+    std::vector<glm::vec3> tangents;  ///< of any angle to the normals
     LaneLight light;
+
+    [[nodiscard]] std::span<const glm::vec3> tangents_for(const Material& material) const {
+        return material.anisotropic() ? std::span(tangents) : std::span<const glm::vec3>();
+    }
 };
 
 template <class Random>
@@ -47,6 +52,7 @@ Points some_points(Random& random, const Viewpoint& view, std::size_t components
                                           : mirrored + 0.8 * random_direction(random);
         out.positions.push_back(position);
         out.normals.push_back(glm::vec3(normal));
+        out.tangents.push_back(glm::vec3(random_direction(random)));
         put(out.light.towards, i, glm::normalize(light));
         put(out.light.x, i, frame_with_x(lane(out.light.towards, i), random_direction(random))[0]);
         for (std::array<Lanes, 4>& irradiance : out.light.irradiance) {
@@ -72,7 +78,7 @@ Points some_points(Random& random, const Viewpoint& view, std::size_t components
 Stokes expected_of(const Points& p, std::size_t i, const Viewpoint& view, const Material& material,
                    std::size_t channel, double& scale) {
     const LaneLight& light = p.light;
-    const Frame surface = theta_phi_frame(glm::normalize(glm::dvec3(p.normals[i])));
+    const Frame surface = frame_with_x(glm::normalize(glm::dvec3(p.normals[i])), p.tangents[i]);
     const glm::dvec3 viewer = view.towards(p.positions[i]);
     const glm::dvec3 towards_light = lane(light.towards, i);
     const glm::dvec3 local_viewer = viewer * surface;
@@ -106,12 +112,14 @@ TEST_CASE("sixteen points reflect as the sum over Mueller matrices says, in ever
     const MaterialPtr plastic = pplastic({.diffuse_reflectance = {0.2, 0.5, 0.9}, .alpha = 0.2});
     const MaterialPtr gold =
         rough_conductor({.eta = metal_index("Au"), .alpha = 0.3, .distribution = Distribution::ggx});
+    const MaterialPtr brushed = rough_conductor({.eta = metal_index("Au"), .alpha = 0.2, .alpha_v = 0.6});
     const struct {
         std::string name;
         MaterialPtr material;
     } rows[] = {{"diffuse", diffuse({0.5})},
                 {"plastic", plastic},
                 {"gold", gold},
+                {"brushed gold", brushed},
                 {"two-sided", twosided(plastic)},
                 {"chiral", test::chiral(gold)}};
     std::mt19937 random(7);
@@ -132,7 +140,7 @@ TEST_CASE("sixteen points reflect as the sum over Mueller matrices says, in ever
                         const std::uint32_t points =
                             n == 0 ? 0xFFFF : static_cast<std::uint32_t>(random() & 0xFFFF);
                         ReflectedLight reflected;
-                        reflected.set(*view, p.positions, p.normals);
+                        reflected.set(*view, p.positions, p.normals, p.tangents_for(*row.material));
                         std::vector<std::array<Lanes, 4>> out(3);
                         for (auto& stokes : out)
                             for (Lanes& lanes : stokes) lanes.value.fill(0.25F);
@@ -171,6 +179,19 @@ TEST_CASE("sixteen points reflect as the sum over Mueller matrices says, in ever
     }
 }
 
+TEST_CASE("an anisotropic material without a tangent takes some other") {
+    std::mt19937 random(9);
+    Points p = some_points(random, kPerspective, 4, 1);
+    p.tangents.assign(kLanes, glm::vec3(0));
+    p.tangents.front() = p.normals.front();
+    ReflectedLight reflected;
+    reflected.set(kPerspective, p.positions, p.normals, p.tangents);
+    std::vector<std::array<Lanes, 4>> out(1);
+    reflected.add(*rough_conductor({.alpha = 0.2, .alpha_v = 0.6}), nullptr, p.light, 0xFFFF, 1, out);
+    for (const float s0 : out[0][0].value) CHECK(std::isfinite(s0));
+    CHECK(out[0][0][0] > 0);
+}
+
 TEST_CASE("lanes beyond the points given repeat the first") {
     std::mt19937 random(8);
     Points p = some_points(random, kPerspective, 4, 1);
@@ -180,7 +201,8 @@ TEST_CASE("lanes beyond the points given repeat the first") {
         lanes->value.fill((*lanes)[0]);
     for (Lanes& lanes : p.light.irradiance[0]) lanes.value.fill(lanes[0]);
     ReflectedLight reflected;
-    reflected.set(kPerspective, std::span(p.positions).first(3), std::span(p.normals).first(3));
+    reflected.set(kPerspective, std::span(p.positions).first(3), std::span(p.normals).first(3),
+                  std::span(p.tangents).first(3));
     std::vector<std::array<Lanes, 4>> out(1);
     reflected.add(*pplastic({}), nullptr, p.light, 0xFFFF, 1, out);
     CHECK(out[0][0][0] > 0);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "render/tangents.hpp"
 #include "shading/light_places.hpp"
 #include "shading/shine.hpp"
 
@@ -43,18 +44,20 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
     const VertexRange& range = input_.geometry.ranges[any.range];
     const bool shadowed = input_.visibility == nullptr || any.occluded != 0;
     const std::vector<const Material*> layers = layers_of(*range.material);
+    const bool anisotropic = range.material->anisotropic() && !input_.geometry.texcoords.empty();
     const bool turned = turns_normals(*range.material);
     std::uint64_t rays = 0;
     std::vector<std::span<glm::vec4>> channels(out.size());
     for (std::size_t first = 0; first < points.size(); first += kLanes) {
         const std::size_t count = std::min(kLanes, points.size() - first);
         const LaneSurface& surface = batch.surfaces()[first / kLanes];
-        std::array<glm::vec3, kLanes> facets, origins;
+        std::array<glm::vec3, kLanes> facets, origins, tangents;
         std::array<std::uint32_t, kLanes> seeds;
         for (std::size_t i = 0; i < count; ++i) {
             facets[i] = facet_of(input_.geometry, points[first + i].triangle, surface.normals[i]);
             origins[i] = surface.positions[i] + lights_.offset() * facets[i];
             seeds[i] = place_seed(points[first + i].pixel, input_.seed);
+            if (anisotropic) tangents[i] = tangent(input_.geometry, points[first + i].triangle);
         }
         std::span<const LayerWeights> weights;
         if (!batch.weights().empty())
@@ -64,6 +67,7 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
         rays += lights_.lighting().add(input_.view,
                                        {.positions = std::span(surface.positions).first(count),
                                         .normals = std::span(surface.normals).first(count),
+                                        .tangents = std::span(tangents).first(anisotropic ? count : 0),
                                         .facets = turned ? of_facets : std::span<glm::vec3>(),
                                         .origins = std::span(origins).first(count),
                                         .seeds = std::span(seeds).first(count),

@@ -38,12 +38,15 @@ std::uint64_t VertexLights::add(const VertexRange& range, std::span<const std::u
     const std::size_t count = vertices.size();
     const WorldGeometry& geometry = input_.geometry;
     const std::span origins_of_all = lights_.vertex_origins();
-    std::array<glm::vec3, kLanes> positions, normals, origins;
+    const std::span tangents_of_all = lights_.vertex_tangents();
+    const bool anisotropic = range.material->anisotropic() && !tangents_of_all.empty();
+    std::array<glm::vec3, kLanes> positions, normals, tangents, origins;
     bool shadowed = false;
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t v = vertices[i];
         positions[i] = geometry.positions[v];
         normals[i] = geometry.normals[v];
+        if (anisotropic) tangents[i] = tangents_of_all[v];
         origins[i] = origins_of_all.empty() ? positions[i] : origins_of_all[v];
         shadowed = shadowed || input_.visibility == nullptr || !input_.visibility->unoccluded(v);
     }
@@ -54,14 +57,16 @@ std::uint64_t VertexLights::add(const VertexRange& range, std::span<const std::u
         channels.push_back(std::span(sums).subspan(c * count, count));
 
     const Material* const material = range.material.get();
-    const std::uint64_t rays = lights_.lighting().add(input_.view,
-                                                      {.positions = std::span(positions).first(count),
-                                                       .normals = std::span(normals).first(count),
-                                                       .facets = {},
-                                                       .origins = std::span(origins).first(count),
-                                                       .seeds = vertices,
-                                                       .shadowed = shadowed},
-                                                      {.layers = {&material, 1}, .weights = {}}, channels);
+    const std::uint64_t rays =
+        lights_.lighting().add(input_.view,
+                               {.positions = std::span(positions).first(count),
+                                .normals = std::span(normals).first(count),
+                                .tangents = std::span(tangents).first(anisotropic ? count : 0),
+                                .facets = {},
+                                .origins = std::span(origins).first(count),
+                                .seeds = vertices,
+                                .shadowed = shadowed},
+                               {.layers = {&material, 1}, .weights = {}}, channels);
     if (range.emission != nullptr) {
         add_shine(*range.emission, lights_.axis_of(range.instance), input_.view,
                   std::span(positions).first(count), std::span(normals).first(count), {}, channels);
