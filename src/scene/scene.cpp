@@ -76,6 +76,10 @@ std::size_t Scene::light_index_of(std::uint32_t id) const {
     return index_in(light_ids_, id, next_light_id_, "light");
 }
 
+std::size_t Scene::plate_index_of(std::uint32_t id) const {
+    return index_in(plate_ids_, id, next_plate_id_, "plate");
+}
+
 int Scene::channels_without(const Without& part) const {
     int most = environment_ && !part.environment ? environment_->channels() : 1;
     for (std::size_t i = 0; i < instances_.size(); ++i) {
@@ -204,6 +208,37 @@ void Scene::hide_emitters(bool hide) {
     if (hide == emitters_hidden_) return;
     emitters_hidden_ = hide;
     emission_version_ = new_version();
+}
+
+std::uint32_t Scene::add_plate(const PolarizingPlate& plate) {
+    if (next_plate_id_ == std::numeric_limits<std::uint32_t>::max())
+        refuse("the scene has had too many plates");
+    check(plate);
+    check_transform(plate.to_world);
+    if (plate_ids_.size() == plate_ids_.capacity()) plate_ids_.reserve(2 * plate_ids_.size() + 1);
+    plates_.push_back(plate);
+    plate_ids_.push_back(next_plate_id_);
+    plate_version_ = new_version();
+    return next_plate_id_++;
+}
+
+void Scene::remove_plate(std::uint32_t id) {
+    const auto index = static_cast<std::ptrdiff_t>(plate_index_of(id));
+    plates_.erase(plates_.begin() + index);
+    plate_ids_.erase(plate_ids_.begin() + index);
+    plate_version_ = new_version();
+}
+
+void Scene::set_plate(std::uint32_t id, const PolarizingPlate& plate) {
+    PolarizingPlate& changed = plates_[plate_index_of(id)];
+    check(plate);
+    check_transform(plate.to_world);
+    changed = plate;
+    plate_version_ = new_version();
+}
+
+const PolarizingPlate& Scene::plate(std::uint32_t id) const {
+    return plates_[plate_index_of(id)];
 }
 
 void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale) {

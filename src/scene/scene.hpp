@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is rendered: instances of meshes under one environment and small lights.
+// What is rendered: instances of meshes under one environment and small lights, seen through plates.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 #include "light/environment.hpp"
 #include "light/small_light.hpp"
 #include "material/material.hpp"
+#include "polarization/plate.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -52,6 +53,16 @@ public:
     /// Whether there are lights beside the environment: small ones, or surfaces that shine.
     [[nodiscard]] bool has_small_lights() const;
 
+    /// The same for plates, through which the camera sees what is behind: they cast no shadow, and light that
+    /// surfaces receive does not pass through them. Throw what check() throws, and for a transform as add().
+    std::uint32_t add_plate(const PolarizingPlate& plate);
+    void remove_plate(std::uint32_t id);
+    void set_plate(std::uint32_t id, const PolarizingPlate& plate);
+    [[nodiscard]] const PolarizingPlate& plate(std::uint32_t id) const;
+    [[nodiscard]] const std::vector<PolarizingPlate>& plates() const noexcept { return plates_; }
+    /// Of plates(), ascending.
+    [[nodiscard]] const std::vector<std::uint32_t>& plate_ids() const noexcept { return plate_ids_; }
+
     /// Null is darkness. `rotation` takes the light's axes to the world's; it must be a proper rotation.
     /// `scale` multiplies the radiance and must be finite and not negative.
     void set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale);
@@ -83,10 +94,13 @@ public:
     [[nodiscard]] Version emission_version() const noexcept { return emission_version_; }
     /// Of lights().
     [[nodiscard]] Version small_light_version() const noexcept { return small_light_version_; }
+    /// Of plates().
+    [[nodiscard]] Version plate_version() const noexcept { return plate_version_; }
 
 private:
     [[nodiscard]] std::size_t index_of(std::uint32_t id) const;
     [[nodiscard]] std::size_t light_index_of(std::uint32_t id) const;
+    [[nodiscard]] std::size_t plate_index_of(std::uint32_t id) const;
     /// Of everything but the material or the emission of one instance, one light, or the environment.
     struct Without {
         static constexpr std::size_t kNone = ~std::size_t{0};
@@ -103,6 +117,9 @@ private:
     std::vector<SmallLight> lights_;
     std::vector<std::uint32_t> light_ids_;
     std::uint32_t next_light_id_ = 0;
+    std::vector<PolarizingPlate> plates_;
+    std::vector<std::uint32_t> plate_ids_;
+    std::uint32_t next_plate_id_ = 0;
     EnvironmentPtr environment_;
     glm::dmat3 rotation_{1.0};
     double scale_ = 1;
@@ -112,6 +129,7 @@ private:
     Version light_version_ = new_version();
     Version emission_version_ = new_version();
     Version small_light_version_ = new_version();
+    Version plate_version_ = new_version();
 };
 
 /// The mesh of an instance in the world. Throws as transformed() and beyond kLargestCoordinate, by instance.
