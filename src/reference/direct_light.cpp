@@ -53,7 +53,8 @@ DirectLight::DirectLight(const Scene& scene, Strategy strategy, bool shadows)
       light_scale_(scene.light_scale()),
       strategy_(strategy),
       shadows_(shadows),
-      channels_(scene.channels()) {
+      channels_(scene.channels()),
+      plates_(scene.plates()) {
     if (environment_ != nullptr) {
         check_brightness(environment_->project(0), light_scale_);
         light_sampler_ = std::make_unique<LightSampler>(*environment_);
@@ -109,13 +110,32 @@ bool DirectLight::add(const Ray& ray, const Frame& received, const LowDiscrepanc
     workspace.incident.resize(sum.size());
     workspace.irradiance.resize(sum.size());
     const std::optional<RayHit> found = rays_->intersect(ray);
+    std::optional<Mueller> plates;
+    if (!plates_.empty()) {
+        Ray before = ray;
+        if (found) before.farthest = found->distance;
+        plates = plates_.mueller(before, received);
+    }
+    if (!plates) {
+        add_behind_plates(ray, found, received, points, index, sum, workspace);
+        return found.has_value();
+    }
+    workspace.behind.assign(sum.size(), Stokes(0.0));
+    add_behind_plates(ray, found, received, points, index, workspace.behind, workspace);
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += *plates * workspace.behind[c];
+    return found.has_value();
+}
+
+void DirectLight::add_behind_plates(const Ray& ray, const std::optional<RayHit>& found, const Frame& received,
+                                    const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
+                                    Workspace& workspace) const {
     if (!found) {
         if (environment_ != nullptr && !emitters_hidden_) add_background(ray.direction, received, sum);
-        return false;
+        return;
     }
     if (!emitters_hidden_) add_emitted(*found, received, sum, workspace);
     const SurfaceHit hit = surface_hit(surfaces_[found->surface], *found, -ray.direction);
-    if (!(hit.towards_viewer.z > 0)) return true;
+    if (!(hit.towards_viewer.z > 0)) return;
     weigh_layers(hit, workspace);
 
     Reflection at{.hit = hit, .received = received, .sum = sum, .workspace = workspace};
@@ -132,7 +152,6 @@ bool DirectLight::add(const Ray& ray, const Frame& received, const LowDiscrepanc
     if (strategy_ != Strategy::light && anything_with_size)
         add_sampled_surface(at, points.point(index, kSurfaceStream));
     for (const SmallLight* const light : without_size_) add_without_size(at, *light);
-    return true;
 }
 
 void DirectLight::weigh_layers(const SurfaceHit& hit, Workspace& workspace) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The light that reaches the camera along a ray: of the environment and of surfaces that shine, and what a
-// surface reflects once.
+// surface reflects once, all of it through the plates before.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,7 @@
 #include "reference/lamp_sampler.hpp"
 #include "reference/light_sampler.hpp"
 #include "reference/low_discrepancy.hpp"
+#include "reference/plates_on_ray.hpp"
 #include "reference/sky_disc.hpp"
 #include "reference/surface_sampler.hpp"
 #include "reference/traced_surface.hpp"
@@ -37,6 +38,7 @@ public:
         std::vector<double> shares;      ///< the chance of each to be sampled
         std::vector<Stokes> incident;    ///< radiance of each channel
         std::vector<double> irradiance;  ///< likewise
+        std::vector<Stokes> behind;      ///< plates
         std::uint64_t shadow_rays = 0;
     };
 
@@ -63,6 +65,10 @@ public:
 private:
     struct Reflection;
 
+    // As add(), without plates; `found`: where the ray meets a surface.
+    void add_behind_plates(const Ray& ray, const std::optional<RayHit>& found, const Frame& received,
+                           const LowDiscrepancy& points, std::uint32_t index, std::span<Stokes> sum,
+                           Workspace& workspace) const;
     void weigh_layers(const SurfaceHit& hit, Workspace& workspace) const;
     [[nodiscard]] glm::dvec3 sample(const SurfaceHit& hit, const glm::dvec2& point,
                                     const Workspace& workspace) const;
@@ -105,6 +111,7 @@ private:
     std::vector<const SmallLight*> without_size_;
     std::vector<SkyDisc> discs_;
     std::unique_ptr<LampSampler> lamp_sampler_;
+    PlatesOnRay plates_;
     std::unique_ptr<RayScene> rays_;
 };
 

@@ -16,11 +16,11 @@ namespace nicol {
 /// normal of M(towards light, towards viewer) L(towards light) cos, L being that of the environment, of small
 /// lights and of surfaces that shine, where no triangle is in the way if shadows are asked for; 0 where the
 /// viewer is behind that normal, unless the material is two-sided; and what the surface emits itself.
-/// Elsewhere it is the environment. `projection` must have been made for this width and height. Throws
-/// Error(invalid_argument) for options or sizes out of range, the variance of a single sample among them,
-/// Error(out_of_memory), Error(cancelled), and what the environment and the materials throw. `aovs`, where
-/// not null, gets the AOVs of the options: the variance as PixelEstimate has it, the others by the rays
-/// through the pixels' centres.
+/// Elsewhere it is the environment. Plates before that act on it. `projection` must have been made for this
+/// width and height. Throws Error(invalid_argument) for options or sizes out of range, the variance of a
+/// single sample among them, Error(out_of_memory), Error(cancelled), and what the environment and the
+/// materials throw. `aovs`, where not null, gets the AOVs of the options: the variance as PixelEstimate has
+/// it, the others by the rays through the pixels' centres.
 [[nodiscard]] StokesImage render_reference(const Scene& scene, const Projection& projection, int width,
                                            int height, const ReferenceOptions& options,
                                            ReferenceStatistics& statistics,
