@@ -77,9 +77,10 @@ std::uint64_t dense(const Scene& scene, const LightLayout& layout) {
     return bytes;
 }
 
-// Threads shade small lights, of which the environment's lamps may become some.
+// Threads shade small lights, of which the environment's lamps may become some; the device draws plates.
 HitImage::Kept hits_of(const Scene& scene, const RenderOptions& options) {
-    if (options.executor != Executor::compute) return HitImage::Kept::on_host;
+    if (options.executor != Executor::compute)
+        return scene.plates().empty() ? HitImage::Kept::on_host : HitImage::Kept::on_both;
     const bool lamps = scene.environment() != nullptr && options.split_lights != 0;
     return lamps || scene.has_small_lights() ? HitImage::Kept::on_both : HitImage::Kept::on_device;
 }
@@ -143,8 +144,11 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
     const bool several = options.pixel_samples > 1;
     const std::size_t samples = samples_at_once(options.pixel_samples);
     const auto planes = static_cast<std::uint64_t>(scene.channels());
-    const std::uint64_t at_vertices =
+    const std::uint64_t of_plates =
+        scene.plates().empty() ? 0 : HitImage::bytes_per_pixel(samples, HitImage::Kept::on_device);
+    const std::uint64_t of_sample =
         several ? std::min<std::uint64_t>(Framebuffer::kGroup, planes) * texel + depth : 0;
+    const std::uint64_t at_vertices = of_sample + of_plates;
     const std::uint64_t at_pixels = HitImage::bytes_per_pixel(samples, hits_of(scene, options)) +
                                     PixelImage::kBytesPerPixel + planes * texel;
     std::uint64_t bytes = 0;

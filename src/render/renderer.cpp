@@ -75,17 +75,19 @@ void check_varying(const RenderOptions& options) {
         refuse_unsupported("the dense method has no textures; set method to factored or reference");
 }
 
-// Which triangle each sample shows is kept while pixels are shaded.
-void check_size(const RenderOptions& options, const Framebuffer& target) {
+// Which triangle each sample shows is kept while pixels are shaded, and for plates.
+void check_size(const Scene& scene, const RenderOptions& options, const Framebuffer& target) {
     constexpr std::uint64_t most = std::uint64_t{1} << 27;
-    if (options.method == Method::reference || options.shade_at == ShadeAt::vertices) return;
+    if (options.method == Method::reference) return;
+    if (options.shade_at == ShadeAt::vertices && scene.plates().empty()) return;
     const std::uint64_t samples = std::uint64_t{samples_at_once(options.pixel_samples)} *
                                   static_cast<std::uint64_t>(target.width()) *
                                   static_cast<std::uint64_t>(target.height());
     if (samples <= most) return;
     refuse("pixel_samples is " + std::to_string(options.pixel_samples) + ": " + std::to_string(samples) +
            " samples of " + std::to_string(target.width()) + " x " + std::to_string(target.height()) +
-           " pixels are more than the " + std::to_string(most) + " that shading at pixels can keep");
+           " pixels are more than the " + std::to_string(most) +
+           " that shading at pixels and polarizing plates can keep");
 }
 
 }  // namespace
@@ -97,7 +99,8 @@ Renderer::Renderer(std::shared_ptr<gl::Context> context, int threads)
       buffers_(context),
       cut_outs_(context_),
       hits_(context),
-      painter_(std::move(context)) {}
+      painter_(context),
+      plates_(std::move(context)) {}
 
 bool Renderer::on_device(const RenderOptions& options) const {
     const Executor executor = options.executor;
@@ -132,7 +135,7 @@ void Renderer::render(const Scene& scene, const Camera& camera, const RenderOpti
     }
     check(options);
     if (scene.varies()) check_varying(options);
-    check_size(options, target);
+    check_size(scene, options, target);
     memory_limit_.check(scene, options, target.width(), target.height());
     if (!grey || options.method == Method::reference) return render_into(scene, camera, options, target);
 
@@ -159,18 +162,18 @@ void Renderer::render_into(const Scene& scene, const Camera& camera, const Rende
     }
     RenderOptions values = options;
     values.progress = nullptr;
-    const bool rendered =
-        rendering_.run(scene.geometry_version(), scene.material_version(), scene.light_version(),
-                       scene.emission_version(), scene.small_light_version(), camera, values, [&] {
-                           if (options.method == Method::reference)
-                               return render_by_reference(scene, camera, options, threads_, target);
-                           const Projection projection = project(camera, target.width(), target.height());
-                           if (sample_pattern(options.pixel_samples).empty()) {
-                               draw_one_by_one(scene, projection, options, target);
-                           } else {
-                               draw(scene, projection, options, target);
-                           }
-                       });
+    const bool rendered = rendering_.run(
+        scene.geometry_version(), scene.material_version(), scene.light_version(), scene.emission_version(),
+        scene.small_light_version(), scene.plate_version(), camera, values, [&] {
+            if (options.method == Method::reference)
+                return render_by_reference(scene, camera, options, threads_, target);
+            const Projection projection = project(camera, target.width(), target.height());
+            if (sample_pattern(options.pixel_samples).empty()) {
+                draw_one_by_one(scene, projection, options, target);
+            } else {
+                draw(scene, projection, options, target);
+            }
+        });
     content_ = target.content();
     if (!rendered) target.statistics().nothing_ran();
 }
@@ -220,23 +223,29 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
     statistics.compute = gpu_.has_value();
     RenderOptions chosen = options;
     chosen.max_vertices = memory_limit_.max_vertices(options);
+    const bool plates = !scene.plates().empty();
+    if (plates) chosen.components = 4;  // any of them may become any other
     RenderRun run{.workers = workers_,
                   .progress = progress,
                   .statistics = statistics,
                   .memory_limit = memory_limit_.for_scene()};
-    const auto draw_hits = [&](bool on_host) -> const HitImage& {
-        const HitImage::Kept kept = !gpu_     ? HitImage::Kept::on_host
-                                    : on_host ? HitImage::Kept::on_both
-                                              : HitImage::Kept::on_device;
+    const auto draw_hits = [&](HitImage::Kept kept) {
+        const RefinedSurfaces& surfaces = pipeline_.surfaces();
+        update_buffers(surfaces, target.channels());
+        hits_.draw(surfaces.geometry(), buffers_, cut_outs_, in_axes(projection, surfaces.to_world()),
+                   target.width(), target.height(), sample_pattern(options.pixel_samples), kept);
+    };
+    const auto hits_for_shading = [&](bool on_host) -> const HitImage& {
+        const bool host = on_host || !gpu_;
+        const bool device = plates || gpu_;
         context_->run([&] {
-            const RefinedSurfaces& surfaces = pipeline_.surfaces();
-            update_buffers(surfaces, target.channels());
-            hits_.draw(surfaces.geometry(), buffers_, cut_outs_, in_axes(projection, surfaces.to_world()),
-                       target.width(), target.height(), sample_pattern(options.pixel_samples), kept);
+            draw_hits(!device ? HitImage::Kept::on_host
+                      : host  ? HitImage::Kept::on_both
+                              : HitImage::Kept::on_device);
         });
         return hits_;
     };
-    pipeline_.run(scene, projection, chosen, executor, run, draw_hits);
+    pipeline_.run(scene, projection, chosen, executor, run, hits_for_shading);
     progress.report("draw", 0);
 
     const Stopwatch watch;
@@ -245,14 +254,22 @@ void Renderer::draw(const Scene& scene, const Projection& projection, const Rend
         update_buffers(surfaces, target.channels());
         const bool at_pixels = pipeline_.shaded_pixels();
         if (!at_pixels) {
-            hits_.clear();
+            if (plates)
+                draw_hits(HitImage::Kept::on_device);
+            else
+                hits_.clear();
             executor.store(buffers_);
         }
+        if (plates) plates_.prepare(scene, surfaces, projection, options.pixel_samples, target);
         painter_.draw(scene, surfaces, buffers_, cut_outs_, at_pixels ? &executor : nullptr,
-                      {.components = options.components,
+                      {.components = chosen.components,
                        .aovs = options.aovs,
                        .samples = sample_pattern(options.pixel_samples)},
                       projection, target);
+        if (plates) {
+            plates_.draw(buffers_, hits_, options.components, target);
+            gl::finish(*context_);
+        }
     });
     statistics.draw_ms += watch.milliseconds();
 

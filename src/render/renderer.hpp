@@ -12,6 +12,7 @@
 #include "render/memory_estimate.hpp"
 #include "render/painter.hpp"
 #include "render/pipeline.hpp"
+#include "render/plate_painter.hpp"
 
 namespace nicol {
 
@@ -63,9 +64,10 @@ private:
     std::optional<CpuExecutor> cpu_;  // one or the other
     std::optional<GpuExecutor> gpu_;
     Painter painter_;
+    PlatePainter plates_;
 
     // What the last image was made of: versions of the scene, camera, options.
-    Stage<Version, Version, Version, Version, Version, Camera, RenderOptions> rendering_;
+    Stage<Version, Version, Version, Version, Version, Version, Camera, RenderOptions> rendering_;
     Version content_ = 0;  // of the framebuffer that has it
 };
 
