@@ -192,6 +192,8 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
                            .emission = emission});
         });
     }
+    for (const PolarizingPlate& plate : description.plates)
+        made(file, "shape", [&] { return out.scene.add_plate(plate); });
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));
     out.files = files.records();
     out.camera = make(description.sensor);

@@ -31,7 +31,7 @@ void read_measured(const XmlDocument& document, Plugin& plugin, MaterialDescript
 std::string reason(pugi::xml_node node) {
     const std::string type = node.attribute("type").value();
     if (is_plate_material(node))
-        return "it belongs into a <shape> of type rectangle or disk, before a lamp, in no group";
+        return "it belongs into a <shape> of type rectangle or disk that does not shine";
     if (type.find("dielectric") != std::string::npos) return "nothing passes through a surface";
     if (type == "plastic" || type == "roughplastic") return "its polarized form is pplastic";
     return "";

@@ -20,8 +20,9 @@ public:
         for (const pugi::xml_node node : document_.elements(document_.root())) read(node);
         if (!sensor_)
             document_.fail(document_.root(), "no <sensor>; expected one of type perspective or orthographic");
-        if (scene_.shapes.empty()) document_.fail(document_.root(), "no <shape>; expected at least one");
-        plates_.put_before_lamps(scene_.shapes);
+        scene_.plates = plates_.put_before_lamps(scene_.shapes, notices_);
+        if (scene_.shapes.empty() && scene_.plates.empty())
+            document_.fail(document_.root(), "no <shape>; expected at least one");
         for (const pugi::xml_node node : document_.left_open())
             notices_.add(node, "a $parameter that has no value, of a sampler, which is not followed");
         scene_.files = document_.files();
@@ -78,39 +79,34 @@ private:
             single(place, node);
     }
 
-    void single(pugi::xml_node place, pugi::xml_node node) {
+    struct Shape {
+        ShapeDescription description;
+        pugi::xml_node plate;  // its bsdf; null: it is a surface
+    };
+
+    void single(pugi::xml_node place, pugi::xml_node node) { add(place, read_single(node)); }
+
+    Shape read_single(pugi::xml_node node) {
         pugi::xml_node bsdf;
         ShapeDescription description = read_shape(document_, node, notices_, bsdf);
-        if (PolarizingPlates::are(description, bsdf))
-            plates_.add(place, description, bsdf);
-        else
-            add(place, with_material(std::move(description), bsdf));
-    }
-
-    ShapeDescription member(pugi::xml_node node) {
-        pugi::xml_node bsdf;
-        ShapeDescription description = read_shape(document_, node, notices_, bsdf);
-        return with_material(std::move(description), bsdf);
-    }
-
-    ShapeDescription with_material(ShapeDescription description, pugi::xml_node bsdf) {
+        if (PolarizingPlates::are(description, bsdf)) return {std::move(description), bsdf};
         description.material = !bsdf && description.emission ? black() : material(bsdf);
-        return description;
+        return {std::move(description), {}};
     }
 
-    const std::vector<ShapeDescription>& group(pugi::xml_node node) {
+    const std::vector<Shape>& group(pugi::xml_node node) {
         const auto [entry, is_new] = groups_.try_emplace(node);
         if (is_new)
             for (const pugi::xml_node of_group : read_group(document_, node))
-                entry->second.push_back(member(of_group));
+                entry->second.push_back(read_single(of_group));
         return entry->second;
     }
 
     void instance(pugi::xml_node place, pugi::xml_node node) {
         ShapeDescription instance;
-        for (ShapeDescription member : group(read_instance(document_, node, instance))) {
-            member.id = instance.id;
-            member.to_world = instance.to_world * member.to_world;
+        for (Shape member : group(read_instance(document_, node, instance))) {
+            member.description.id = instance.id;
+            member.description.to_world = instance.to_world * member.description.to_world;
             add(place, std::move(member));
         }
     }
@@ -120,11 +116,12 @@ private:
         for (const pugi::xml_node of_group : read_group(document_, node)) single(of_group, of_group);
     }
 
-    void add(pugi::xml_node place, ShapeDescription description) {
+    void add(pugi::xml_node place, Shape shape) {
+        if (shape.plate) return plates_.add(place, shape.description, shape.plate);
         if (scene_.shapes.size() == kMaxShapes)
             document_.fail(place, "more than " + std::to_string(kMaxShapes) + " shapes, instances counted",
                            ErrorCode::unsupported);
-        scene_.shapes.push_back(std::move(description));
+        scene_.shapes.push_back(std::move(shape.description));
     }
 
     /// Of no bsdf, Mitsuba's for shapes that name none: grey and diffuse.
@@ -153,7 +150,7 @@ private:
     bool integrator_ = false;
     std::map<pugi::xml_node, std::size_t> materials_;
     std::optional<std::size_t> black_;
-    std::map<pugi::xml_node, std::vector<ShapeDescription>> groups_;
+    std::map<pugi::xml_node, std::vector<Shape>> groups_;
 };
 
 }  // namespace

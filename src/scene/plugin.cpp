@@ -199,7 +199,8 @@ glm::dvec3 Plugin::vector(const std::string& name, std::optional<glm::dvec3> oth
     return *otherwise;
 }
 
-ColorDescription Plugin::color(const std::string& name, const ColorDescription& otherwise, double most) {
+ColorDescription Plugin::color(const std::string& name, const ColorDescription& otherwise, double most,
+                               double least) {
     const pugi::xml_node node = find(name, {"rgb", "spectrum", "float"});
     if (!node) return otherwise;
     const std::string_view text = node.attribute("value").value();
@@ -217,14 +218,21 @@ ColorDescription Plugin::color(const std::string& name, const ColorDescription& 
     }
     if (!color) fail(name, "is " + in_quotes(text) + "; expected " + expected);
     const auto check = [&](double value) {
-        if (!(value >= 0.0 && value <= most))
+        if (!(value >= least && value <= most))
             fail(name, "is " + in_quotes(text) + "; expected values " +
-                           (most == std::numeric_limits<double>::max() ? "of at least 0"
-                                                                       : "from 0 to " + text_of(most)));
+                           (most == kNoLimit ? "of at least " + text_of(least)
+                                             : "from " + text_of(least) + " to " + text_of(most)));
     };
     for (glm::length_t i = 0; i < 3; ++i) check(color->rgb[i]);
     for (const ColorDescription::Sample& sample : color->spectrum) check(sample.value);
     return *color;
+}
+
+double Plugin::uniform(const std::string& name, double otherwise, double least, double most) {
+    const ColorDescription value = color(name, otherwise, most, least);
+    if (!value.spectrum.empty() || value.rgb != glm::dvec3(value.rgb.x))
+        fail(name, "is coloured; expected one value", ErrorCode::unsupported);
+    return value.rgb.x;
 }
 
 glm::dmat4 Plugin::transform(const std::string& name) {

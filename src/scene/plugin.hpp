@@ -57,9 +57,11 @@ public:
     /// The file a required parameter names.
     std::filesystem::path filename(const std::string& name);
     glm::dvec3 vector(const std::string& name, std::optional<glm::dvec3> otherwise);
-    /// An <rgb>, a <spectrum> or a <float>, in [0, most].
-    ColorDescription color(const std::string& name, const ColorDescription& otherwise,
-                           double most = kNoLimit);
+    /// An <rgb>, a <spectrum> or a <float>, in [least, most].
+    ColorDescription color(const std::string& name, const ColorDescription& otherwise, double most = kNoLimit,
+                           double least = 0.0);
+    /// The same, of one value for all colours.
+    double uniform(const std::string& name, double otherwise, double least, double most);
     glm::dmat4 transform(const std::string& name);
     /// The <texture> that the file gives for a parameter, null if it gives none.
     pugi::xml_node texture(const std::string& name);

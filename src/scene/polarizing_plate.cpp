@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "scene/plugin.hpp"
+#include "scene/readers.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -22,30 +23,6 @@ using std::numbers::pi;
 
 std::string_view type_of(pugi::xml_node node) {
     return node.attribute("type").value();
-}
-
-Mueller linear_polarizer() {
-    return Mueller({0.5, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
-}
-
-/// Of the fast axis x; delta in radians.
-Mueller linear_retarder(double delta) {
-    const double c = std::cos(delta);
-    const double s = std::sin(delta);
-    return Mueller({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, c, s, 0, 0, -s, c});
-}
-
-Mueller circular_polarizer(bool left_handed) {
-    const double s3 = left_handed ? -0.5 : 0.5;
-    return Mueller({0.5, 0, 0, s3, 0, 0, 0, 0, 0, 0, 0, 0, s3, 0, 0, 0.5});
-}
-
-/// Of light that a plate lets through; the same for all colours.
-double transmittance(Plugin& plugin) {
-    const ColorDescription color = plugin.color("transmittance", 1.0, 1.0);
-    if (!color.spectrum.empty() || color.rgb != glm::dvec3(color.rgb.x))
-        plugin.fail("transmittance", "is coloured; expected one value", ErrorCode::unsupported);
-    return color.rgb.x;
 }
 
 /// A rectangle or a disk in the world.
@@ -98,14 +75,6 @@ private:
     glm::dmat3 to_local_;
 };
 
-/// What `plate` makes of the light of a lamp, both in the lamp's frame.
-Stokes passed(const PlateMaterial& material, const FlatShape& plate, const Frame& lamp, const Stokes& light) {
-    const Frame frame = plate.frame();
-    const glm::dvec3 axis = std::cos(material.angle) * frame[0] + std::sin(material.angle) * frame[1];
-    const double angle = std::atan2(glm::dot(axis, lamp[1]), glm::dot(axis, lamp[0]));
-    return in_rotated_frames(material.mueller, -angle, -angle) * light;
-}
-
 /// The axis is that along which there is least light: that of a polarizer absorbs however light passes.
 PolarizationState state_of(const Stokes& light, const Frame& frame, const glm::dmat4& to_world) {
     PolarizationState state;
@@ -130,25 +99,29 @@ bool is_plate_material(pugi::xml_node bsdf) {
     return type == "polarizer" || type == "retarder" || type == "circular";
 }
 
-PlateMaterial read_plate_material(const XmlDocument& document, pugi::xml_node bsdf) {
+PolarizingPlate read_plate_material(const XmlDocument& document, pugi::xml_node bsdf) {
+    using Kind = PolarizingPlate::Kind;
     Plugin plugin(document, bsdf);
-    PlateMaterial material;
+    PolarizingPlate plate;
+    const auto angle = [&](const char* name, double otherwise) {
+        return glm::radians(plugin.uniform(name, otherwise, -kNoLimit, kNoLimit));
+    };
     if (plugin.type() == "polarizer") {
-        material.mueller = linear_polarizer();
         // Mitsuba turns polarizers clockwise, and retarders counter-clockwise.
-        material.angle = -glm::radians(plugin.number("theta", 0.0));
+        plate.angle = -angle("theta", 0.0);
         if (!plugin.boolean("polarizing", true))
             plugin.fail("polarizing", "is false; expected true", ErrorCode::unsupported);
     } else if (plugin.type() == "retarder") {
-        material.angle = glm::radians(plugin.number("theta", 0.0));
-        material.mueller = linear_retarder(glm::radians(plugin.number("delta", 90.0)));
+        plate.kind = Kind::retarder;
+        plate.angle = angle("theta", 0.0);
+        plate.retardance = angle("delta", 90.0);
     } else {
-        material.mueller = circular_polarizer(plugin.boolean("left_handed", false));
+        plate.kind = plugin.boolean("left_handed", false) ? Kind::left_circular : Kind::right_circular;
     }
-    material.mueller *= transmittance(plugin);
+    plate.transmittance = plugin.uniform("transmittance", 1.0, 0.0, 1.0);
     plugin.finish();
     static_cast<void>(plugin.objects({}));
-    return material;
+    return plate;
 }
 
 bool PolarizingPlates::are(const ShapeDescription& shape, pugi::xml_node bsdf) {
@@ -164,10 +137,16 @@ void PolarizingPlates::add(pugi::xml_node place, const ShapeDescription& shape, 
                        "a " + std::string(type_of(bsdf)) +
                            " on a disk, whose x axis goes round with the angle; expected a rectangle",
                        ErrorCode::unsupported);
-    plates_.push_back({place, shape, read_plate_material(document_, bsdf)});
+    PolarizingPlate plate = read_plate_material(document_, bsdf);
+    plate.outline = shape.kind == ShapeDescription::Kind::disk ? PolarizingPlate::Outline::disk
+                                                               : PolarizingPlate::Outline::rectangle;
+    plate.to_world = shape.to_world;
+    if (shape.flip_normals) plate.angle = -plate.angle;  // y is the normal cross x
+    plates_.push_back({place, shape, plate});
 }
 
-void PolarizingPlates::put_before_lamps(std::vector<ShapeDescription>& shapes) const {
+std::vector<PolarizingPlate> PolarizingPlates::put_before_lamps(std::vector<ShapeDescription>& shapes,
+                                                                Notices& notices) const {
     struct Before {
         double distance;
         std::size_t plate;
@@ -188,20 +167,23 @@ void PolarizingPlates::put_before_lamps(std::vector<ShapeDescription>& shapes) c
         PolarizationState& state = shape.emission->state;
         Stokes light = stokes_in(frame, state, glm::normalize(glm::dmat3(shape.to_world) * state.axis));
         for (const auto& [distance, plate] : before) {
-            light = passed(plates_[plate].material, plates[plate], frame, light);
+            light = PlacedPlate(plates_[plate].plate).mueller(frame) * light;
             used[plate] = true;
         }
         shape.emission->scale *= light[0];
         state = state_of(light, frame, shape.to_world);
     }
-    for (std::size_t i = 0; i < plates.size(); ++i)
-        if (!used[i])
-            document_.fail(plates_[i].place,
-                           "a polarizing plate that stands before no lamp, which is not supported; expected "
-                           "a rectangle or disk with an emitter \"area\" (not two_sided) directly behind it: "
-                           "parallel within 0.1 degrees, facing the plate, nearer than a tenth of its "
-                           "smaller half side, and covered by the plate",
-                           ErrorCode::unsupported);
+    std::vector<PolarizingPlate> others;
+    for (std::size_t i = 0; i < plates.size(); ++i) {
+        if (used[i]) continue;
+        if (others.empty())
+            notices.add(plates_[i].place,
+                        "polarizing plates that stand directly before no lamp act on what the camera sees "
+                        "through them alone: they cast no shadow and light passes them unchanged on its way "
+                        "to surfaces");
+        others.push_back(plates_[i].plate);
+    }
+    return others;
 }
 
 }  // namespace nicol::scene

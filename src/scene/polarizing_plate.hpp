@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Flat shapes of a <bsdf> that polarizes the light that passes: they become the Stokes state of a lamp.
+// Flat shapes of a <bsdf> that polarizes the light that passes: they become the Stokes state of a lamp, or
+// plates before the camera.
 #pragma once
 
 #include <glm/vec3.hpp>
 #include <pugixml.hpp>
 #include <vector>
 
-#include "polarization/mueller.hpp"
+#include "polarization/plate.hpp"
 #include "scene/scene_description.hpp"
 #include "scene/xml_document.hpp"
 
 namespace nicol::scene {
 
-/// An ideal sheet at normal incidence, the same from both sides.
-struct PlateMaterial {
-    Mueller mueller;   ///< in a frame whose x is the sheet's axis: polarizers transmit along it
-    double angle = 0;  ///< of that axis, radians, from the plate's x to y, where y = normal cross x
-};
+class Notices;
 
 /// True of a <bsdf> of type polarizer, retarder or circular; false of null.
 [[nodiscard]] bool is_plate_material(pugi::xml_node bsdf);
 
-/// Of a <bsdf> of which is_plate_material() is true. Throws as read_mitsuba_scene does.
-[[nodiscard]] PlateMaterial read_plate_material(const XmlDocument& document, pugi::xml_node bsdf);
+/// A plate with all but its outline and its place, of a <bsdf> of which is_plate_material() is true. Throws
+/// as read_mitsuba_scene does.
+[[nodiscard]] PolarizingPlate read_plate_material(const XmlDocument& document, pugi::xml_node bsdf);
 
 /// The plates of one scene. A plate stands before a lamp, a rectangle or disk that shines from one side, if
 /// it is parallel to it within 0.1 degrees, on the side that shines, nearer than a tenth of the smaller half
@@ -39,14 +37,15 @@ public:
     void add(pugi::xml_node place, const ShapeDescription& shape, pugi::xml_node bsdf);
 
     /// Gives the lamps among the shapes the state and the brightness of their light behind the plates before
-    /// them, nearest first. Throws Error(unsupported) about a plate that stands before none.
-    void put_before_lamps(std::vector<ShapeDescription>& shapes) const;
+    /// them, nearest first. Returns the other plates, of which a notice says what they do not do.
+    [[nodiscard]] std::vector<PolarizingPlate> put_before_lamps(std::vector<ShapeDescription>& shapes,
+                                                                Notices& notices) const;
 
 private:
     struct Plate {
         pugi::xml_node place;
         ShapeDescription shape;
-        PlateMaterial material;
+        PolarizingPlate plate;
     };
     const XmlDocument& document_;
     std::vector<Plate> plates_;

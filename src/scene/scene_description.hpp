@@ -18,6 +18,7 @@
 #include "files/load_budget.hpp"
 #include "geometry/mesh.hpp"
 #include "light/small_light.hpp"
+#include "polarization/plate.hpp"
 #include "scene/color_description.hpp"
 #include "scene/texture_specification.hpp"
 
@@ -173,6 +174,7 @@ struct SceneDescription {
     std::vector<ShapeDescription> shapes;
     std::optional<EnvironmentDescription> environment;
     std::vector<LightDescription> lights;
+    std::vector<PolarizingPlate> plates;
     std::vector<FileRecord> files;     ///< the scene file and those that it includes
     std::vector<std::string> notices;  ///< what was read and not followed, one sentence each
 };
@@ -193,10 +195,10 @@ using SceneParameters = std::map<std::string, std::string>;
 /// directional and two_sided of area. A light given by its position or direction has its polarization_axis in
 /// the world's axes, one with to_world in its own. Rectangles and disks of a bsdf polarizer, retarder or
 /// circular become the Stokes state of the lamps that they stand directly before, see PolarizingPlates, as at
-/// normal incidence; elsewhere they are refused. A shape that shines and has no bsdf is black, another
-/// without one is grey. An instance becomes a shape for each member of its group. Integrators, sampler and
-/// reconstruction filter are not followed, which one notice says; a roughness that differs by direction
-/// becomes its geometric mean, with a notice. <rgb> takes one value, three, or #rrggbb,
+/// normal incidence; others are plates before the camera, which a notice says. A shape that shines and has no
+/// bsdf is black, another without one is grey. An instance becomes a shape for each member of its group.
+/// Integrators, sampler and reconstruction filter are not followed, which one notice says; a roughness that
+/// differs by direction becomes its geometric mean, with a notice. <rgb> takes one value, three, or #rrggbb,
 /// which is linear n / 255. Filenames are not opened, but looked for: in the folders of <path>, the newest
 /// first, in the folder of the file that holds them, then in those of the files that include it; where none
 /// has the file, the name is relative to the folder of the file. Throws Error: file_not_found (also of an
