@@ -105,7 +105,7 @@ typedef struct nicol_environment_impl* nicol_environment; /* light from infinite
 typedef struct nicol_texture_impl* nicol_texture;         /* values that vary over a surface; immutable */
 typedef struct nicol_material_impl* nicol_material;       /* a polarimetric BRDF; immutable */
 typedef struct nicol_mesh_impl* nicol_mesh;               /* triangles; immutable */
-typedef struct nicol_scene_impl* nicol_scene;             /* instances, lights, one environment; may change */
+typedef struct nicol_scene_impl* nicol_scene;             /* instances, lights, plates, environment */
 typedef struct nicol_framebuffer_impl* nicol_framebuffer; /* the Stokes image of the last render into it */
 
 #define NICOL_MAX_CHANNELS 16
@@ -707,6 +707,49 @@ typedef struct nicol_emission {
     { sizeof(nicol_emission), 0, NICOL_SPECTRUM_INIT, 0, 0, NICOL_POLARIZATION_INIT }
 /* clang-format on */
 
+/* ---------------------------------------------------------------- polarizing plates */
+
+typedef uint32_t nicol_plate_kind;
+#define NICOL_PLATE_POLARIZER 0      /* linear: lets through what is polarized along its axis */
+#define NICOL_PLATE_RETARDER 1       /* a wave plate: delays what is polarized across its fast axis */
+#define NICOL_PLATE_RIGHT_CIRCULAR 2 /* lets right circular light through; it has no axis */
+#define NICOL_PLATE_LEFT_CIRCULAR 3  /* likewise left circular light */
+
+typedef uint32_t nicol_plate_outline;
+#define NICOL_PLATE_RECTANGLE 0 /* |x| <= 1, |y| <= 1 */
+#define NICOL_PLATE_DISK 1      /* of radius 1 */
+
+/* clang-format off */
+/* An ideal, infinitely thin sheet. The camera sees what is behind it through its Mueller matrix; several along a ray
+ * act in their order. It casts no shadow, and light passes it unchanged on its way to surfaces.
+ * In its own axes it lies in the plane z = 0 about the origin; light passes both ways alike.
+ *
+ *   y
+ *   |  / axis   x  is where to_world takes the plate's x, z its normal, and y = z cross x
+ *   | /) angle
+ *   +------x
+ *
+ * Light at an angle to the normal is treated as by Mitsuba 3: a polarizer absorbs along what is across the ray of the
+ * direction that it absorbs, retardance is times the cosine of that angle. A fast axis is what is across the ray of it,
+ * where Mitsuba 3.9 rotates it with the tilt. */
+/* clang-format on */
+typedef struct nicol_plate {
+    uint32_t struct_size;
+    nicol_plate_kind kind;       /* default polarizer */
+    nicol_plate_outline outline; /* default rectangle */
+    uint32_t reserved;           /* 0 */
+    double to_world[16];         /* any invertible affine transform; its last row is 0 0 0 1 */
+    /* Of the axis that a polarizer lets through or of a retarder's fast axis, degrees from x to y; finite,
+     * default 0. Without effect on circular ones, which have none. */
+    double angle;
+    double retardance; /* retarder: degrees, at normal incidence; finite, default 90, a quarter-wave plate */
+    double transmittance; /* times what is ideal, 0 to 1, the default */
+} nicol_plate;
+/* clang-format off */
+#define NICOL_PLATE_INIT \
+    { sizeof(nicol_plate), NICOL_PLATE_POLARIZER, NICOL_PLATE_RECTANGLE, 0, NICOL_IDENTITY_4X4, 0, 90, 1 }
+/* clang-format on */
+
 /* ---------------------------------------------------------------- scene */
 
 typedef struct nicol_instance {
@@ -786,6 +829,18 @@ NICOL_API nicol_result nicol_scene_set_emission(nicol_scene scene, uint32_t id,
  * is 0. */
 NICOL_API nicol_result nicol_scene_get_emission(nicol_scene scene, uint32_t id, nicol_emission* emission,
                                                 nicol_texture* texture);
+/* Adds a plate, with an id of its own: plates are counted from 0, apart from instances and lights. id may be
+ * NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
+NICOL_API nicol_result nicol_scene_add_plate(nicol_scene scene, const nicol_plate* plate, uint32_t* id);
+/* All of the plate of this id. */
+NICOL_API nicol_result nicol_scene_set_plate(nicol_scene scene, uint32_t id, const nicol_plate* plate);
+/* Its id is not used again; the others keep theirs. */
+NICOL_API nicol_result nicol_scene_remove_plate(nicol_scene scene, uint32_t id);
+/* The plate as it was given. */
+NICOL_API nicol_result nicol_scene_get_plate(nicol_scene scene, uint32_t id, nicol_plate* plate);
+NICOL_API nicol_result nicol_scene_get_plate_count(nicol_scene scene, uint32_t* plates);
+/* The ids of all plates, ascending; count: of the plates. */
+NICOL_API nicol_result nicol_scene_get_plate_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 /* The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);

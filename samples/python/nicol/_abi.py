@@ -57,6 +57,12 @@ LIGHT_DIRECTIONAL = 0
 LIGHT_POINT = 1
 LIGHT_SPOT = 2
 LIGHT_PROJECTOR = 3
+PLATE_POLARIZER = 0
+PLATE_RETARDER = 1
+PLATE_RIGHT_CIRCULAR = 2
+PLATE_LEFT_CIRCULAR = 3
+PLATE_RECTANGLE = 0
+PLATE_DISK = 1
 METHOD_FACTORED = 0
 METHOD_DENSE = 1
 METHOD_REFERENCE = 2
@@ -483,6 +489,36 @@ class Emission(Struct):
     ]
     _defaults_ = {
         "polarization": Polarization(),
+    }
+
+
+class Plate(Struct):
+    """An ideal, infinitely thin sheet. The camera sees what is behind it through its Mueller matrix; several along a ray
+    act in their order. It casts no shadow, and light passes it unchanged on its way to surfaces.
+    In its own axes it lies in the plane z = 0 about the origin; light passes both ways alike.
+
+      y
+      |  / axis   x  is where to_world takes the plate's x, z its normal, and y = z cross x
+      | /) angle
+      +------x
+
+    Light at an angle to the normal is treated as by Mitsuba 3: a polarizer absorbs along what is across the ray of the
+    direction that it absorbs, retardance is times the cosine of that angle. A fast axis is what is across the ray of it,
+    where Mitsuba 3.9 rotates it with the tilt."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_uint32),
+        ("outline", c_uint32),
+        ("reserved", c_uint32),
+        ("to_world", c_double * 16),
+        ("angle", c_double),
+        ("retardance", c_double),
+        ("transmittance", c_double),
+    ]
+    _defaults_ = {
+        "to_world": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+        "retardance": 90,
+        "transmittance": 1,
     }
 
 
@@ -1061,7 +1097,7 @@ class Mesh(Handle):
 
 
 class Scene(Handle):
-    """instances, lights, one environment; may change"""
+    """instances, lights, plates, environment"""
 
     @classmethod
     def create(cls, context):
@@ -1189,6 +1225,37 @@ class Scene(Handle):
         texture = Texture()
         check(_scene_get_emission(self, id, byref(emission), byref(texture)))
         return emission, texture if texture.value else None
+
+    def add_plate(self, plate):
+        """Adds a plate, with an id of its own: plates are counted from 0, apart from instances and lights. id may be
+        NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
+        id = c_uint32()
+        check(_scene_add_plate(self, byref(plate) if plate is not None else None, byref(id)))
+        return id.value
+
+    def set_plate(self, id, plate):
+        """All of the plate of this id."""
+        check(_scene_set_plate(self, id, byref(plate) if plate is not None else None))
+
+    def remove_plate(self, id):
+        """Its id is not used again; the others keep theirs."""
+        check(_scene_remove_plate(self, id))
+
+    def get_plate(self, id):
+        """The plate as it was given."""
+        plate = Plate()
+        check(_scene_get_plate(self, id, byref(plate)))
+        return plate
+
+    def get_plate_count(self):
+        plates = c_uint32()
+        check(_scene_get_plate_count(self, byref(plates)))
+        return plates.value
+
+    def get_plate_ids(self, ids):
+        """The ids of all plates, ascending; count: of the plates."""
+        ids = Buffer(ids, c_uint32, writable=True)
+        check(_scene_get_plate_ids(self, ids.pointer, ids.count))
 
     def get_camera(self):
         """The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
@@ -1652,6 +1719,12 @@ _scene_get_light_count = declare("nicol_scene_get_light_count", c_int32, Scene, 
 _scene_get_light_ids = declare("nicol_scene_get_light_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_set_emission = declare("nicol_scene_set_emission", c_int32, Scene, c_uint32, POINTER(Emission))
 _scene_get_emission = declare("nicol_scene_get_emission", c_int32, Scene, c_uint32, POINTER(Emission), POINTER(Texture))
+_scene_add_plate = declare("nicol_scene_add_plate", c_int32, Scene, POINTER(Plate), POINTER(c_uint32))
+_scene_set_plate = declare("nicol_scene_set_plate", c_int32, Scene, c_uint32, POINTER(Plate))
+_scene_remove_plate = declare("nicol_scene_remove_plate", c_int32, Scene, c_uint32)
+_scene_get_plate = declare("nicol_scene_get_plate", c_int32, Scene, c_uint32, POINTER(Plate))
+_scene_get_plate_count = declare("nicol_scene_get_plate_count", c_int32, Scene, POINTER(c_uint32))
+_scene_get_plate_ids = declare("nicol_scene_get_plate_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))
 _scene_get_film_size = declare("nicol_scene_get_film_size", c_int32, Scene, POINTER(c_uint32), POINTER(c_uint32))
 _scene_get_file_count = declare("nicol_scene_get_file_count", c_int32, Scene, POINTER(c_uint32))
@@ -1836,6 +1909,12 @@ __all__ = [
     "PLANE_S3",
     "PLANE_STOKES",
     "PLANE_VARIANCE",
+    "PLATE_DISK",
+    "PLATE_LEFT_CIRCULAR",
+    "PLATE_POLARIZER",
+    "PLATE_RECTANGLE",
+    "PLATE_RETARDER",
+    "PLATE_RIGHT_CIRCULAR",
     "PROJECTION_ORTHOGRAPHIC",
     "PROJECTION_PERSPECTIVE",
     "PSH_BAND_SIZE",
@@ -1845,6 +1924,7 @@ __all__ = [
     "PSH_MAX_MATRIX_ORDER",
     "PSH_MAX_ORDER",
     "PlaneBuffer",
+    "Plate",
     "Polarization",
     "Pplastic",
     "PshMatrix",

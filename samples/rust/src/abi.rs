@@ -54,6 +54,12 @@ pub const NICOL_LIGHT_DIRECTIONAL: u32 = 0;
 pub const NICOL_LIGHT_POINT: u32 = 1;
 pub const NICOL_LIGHT_SPOT: u32 = 2;
 pub const NICOL_LIGHT_PROJECTOR: u32 = 3;
+pub const NICOL_PLATE_POLARIZER: u32 = 0;
+pub const NICOL_PLATE_RETARDER: u32 = 1;
+pub const NICOL_PLATE_RIGHT_CIRCULAR: u32 = 2;
+pub const NICOL_PLATE_LEFT_CIRCULAR: u32 = 3;
+pub const NICOL_PLATE_RECTANGLE: u32 = 0;
+pub const NICOL_PLATE_DISK: u32 = 1;
 pub const NICOL_METHOD_FACTORED: u32 = 0;
 pub const NICOL_METHOD_DENSE: u32 = 1;
 pub const NICOL_METHOD_REFERENCE: u32 = 2;
@@ -185,7 +191,7 @@ pub type nicol_mesh = *mut nicol_mesh_impl;
 pub struct nicol_scene_impl {
     _private: [u8; 0],
 }
-/// instances, lights, one environment; may change
+/// instances, lights, plates, environment
 pub type nicol_scene = *mut nicol_scene_impl;
 
 #[repr(C)]
@@ -888,6 +894,55 @@ const _: () = {
     assert!(offset_of!(nicol_emission, reserved) == 76);
     assert!(offset_of!(nicol_emission, texture) == 80);
     assert!(offset_of!(nicol_emission, polarization) == 88);
+};
+pub type nicol_plate_kind = u32;
+pub type nicol_plate_outline = u32;
+
+/// An ideal, infinitely thin sheet. The camera sees what is behind it through its Mueller matrix; several along a ray
+/// act in their order. It casts no shadow, and light passes it unchanged on its way to surfaces.
+/// In its own axes it lies in the plane z = 0 about the origin; light passes both ways alike.
+///
+///   y
+///   |  / axis   x  is where to_world takes the plate's x, z its normal, and y = z cross x
+///   | /) angle
+///   +------x
+///
+/// Light at an angle to the normal is treated as by Mitsuba 3: a polarizer absorbs along what is across the ray of the
+/// direction that it absorbs, retardance is times the cosine of that angle. A fast axis is what is across the ray of it,
+/// where Mitsuba 3.9 rotates it with the tilt.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_plate {
+    pub struct_size: u32,
+    pub kind: nicol_plate_kind,
+    pub outline: nicol_plate_outline,
+    pub reserved: u32,
+    pub to_world: [f64; 16],
+    pub angle: f64,
+    pub retardance: f64,
+    pub transmittance: f64,
+}
+impl Default for nicol_plate {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made.to_world = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+        made.retardance = 90.0;
+        made.transmittance = 1.0;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_plate>() == 168);
+    assert!(offset_of!(nicol_plate, struct_size) == 0);
+    assert!(offset_of!(nicol_plate, kind) == 4);
+    assert!(offset_of!(nicol_plate, outline) == 8);
+    assert!(offset_of!(nicol_plate, reserved) == 12);
+    assert!(offset_of!(nicol_plate, to_world) == 16);
+    assert!(offset_of!(nicol_plate, angle) == 144);
+    assert!(offset_of!(nicol_plate, retardance) == 152);
+    assert!(offset_of!(nicol_plate, transmittance) == 160);
 };
 
 #[repr(C)]
@@ -1719,6 +1774,18 @@ extern "C" {
     /// What an instance emits, its texture as of nicol_scene_get_light. Of one that does not shine the radiance
     /// is 0.
     pub fn nicol_scene_get_emission(scene: nicol_scene, id: u32, emission: *mut nicol_emission, texture: *mut nicol_texture) -> nicol_result;
+    /// Adds a plate, with an id of its own: plates are counted from 0, apart from instances and lights. id may be
+    /// NULL. NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
+    pub fn nicol_scene_add_plate(scene: nicol_scene, plate: *const nicol_plate, id: *mut u32) -> nicol_result;
+    /// All of the plate of this id.
+    pub fn nicol_scene_set_plate(scene: nicol_scene, id: u32, plate: *const nicol_plate) -> nicol_result;
+    /// Its id is not used again; the others keep theirs.
+    pub fn nicol_scene_remove_plate(scene: nicol_scene, id: u32) -> nicol_result;
+    /// The plate as it was given.
+    pub fn nicol_scene_get_plate(scene: nicol_scene, id: u32, plate: *mut nicol_plate) -> nicol_result;
+    pub fn nicol_scene_get_plate_count(scene: nicol_scene, plates: *mut u32) -> nicol_result;
+    /// The ids of all plates, ascending; count: of the plates.
+    pub fn nicol_scene_get_plate_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
     /// The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
     pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
