@@ -154,7 +154,7 @@ void evaluate_textures(uint first, TexturePoint point, out vec4 values[TEXTURES]
         } else if (kind == KIND_CHECKERBOARD) {
             vec2 uv = transformed(texture, point.uv);
             float squares = floor(within_int(2.0 * uv.x)) + floor(within_int(2.0 * uv.y));
-            bool second = squares - 2.0 * floor(0.5 * squares) == 0.0;
+            bool second = squares - 2.0 * floor(0.5 * squares) != 0.0;
             values[t] = color_at(texture + (second ? 16u : 12u));
         } else if (kind == KIND_VERTEX_COLOR) {
             values[t] = vec4(point.color, 1.0);

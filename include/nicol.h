@@ -380,8 +380,8 @@ NICOL_API nicol_result nicol_texture_create_image(nicol_context context, const n
  * defaults. */
 NICOL_API nicol_result nicol_texture_load(nicol_context context, const char* path,
                                           const nicol_texture_options* options, nicol_texture* texture);
-/* Mitsuba 3's checkerboard: four squares a unit of u and v, color1 at u = v = 0. Colours of 1 or 3 values;
- * NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity. */
+/* Mitsuba 3's checkerboard of colours: four squares a unit of u and v, color0 at u = v = 0. Colours of 1 or 3
+ * values; NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity. */
 NICOL_API nicol_result nicol_texture_create_checkerboard(nicol_context context, const nicol_spectrum* color0,
                                                          const nicol_spectrum* color1, const double to_uv[9],
                                                          nicol_texture* texture);

@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 
 #include "error.hpp"
 
@@ -151,7 +152,8 @@ TexturePtr SceneTextures::made(const TextureSpecification& d, Use use) {
             break;
         }
         case TextureSpecification::Kind::checkerboard: {
-            const glm::vec4 a = value(d.color0, use), b = value(d.color1, use);
+            glm::vec4 a = value(d.color0, use), b = value(d.color1, use);
+            if (use == Use::number) std::swap(a, b);  // as Mitsuba, which evaluates both apart
             texture = checkerboard_texture(a, b, std::max(channels_of(a), channels_of(b)), d.sampling.to_uv);
             break;
         }

@@ -18,8 +18,8 @@ struct TextureSpecification {
     enum class Part { color, green, blue, coverage };
 
     Kind kind = Kind::constant;
-    ColorDescription color0{0.4};              ///< constant; checkerboard, where floor(2u) + floor(2v) is odd
-    ColorDescription color1{0.2};              ///< checkerboard, elsewhere
+    ColorDescription color0{0.4};              ///< constant; checkerboard, the first square of colours
+    ColorDescription color1{0.2};              ///< checkerboard, the first square of numbers
     std::filesystem::path filename;            ///< image; also names one that is in `bytes`
     std::shared_ptr<const std::string> bytes;  ///< image: its file, where the scene file holds it; else null
     bool raw = false;                          ///< image: see load_texture_image()

@@ -20,7 +20,7 @@ public:
     [[nodiscard]] glm::vec4 at(const TexturePoint& point) const override {
         const glm::vec2 uv = to_uv_(point.uv);
         const int squares = floor_to_int(within_int(2 * uv.x)) + floor_to_int(within_int(2 * uv.y));
-        return colors_[squares % 2 == 0 ? 1 : 0];
+        return colors_[squares % 2 == 0 ? 0 : 1];
     }
     [[nodiscard]] glm::vec2 gradient(const TexturePoint&) const override { return glm::vec2(0); }
     [[nodiscard]] glm::vec4 mean() const override { return 0.5F * (colors_[0] + colors_[1]); }

@@ -123,8 +123,8 @@ void decode_srgb(TextureImage& image);
 [[nodiscard]] TextureImage load_texture_image(const std::filesystem::path& file, std::string_view bytes,
                                               bool raw);
 
-/// Mitsuba's checkerboard: color1 where floor(2u) + floor(2v) is even, else color0, u and v after to_uv and
-/// without their whole part. Both of 1 or 3 channels.
+/// Mitsuba's checkerboard of colours: color0 where floor(2u) + floor(2v) is even, else color1, u and v after
+/// to_uv and without their whole part. Both of 1 or 3 channels.
 [[nodiscard]] TexturePtr checkerboard_texture(const glm::vec3& color0, const glm::vec3& color1, int channels,
                                               const glm::dmat3& to_uv = glm::dmat3(1.0));
 

@@ -210,7 +210,7 @@ GL_TEST_CASE("vertex colours are interpolated") {
 
 GL_TEST_CASE("a roughness texture of a few values is exact, and smooth between others") {
     const auto rough = [](double alpha) { return test::some_metal(alpha); };
-    const TexturePtr two = checkerboard_texture(glm::vec3(0.4F), glm::vec3(0.2F), 1);
+    const TexturePtr two = checkerboard_texture(glm::vec3(0.2F), glm::vec3(0.4F), 1);
     const Seen seen = see(context, ball_over(with_roughness(rough, two)), options(4));
     const StokesImage a = see(context, ball_over(rough(0.2)), options(4)).image;
     const StokesImage b = see(context, ball_over(rough(0.4)), options(4)).image;

@@ -34,3 +34,19 @@ TEST_CASE("colours of textures under light of other channels are refused, grey o
     static_cast<void>(error_of(CALL(textures.color(constant)), ErrorCode::unsupported));
     static_cast<void>(error_of(CALL(textures.number(constant)), ErrorCode::unsupported));
 }
+
+// So Mitsuba 3.9 draws them: eval() of its checkerboard and eval_1() differ.
+TEST_CASE("a checkerboard of colours begins with color0, one of numbers with color1") {
+    const SceneChannels channels;
+    scene::SceneFiles files({}, {});
+    scene::SceneTextures textures(channels, files);
+    TextureSpecification board;
+    board.kind = TextureSpecification::Kind::checkerboard;
+    board.color0 = 0.75;
+    board.color1 = 0.25;
+    const TexturePoint first{.uv = {0.1F, 0.2F}}, second{.uv = {0.6F, 0.2F}};
+    CHECK(textures.color(board)->at(first).x == 0.75F);
+    CHECK(textures.color(board)->at(second).x == 0.25F);
+    CHECK(textures.number(board)->at(first).x == 0.25F);
+    CHECK(textures.number(board)->at(second).x == 0.75F);
+}

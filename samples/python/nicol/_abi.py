@@ -911,8 +911,8 @@ class Texture(Handle):
 
     @classmethod
     def create_checkerboard(cls, context, color0, color1, to_uv):
-        """Mitsuba 3's checkerboard: four squares a unit of u and v, color1 at u = v = 0. Colours of 1 or 3 values;
-        NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity."""
+        """Mitsuba 3's checkerboard of colours: four squares a unit of u and v, color0 at u = v = 0. Colours of 1 or 3
+        values; NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity."""
         color0 = color0 if color0 is None or isinstance(color0, Spectrum) else Spectrum.of(color0)
         color1 = color1 if color1 is None or isinstance(color1, Spectrum) else Spectrum.of(color1)
         texture = cls()

@@ -1649,8 +1649,8 @@ extern "C" {
     /// PNG, JPEG, BMP, TGA, Radiance HDR, or OpenEXR with R G B or Y; with A as coverage. options may be NULL: all
     /// defaults.
     pub fn nicol_texture_load(context: nicol_context, path: *const c_char, options: *const nicol_texture_options, texture: *mut nicol_texture) -> nicol_result;
-    /// Mitsuba 3's checkerboard: four squares a unit of u and v, color1 at u = v = 0. Colours of 1 or 3 values;
-    /// NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity.
+    /// Mitsuba 3's checkerboard of colours: four squares a unit of u and v, color0 at u = v = 0. Colours of 1 or 3
+    /// values; NULL or not given: 0.4 and 0.2. to_uv as of nicol_texture_options, NULL: identity.
     pub fn nicol_texture_create_checkerboard(context: nicol_context, color0: *const nicol_spectrum, color1: *const nicol_spectrum, to_uv: *const [f64; 9], texture: *mut nicol_texture) -> nicol_result;
     /// The colours of the mesh's vertices, interpolated.
     pub fn nicol_texture_create_vertex_colors(context: nicol_context, texture: *mut nicol_texture) -> nicol_result;
