@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""Mitsuba 3 as a peer: Stokes images of one scene file by it and by Nicol, and how far apart they are.
+
+Images are arrays (height, width, 4) of s0, s1, s2, s3 in double precision, of the luminance of the colours: Mitsuba's fastest
+polarized mode has no colours. Rows, frames and signs are those of Mitsuba's integrator `stokes`, which are Nicol's own."""
+
+import glob
+import os
+import re
+
+import mitsuba
+import nicol
+import numpy
+
+LUMINANCE = numpy.array([0.2126, 0.7152, 0.0722])
+# Older ones end the process: they have no minimum of two floats as Mitsuba's kernels take it on x86.
+OLDEST_LLVM = 17
+
+
+def newest_llvm():
+    """The path of the newest libLLVM where Linux keeps it, None where all are too old."""
+    found = []
+    for path in glob.glob("/usr/lib/*/libLLVM*.so*") + glob.glob("/usr/lib/llvm-*/lib/libLLVM*.so*"):
+        version = re.search(r"libLLVM(?:-|\.so\.)(\d+)", path)
+        if version and int(version[1]) >= OLDEST_LLVM:
+            found.append((int(version[1]), path))
+    return max(found, default=(0, None))[1]
+
+
+def choose_variant():
+    """The fastest polarized mode that runs here becomes Mitsuba's; its name."""
+    library = os.environ.get("DRJIT_LIBLLVM_PATH") or newest_llvm()
+    if library:
+        os.environ["DRJIT_LIBLLVM_PATH"] = library
+    variant = "llvm_ad_mono_polarized" if library else "scalar_spectral_polarized"
+    mitsuba.set_variant(variant)
+    mitsuba.set_log_level(mitsuba.LogLevel.Error)
+    return variant
+
+
+def mitsuba_scene(scene_file, **definitions):
+    return mitsuba.load_file(str(scene_file), **{name: str(value) for name, value in definitions.items()})
+
+
+def mitsuba_image(scene, samples, seed):
+    """By the scene's integrator, which must be `stokes`."""
+    pixels = numpy.array(mitsuba.render(scene, spp=samples, seed=seed), dtype=float)
+    # The image as it is displayed comes before S0.R ... S3.B.
+    return pixels[:, :, -12:].reshape(*pixels.shape[:2], 4, 3) @ LUMINANCE
+
+
+def nicol_stokes(framebuffer, finer=1):
+    """The mean of each finer x finer pixels."""
+    planes = framebuffer.plane(nicol.PLANE_STOKES, nicol.ALL_CHANNELS).astype(float)
+    stokes = numpy.einsum("ijck,c->ijk", planes, LUMINANCE if planes.shape[2] == 3 else [1])
+    height, width = stokes.shape[:2]
+    return stokes.reshape(height // finer, finer, width // finer, finer, 4).mean((1, 3))
+
+
+def nicol_image(scene_file, definitions=(), finer=1, **options):
+    """By nicol.RenderOptions(**options); drawn finer times as wide and high, and averaged."""
+    with nicol.Context.create() as context, nicol.Scene.load(context, str(scene_file), list(definitions)) as scene:
+        width, height = scene.get_film_size()
+        with nicol.Framebuffer.create(context, finer * width, finer * height, scene.get_channels()) as framebuffer:
+            nicol.render(scene, scene.get_camera(), nicol.RenderOptions(**options), framebuffer)
+            return nicol_stokes(framebuffer, finer)
+
+
+def squared_error(ours, truth):
+    """(mean, standard error of the mean) of the squared error of each Stokes component over the mean square of s0.
+
+    Each is two images of one scene with noise of their own, or one without noise twice: the mean of (x - a) (y - b) is that of
+    the squared error without any noise."""
+    x, y = ours
+    a, b = truth
+    products = (x - a) * (y - b) / (a[..., 0] * b[..., 0]).mean()
+    return products.mean((0, 1)), products.std((0, 1)) / products[..., 0].size ** 0.5

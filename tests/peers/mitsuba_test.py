@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: MIT
+"""Scenes that Mitsuba 3 renders in the same run: every Stokes component, but for the noise of both programs.
+
+usage: mitsuba_test.py ASSETS, the folder samples/assets"""
+
+import pathlib
+import struct
+import sys
+import tempfile
+import unittest
+
+try:
+    import numpy
+    import peer_mitsuba as peer
+except ModuleNotFoundError as absent:
+    print(f"skipped: {sys.executable} has no module {absent.name}; NICOL_PEER_PYTHON names an interpreter that has mitsuba and numpy")
+    sys.exit(77)
+
+import nicol
+
+ASSETS = pathlib.Path(sys.argv.pop(1)).resolve()
+SAMPLES = 1024
+
+SCENE = """<scene version="3.0.0">
+  <path value="{assets}"/>
+  <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="{depth}"/></integrator></integrator>
+  <sensor type="perspective">
+    <float name="fov" value="32"/>
+    <transform name="to_world"><lookat origin="1,2,5" target="0,-0.2,0" up="0.2,1,0"/></transform>
+    <film type="hdrfilm">
+      <integer name="width" value="48"/><integer name="height" value="40"/><rfilter type="box"/>
+    </film>
+  </sensor>
+  {lights}
+  <shape type="sphere"><transform name="to_world"><rotate x="1" angle="-70"/><rotate y="1" angle="30"/></transform>{sphere}</shape>
+  {floor}
+</scene>
+"""
+FLOOR = """<shape type="rectangle">
+    <transform name="to_world"><scale value="3"/><rotate x="1" angle="-90"/><translate y="-1"/></transform>{}</shape>"""
+
+
+def plastic(inside=""):
+    return f'<bsdf type="pplastic"><string name="distribution" value="ggx"/><float name="alpha" value="0.2"/>{inside}</bsdf>'
+
+
+def metal(alpha):
+    return f"""<bsdf type="roughconductor"><string name="distribution" value="ggx"/>
+        <float name="alpha" value="{alpha}"/><float name="eta" value="1.3"/><float name="k" value="3.2"/></bsdf>"""
+
+
+def image(name, file, raw, scale):
+    return f"""<texture name="{name}" type="bitmap"><string name="filename" value="{file}"/>
+        <boolean name="raw" value="{raw}"/><transform name="to_uv"><scale x="{scale}" y="{scale}"/></transform></texture>"""
+
+
+def checkerboard(name, color0, color1):
+    return f"""<texture name="{name}" type="checkerboard"><float name="color0" value="{color0}"/>
+        <float name="color1" value="{color1}"/><transform name="to_uv"><scale x="4" y="3"/></transform></texture>"""
+
+
+AIMED = '<transform name="to_world"><lookat origin="2.5,4,2" target="0,0,0" up="0,1,0.1"/></transform>'
+CONSTANT = '<emitter type="constant"/>'
+FOREST = """<emitter type="envmap"><string name="filename" value="forest_blurred.exr"/>
+    <transform name="to_world"><rotate y="1" angle="70"/></transform></emitter>"""
+DIRECTIONAL = f'<emitter type="directional"><float name="irradiance" value="3"/>{AIMED}</emitter>'
+POINT = '<emitter type="point"><point name="position" value="2.5,4,2"/><float name="intensity" value="60"/></emitter>'
+SPOT = f'<emitter type="spot"><float name="intensity" value="60"/><float name="cutoff_angle" value="15"/>{AIMED}</emitter>'
+LAMP = f'<shape type="rectangle">{AIMED}<emitter type="area"><float name="radiance" value="10"/></emitter></shape>'
+# The plate is so far from the lamp that Mitsuba's shadow rays meet it.
+CIRCULAR_LAMP = "".join(
+    f"""<shape type="rectangle"><transform name="to_world"><scale x="{size}" y="{size}"/><translate z="{z}"/>
+        <lookat origin="2.5,4,2" target="0,0,0" up="0,1,0.1"/></transform>{inside}</shape>"""
+    for size, z, inside in (
+        (2, 0, '<emitter type="area"><float name="radiance" value="10"/></emitter>'),
+        (2.3, 0.05, '<bsdf type="circular"/>'),
+    )
+)
+MEASURED = '<bsdf type="measured_polarized"><string name="filename" value="{folder}/measured.pbsdf"/><float name="wavelength" value="550"/></bsdf>'
+
+
+def write_measured(path):
+    """A glossy Mueller matrix that varies with each of the three angles, as a .pbsdf file of one wavelength."""
+    theta_h, theta_d, phi_d = (numpy.linspace(begin, end, n, dtype="f4") for begin, end, n in ((0, numpy.pi / 2, 46), (0, numpy.pi / 2, 31), (-numpy.pi, numpy.pi, 61)))
+    phi, d, h = numpy.meshgrid(phi_d, theta_d, theta_h, indexing="ij")
+    lobe = 0.1 + numpy.exp(-((h / 0.3) ** 2))
+    mueller = numpy.zeros((*h.shape, 1, 4, 4), "f4")
+    mueller[..., 0, 0, 0] = lobe
+    mueller[..., 0, 0, 1] = mueller[..., 0, 1, 0] = 0.5 * lobe * numpy.sin(d) ** 2
+    mueller[..., 0, 2, 0] = 0.2 * lobe * numpy.sin(d) * numpy.sin(phi)
+    mueller[..., 0, 3, 0] = 0.1 * lobe * numpy.sin(h) * numpy.cos(phi)
+    fields = {"M": mueller, "phi_d": phi_d[None], "theta_d": theta_d[None], "theta_h": theta_h[None], "wvls": numpy.array([550], "u2")}
+    kinds = {"f4": 10, "u2": 3}
+    heads = lambda offsets: b"".join(  # noqa: E731
+        struct.pack(f"<H{len(name)}sHBQ{field.ndim}Q", len(name), name.encode(), field.ndim, kinds[field.dtype.str[1:]], offset, *field.shape)
+        for (name, field), offset in zip(fields.items(), offsets)
+    )
+    magic = b"tensor_file\0" + struct.pack("<BBI", 1, 0, len(fields))
+    sizes = [field.nbytes for field in fields.values()]
+    begin = len(magic) + len(heads([0] * len(fields)))
+    path.write_bytes(magic + heads([begin + sum(sizes[:i]) for i in range(len(sizes))]) + b"".join(f.tobytes() for f in fields.values()))
+
+
+# name: (bsdf of the sphere, bsdf of the floor or none, lights, bounces that Mitsuba follows)
+CASES = {
+    "plastic, constant": (plastic(), None, CONSTANT, 2),
+    "plastic, environment": (plastic(), plastic(), FOREST, 2),
+    "plastic, directional": (plastic(), plastic(), DIRECTIONAL, 2),
+    "plastic, point": (plastic(), plastic(), POINT, 2),
+    "plastic, spot": (plastic(), plastic(), SPOT, 2),
+    "plastic, area": (plastic(), plastic(), LAMP, 2),
+    "metal, environment": (metal(0.3), None, FOREST, 2),
+    "metal, directional": (metal(0.2), metal(0.4), DIRECTIONAL, 2),
+    "metal, circular lamp": (metal(0.4), None, CIRCULAR_LAMP, 3),
+    "measured, point": (MEASURED, MEASURED, POINT, 2),
+    "checkerboard": (plastic(checkerboard("diffuse_reflectance", 0.7, 0.1)), plastic(checkerboard("diffuse_reflectance", 0.1, 0.6)), POINT, 2),
+    "checkerboard of roughness": (metal(0.2).replace('<float name="alpha" value="0.2"/>', checkerboard("alpha", 0.15, 0.4)), None, DIRECTIONAL, 2),
+    "image": (plastic(image("diffuse_reflectance", "tiles_roughness.png", "true", 2)), plastic(image("diffuse_reflectance", "tiles_roughness.png", "false", 1)), LAMP, 2),
+}
+# Options of each, and what s0, s1, s2, s3 may differ by, over the root mean square of s0.
+METHODS = {
+    "reference": ({"method": nicol.METHOD_REFERENCE, "samples": 256}, 0.004, 0.001, 0.001, 0.001),
+    "factored": ({"finer": 4}, 0.03, 0.005, 0.005, 0.005),
+}
+
+
+def write_scene(folder, case):
+    sphere, floor, lights, depth = CASES[case]
+    write_measured(folder / "measured.pbsdf")
+    text = SCENE.format(assets=ASSETS, depth=depth, lights=lights, sphere=sphere, floor=FLOOR.format(floor) if floor else "")
+    (folder / "scene.xml").write_text(text.replace("{folder}", str(folder)))
+    return folder / "scene.xml"
+
+
+def mitsuba_images(scene_file):
+    scene = peer.mitsuba_scene(scene_file)
+    return [peer.mitsuba_image(scene, SAMPLES, seed) for seed in (1, 2)]
+
+
+def rotated(image, degrees):
+    """The same light in frames that are rotated about the view."""
+    angle = 2 * numpy.radians(degrees)
+    s0, s1, s2, s3 = numpy.moveaxis(image, -1, 0)
+    c, s = numpy.cos(angle), numpy.sin(angle)
+    return numpy.stack([s0, c * s1 + s * s2, c * s2 - s * s1, s3], -1)
+
+
+# Images that are wrong in a way that other programs have been.
+MISTAKES = {
+    "s2 of the other sign": lambda image: image * (1, 1, -1, 1),
+    "s3 of the other sign": lambda image: image * (1, 1, 1, -1),
+    "x along the other axis": lambda image: rotated(image, 90),
+    "frames rotated by 30 degrees": lambda image: rotated(image, 30),
+}
+
+
+class MitsubaTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def check(self, ours, truth, limits):
+        """ours differs from truth by no more than limits and noise; with one of the mistakes it would."""
+        error, deviation = peer.squared_error(ours, truth)
+        allowed = limits**2 + 4 * deviation
+        print(" ", *(f"s{i} {max(e, 0) ** 0.5:.4f} of {a**0.5:.4f}" for i, (e, a) in enumerate(zip(error, allowed))), flush=True)
+        self.assertTrue((error <= allowed).all(), f"squared errors {error}; allowed {allowed}")
+        for name, mistake in MISTAKES.items():
+            if "s3" in name and not truth[0][..., 3].any():
+                continue
+            error, deviation = peer.squared_error([mistake(image) for image in ours], truth)
+            self.assertTrue((error > limits**2 + 4 * deviation).any(), f"{name} does not show: {error}")
+
+    def test_images(self):
+        for case in CASES:
+            scene = write_scene(self.folder, case)
+            truth = mitsuba_images(scene)
+            for method, (options, *limits) in METHODS.items():
+                with self.subTest(case=case, method=method):
+                    print(f"{case}, {method}", end=":")
+                    seeds = (1, 2) if method == "reference" else (1, 1)
+                    self.check([peer.nicol_image(scene, seed=seed, **options) for seed in seeds], truth, numpy.array(limits))
+
+    def test_angles(self):
+        """The AoLP of both where light is polarized, modulo 180 degrees."""
+        scene = write_scene(self.folder, "plastic, point")
+        a, b = mitsuba_images(scene)
+        truth = (a + b) / 2
+        with nicol.Context.create() as context, nicol.Scene.load(context, str(scene)) as loaded:
+            with nicol.Framebuffer.create(context, *loaded.get_film_size(), loaded.get_channels()) as framebuffer:
+                nicol.render(loaded, loaded.get_camera(), nicol.RenderOptions(method=nicol.METHOD_REFERENCE), framebuffer)
+                aolp = framebuffer.plane(nicol.PLANE_AOLP, 1).astype(float)
+        self.assertLessEqual(abs(aolp).max(), numpy.float32(numpy.pi / 2))
+        polarized = numpy.hypot(truth[..., 1], truth[..., 2]) > numpy.maximum(0.1 * truth[..., 0], 0.01 * truth[..., 0].max())
+        difference = aolp - numpy.arctan2(truth[..., 2], truth[..., 1]) / 2
+        difference = numpy.degrees(abs((difference + numpy.pi / 2) % numpy.pi - numpy.pi / 2))[polarized]
+        self.assertGreater(difference.size, 200)
+        self.assertLess(difference.mean(), 0.2)
+        self.assertLess(numpy.quantile(difference, 0.99), 2)
+
+
+if __name__ == "__main__":
+    print(f"Mitsuba {peer.mitsuba.__version__}, {peer.choose_variant()}")
+    unittest.main()
