@@ -27,12 +27,13 @@ def newest_llvm():
     return max(found, default=(0, None))[1]
 
 
-def choose_variant():
-    """The fastest polarized mode that runs here becomes Mitsuba's; its name."""
+def choose_variant(colors=False):
+    """The fastest mode that runs here, polarized or with colours, becomes Mitsuba's; its name."""
     library = os.environ.get("DRJIT_LIBLLVM_PATH") or newest_llvm()
     if library:
         os.environ["DRJIT_LIBLLVM_PATH"] = library
-    variant = "llvm_ad_mono_polarized" if library else "scalar_spectral_polarized"
+    variants = ("scalar_rgb", "llvm_ad_rgb") if colors else ("scalar_spectral_polarized", "llvm_ad_mono_polarized")
+    variant = variants[library is not None]
     mitsuba.set_variant(variant)
     mitsuba.set_log_level(mitsuba.LogLevel.Error)
     return variant
@@ -71,7 +72,7 @@ def squared_error(ours, truth):
 
     Each is two images of one scene with noise of their own, or one without noise twice: the mean of (x - a) (y - b) is that of
     the squared error without any noise."""
-    x, y = ours
-    a, b = truth
-    products = (x - a) * (y - b) / (a[..., 0] * b[..., 0]).mean()
-    return products.mean((0, 1)), products.std((0, 1)) / products[..., 0].size ** 0.5
+    x, y = (image.reshape(-1, 4) for image in ours)
+    a, b = (image.reshape(-1, 4) for image in truth)
+    products = (x - a) * (y - b) / (a[:, 0] * b[:, 0]).mean()
+    return products.mean(0), products.std(0) / len(products) ** 0.5

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: MIT
+"""Time at equal error: how long Mitsuba 3 takes for an image as close to the truth as Nicol's default one.
+
+usage: mitsuba_contest.py [--size N] [--samples N] [--verify SECONDS]. NICOL_TEST_DATA, with polarsh/ and mitsuba/, adds the statue."""
+
+import argparse
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+import nicol
+import numpy
+import peer_mitsuba as peer
+
+ASSETS = pathlib.Path(__file__).resolve().parent.parent / "assets"
+DATA = pathlib.Path(os.environ.get("NICOL_TEST_DATA", "nowhere"))
+
+SCENE = """<scene version="3.0.0">
+  <path value="{assets}"/><path value="{data}/polarsh"/><path value="{data}/mitsuba"/>
+  <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="2"/></integrator></integrator>
+  <sensor type="perspective"><float name="fov" value="42"/>
+    <transform name="to_world"><lookat {camera} up="0,1,0"/></transform>
+    <film type="hdrfilm"><integer name="width" value="{size}"/><integer name="height" value="{size}"/><rfilter type="box"/></film>
+  </sensor>
+  {contents}
+</scene>
+"""
+
+
+def plastic(alpha, diffuse):
+    return f"""<bsdf type="pplastic"><string name="distribution" value="ggx"/><float name="alpha" value="{alpha}"/>{diffuse}</bsdf>"""
+
+
+def grey(value):
+    return f'<float name="diffuse_reflectance" value="{value}"/>'
+
+
+def tiles(scale):
+    return f"""<texture name="diffuse_reflectance" type="bitmap"><string name="filename" value="tiles_roughness.png"/>
+        <boolean name="raw" value="true"/><transform name="to_uv"><scale x="{scale}" y="{scale}"/></transform></texture>"""
+
+
+def envmap(file):
+    return f'<emitter type="envmap"><string name="filename" value="{file}"/></emitter>'
+
+
+def mesh(kind, file, bsdf):
+    return f'<shape type="{kind}"><string name="filename" value="{file}"/>{bsdf}</shape>'
+
+
+def shape(kind, to_world, inside):
+    return f'<shape type="{kind}"><transform name="to_world">{to_world}</transform>{inside}</shape>'
+
+
+def lamp(origin):
+    return shape("rectangle", f'<scale value="0.6"/><lookat origin="{origin}" target="0,0,0" up="0,1,0.1"/>',
+                 '<emitter type="area"><float name="radiance" value="12"/></emitter>')  # fmt: skip
+
+
+METAL = """<bsdf type="roughconductor"><string name="distribution" value="ggx"/><float name="alpha" value="0.25"/>
+    <float name="eta" value="1.3"/><float name="k" value="3.2"/></bsdf>"""
+# name: (camera, contents)
+SCENES = {
+    "snail in a forest": (
+        'origin="-1.9,1.9,4.7" target="-0.05,0.95,0"',
+        envmap("forest.exr") + mesh("ply", "snail.ply", plastic(0.2, grey(0.1))) + mesh("ply", "plinth.ply", plastic(0.3, grey(0.05))),
+    ),
+    "textured box with lamps": (
+        'origin="1.2,1.2,5.5" target="-0.3,-0.1,0"',
+        lamp("2.5,3.5,2.5")
+        + lamp("-1.5,3,3.5")
+        + '<emitter type="point"><point name="position" x="1" y="2.5" z="2"/><float name="intensity" value="8"/></emitter>'
+        + shape("rectangle", '<scale value="3"/><rotate x="1" angle="-90"/><translate y="-1"/>', plastic(0.3, tiles(3)))
+        + shape("rectangle", '<scale value="3"/><translate z="-2.5"/>', plastic(0.4, tiles(2)))
+        + shape("cube", '<scale value="0.7"/><rotate y="1" angle="30"/><translate x="-1.3" y="-0.3"/>', plastic(0.2, tiles(1)))
+        + shape("sphere", '<scale value="0.7"/><translate x="0.9" y="-0.3" z="0.6"/>', METAL),
+    ),
+    "statue of 19,944 vertices": (
+        'origin="2.8,1.6,6.6" target="0,0.1,0"',
+        envmap("venice.exr") + mesh("obj", "buddha.obj", plastic(0.3, grey(0.4))) + mesh("obj", "plane.obj", plastic(0.5, grey(0.4))),
+    ),
+}
+
+
+def timed(work, repetitions=5):
+    """(result, seconds, CPU seconds): the least of so many times."""
+    times = []
+    for _ in range(repetitions):
+        begin, cpu = time.perf_counter(), time.process_time()
+        result = work()
+        times.append((time.perf_counter() - begin, time.process_time() - cpu))
+    return result, min(t[0] for t in times), min(t[1] for t in times)
+
+
+def rotation(degrees):
+    """About the vertical."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return numpy.array([[c, 0, s, 0], [0, 1, 0, 0], [-s, 0, c, 0], [0, 0, 0, 1]])
+
+
+class Show:
+    """A scene in Nicol whose camera and light rotate, each frame by other angles."""
+
+    FRAMES = 8
+
+    def __init__(self, context, scene_file):
+        self.scene = nicol.Scene.load(context, str(scene_file))
+        self.camera = self.scene.get_camera()
+        self.framebuffer = nicol.Framebuffer.create(context, *self.scene.get_film_size(), self.scene.get_channels())
+        self.has_point = self.scene.get_light_count() > 0
+        if self.has_point:
+            ids = numpy.zeros(1, "u4")
+            self.scene.get_light_ids(ids)
+            self.point = int(ids[0])
+
+    def render(self, aovs=0):
+        nicol.render(self.scene, self.camera, nicol.RenderOptions(aovs=aovs), self.framebuffer)
+
+    def rotate(self):
+        turn = lambda degrees, matrix: (rotation(degrees) @ numpy.array(matrix).reshape(4, 4)).ravel()  # noqa: E731
+        self.camera.to_world = list(turn(0.37, self.camera.to_world))
+        if self.has_point:
+            light, _ = self.scene.get_light(self.point)
+            light.to_world = list(turn(1.3, light.to_world))
+            self.scene.set_light(self.point, light)
+        else:
+            environment, to_world, scale = self.scene.get_environment()
+            self.scene.set_environment(environment, turn(1.3, to_world), scale)
+
+    def frames(self):
+        for _ in range(self.FRAMES):
+            self.rotate()
+            self.render()
+
+    def inner(self):
+        """Where a pixel and its eight neighbours show the same object."""
+        self.render(nicol.AOV_INSTANCE)
+        ids = self.framebuffer.plane(nicol.PLANE_INSTANCE)
+        inner = ids != nicol.NO_INSTANCE
+        for dy in (-1, 0, 1):
+            for dx in (-1, 0, 1):
+                inner &= numpy.roll(ids, (dy, dx), (0, 1)) == ids
+        inner[[0, -1]] = inner[:, [0, -1]] = False
+        return inner
+
+
+def cold_seconds(scene_file):
+    """From nothing to the first image in memory, without a cache folder."""
+    begin = time.perf_counter()
+    with nicol.Context.create() as context:
+        show = Show(context, scene_file)
+        show.render()
+        show.framebuffer.plane()
+        return time.perf_counter() - begin
+
+
+def contest(name, scene_file, arguments):
+    with nicol.Context.create() as context:
+        show = Show(context, scene_file)
+        inner = show.inner()
+        show.render()
+        ours = peer.nicol_stokes(show.framebuffer)[inner]
+        _, warm, warm_cpu = timed(show.frames)
+        warm, warm_cpu = warm / show.FRAMES, warm_cpu / show.FRAMES
+    environment = {name: value for name, value in os.environ.items() if name != "NICOL_CACHE"}
+    run = lambda: float(subprocess.check_output([sys.executable, __file__, "--cold", str(scene_file)], env=environment))  # noqa: E731
+    cold = min(run() for _ in range(3))
+
+    scene = peer.mitsuba_scene(scene_file)
+    n = arguments.samples
+    truth = [peer.mitsuba_image(scene, n, seed)[inner] for seed in (1, 2)]
+    _, seconds, cpu = timed(lambda: peer.mitsuba_image(scene, n, 3), 3)
+    error = peer.squared_error((ours, ours), truth)[0][:3]
+    noise = ((truth[0] - truth[1]) ** 2 / 2).mean(0)[:3] / (truth[0][:, 0] * truth[1][:, 0]).mean()
+    print(f"\n{name}: {inner.mean():.0%} of {arguments.size} x {arguments.size} pixels lie inside surfaces")
+    print(f"  Nicol: a frame {1e3 * warm:.1f} ms ({1e3 * warm_cpu:.1f} ms of CPU), the first image {cold:.2f} s; errors", *(f"{e**0.5:.5f}" for e in error))
+    print(f"  Mitsuba, {n} samples a pixel: {seconds:.2f} s ({cpu:.2f} s of CPU); errors", *(f"{e**0.5:.5f}" for e in noise))
+    # The variance of independent samples falls with their number.
+    for components, samples in [("s0, s1, s2", n * noise.sum() / error.sum())] + [(f"s{i}", n * noise[i] / error[i]) for i in range(3)]:
+        scale = samples / n
+        print(f"  equal error of {components}: {samples:.0f} samples, {scale * seconds:.1f} s; Nicol's frame is {scale * seconds / warm:.0f} times as fast "
+              f"({scale * cpu / warm_cpu:.0f} by CPU time), its first image {scale * seconds / cold:.0f} times")  # fmt: skip
+    samples = round(n * noise.sum() / error.sum())
+    if samples and samples / n * seconds < arguments.verify:
+        passes = math.ceil(samples / n)
+        image, taken, _ = timed(lambda: sum(peer.mitsuba_image(scene, samples // passes, seed) for seed in range(10, 10 + passes)) / passes, 1)
+        found = peer.squared_error((image[inner],) * 2, truth)[0][:3]
+        print(f"  verified: {samples // passes * passes} samples take {taken:.1f} s; errors", *(f"{max(e, 0) ** 0.5:.5f}" for e in found))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--size", type=int, default=512, help="images of N x N")
+    parser.add_argument("--samples", type=int, default=256, help="a pixel, of each of Mitsuba's images")
+    parser.add_argument("--verify", type=float, default=120, help="renders the image of equal error where Mitsuba needs less than these seconds")
+    parser.add_argument("--cold", help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    if arguments.cold:
+        print(cold_seconds(arguments.cold))
+        return
+    print(f"Mitsuba {peer.mitsuba.__version__}, {peer.choose_variant()}; Nicol {nicol.version_string()}; {len(os.sched_getaffinity(0))} cores. "
+          "Direct light; errors are RMSE of s0, s1, s2 inside surfaces over the RMS of s0.")  # fmt: skip
+    with tempfile.TemporaryDirectory() as folder:
+        scene_file = pathlib.Path(folder, "scene.xml")
+        for name, (camera, contents) in SCENES.items():
+            if "statue" in name and not (DATA / "polarsh").is_dir():
+                print(f"\n{name}: left out, NICOL_TEST_DATA has no folder polarsh")
+                continue
+            scene_file.write_text(SCENE.format(assets=ASSETS, data=DATA, camera=camera, size=arguments.size, contents=contents))
+            contest(name, scene_file, arguments)
+
+
+if __name__ == "__main__":
+    main()
