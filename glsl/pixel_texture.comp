@@ -105,6 +105,7 @@ vec3 factor_value(uint factor, vec4 value) {
         case 2u: return vec3(1.0 - clamp(value.x, 0.0, 1.0));
     }
     float middle = number_at(factor + 3u);
+    if (table[factor] == 4u) return (1.0 - middle) * value.xyz / (1.0 - middle * value.xyz);
     float end = number_at(factor + (value.x <= middle ? 2u : 4u));
     if (end == middle) return vec3(1.0);
     if (value.x <= 0.0) return vec3(0.0);

@@ -42,7 +42,12 @@ template <class Number>
 // One term for each index: a single one where colour is in the reflectance alone.
 class RoughConductor final : public Material {
 public:
-    explicit RoughConductor(RoughConductorParameters parameters) : p_(std::move(parameters)) {
+    explicit RoughConductor(RoughConductorParameters parameters)
+        : p_(std::move(parameters)), smooth_(p_.alpha == 0) {
+        if (smooth_) {
+            p_.alpha = kSmoothAlpha;
+            p_.distribution = Distribution::beckmann;
+        }
         if (p_.eta.empty())
             throw Error(ErrorCode::invalid_argument, "eta has no value; give one, or one a channel");
         for (const std::complex<double> eta : p_.eta) {
@@ -79,6 +84,7 @@ public:
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return isotropic_ ? *isotropic_ : *this;
     }
+    [[nodiscard]] bool smooth(int) const noexcept override { return smooth_; }
     [[nodiscard]] std::string content_key() const override {
         return Key("roughconductor")
             .add("eta", p_.eta)
@@ -132,6 +138,7 @@ private:
     RoughConductorParameters p_;
     glm::dvec2 alpha_;                                 // along x and y
     std::unique_ptr<const RoughConductor> isotropic_;  // null: it is so itself
+    bool smooth_;
 };
 
 }  // namespace
@@ -141,10 +148,8 @@ MaterialPtr rough_conductor(const RoughConductorParameters& parameters) {
 }
 
 MaterialPtr conductor(std::vector<std::complex<double>> eta, std::vector<double> specular_reflectance) {
-    return rough_conductor({.eta = std::move(eta),
-                            .specular_reflectance = std::move(specular_reflectance),
-                            .alpha = kSmoothAlpha,
-                            .distribution = Distribution::beckmann});
+    return rough_conductor(
+        {.eta = std::move(eta), .specular_reflectance = std::move(specular_reflectance), .alpha = 0});
 }
 
 }  // namespace nicol

@@ -11,12 +11,13 @@
 
 namespace nicol {
 
-/// Mitsuba 3's `roughconductor`: single reflection off the facets of an opaque metal.
+/// Mitsuba 3's `roughconductor`: single reflection off the facets of an opaque metal. With k = 0 what the
+/// boundary of a dielectric reflects.
 struct RoughConductorParameters {
     /// Index n - ik relative to air, one value or one a channel: n and k in 0..100, not both zero.
     std::vector<std::complex<double>> eta{{0.0, -1.0}};
     std::vector<double> specular_reflectance{1.0};  ///< 0..1, one value or one a channel
-    double alpha = 0.1;                             ///< roughness, 0.001..1
+    double alpha = 0.1;  ///< roughness, 0.001..1; 0: smooth, kSmoothAlpha stands for it
     /// Roughness along y where alpha is that along x, 0.001..1; 0: as alpha. One that differs makes the
     /// material anisotropic; its isotropic() counterpart has the geometric mean of both.
     double alpha_v = 0;
@@ -25,11 +26,11 @@ struct RoughConductorParameters {
 /// Throws Error(invalid_argument) naming the parameter that is out of range.
 [[nodiscard]] MaterialPtr rough_conductor(const RoughConductorParameters& parameters);
 
-/// Roughness used for a smooth surface. A mirror's pBRDF is a delta function, which no table can hold;
-/// Beckmann facets of this roughness blur by about one degree, less than order 100 resolves.
+/// Roughness of Beckmann's facets that stand for a smooth surface, see Material::smooth(). They blur by about
+/// one degree, less than order 100 resolves.
 inline constexpr double kSmoothAlpha = 0.01;
 
-/// Mitsuba 3's `conductor`, as rough_conductor() with Beckmann's facets and kSmoothAlpha.
+/// Mitsuba 3's `conductor`: rough_conductor() of alpha 0.
 [[nodiscard]] MaterialPtr conductor(std::vector<std::complex<double>> eta,
                                     std::vector<double> specular_reflectance = {1.0});
 

@@ -58,6 +58,10 @@ public:
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return isotropic_ ? *isotropic_ : *this;
     }
+    [[nodiscard]] bool smooth(int term) const noexcept override {
+        const Term& of = at(term);
+        return of.material->smooth(of.index);
+    }
     [[nodiscard]] bool mirror_symmetric() const noexcept override {
         return std::ranges::all_of(
             variation_.layers, [](const MaterialLayer& layer) { return layer.material->mirror_symmetric(); });
@@ -123,7 +127,7 @@ private:
         for (const LayerFactor& factor : layer.factors) {
             const Texture& texture = *variation_.textures[factor.texture];
             mean *= factor_value(factor, texture.mean());
-            if (factor.kind == LayerFactor::Kind::value && texture.channels() > 1) need_channels(3);
+            if (factor.colored() && texture.channels() > 1) need_channels(3);
         }
         if (layer.scale != glm::vec3(layer.scale.x)) need_channels(3);
         need_channels(layer.material->channels());
@@ -231,11 +235,13 @@ MaterialPtr layered(SpatialVariation variation) {
     return std::make_shared<Layered>(std::move(variation));
 }
 
-MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale) {
+namespace {
+
+MaterialPtr multiplied(const MaterialPtr& material, const LayerFactor& factor, const TexturePtr& scale) {
     SpatialVariation out = parts_of(material, "scaled");
     require_texture(scale, "scaled");
     const SpatialVariation whole = out;
-    multiply(out, {.kind = LayerFactor::Kind::value, .texture = 0}, scale);
+    multiply(out, factor, scale);
     // Nothing is left of what is scaled by 0 but that it is black.
     if (out.layers.empty()) {
         out.layers.push_back(whole.layers.front());
@@ -243,6 +249,19 @@ MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale) {
         out.layers.front().factors.clear();
     }
     return layered(std::move(out));
+}
+
+}  // namespace
+
+MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale) {
+    return multiplied(material, {.kind = LayerFactor::Kind::value, .texture = 0}, scale);
+}
+
+MaterialPtr scaled_again(const MaterialPtr& material, const TexturePtr& scale, double again) {
+    check_range(again, 0, 0.999, "again");
+    return multiplied(material,
+                      {.kind = LayerFactor::Kind::again, .texture = 0, .middle = static_cast<float>(again)},
+                      scale);
 }
 
 MaterialPtr sum(const MaterialPtr& first, const MaterialPtr& second) {

@@ -20,6 +20,9 @@ namespace nicol {
 
 /// The material times a texture.
 [[nodiscard]] MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale);
+/// The same for light of which the part `again`, 0 to 0.999, meets the texture again each time: times
+/// (1 - again) t / (1 - again t), which is 1 where the texture's value t is.
+[[nodiscard]] MaterialPtr scaled_again(const MaterialPtr& material, const TexturePtr& scale, double again);
 /// Both together.
 [[nodiscard]] MaterialPtr sum(const MaterialPtr& first, const MaterialPtr& second);
 /// first (1 - t) + second t, t the first channel of a texture, moved to 0..1 (Mitsuba's blendbsdf).

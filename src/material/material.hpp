@@ -56,6 +56,11 @@ public:
         return glm::dvec2(lobe_width(term));
     }
 
+    /// Whether a term stands for a smooth surface: the delta function of a mirror, which no table can hold,
+    /// as a narrow lobe. A mirror shows lights without a size as points, which no pixel sees: such a term
+    /// reflects nothing of them, though evaluate() has its values.
+    [[nodiscard]] virtual bool smooth(int /*term*/) const noexcept { return false; }
+
     /// What stands for it in harmonics, whose tables are of isotropic materials: itself, or the isotropic
     /// counterpart that it keeps, of as many terms with the same weights and mirror symmetry.
     [[nodiscard]] virtual const Material& isotropic() const noexcept { return *this; }

@@ -51,7 +51,7 @@ bool is_zero(const LayerFactor& factor, const LaneValues& of) {
     out = out > 0 ? out : LaneVector{};
 }
 
-// factor_value() of each, of all channels but `value`s.
+// factor_value() of each, of factors that are the same for every colour.
 [[gnu::always_inline]] inline void scalar_factors(const LayerFactor& factor, const LaneVector& t,
                                                   LaneVector& out) {
     if (factor.kind == LayerFactor::Kind::hat) return hats(factor, t, out);
@@ -83,10 +83,12 @@ bool is_zero(const LayerFactor& factor, const LaneValues& of) {
     for (glm::length_t c = 0; c < 3; ++c) weight[c] = LaneVector{} + layer.scale[c];
     for (const LayerFactor& factor : layer.factors) {
         const LaneValues& of = values[factor.texture];
-        if (factor.kind == LayerFactor::Kind::value) {
+        if (factor.colored()) {
             for (std::size_t c = 0; c < 3; ++c) {
                 LaneVector t;
                 load(&of.color[c], t);
+                if (factor.kind == LayerFactor::Kind::again)
+                    t *= (1 - factor.middle) / (1.0F - factor.middle * t);
                 weight[c] *= t;
             }
         } else {
@@ -126,6 +128,8 @@ glm::vec3 factor_value(const LayerFactor& factor, const glm::vec4& texture) {
             return glm::vec3(std::clamp(texture.x, 0.0F, 1.0F));
         case LayerFactor::Kind::complement:
             return glm::vec3(1 - std::clamp(texture.x, 0.0F, 1.0F));
+        case LayerFactor::Kind::again:
+            return (1 - factor.middle) * glm::vec3(texture) / (1.0F - factor.middle * glm::vec3(texture));
         case LayerFactor::Kind::hat:
             break;
     }

@@ -18,13 +18,19 @@ struct LayerFactor {
         value,       ///< t, a value for each colour
         fraction,    ///< the first channel of t, moved to 0..1
         complement,  ///< 1 - fraction
-        hat          ///< of the first channel, see below
+        hat,         ///< of the first channel, see below
+        /// (1 - middle) t / (1 - middle t) for each colour: t for light that meets the texture again and
+        /// again, the part `middle` of it each time. 1 where t is 1.
+        again
     };
     Kind kind;
     std::size_t texture;  ///< of SpatialVariation::textures
     /// hat: 1 at `middle`, 0 at `low` and `high` and beyond, linear in 1 / t between; all above 0. Where low
     /// (high) equals middle: 1 from there on down (up).
     float low = 0, middle = 0, high = 0;
+
+    /// Whether it is one for each colour.
+    [[nodiscard]] bool colored() const noexcept { return kind == Kind::value || kind == Kind::again; }
 };
 
 /// Of red, green and blue, or three equal ones, for the value of its texture.

@@ -20,7 +20,7 @@ MaterialPtr at_roughness(const std::function<MaterialPtr(double alpha)>& make, d
 
 }  // namespace
 
-MaterialPtr pplastic(const PplasticParameters& parameters, const PplasticTextures& textures) {
+MaterialPtr pplastic(const PplasticParameters& parameters, const PlasticTextures& textures) {
     if (!textures.diffuse_reflectance && !textures.specular_reflectance && !textures.alpha)
         return pplastic(parameters);
     // The base does not depend on the roughness of the boundary above it.
@@ -38,6 +38,32 @@ MaterialPtr pplastic(const PplasticParameters& parameters, const PplasticTexture
     };
     return sum(
         times(pplastic(base), textures.diffuse_reflectance),
+        times(at_roughness(make_boundary, parameters.alpha, textures.alpha), textures.specular_reflectance));
+}
+
+MaterialPtr plastic(const PlasticParameters& parameters, const PlasticTextures& textures) {
+    if (!textures.diffuse_reflectance && !textures.specular_reflectance && !textures.alpha)
+        return plastic(parameters);
+    const auto make_base = [&](double alpha) {
+        PlasticParameters base = parameters;
+        base.alpha = alpha;
+        base.specular_reflectance = {0};
+        if (!textures.diffuse_reflectance) return plastic(base);
+        base.diffuse_reflectance = {1};
+        const MaterialPtr white = plastic(base);
+        if (!base.nonlinear) return scaled(white, textures.diffuse_reflectance);
+        // What returns to a white base makes it 1 / (1 - returned) times as bright.
+        return scaled_again(white, textures.diffuse_reflectance, 1 - 1 / white->weight(0, 0));
+    };
+    const auto make_boundary = [&](double alpha) {
+        PlasticParameters boundary = parameters;
+        boundary.alpha = alpha;
+        boundary.diffuse_reflectance = {0};
+        if (textures.specular_reflectance) boundary.specular_reflectance = {1};
+        return plastic(boundary);
+    };
+    return sum(
+        at_roughness(make_base, parameters.alpha, textures.alpha),
         times(at_roughness(make_boundary, parameters.alpha, textures.alpha), textures.specular_reflectance));
 }
 

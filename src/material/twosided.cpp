@@ -25,6 +25,7 @@ public:
     [[nodiscard]] const Material& isotropic() const noexcept override {
         return front_->anisotropic() ? front_->isotropic() : *this;
     }
+    [[nodiscard]] bool smooth(int term) const noexcept override { return front_->smooth(term); }
     [[nodiscard]] bool mirror_symmetric() const noexcept override { return front_->mirror_symmetric(); }
     [[nodiscard]] bool twosided() const noexcept override { return true; }
     [[nodiscard]] std::string content_key() const override { return front_->content_key(); }

@@ -245,7 +245,7 @@ void DirectLight::add_without_size(Reflection& at, const SmallLight& light) cons
         stokes_in(at.incident_frame(towards_light), light.state, axis_in_world(light.to_world, light.state));
     for (std::size_t c = 0; c < at.sum.size(); ++c)
         at.workspace.incident[c] = at.workspace.irradiance[c] * state;
-    add_reflected(at, towards_light, 1);
+    add_reflected(at, towards_light, 1, false);
 }
 
 void DirectLight::add_sampled_surface(Reflection& at, const glm::dvec2& point) const {
@@ -312,7 +312,8 @@ double DirectLight::lamp_pdf(const Reflection& at, const RayHit& place) const {
            std::abs(glm::dot(lamp.geometric_normal(place), way));
 }
 
-void DirectLight::add_reflected(Reflection& at, const glm::dvec3& towards_light, double pdf) const {
+void DirectLight::add_reflected(Reflection& at, const glm::dvec3& towards_light, double pdf,
+                                bool sized) const {
     if (!(pdf > 0)) return;
     const SurfaceHit& hit = at.hit;
     Workspace& workspace = at.workspace;
@@ -327,6 +328,7 @@ void DirectLight::add_reflected(Reflection& at, const glm::dvec3& towards_light,
             const auto channel = static_cast<std::size_t>(c);
             Stokes reflected(0.0);
             for (int t = 0; t < terms; ++t) {
+                if (!sized && material.smooth(t)) continue;
                 const double weight = material.weight(t, material.channels() == 1 ? 0 : c);
                 reflected +=
                     weight * (workspace.terms[static_cast<std::size_t>(t)] * workspace.incident[channel]);

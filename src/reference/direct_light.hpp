@@ -89,7 +89,8 @@ private:
     void add_environment(Reflection& at, const glm::dvec3& towards_light) const;
     void add_disc(Reflection& at, const SkyDisc& disc, const glm::dvec3& towards_light) const;
     [[nodiscard]] bool add_lamps(Reflection& at, const glm::dvec3& towards_light) const;
-    void add_reflected(Reflection& at, const glm::dvec3& towards_light, double pdf) const;
+    /// `sized`: of a light with a size; of others smooth terms reflect nothing.
+    void add_reflected(Reflection& at, const glm::dvec3& towards_light, double pdf, bool sized = true) const;
 
     [[nodiscard]] bool hidden(Reflection& at, const glm::dvec3& towards_light, double distance) const;
     [[nodiscard]] double lamp_pdf(const Reflection& at, const RayHit& place) const;

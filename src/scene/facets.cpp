@@ -103,6 +103,12 @@ double refractive_index(Plugin& plugin, const std::string& name, double otherwis
     plugin.fail(name, "is " + in_quotes(text) + "; expected a number or one of " + list);
 }
 
+void read_indices(Plugin& plugin, MaterialDescription& material) {
+    material.int_ior = refractive_index(plugin, "int_ior", material.int_ior);
+    material.ext_ior = refractive_index(plugin, "ext_ior", material.ext_ior);
+    if (material.int_ior == material.ext_ior) plugin.fail("int_ior", "equals ext_ior; they must differ");
+}
+
 void read_facets(const MaterialSource& source, MaterialDescription& material) {
     material.distribution = static_cast<MaterialDescription::Distribution>(
         source.plugin.choice("distribution", 0, {"beckmann", "ggx"}));

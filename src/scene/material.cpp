@@ -32,8 +32,7 @@ std::string reason(pugi::xml_node node) {
     const std::string type = node.attribute("type").value();
     if (is_plate_material(node))
         return "it belongs into a <shape> of type rectangle or disk that does not shine";
-    if (type.find("dielectric") != std::string::npos) return "nothing passes through a surface";
-    if (type == "plastic" || type == "roughplastic") return "its polarized form is pplastic";
+    if (type == "thindielectric" || type == "principledthin") return "nothing passes through a surface";
     return "";
 }
 
@@ -53,6 +52,12 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
         const MaterialSource source{document, node, plugin, notices};
         if (plugin.type() == "pplastic") {
             read_pplastic(source, material);
+        } else if (plugin.type() == "plastic" || plugin.type() == "roughplastic") {
+            read_plastic(source, material);
+        } else if (plugin.type() == "dielectric" || plugin.type() == "roughdielectric") {
+            read_dielectric(source, material);
+        } else if (plugin.type() == "null") {
+            read_null(material);
         } else if (plugin.type() == "diffuse") {
             material.reflectance = read_color(document, plugin, "reflectance", 0.5, 1.0);
         } else if (plugin.type() == "conductor" || plugin.type() == "roughconductor") {
@@ -64,8 +69,9 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
             read_tabulated(document, plugin, material);
         } else {
             plugin.fail_type(
-                "pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided, "
-                "normalmap, bumpmap, mask, blendbsdf",
+                "pplastic, plastic, roughplastic, diffuse, conductor, roughconductor, dielectric, "
+                "roughdielectric, null, measured_polarized, psh, twosided, normalmap, bumpmap, mask, "
+                "blendbsdf",
                 reason(node));
         }
         plugin.finish();

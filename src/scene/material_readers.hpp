@@ -19,10 +19,19 @@ struct MaterialSource {
 
 /// Each sets the kind and what belongs to it, and throws as read_mitsuba_scene does.
 void read_pplastic(const MaterialSource& source, MaterialDescription& material);
+/// plastic, roughplastic
+void read_plastic(const MaterialSource& source, MaterialDescription& material);
+/// dielectric, roughdielectric: what their boundary reflects. Refused where light is asked for that surfaces
+/// reflect to each other: most of what passes through them is.
+void read_dielectric(const MaterialSource& source, MaterialDescription& material);
+/// null
+void read_null(MaterialDescription& material);
 void read_conductor(const MaterialSource& source, MaterialDescription& material);
 
 /// A number, or the name of a medium.
 [[nodiscard]] double refractive_index(Plugin& plugin, const std::string& name, double otherwise);
+/// int_ior and ext_ior, which differ.
+void read_indices(Plugin& plugin, MaterialDescription& material);
 /// The distribution of facets and their roughness.
 void read_facets(const MaterialSource& source, MaterialDescription& material);
 

@@ -90,7 +90,8 @@ private:
         pugi::xml_node bsdf;
         ShapeDescription description = read_shape(document_, node, notices_, bsdf);
         if (PolarizingPlates::are(description, bsdf)) return {std::move(description), bsdf};
-        description.material = !bsdf && description.emission ? black() : material(bsdf);
+        const bool there = bsdf && bsdf.attribute("type").value() != std::string_view("null");
+        description.material = !there && description.emission ? black() : material(bsdf);
         return {std::move(description), {}};
     }
 
@@ -133,7 +134,7 @@ private:
         return entry->second;
     }
 
-    /// Mitsuba's for shapes that shine and name none.
+    /// Mitsuba's for shapes that shine and name none. Those of a null bsdf are seen, but not through.
     std::size_t black() {
         if (!black_) {
             black_ = scene_.materials.size();

@@ -17,6 +17,13 @@ void Notices::add(pugi::xml_node node, const std::string& sentence) {
     if (std::ranges::find(sentences_, placed) == sentences_.end()) sentences_.push_back(placed);
 }
 
+void Notices::add_once(pugi::xml_node node, const std::string& sentence) {
+    const auto says = [ending = ": " + sentence + "."](const std::string& placed) {
+        return placed.ends_with(ending);
+    };
+    if (std::ranges::none_of(sentences_, says)) add(node, sentence);
+}
+
 std::vector<std::string> Notices::take() {
     std::vector<std::string> all;
     if (!unfollowed_.empty()) {

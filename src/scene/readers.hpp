@@ -22,6 +22,8 @@ public:
     /// "sampler "independent"" and the like.
     void add_unfollowed(pugi::xml_node node, const std::string& what);
     void add(pugi::xml_node node, const std::string& sentence);
+    /// The same, unless the sentence has been added at another place.
+    void add_once(pugi::xml_node node, const std::string& sentence);
     [[nodiscard]] std::vector<std::string> take();
 
 private:

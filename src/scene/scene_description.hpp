@@ -65,6 +65,7 @@ struct TexturedColor : ColorDescription {
 struct MaterialDescription {
     enum class Kind {
         pplastic,
+        plastic,
         diffuse,
         psh,
         conductor,
@@ -80,16 +81,17 @@ struct MaterialDescription {
     std::string id;                           ///< of the outermost bsdf; empty when the file gives none
     bool twosided = false;                    ///< the back reflects as the front does
     TexturedColor reflectance{0.5};           ///< diffuse
-    TexturedColor diffuse_reflectance{0.5};   ///< pplastic
-    TexturedColor specular_reflectance{1.0};  ///< pplastic, conductor, roughconductor
-    double int_ior = 1.49;                    ///< pplastic, inside
-    double ext_ior = 1.000277;                ///< pplastic, outside
+    TexturedColor diffuse_reflectance{0.5};   ///< pplastic, plastic
+    TexturedColor specular_reflectance{1.0};  ///< pplastic, plastic, conductor, roughconductor
+    double int_ior = 1.49;                    ///< pplastic, plastic, inside
+    double ext_ior = 1.000277;                ///< pplastic, plastic, outside
+    bool nonlinear = false;                   ///< plastic
     std::string metal;          ///< conductor, roughconductor: Au, Ag, Cu, Al or a-C; empty: eta and k hold
     ColorDescription eta{0.0};  ///< conductor, roughconductor: real part of the index, 0 to 100
     ColorDescription k{1.0};    ///< conductor, roughconductor: imaginary part, 0 to 100
-    double alpha = 0.1;         ///< pplastic, roughconductor: roughness, 0.001 to 1
+    double alpha = 0.1;  ///< pplastic, plastic, roughconductor: roughness, 0.001 to 1; plastic: 0 is smooth
     TextureSpecificationPtr alpha_texture;               ///< not null: in place of alpha
-    Distribution distribution = Distribution::beckmann;  ///< pplastic, roughconductor
+    Distribution distribution = Distribution::beckmann;  ///< pplastic, plastic, roughconductor
     std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
     TexturedColor scale{1.0};        ///< psh, measured_polarized
     std::optional<double>

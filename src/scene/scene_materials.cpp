@@ -42,6 +42,17 @@ private:
                                 {.diffuse_reflectance = color(d.diffuse_reflectance),
                                  .specular_reflectance = color(d.specular_reflectance),
                                  .alpha = alpha(d)});
+            case MaterialDescription::Kind::plastic:
+                return plastic({.diffuse_reflectance = reflectance(d.diffuse_reflectance, channels_),
+                                .specular_reflectance = reflectance(d.specular_reflectance, channels_),
+                                .int_ior = d.int_ior,
+                                .ext_ior = d.ext_ior,
+                                .alpha = d.alpha,
+                                .distribution = distribution(d),
+                                .nonlinear = d.nonlinear},
+                               {.diffuse_reflectance = color(d.diffuse_reflectance),
+                                .specular_reflectance = color(d.specular_reflectance),
+                                .alpha = alpha(d)});
             case MaterialDescription::Kind::conductor:
                 return d.specular_reflectance.texture
                            ? times(conductor(index_of(d)), d.specular_reflectance.texture)

@@ -229,7 +229,8 @@ std::uint32_t ReflectedLight::lit(const LaneLight& light) const {
 }
 
 void ReflectedLight::add(const Material& material, const LayerWeights* weights, const LaneLight& light,
-                         std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out) const {
+                         bool sized, std::uint32_t points, float factor,
+                         std::span<std::array<Lanes, 4>> out) const {
     points &= light.points;
     if (weights != nullptr) points &= weights->points;
     if (points == 0) return;
@@ -253,9 +254,12 @@ void ReflectedLight::add(const Material& material, const LayerWeights* weights, 
                             matrices);
     const std::span<float> term_weights = work_space<ReflectedLight, float>(terms * out.size());
     for (std::size_t channel = 0; channel < out.size(); ++channel)
-        for (std::size_t t = 0; t < terms; ++t)
-            term_weights[channel * terms + t] = static_cast<float>(material.weight(
-                static_cast<int>(t), material.channels() == 1 ? 0 : static_cast<int>(channel)));
+        for (std::size_t t = 0; t < terms; ++t) {
+            const int term = static_cast<int>(t);
+            const int own = material.channels() == 1 ? 0 : static_cast<int>(channel);
+            const bool some = sized || !material.smooth(term);
+            term_weights[channel * terms + t] = some ? static_cast<float>(material.weight(term, own)) : 0.0F;
+        }
     dispatch<add_lanes<FourLanes>, add_lanes<EightLanes>, add_lanes<AllLanes>>(
         Reflection{matrices, term_weights, light, incidence, weights, scale, frame_cosine_, frame_sine_},
         out);

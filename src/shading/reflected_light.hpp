@@ -31,8 +31,9 @@ public:
     /// Adds to out[channel], Stokes vectors in the camera's frame field, what `material` reflects of `light`
     /// at those of lit() whose bit is set in `points`: the sum over columns of its pBRDF times irradiance,
     /// times the cosine, times `factor` (above 0), times the weights of a layer (null: 1). `material` is one
-    /// without variation(). A light or a material of one channel serves all.
-    void add(const Material& material, const LayerWeights* weights, const LaneLight& light,
+    /// without variation(). A light or a material of one channel serves all. `sized`: the light has a size;
+    /// else smooth terms of the material reflect nothing of it.
+    void add(const Material& material, const LayerWeights* weights, const LaneLight& light, bool sized,
              std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out) const;
 
 private:

@@ -131,7 +131,7 @@ std::uint64_t SmallLighting::add(const Viewpoint& view, const LitPoints& points,
                 const LayerWeights* const weights = material.weights.empty() ? nullptr : &material.weights[l];
                 const std::uint32_t there = weights != nullptr ? lit & weights->points : lit;
                 if (there == 0) continue;
-                reflected.add(*material.layers[l], weights, light, there, factor, sums);
+                reflected.add(*material.layers[l], weights, light, radius > 0, there, factor, sums);
             }
         }
     }

@@ -4,6 +4,7 @@
 #include "material/conductor.hpp"
 #include "material/layered.hpp"
 #include "material/material.hpp"
+#include "material/plastic.hpp"
 #include "test.hpp"
 #include "texture/texture.hpp"
 
@@ -72,6 +73,7 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
     const auto plastic = [](double alpha, Distribution distribution, double ior) {
         return pplastic({.int_ior = ior, .ext_ior = 1, .alpha = alpha, .distribution = distribution});
     };
+    const auto plain = [](const PlasticParameters& parameters) { return nicol::plastic(parameters); };
     const auto metal = [](double alpha, Distribution distribution) {
         return rough_conductor({.eta = metal_index("Au"), .alpha = alpha, .distribution = distribution});
     };
@@ -106,6 +108,10 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
         {"brushed metal, ggx", brushed(0.05, 0.4, ggx), 0.05},
         {"metal, smooth", conductor(metal_index("Ag")), kSmoothAlpha},
         {"metal without absorption", rough_conductor({.eta = {{1.5, 0}}, .alpha = 0.2}), 0.2},
+        {"depolarizing plastic", plain({.alpha = 0.1}), 0.1},
+        {"depolarizing plastic, ggx", plain({.alpha = 0.5, .distribution = ggx}), 0.5},
+        {"depolarizing plastic, smooth", plain({}), kSmoothAlpha},
+        {"depolarizing plastic, total reflection", plain({.int_ior = 0.8}), kSmoothAlpha},
         {"two-sided", twosided(plastic(0.1, ggx, 1.5)), 0.1},
         {"sum", sum(diffuse({0.2}), metal(0.1, ggx)), 0.1},
         {"function", callback, 1},

@@ -114,7 +114,7 @@ TEST_CASE("sixteen points have the weights that each of them has") {
     const MaterialPtr red = diffuse({0.8, 0.1, 0.1});
     for (const MaterialPtr& material :
          {with_roughness(gloss, u), with_roughness(gloss, few), blend(red, gloss(0.2), u), scaled(red, u),
-          scaled(blend(red, with_roughness(gloss, few), u), colour)}) {
+          scaled_again(red, colour, 0.6), scaled(blend(red, with_roughness(gloss, few), u), colour)}) {
         const SpatialVariation& variation = *material->variation();
         const std::size_t layers = variation.layers.size();
         // Over all of the texture, beyond it, and at one place.

@@ -3,6 +3,7 @@
 #include "directions.hpp"
 #include "function_texture.hpp"
 #include "material/conductor.hpp"
+#include "material/plastic.hpp"
 #include "scenes.hpp"
 #include "test.hpp"
 
@@ -56,6 +57,22 @@ TEST_CASE("a directional light makes a diffuse plane E rho / pi cos bright, in e
             CHECK(glm::length(glm::dvec3(ours[c][1], ours[c][2], ours[c][3])) == 0);
         }
     }
+}
+
+TEST_CASE("a smooth surface reflects lights with a size alone") {
+    const auto mirrored = [](double angular_radius, const MaterialPtr& material) {
+        const SmallLight light{.kind = Kind::directional,
+                               .value = {1},
+                               .to_world = shining({aside.x, aside.y, -aside.z}),
+                               .angular_radius = angular_radius};
+        return lit({light}, material, aside, 64)[0][0];
+    };
+    const MaterialPtr mirror = conductor({{0, -1}});
+    CHECK(mirrored(0, mirror) == 0);
+    CHECK(mirrored(0.05, mirror) > 10);
+    const double base = mirrored(0, plastic({.specular_reflectance = {0}}));
+    CHECK(mirrored(0, plastic({})) == doctest::Approx(base));
+    CHECK(mirrored(0.05, plastic({})) > 2 * base);
 }
 
 TEST_CASE("a point light falls off with the square of the distance and the cosine") {

@@ -90,9 +90,8 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
                  "instance, merge"});
     unsupported("<bsdf type='principled'/>",
                 {":2: bsdf \"principled\"",
-                 "pplastic, diffuse, conductor, roughconductor, measured_polarized, psh, twosided"});
-    unsupported("<bsdf type='roughdielectric'/>", {"bsdf \"roughdielectric\"", "nothing passes"});
-    unsupported("<bsdf type='roughplastic'/>", {"pplastic"});
+                 "pplastic, plastic, roughplastic, diffuse, conductor, roughconductor, dielectric, "
+                 "roughdielectric, null, measured_polarized, psh, twosided"});
     unsupported("<integrator type='bdpt'/>", {"integrator \"bdpt\"", "stokes, moment, aov, direct"});
     unsupported("<integrator type='stokes'><integrator type='ptracer'/></integrator>", {"\"ptracer\""});
     unsupported("<sensor type='batch'/>",

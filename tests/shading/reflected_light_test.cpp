@@ -4,6 +4,7 @@
 #include "../material/chiral_material.hpp"
 #include "directions.hpp"
 #include "material/conductor.hpp"
+#include "material/plastic.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -144,8 +145,8 @@ TEST_CASE("sixteen points reflect as the sum over Mueller matrices says, in ever
                         std::vector<std::array<Lanes, 4>> out(3);
                         for (auto& stokes : out)
                             for (Lanes& lanes : stokes) lanes.value.fill(0.25F);
-                        reflected.add(*row.material, layered ? &weights : nullptr, p.light, points, 0.5F,
-                                      out);
+                        reflected.add(*row.material, layered ? &weights : nullptr, p.light, true, points,
+                                      0.5F, out);
                         const std::uint32_t lit = reflected.lit(p.light);
                         for (std::size_t i = 0; i < kLanes; ++i)
                             for (std::size_t c = 0; c < 3; ++c) {
@@ -187,9 +188,38 @@ TEST_CASE("an anisotropic material without a tangent takes some other") {
     ReflectedLight reflected;
     reflected.set(kPerspective, p.positions, p.normals, p.tangents);
     std::vector<std::array<Lanes, 4>> out(1);
-    reflected.add(*rough_conductor({.alpha = 0.2, .alpha_v = 0.6}), nullptr, p.light, 0xFFFF, 1, out);
+    reflected.add(*rough_conductor({.alpha = 0.2, .alpha_v = 0.6}), nullptr, p.light, true, 0xFFFF, 1, out);
     for (const float s0 : out[0][0].value) CHECK(std::isfinite(s0));
     CHECK(out[0][0][0] > 0);
+}
+
+TEST_CASE("of lights without a size smooth terms reflect nothing") {
+    std::mt19937 random(9);
+    Points p = some_points(random, kPerspective, 1, 1);
+    p.light.points = 0xFFFF;
+    p.light.irradiance[0][0].value.fill(1);
+    // Seen and lit along the normal.
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const glm::dvec3 viewer = kPerspective.towards(p.positions[i]);
+        p.normals[i] = glm::vec3(viewer);
+        put(p.light.towards, i, viewer);
+    }
+    ReflectedLight reflected;
+    reflected.set(kPerspective, p.positions, p.normals);
+    const auto sum = [&](const MaterialPtr& material, bool sized) {
+        std::vector<std::array<Lanes, 4>> out(1);
+        reflected.add(*material, nullptr, p.light, sized, 0xFFFF, 1, out);
+        float all = 0;
+        for (std::size_t i = 0; i < kLanes; ++i) all += out[0][0][i];
+        return all;
+    };
+    const MaterialPtr smooth = plastic({});
+    CHECK(sum(conductor({{0, -1}}), false) == 0);
+    CHECK(sum(smooth, false) > 0);
+    CHECK(sum(smooth, false) == sum(plastic({.specular_reflectance = {0}}), true));
+    CHECK(sum(smooth, true) > 10 * sum(smooth, false));
+    const MaterialPtr rough = plastic({.alpha = 0.3});
+    CHECK(sum(rough, false) == sum(rough, true));
 }
 
 TEST_CASE("lanes beyond the points given repeat the first") {
@@ -204,7 +234,7 @@ TEST_CASE("lanes beyond the points given repeat the first") {
     reflected.set(kPerspective, std::span(p.positions).first(3), std::span(p.normals).first(3),
                   std::span(p.tangents).first(3));
     std::vector<std::array<Lanes, 4>> out(1);
-    reflected.add(*pplastic({}), nullptr, p.light, 0xFFFF, 1, out);
+    reflected.add(*pplastic({}), nullptr, p.light, true, 0xFFFF, 1, out);
     CHECK(out[0][0][0] > 0);
     for (const Lanes& lanes : out[0]) CHECK(lanes[15] == lanes[0]);
 }

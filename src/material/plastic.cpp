@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "material/plastic.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "material/boundary_transmittance.hpp"
+#include "material/conductor.hpp"
+#include "material/frames.hpp"
+#include "material/key.hpp"
+#include "material/lane_facets.hpp"
+#include "material/microfacet.hpp"
+#include "material/reflectance.hpp"
+#include "simd/dispatch.hpp"
+
+namespace nicol {
+namespace {
+
+struct LanePlastic {
+    LaneFacets facets;
+    LaneIndex index;
+    float base;              // scale
+    const Lanes& in;         // transmittance
+    const Lanes& from_base;  // likewise, towards the viewer
+};
+
+// Plastic::base() and boundary().
+template <class Number>
+[[gnu::always_inline]] inline void reflect_plastic(const LanePlastic& plastic,
+                                                   const LaneVectors& towards_light,
+                                                   const LaneVectors& towards_viewer, LaneMueller* out) {
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Vector3<Number> light;
+        Vector3<Number> viewer;
+        load_part(towards_light, first, light);
+        load_part(towards_viewer, first, viewer);
+        Number in;
+        Number from_base;
+        load_part(plastic.in, first, in);
+        load_part(plastic.from_base, first, from_base);
+        const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
+        store_part<Number>(above ? plastic.base * in * from_base : Number{}, first, out[0].m[0]);
+        const LaneFacetReflection<Number> facet = facet_reflection(plastic.facets, light, viewer);
+        store_part<Number>(facet.scale * dielectric_reflection(facet.cosine, plastic.index).a, first,
+                           out[1].m[0]);
+    }
+}
+
+PlasticParameters checked(PlasticParameters p) {
+    check_reflectance(p.diffuse_reflectance, "diffuse_reflectance");
+    check_reflectance(p.specular_reflectance, "specular_reflectance");
+    check_range(p.int_ior, 1e-3, 1e3, "int_ior");
+    check_range(p.ext_ior, 1e-3, 1e3, "ext_ior");
+    if (p.alpha != 0) check_range(p.alpha, 0.001, 1, "alpha");
+    check_channels(p.diffuse_reflectance.size(), "diffuse_reflectance", p.specular_reflectance.size(),
+                   "specular_reflectance");
+    return p;
+}
+
+// The terms are the base and the boundary.
+class Plastic final : public Material {
+public:
+    explicit Plastic(PlasticParameters parameters)
+        : p_(checked(std::move(parameters))),
+          smooth_(p_.alpha == 0),
+          eta_(p_.int_ior / p_.ext_ior),
+          transmittance_(smooth_ ? BoundaryTransmittance(eta_)
+                                 : BoundaryTransmittance(eta_, p_.distribution, p_.alpha)) {
+        if (smooth_) {
+            p_.alpha = kSmoothAlpha;
+            p_.distribution = Distribution::beckmann;
+        }
+    }
+
+    [[nodiscard]] int channels() const noexcept override {
+        return static_cast<int>(std::max(p_.diffuse_reflectance.size(), p_.specular_reflectance.size()));
+    }
+    [[nodiscard]] int terms() const noexcept override { return 2; }
+    [[nodiscard]] double weight(int term, int channel) const override {
+        if (term == 1) return of_channel(p_.specular_reflectance, channel);
+        const double r = of_channel(p_.diffuse_reflectance, channel);
+        return r / (1 - (p_.nonlinear ? r : 1) * transmittance_.returned());
+    }
+    [[nodiscard]] double lobe_width(int term) const noexcept override { return term == 0 ? 1 : p_.alpha; }
+    [[nodiscard]] bool smooth(int term) const noexcept override { return smooth_ && term == 1; }
+    [[nodiscard]] std::string content_key() const override {
+        return Key(smooth_ ? "plastic" : "roughplastic")
+            .add("diffuse_reflectance", p_.diffuse_reflectance)
+            .add("specular_reflectance", p_.specular_reflectance)
+            .add("eta", eta_)
+            .add("alpha", p_.alpha)
+            .add("distribution", p_.distribution == Distribution::ggx)
+            .add("nonlinear", p_.nonlinear)
+            .text();
+    }
+
+    [[nodiscard]] Mueller evaluate(int term, const glm::dvec3& towards_light,
+                                   const glm::dvec3& towards_viewer) const override {
+        if (towards_light.z <= 0 || towards_viewer.z <= 0) return {};
+        Mueller m;
+        m(0, 0) = term == 0 ? base_scale() * transmittance_.at(towards_light.z) *
+                                  transmittance_.at(towards_viewer.z)
+                            : boundary(towards_light, towards_viewer);
+        return m;
+    }
+    void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,
+                        std::size_t /*columns*/, std::span<LaneMueller> out) const override {
+        Lanes in;
+        Lanes from_base;
+        transmittance_.at_lanes(towards_light.z, in);
+        transmittance_.at_lanes(towards_viewer.z, from_base);
+        out[0] = out[1] = {};
+        dispatch<reflect_plastic<FourLanes>, reflect_plastic<EightLanes>, reflect_plastic<AllLanes>>(
+            LanePlastic{.facets = {p_.distribution, static_cast<float>(p_.alpha)},
+                        .index = LaneIndex(eta_),
+                        .base = static_cast<float>(base_scale()),
+                        .in = in,
+                        .from_base = from_base},
+            towards_light, towards_viewer, out.data());
+    }
+
+private:
+    // Radiance falls by eta^2 on its way out.
+    [[nodiscard]] double base_scale() const { return 1 / (eta_ * eta_ * std::numbers::pi); }
+
+    // Single reflection off the facets whose normal is the half vector.
+    [[nodiscard]] double boundary(const glm::dvec3& light, const glm::dvec3& viewer) const {
+        const glm::dvec3 half = glm::normalize(light + viewer);
+        return facet_reflection(p_.distribution, p_.alpha, light, viewer, half) *
+               reflection_block(std::min(1.0, glm::dot(viewer, half)), eta_).a;
+    }
+
+    PlasticParameters p_;
+    bool smooth_;
+    double eta_;
+    BoundaryTransmittance transmittance_;
+};
+
+}  // namespace
+
+MaterialPtr plastic(const PlasticParameters& parameters) {
+    return std::make_shared<Plastic>(parameters);
+}
+
+}  // namespace nicol
