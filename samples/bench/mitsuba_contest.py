@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Time at equal error: how long Mitsuba 3 takes for an image as close to the truth as Nicol's default one.
 
-usage: mitsuba_contest.py [--size N] [--samples N] [--verify SECONDS]. NICOL_TEST_DATA, with polarsh/ and mitsuba/, adds the statue."""
+usage: mitsuba_contest.py [SCENE...] [--size N] [--samples N] [--verify SECONDS], each scene the first word of one's name below.
+NICOL_TEST_DATA, with the folders polarsh and mitsuba, adds the statue."""
 
 import argparse
 import math
@@ -86,14 +87,14 @@ SCENES = {
 }
 
 
-def timed(work, repetitions=5):
-    """(result, seconds, CPU seconds): the least of so many times."""
+def timed(work, repetitions=1):
+    """(result, array of seconds and CPU seconds): the least of so many times."""
     times = []
     for _ in range(repetitions):
         begin, cpu = time.perf_counter(), time.process_time()
         result = work()
         times.append((time.perf_counter() - begin, time.process_time() - cpu))
-    return result, min(t[0] for t in times), min(t[1] for t in times)
+    return result, numpy.min(times, axis=0)
 
 
 def rotation(degrees):
@@ -148,14 +149,23 @@ class Show:
         return inner
 
 
-def cold_seconds(scene_file):
+def first_image(scene_file):
     """From nothing to the first image in memory, without a cache folder."""
-    begin = time.perf_counter()
     with nicol.Context.create() as context:
         show = Show(context, scene_file)
         show.render()
         show.framebuffer.plane()
-        return time.perf_counter() - begin
+
+
+def cold_times(scene_file):
+    """timed() of first_image() in a process of its own."""
+    environment = {name: value for name, value in os.environ.items() if name != "NICOL_CACHE"}
+    runs = [subprocess.check_output([sys.executable, __file__, "--cold", str(scene_file)], env=environment) for _ in range(3)]
+    return numpy.min([[float(word) for word in run.split()] for run in runs], axis=0)
+
+
+def words(errors):
+    return " ".join(f"{max(e, 0) ** 0.5:.5f}" for e in errors)
 
 
 def contest(name, scene_file, arguments):
@@ -164,49 +174,49 @@ def contest(name, scene_file, arguments):
         inner = show.inner()
         show.render()
         ours = peer.nicol_stokes(show.framebuffer)[inner]
-        _, warm, warm_cpu = timed(show.frames)
-        warm, warm_cpu = warm / show.FRAMES, warm_cpu / show.FRAMES
-    environment = {name: value for name, value in os.environ.items() if name != "NICOL_CACHE"}
-    run = lambda: float(subprocess.check_output([sys.executable, __file__, "--cold", str(scene_file)], env=environment))  # noqa: E731
-    cold = min(run() for _ in range(3))
+        warm = timed(show.frames, 5)[1] / show.FRAMES
+    cold = cold_times(scene_file)
 
-    scene = peer.mitsuba_scene(scene_file)
-    n = arguments.samples
-    truth = [peer.mitsuba_image(scene, n, seed)[inner] for seed in (1, 2)]
-    _, seconds, cpu = timed(lambda: peer.mitsuba_image(scene, n, 3), 3)
+    scene, n = peer.mitsuba_scene(scene_file), arguments.samples
+    image = lambda seed, samples=n: peer.mitsuba_image(scene, samples, seed)[inner]  # noqa: E731
+    truth = [image(1), image(2)]
+    _, times = timed(lambda: image(3), 3)
     error = peer.squared_error((ours, ours), truth)[0][:3]
     noise = ((truth[0] - truth[1]) ** 2 / 2).mean(0)[:3] / (truth[0][:, 0] * truth[1][:, 0]).mean()
     print(f"\n{name}: {inner.mean():.0%} of {arguments.size} x {arguments.size} pixels lie inside surfaces")
-    print(f"  Nicol: a frame {1e3 * warm:.1f} ms ({1e3 * warm_cpu:.1f} ms of CPU), the first image {cold:.2f} s; errors", *(f"{e**0.5:.5f}" for e in error))
-    print(f"  Mitsuba, {n} samples a pixel: {seconds:.2f} s ({cpu:.2f} s of CPU); errors", *(f"{e**0.5:.5f}" for e in noise))
+    print(f"  Nicol: errors {words(error)}; a frame {1e3 * warm[0]:.1f} ms (CPU {1e3 * warm[1]:.1f} ms), the first image {cold[0]:.2f} s (CPU {cold[1]:.2f} s)")
+    print(f"  Mitsuba, {n} samples a pixel: errors {words(noise)}; {times[0]:.2f} s (CPU {times[1]:.2f} s)")
     # The variance of independent samples falls with their number.
-    for components, samples in [("s0, s1, s2", n * noise.sum() / error.sum())] + [(f"s{i}", n * noise[i] / error[i]) for i in range(3)]:
-        scale = samples / n
-        print(f"  equal error of {components}: {samples:.0f} samples, {scale * seconds:.1f} s; Nicol's frame is {scale * seconds / warm:.0f} times as fast "
-              f"({scale * cpu / warm_cpu:.0f} by CPU time), its first image {scale * seconds / cold:.0f} times")  # fmt: skip
-    samples = round(n * noise.sum() / error.sum())
-    if samples and samples / n * seconds < arguments.verify:
+    needed = {"s0, s1, s2 together": n * noise.sum() / error.sum(), **{f"s{i} alone": n * noise[i] / error[i] for i in range(3)}}
+    for components, samples in needed.items():
+        equal = samples / n * times
+        print(f"  equal error of {components}: {samples:.0f} samples, {equal[0]:.1f} s; as long as {equal[0] / warm[0]:.0f} frames (by CPU time "
+              f"{equal[1] / warm[1]:.0f}) or {equal[0] / cold[0]:.0f} first images ({equal[1] / cold[1]:.0f})", flush=True)  # fmt: skip
+    samples = round(needed["s0, s1, s2 together"])
+    if samples / n * times[0] < arguments.verify:
         passes = math.ceil(samples / n)
-        image, taken, _ = timed(lambda: sum(peer.mitsuba_image(scene, samples // passes, seed) for seed in range(10, 10 + passes)) / passes, 1)
-        found = peer.squared_error((image[inner],) * 2, truth)[0][:3]
-        print(f"  verified: {samples // passes * passes} samples take {taken:.1f} s; errors", *(f"{max(e, 0) ** 0.5:.5f}" for e in found))
+        mean, taken = timed(lambda: sum(image(seed, samples // passes) for seed in range(10, 10 + passes)) / passes)
+        print(f"  rendered: {samples // passes * passes} samples take {taken[0]:.1f} s; errors {words(peer.squared_error((mean, mean), truth)[0][:3])}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("scenes", nargs="*", default=[name.split()[0] for name in SCENES], metavar="SCENE")
     parser.add_argument("--size", type=int, default=512, help="images of N x N")
-    parser.add_argument("--samples", type=int, default=256, help="a pixel, of each of Mitsuba's images")
+    parser.add_argument("--samples", type=int, default=64, help="a pixel, of each of Mitsuba's images")
     parser.add_argument("--verify", type=float, default=120, help="renders the image of equal error where Mitsuba needs less than these seconds")
     parser.add_argument("--cold", help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.cold:
-        print(cold_seconds(arguments.cold))
+        print(*timed(lambda: first_image(arguments.cold))[1])
         return
     print(f"Mitsuba {peer.mitsuba.__version__}, {peer.choose_variant()}; Nicol {nicol.version_string()}; {len(os.sched_getaffinity(0))} cores. "
           "Direct light; errors are RMSE of s0, s1, s2 inside surfaces over the RMS of s0.")  # fmt: skip
     with tempfile.TemporaryDirectory() as folder:
         scene_file = pathlib.Path(folder, "scene.xml")
         for name, (camera, contents) in SCENES.items():
+            if name.split()[0] not in arguments.scenes:
+                continue
             if "statue" in name and not (DATA / "polarsh").is_dir():
                 print(f"\n{name}: left out, NICOL_TEST_DATA has no folder polarsh")
                 continue
