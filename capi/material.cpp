@@ -68,15 +68,27 @@ MaterialPtr make(const nicol_pplastic& given, const nicol_context_impl& context)
          .alpha = texture_of(given.alpha_texture, context)});
 }
 
+MaterialPtr make(const nicol_plastic& given, const nicol_context_impl& context) {
+    return plastic(
+        {.diffuse_reflectance = spectrum(given.diffuse_reflectance, 0.5, 1, "diffuse_reflectance"),
+         .specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance"),
+         .int_ior = static_cast<double>(given.int_ior),
+         .ext_ior = static_cast<double>(given.ext_ior),
+         .alpha = static_cast<double>(given.alpha),
+         .distribution = distribution_of(given.distribution),
+         .nonlinear = switch_from(given.nonlinear, "parameters->nonlinear")},
+        {.diffuse_reflectance = texture_of(given.diffuse_reflectance_texture, context),
+         .specular_reflectance = texture_of(given.specular_reflectance_texture, context),
+         .alpha = texture_of(given.alpha_texture, context)});
+}
+
 MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
-    const Distribution distribution = distribution_of(given.distribution);
-    const bool smooth = given.alpha == 0 && given.alpha_texture == nullptr;
     return rough_conductor(
         {.eta = index_of(given),
          .specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance"),
-         .alpha = smooth ? kSmoothAlpha : static_cast<double>(given.alpha),
-         .distribution = smooth ? Distribution::beckmann : distribution},
+         .alpha = static_cast<double>(given.alpha),
+         .distribution = distribution_of(given.distribution)},
         {.specular_reflectance = texture_of(given.specular_reflectance_texture, context),
          .alpha = texture_of(given.alpha_texture, context)});
 }
@@ -136,6 +148,14 @@ nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_p
                                             nicol_material* material) {
     return create(context, material, "material", [&] {
         return make(read_struct(parameters, nicol_pplastic NICOL_PPLASTIC_INIT, "parameters"),
+                    resolve(context));
+    });
+}
+
+nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic* parameters,
+                                           nicol_material* material) {
+    return create(context, material, "material", [&] {
+        return make(read_struct(parameters, nicol_plastic NICOL_PLASTIC_INIT, "parameters"),
                     resolve(context));
     });
 }

@@ -423,16 +423,47 @@ typedef struct nicol_pplastic {
 /* NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range. */
 NICOL_API nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters,
                                                       nicol_material* material);
+
+/* Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing;
+ * nicol_pplastic is the model that polarizes. Front side only. */
+typedef struct nicol_plastic {
+    uint32_t struct_size;
+    nicol_distribution distribution;     /* of rough surfaces */
+    nicol_spectrum diffuse_reflectance;  /* default 0.5; 0 to 1 */
+    nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
+    float int_ior;                       /* default 1.49 */
+    float ext_ior;                       /* default 1.000277 */
+    float alpha; /* roughness, 0.001 to 1; 0, the default: smooth, as of nicol_conductor */
+    /* 1: light that the surface returns to the base takes the base's colour each time, which makes colours
+     * deeper; 0, the default: it does not. */
+    uint32_t nonlinear;
+    /* As of nicol_pplastic; with a texture alpha has no effect. */
+    nicol_texture diffuse_reflectance_texture;
+    nicol_texture specular_reflectance_texture;
+    nicol_texture alpha_texture;
+} nicol_plastic;
+/* clang-format off */
+#define NICOL_PLASTIC_INIT                                                                     \
+    { sizeof(nicol_plastic), 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 1.49f, 1.000277f, 0, \
+      0, 0, 0, 0 }
+/* clang-format on */
+
+/* Likewise. */
+NICOL_API nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic* parameters,
+                                                     nicol_material* material);
 /* Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only. */
 NICOL_API nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance,
                                                      nicol_material* material);
 
 /* Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
- * index is eta - i k, relative to air. Front side only. */
+ * index is eta - i k, relative to air. With k 0 and eta the index of a dielectric it is what the surface of
+ * that reflects, as of glass whose inside is not seen. Front side only. */
 typedef struct nicol_conductor {
     uint32_t struct_size;
     nicol_distribution distribution; /* of rough surfaces */
-    /* Roughness, 0.001 to 1. 0: smooth, for which Beckmann's facets of 0.01 stand, a blur of one degree. */
+    /* Roughness, 0.001 to 1. 0: smooth, for which Beckmann's facets of 0.01 stand, a blur of one degree.
+     * Smooth surfaces reflect nothing of lights without a size: points, spots, projectors and directional
+     * lights whose angular_radius is 0, which would be seen in a mirror as points. */
     float alpha;
     uint32_t reserved; /* 0 */
     /* "Au", "Ag", "Cu" or "Al", or "gold", "silver", "copper" or "aluminium", with measured values; eta and k

@@ -126,6 +126,19 @@ typedef struct nicol_pplastic {
     nicol_texture specular_reflectance_texture;
     nicol_texture alpha_texture;
 } nicol_pplastic;
+typedef struct nicol_plastic {
+    uint32_t struct_size;
+    nicol_distribution distribution;
+    nicol_spectrum diffuse_reflectance;
+    nicol_spectrum specular_reflectance;
+    float int_ior;
+    float ext_ior;
+    float alpha;
+    uint32_t nonlinear;
+    nicol_texture diffuse_reflectance_texture;
+    nicol_texture specular_reflectance_texture;
+    nicol_texture alpha_texture;
+} nicol_plastic;
 typedef struct nicol_conductor {
     uint32_t struct_size;
     nicol_distribution distribution;
@@ -469,6 +482,7 @@ nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_tex
 nicol_result nicol_texture_retain(nicol_texture texture);
 nicol_result nicol_texture_release(nicol_texture texture);
 nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters, nicol_material* material);
+nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic* parameters, nicol_material* material);
 nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance, nicol_material* material);
 nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters, nicol_material* material);
 nicol_result nicol_material_load_measured(nicol_context context, const char* path, const nicol_measured* options, nicol_material* material);
@@ -734,6 +748,7 @@ return {
         texture_create_checkerboard = "nicol_texture",
         texture_create_vertex_colors = "nicol_texture",
         material_create_pplastic = "nicol_material",
+        material_create_plastic = "nicol_material",
         material_create_diffuse = "nicol_material",
         material_create_conductor = "nicol_material",
         material_load_measured = "nicol_material",
@@ -843,6 +858,7 @@ return {
         texture_image = { true, {} },
         texture_options = { true, { filter = 1, to_uv = { 1, 0, 0, 0, 1, 0, 0, 0, 1 } } },
         pplastic = { true, { int_ior = 1.49, ext_ior = 1.000277, alpha = 0.1 } },
+        plastic = { true, { int_ior = 1.49, ext_ior = 1.000277 } },
         conductor = { true, {} },
         measured = { true, {} },
         psh_matrix = { true, {} },

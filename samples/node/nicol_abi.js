@@ -322,6 +322,24 @@ export const types = [
   },
   {
     kind: "struct",
+    name: "nicol_plastic",
+    // name, type, length of a fixed array, default where it is not zero
+    fields: [
+      ["struct_size", "uint32_t", 0],
+      ["distribution", "nicol_distribution", 0],
+      ["diffuse_reflectance", "nicol_spectrum", 0],
+      ["specular_reflectance", "nicol_spectrum", 0],
+      ["int_ior", "float", 0, 1.49],
+      ["ext_ior", "float", 0, 1.000277],
+      ["alpha", "float", 0],
+      ["nonlinear", "uint32_t", 0],
+      ["diffuse_reflectance_texture", "nicol_texture", 0],
+      ["specular_reflectance_texture", "nicol_texture", 0],
+      ["alpha_texture", "nicol_texture", 0],
+    ],
+  },
+  {
+    kind: "struct",
     name: "nicol_conductor",
     // name, type, length of a fixed array, default where it is not zero
     fields: [
@@ -792,6 +810,7 @@ export const functions = {
   texture_retain: ["nicol_result nicol_texture_retain(nicol_texture texture)", true, null],
   texture_release: ["nicol_result nicol_texture_release(nicol_texture texture)", true, null],
   material_create_pplastic: ["nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
+  material_create_plastic: ["nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_diffuse: ["nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum *reflectance, _Out_ nicol_material *material)", true, "nicol_material"],
   material_create_conductor: ["nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor *parameters, _Out_ nicol_material *material)", true, "nicol_material"],
   material_load_measured: ["nicol_result nicol_material_load_measured(nicol_context context, const char *path, const nicol_measured *options, _Out_ nicol_material *material)", true, "nicol_material"],

@@ -94,6 +94,27 @@ CONTEXT_TEST_CASE(
     CHECK(same(conductor(context, mirror), {0.5F, 0.25F}, 0.01));
 }
 
+CONTEXT_TEST_CASE("plastic: a base under a boundary, smooth by default, coloured deeper if nonlinear") {
+    const auto plastic = [&](const nicol_plastic& parameters) {
+        return middle_of(context, Owned(make(nicol_material_create_plastic, context, &parameters)));
+    };
+    // All that arrives under constant light leaves again.
+    nicol_plastic white = NICOL_PLASTIC_INIT;
+    white.diffuse_reflectance = spectrum({1});
+    CHECK(same(plastic(white), {1}, 0.01));
+    nicol_plastic linear = NICOL_PLASTIC_INIT;
+    linear.diffuse_reflectance = spectrum({0.2F, 0.9F});
+    linear.specular_reflectance = spectrum({0});
+    nicol_plastic deeper = linear;
+    deeper.nonlinear = 1;
+    const std::vector<float> plain = plastic(linear), deep = plastic(deeper);
+    REQUIRE(deep.size() == 2);
+    // r (1 - f) / (1 - r f), f what the boundary returns of diffuse light.
+    constexpr float f = 0.591F;
+    CHECK(deep[0] == Approx(plain[0] * (1 - f) / (1 - 0.2F * f)).epsilon(0.01));
+    CHECK(deep[1] == Approx(plain[1] * (1 - f) / (1 - 0.9F * f)).epsilon(0.01));
+}
+
 TEST_CASE("a measured material has the channels asked for") {
     const TemporaryFolder folder;
     const std::string path = folder.file("grey.pbsdf"), text = folder.write("text.pbsdf", "no table");

@@ -102,6 +102,14 @@ CONTEXT_TEST_CASE("materials that cannot be are refused") {
                       p.diffuse_reflectance = spectrum({0.5F, 0.5F});
                       p.specular_reflectance = spectrum({0.5F, 0.5F, 0.5F});
                   }}});
+    check_wrong(nicol_plastic NICOL_PLASTIC_INIT, creates(nicol_material_create_plastic, context),
+                {{"distribution", [](auto& p) { p.distribution = 2; }},
+                 {"int_ior", [](auto& p) { p.int_ior = 0; }},
+                 {"ext_ior", [](auto& p) { p.ext_ior = INFINITY; }},
+                 {"alpha", [](auto& p) { p.alpha = 0.0005F; }},
+                 {"nonlinear", [](auto& p) { p.nonlinear = 2; }},
+                 {"diffuse_reflectance", [](auto& p) { p.diffuse_reflectance = spectrum({1.1F}); }},
+                 {"specular_reflectance", [](auto& p) { p.specular_reflectance.count = 17; }}});
     check_wrong(nicol_conductor NICOL_CONDUCTOR_INIT, creates(nicol_material_create_conductor, context),
                 {{"Unobtainium", [](auto& p) { p.metal = "Unobtainium"; }},
                  {"metal", [](auto& p) { p.metal = "Au", p.eta = spectrum({1}); }},

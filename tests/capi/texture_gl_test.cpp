@@ -236,6 +236,22 @@ CONTEXT_TEST_CASE("textures of one value are the numbers that they stand for") {
     for (std::size_t i = 0; i < by_numbers.size(); ++i)
         CHECK(by_textures[i] == Approx(by_numbers[i]).epsilon(0.1));
 
+    const auto depolarizing = [&](const nicol_plastic& p) {
+        return picture(context, mesh, Owned(make(nicol_material_create_plastic, context, &p)));
+    };
+    nicol_plastic of_values = NICOL_PLASTIC_INIT, of_images = NICOL_PLASTIC_INIT;
+    of_values.nonlinear = of_images.nonlinear = 1;
+    of_values.diffuse_reflectance = spectrum({0.75F, 0.25F, 0.5F});
+    of_values.specular_reflectance = spectrum({0.5F});
+    of_values.alpha = 0.25F;
+    of_images.diffuse_reflectance_texture = red;
+    of_images.specular_reflectance_texture = half;
+    of_images.alpha_texture = rough;
+    const std::vector<float> expected = depolarizing(of_values), found = depolarizing(of_images);
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK(found[i] == Approx(expected[i]).epsilon(0.1));
+    of_values.nonlinear = 0;
+    CHECK(depolarizing(of_values)[4 * edge + 1] > 1.1F * expected[4 * edge + 1]);
+
     const auto metal = [&](const nicol_conductor& p) {
         return picture(context, mesh, Owned(make(nicol_material_create_conductor, context, &p)));
     };

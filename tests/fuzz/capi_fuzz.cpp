@@ -51,8 +51,9 @@ bool is_left_out(const std::string& name) {
 /// Quick to render; others are released as soon as they are made.
 bool is_quick(const std::string& maker) {
     return maker != "nicol_mesh_create_rectangle" && maker != "nicol_mesh_create_cube" &&
-           maker != "nicol_material_create_pplastic" && maker != "nicol_material_create_conductor" &&
-           maker != "nicol_material_create_callback" && maker != "nicol_environment_create_sky";
+           maker != "nicol_material_create_pplastic" && maker != "nicol_material_create_plastic" &&
+           maker != "nicol_material_create_conductor" && maker != "nicol_material_create_callback" &&
+           maker != "nicol_environment_create_sky";
 }
 
 /// Small, or beyond every limit: what lies in between is slow and no different.

@@ -335,9 +335,32 @@ class Pplastic(Struct):
     }
 
 
+class Plastic(Struct):
+    """Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing;
+    nicol_pplastic is the model that polarizes. Front side only."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("distribution", c_uint32),
+        ("diffuse_reflectance", Spectrum),
+        ("specular_reflectance", Spectrum),
+        ("int_ior", c_float),
+        ("ext_ior", c_float),
+        ("alpha", c_float),
+        ("nonlinear", c_uint32),
+        ("diffuse_reflectance_texture", c_void_p),
+        ("specular_reflectance_texture", c_void_p),
+        ("alpha_texture", c_void_p),
+    ]
+    _defaults_ = {
+        "int_ior": 1.49,
+        "ext_ior": 1.000277,
+    }
+
+
 class Conductor(Struct):
     """Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
-    index is eta - i k, relative to air. Front side only."""
+    index is eta - i k, relative to air. With k 0 and eta the index of a dielectric it is what the surface of
+    that reflects, as of glass whose inside is not seen. Front side only."""
     _fields_ = [
         ("struct_size", c_uint32),
         ("distribution", c_uint32),
@@ -935,6 +958,13 @@ class Material(Handle):
         """NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range."""
         material = cls()
         check(_material_create_pplastic(context, byref(parameters) if parameters is not None else None, byref(material)))
+        return material
+
+    @classmethod
+    def create_plastic(cls, context, parameters):
+        """Likewise."""
+        material = cls()
+        check(_material_create_plastic(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
 
     @classmethod
@@ -1677,6 +1707,7 @@ _texture_create_checkerboard = declare("nicol_texture_create_checkerboard", c_in
 _texture_create_vertex_colors = declare("nicol_texture_create_vertex_colors", c_int32, Context, POINTER(Texture))
 Texture._release = declare("nicol_texture_release", c_int32, c_void_p)
 _material_create_pplastic = declare("nicol_material_create_pplastic", c_int32, Context, POINTER(Pplastic), POINTER(Material))
+_material_create_plastic = declare("nicol_material_create_plastic", c_int32, Context, POINTER(Plastic), POINTER(Material))
 _material_create_diffuse = declare("nicol_material_create_diffuse", c_int32, Context, POINTER(Spectrum), POINTER(Material))
 _material_create_conductor = declare("nicol_material_create_conductor", c_int32, Context, POINTER(Conductor), POINTER(Material))
 _material_load_measured = declare("nicol_material_load_measured", c_int32, Context, c_char_p, POINTER(Measured), POINTER(Material))
@@ -1924,6 +1955,7 @@ __all__ = [
     "PSH_MAX_MATRIX_ORDER",
     "PSH_MAX_ORDER",
     "PlaneBuffer",
+    "Plastic",
     "Plate",
     "Polarization",
     "Pplastic",

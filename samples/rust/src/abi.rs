@@ -580,8 +580,51 @@ const _: () = {
     assert!(offset_of!(nicol_pplastic, alpha_texture) == 176);
 };
 
+/// Mitsuba 3's plastic and roughplastic: Fresnel reflection over a diffuse base, both depolarizing;
+/// nicol_pplastic is the model that polarizes. Front side only.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_plastic {
+    pub struct_size: u32,
+    pub distribution: nicol_distribution,
+    pub diffuse_reflectance: nicol_spectrum,
+    pub specular_reflectance: nicol_spectrum,
+    pub int_ior: f32,
+    pub ext_ior: f32,
+    pub alpha: f32,
+    pub nonlinear: u32,
+    pub diffuse_reflectance_texture: nicol_texture,
+    pub specular_reflectance_texture: nicol_texture,
+    pub alpha_texture: nicol_texture,
+}
+impl Default for nicol_plastic {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made.int_ior = 1.49;
+        made.ext_ior = 1.000277;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_plastic>() == 184);
+    assert!(offset_of!(nicol_plastic, struct_size) == 0);
+    assert!(offset_of!(nicol_plastic, distribution) == 4);
+    assert!(offset_of!(nicol_plastic, diffuse_reflectance) == 8);
+    assert!(offset_of!(nicol_plastic, specular_reflectance) == 76);
+    assert!(offset_of!(nicol_plastic, int_ior) == 144);
+    assert!(offset_of!(nicol_plastic, ext_ior) == 148);
+    assert!(offset_of!(nicol_plastic, alpha) == 152);
+    assert!(offset_of!(nicol_plastic, nonlinear) == 156);
+    assert!(offset_of!(nicol_plastic, diffuse_reflectance_texture) == 160);
+    assert!(offset_of!(nicol_plastic, specular_reflectance_texture) == 168);
+    assert!(offset_of!(nicol_plastic, alpha_texture) == 176);
+};
+
 /// Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
-/// index is eta - i k, relative to air. Front side only.
+/// index is eta - i k, relative to air. With k 0 and eta the index of a dielectric it is what the surface of
+/// that reflects, as of glass whose inside is not seen. Front side only.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct nicol_conductor {
@@ -1658,6 +1701,8 @@ extern "C" {
     pub fn nicol_texture_release(texture: nicol_texture) -> nicol_result;
     /// NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
     pub fn nicol_material_create_pplastic(context: nicol_context, parameters: *const nicol_pplastic, material: *mut nicol_material) -> nicol_result;
+    /// Likewise.
+    pub fn nicol_material_create_plastic(context: nicol_context, parameters: *const nicol_plastic, material: *mut nicol_material) -> nicol_result;
     /// Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only.
     pub fn nicol_material_create_diffuse(context: nicol_context, reflectance: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
     /// Likewise; a metal that is not known is refused with the names of those that are.
