@@ -12,13 +12,16 @@
 #include "test.hpp"
 
 using namespace nicol;
-using doctest::Approx;
 using test::texture_of;
 
 namespace {
 
 constexpr auto beckmann = Distribution::beckmann;
 constexpr auto ggx = Distribution::ggx;
+
+double differs(double found, double expected) {
+    return std::abs(found - expected) / std::max(expected, 1e-9);
+}
 
 double reflectance(double cosine, double eta) {
     return fresnel_reflection(cosine, eta)(0, 0);
@@ -133,7 +136,7 @@ TEST_CASE("plastic is as Mitsuba evaluates it") {
                         found += material->weight(t, c) *
                                  material->evaluate(t, direction(value.light, value.azimuth),
                                                     direction(value.viewer, 0))(0, 0);
-                CHECK(found == Approx(value.rgb[static_cast<std::size_t>(c)]).epsilon(0.0015));
+                CHECK(differs(found, value.rgb[static_cast<std::size_t>(c)]) < 0.0015);
             }
         }
     }
@@ -169,13 +172,16 @@ TEST_CASE("a boundary lets through what its facets refract") {
     for_all({0.9, 1.3, 1.8}, {0.0, 0.6, 1.2, 1.45}, [](double eta, double zenith) {
         CAPTURES(eta, zenith);
         const double cosine = std::cos(zenith);
-        CHECK(BoundaryTransmittance(eta).at(cosine) == Approx(1 - reflectance(cosine, eta)).epsilon(1e-9));
-        for (const double alpha : {0.15, 0.5, 1.0})
-            CHECK(BoundaryTransmittance(eta, ggx, alpha).at(cosine) ==
-                  Approx(transmittance(eta, ggx, alpha, zenith)).epsilon(0.005));
-        // Beckmann's facets see by a formula that is only near what is visible of them.
-        CHECK(BoundaryTransmittance(eta, beckmann, 0.4).at(cosine) ==
-              Approx(transmittance(eta, beckmann, 0.4, zenith)).epsilon(0.015));
+        CHECK(differs(BoundaryTransmittance(eta).at(cosine), 1 - reflectance(cosine, eta)) < 1e-9);
+        const auto error = [&](Distribution distribution, double alpha) {
+            return BoundaryTransmittance(eta, distribution, alpha).at(cosine) -
+                   transmittance(eta, distribution, alpha, zenith);
+        };
+        // Total reflection begins abruptly, between points.
+        const double tolerance = eta < 1 ? 0.01 : 0.002;
+        for (const double alpha : {0.15, 0.5, 1.0}) CHECK(std::abs(error(ggx, alpha)) < tolerance);
+        // What of Beckmann's facets is visible is known by a fit alone.
+        CHECK(std::abs(error(beckmann, 0.4)) < 0.005);
     });
 }
 
@@ -188,9 +194,9 @@ TEST_CASE("a boundary returns the share of diffuse light that Fresnel's formulas
             const double cosine = (i + 0.5) / n;
             returned += 2 * cosine * reflectance(cosine, 1 / eta) / n;
         }
-        CHECK(BoundaryTransmittance(eta).returned() == Approx(returned).epsilon(0.01));
+        CHECK(differs(BoundaryTransmittance(eta).returned(), returned) < 0.01);
         // Nearly smooth facets; of their sum the ends are too large a part.
-        CHECK(BoundaryTransmittance(eta, beckmann, 0.005).returned() == Approx(returned).epsilon(0.1));
+        CHECK(differs(BoundaryTransmittance(eta, beckmann, 0.005).returned(), returned) < 0.03);
     }
 }
 
@@ -221,7 +227,7 @@ TEST_CASE("textures of plastic are its parameters at every point") {
                 for (std::size_t l = 0; l < weights.size(); ++l)
                     found += static_cast<double>(weights[l][c]) *
                              evaluate(*variation.layers[l].material, 0, light, viewer)(0, 0);
-                CHECK(found == Approx(evaluate(*plastic(there), 0, light, viewer)(0, 0)).epsilon(1e-5));
+                CHECK(differs(found, evaluate(*plastic(there), 0, light, viewer)(0, 0)) < 1e-5);
             }
         }
     });
