@@ -16,7 +16,6 @@ namespace {
 
 // A narrower lobe looks the same at any order that light is projected to.
 constexpr double kLeastAlpha = 0.01;
-constexpr double kLargestAlpha = 1;
 /// Between alphas of this ratio interpolation misses about 1 % of the rows of a response, half-way between
 /// the two.
 constexpr double kAlphaRatio = 1.2;
@@ -202,17 +201,16 @@ void append(const SpatialVariation& from, SpatialVariation& to, const char* of) 
     }
 }
 
-std::vector<double> alphas_for(const Texture& texture) {
-    const auto inside = [](float value) {
-        return std::clamp(static_cast<double>(value), kLeastAlpha, kLargestAlpha);
-    };
+/// Between which with_number() interpolates.
+std::vector<double> numbers_for(const Texture& texture, double least, double ratio) {
+    const auto inside = [least](float value) { return std::clamp(static_cast<double>(value), least, 1.0); };
     std::vector<double> out;
     for (const float value : texture.values()) out.push_back(inside(value));
     if (out.empty() || out.size() > 16) {
         out.clear();
         const double low = inside(texture.range().x);
         const double high = inside(texture.range().y);
-        const int steps = static_cast<int>(std::ceil(std::log(high / low) / std::log(kAlphaRatio)));
+        const int steps = static_cast<int>(std::ceil(std::log(high / low) / std::log(ratio)));
         for (int i = 0; i < steps; ++i)
             out.push_back(low * std::pow(high / low, i / static_cast<double>(steps)));
         out.push_back(high);
@@ -253,8 +251,8 @@ MaterialPtr multiplied(const MaterialPtr& material, const LayerFactor& factor, c
 
 }  // namespace
 
-MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale) {
-    return multiplied(material, {.kind = LayerFactor::Kind::value, .texture = 0}, scale);
+MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale, LayerFactor::Kind kind) {
+    return multiplied(material, {.kind = kind, .texture = 0}, scale);
 }
 
 MaterialPtr scaled_again(const MaterialPtr& material, const TexturePtr& scale, double again) {
@@ -282,23 +280,28 @@ MaterialPtr blend(const MaterialPtr& first, const MaterialPtr& second, const Tex
     return layered(std::move(out));
 }
 
-MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make, const TexturePtr& alpha) {
-    require_texture(alpha, "with_roughness");
-    const std::vector<double> alphas = alphas_for(*alpha);
+MaterialPtr with_number(const std::function<MaterialPtr(double t)>& make, const TexturePtr& texture,
+                        double least, double ratio) {
+    require_texture(texture, "with_number");
+    const std::vector<double> numbers = numbers_for(*texture, least, ratio);
     SpatialVariation out;
-    for (std::size_t i = 0; i < alphas.size(); ++i) {
-        SpatialVariation part = parts_of(make(alphas[i]), "with_roughness");
-        if (alphas.size() > 1)
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        SpatialVariation part = parts_of(make(numbers[i]), "with_number");
+        if (numbers.size() > 1)
             multiply(part,
                      {.kind = LayerFactor::Kind::hat,
                       .texture = 0,
-                      .low = static_cast<float>(alphas[i == 0 ? 0 : i - 1]),
-                      .middle = static_cast<float>(alphas[i]),
-                      .high = static_cast<float>(alphas[std::min(i + 1, alphas.size() - 1)])},
-                     alpha);
-        append(part, out, "with_roughness");
+                      .low = static_cast<float>(numbers[i == 0 ? 0 : i - 1]),
+                      .middle = static_cast<float>(numbers[i]),
+                      .high = static_cast<float>(numbers[std::min(i + 1, numbers.size() - 1)])},
+                     texture);
+        append(part, out, "with_number");
     }
     return layered(std::move(out));
+}
+
+MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make, const TexturePtr& alpha) {
+    return with_number(make, alpha, kLeastAlpha, kAlphaRatio);
 }
 
 MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals, bool mirrored_y) {

@@ -18,8 +18,9 @@ namespace nicol {
 /// The material that a variation describes.
 [[nodiscard]] MaterialPtr layered(SpatialVariation variation);
 
-/// The material times a texture.
-[[nodiscard]] MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale);
+/// The material times a texture, or times what a `kind` but hat and again makes of it.
+[[nodiscard]] MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale,
+                                 LayerFactor::Kind kind = LayerFactor::Kind::value);
 /// The same for light of which the part `again`, 0 to 0.999, meets the texture again each time: times
 /// (1 - again) t / (1 - again t), which is 1 where the texture's value t is.
 [[nodiscard]] MaterialPtr scaled_again(const MaterialPtr& material, const TexturePtr& scale, double again);
@@ -28,8 +29,11 @@ namespace nicol {
 /// first (1 - t) + second t, t the first channel of a texture, moved to 0..1 (Mitsuba's blendbsdf).
 [[nodiscard]] MaterialPtr blend(const MaterialPtr& first, const MaterialPtr& second,
                                 const TexturePtr& weight);
-/// make(alpha) with alpha from the first channel of a texture, moved to 0.01..1: an interpolation, linear in
-/// 1 / alpha, between alphas that differ by a fifth at most; exact for a texture of up to 16 values.
+/// make(t) with t from the first channel of a texture, moved to least..1, least above 0: an interpolation,
+/// linear in 1 / t, between values whose ratio is at most `ratio`; exact for a texture of up to 16 values.
+[[nodiscard]] MaterialPtr with_number(const std::function<MaterialPtr(double t)>& make,
+                                      const TexturePtr& texture, double least, double ratio);
+/// The same of a roughness alpha, moved to 0.01..1, between values that differ by a fifth at most.
 [[nodiscard]] MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make,
                                          const TexturePtr& alpha);
 

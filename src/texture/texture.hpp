@@ -134,6 +134,10 @@ void decode_srgb(TextureImage& image);
 /// One value everywhere; 1, 3 or 4 channels.
 [[nodiscard]] TexturePtr constant_texture(const glm::vec4& value, int channels);
 
+/// The colours over their luminance (of linear BT.709), white where that is 0; one channel: 1 everywhere.
+/// Throws Error(unsupported) for colours of vertices, alone or as a factor; Error(invalid_argument) for null.
+[[nodiscard]] TexturePtr tint_texture(const TexturePtr& colors);
+
 /// Of two textures. Its gradient is 0, and its mean that of factors that do not depend on each other. Throws
 /// Error(invalid_argument) for null, and for channels other than 1 or 3.
 [[nodiscard]] TexturePtr product_texture(TexturePtr first, TexturePtr second);

@@ -5,6 +5,7 @@
 #include "material/layered.hpp"
 #include "material/material.hpp"
 #include "material/plastic.hpp"
+#include "material/principled.hpp"
 #include "test.hpp"
 #include "texture/texture.hpp"
 
@@ -87,6 +88,11 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
         callback_material({.reflect = [](int, const glm::dvec3& a, const glm::dvec3&) {
             return Mueller({1, 0.1 * a.z, 0, 0, 0.1 * a.z, 1, 0, 0, 0, 0, 0.9, 0, 0, 0, 0, 0.9});
         }});
+    const auto disney = [](PrincipledParameters parameters) {
+        parameters.sheen = parameters.flatness = parameters.metallic = parameters.spec_tint = 0.5;
+        parameters.sheen_tint = parameters.clearcoat = 0.5;
+        return principled(parameters);
+    };
     const struct {
         std::string name;
         MaterialPtr material;
@@ -112,6 +118,11 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
         {"depolarizing plastic, ggx", plain({.alpha = 0.5, .distribution = ggx}), 0.5},
         {"depolarizing plastic, smooth", plain({}), kSmoothAlpha},
         {"depolarizing plastic, total reflection", plain({.int_ior = 0.8}), kSmoothAlpha},
+        {"principled", disney({}), 0.25},
+        {"principled, glossy", disney({.roughness = 0.2, .clearcoat_gloss = 1}), 0.04},
+        {"principled, index below 1", disney({.eta = 0.8}), 0.25},
+        {"principled sheen", principled({.base_color = {0}, .eta = 1, .sheen = 1}), 1},
+        {"principled edge", principled({.base_color = {0}, .metallic = 1}), 0.25},
         {"two-sided", twosided(plastic(0.1, ggx, 1.5)), 0.1},
         {"sum", sum(diffuse({0.2}), metal(0.1, ggx)), 0.1},
         {"function", callback, 1},

@@ -6,10 +6,12 @@
 #include "function_texture.hpp"
 #include "material/conductor.hpp"
 #include "material/response_table.hpp"
+#include "matrix_at.hpp"
 #include "test.hpp"
 
 using namespace nicol;
 using doctest::Approx;
+using test::matrix_at;
 using test::texture_of;
 
 namespace {
@@ -21,20 +23,6 @@ TexturePtr ramp_texture() {
 
 MaterialPtr gloss(double alpha) {
     return pplastic({.diffuse_reflectance = {0}, .specular_reflectance = {1}, .alpha = alpha});
-}
-
-/// M of a channel at texture coordinates, by the definition.
-Mueller matrix_at(const Material& material, int channel, glm::vec2 uv, const glm::dvec3& light,
-                  const glm::dvec3& viewer) {
-    const SpatialVariation* const variation = material.variation();
-    if (variation == nullptr) return evaluate(material, channel, light, viewer);
-    std::vector<glm::vec3> weights(variation->layers.size());
-    variation->weights({.uv = uv}, weights);
-    Mueller sum;
-    for (std::size_t l = 0; l < weights.size(); ++l)
-        sum = sum + static_cast<double>(weights[l][channel]) *
-                        evaluate(*variation->layers[l].material, channel, light, viewer);
-    return sum;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "material/material.hpp"
 #include "material/measured.hpp"
 #include "material/plastic.hpp"
+#include "material/principled.hpp"
 #include "material/response_table.hpp"
 #include "pbsdf_file.hpp"
 #include "polarization/fresnel.hpp"
@@ -67,6 +68,15 @@ std::vector<Named> materials(const TemporaryFolder& folder) {
          rough_conductor({.eta = metal_index("Ag"), .alpha = 0.8, .distribution = Distribution::ggx})},
         {"brushed gold", rough_conductor({.eta = metal_index("Au"), .alpha = 0.1, .alpha_v = 0.4})},
         {"smooth aluminium", conductor(metal_index("Al"))},
+        {"principled", principled({.base_color = {0.8},
+                                   .metallic = 0.3,
+                                   .spec_tint = 0.4,
+                                   .sheen = 0.2,
+                                   .flatness = 0.5,
+                                   .clearcoat = 0.3,
+                                   .clearcoat_gloss = 0.5})},
+        {"principled, perfect metal", principled({.base_color = {1}, .roughness = 0.6, .metallic = 1})},
+        {"principled, index below 1", principled({.metallic = 0.5, .eta = 0.8})},
         {"twosided", twosided(gold)},
         {"measured", load_measured(path)},
         {"retarder", callback_material({.reflect = [](int, const glm::dvec3&,

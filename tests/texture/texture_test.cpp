@@ -361,6 +361,30 @@ TEST_CASE("textures that cannot be are refused by name") {
     check_error(invalid, CALL(constant_texture(glm::vec4(1), 2)), "has 2 channels");
 }
 
+TEST_CASE("a tint is a colour over its luminance") {
+    const auto luminance = [](const glm::vec4& c) {
+        return glm::dot(glm::vec3(c), glm::vec3(0.212671F, 0.715160F, 0.072169F));
+    };
+    const TexturePtr board = checkerboard_texture(glm::vec3(0.2F, 0.8F, 0.1F), glm::vec3(0), 3);
+    const TexturePtr image =
+        image_texture({.width = 2, .height = 1, .channels = 3, .values = {0.2F, 0.8F, 0.1F, 0, 0, 0}},
+                      {.filter = TextureSampling::Filter::nearest});
+    // Their first square or pixel, black, and their second.
+    for (const auto& [texture, black, colored] : {std::tuple(board, glm::vec2(0.1F), glm::vec2(0.6F, 0.1F)),
+                                                  {image, glm::vec2(0.75F, 0.5F), glm::vec2(0.25F, 0.5F)}}) {
+        const TexturePtr tint = tint_texture(texture);
+        const glm::vec4 value = tint->at({.uv = colored});
+        CHECK(luminance(value) == doctest::Approx(1).epsilon(1e-6));
+        CHECK(value.y == doctest::Approx(4 * value.x).epsilon(1e-6));
+        CHECK(tint->at({.uv = black}) == glm::vec4(1));
+    }
+    CHECK(tint_texture(constant_texture(glm::vec4(0.3F), 1))->mean() == glm::vec4(1));
+    CHECK(tint_texture(constant_texture({0.2F, 0.8F, 0.1F, 1}, 3))->mean() ==
+          tint_texture(board)->at({.uv = {0.6F, 0.1F}}));
+    check_error(ErrorCode::unsupported, CALL(tint_texture(vertex_color_texture())), "vertices");
+    check_error(ErrorCode::invalid_argument, CALL(tint_texture(nullptr)), "null");
+}
+
 TEST_CASE("a product of textures is that of their values") {
     const TexturePtr board = checkerboard_texture({1, 1, 1}, {0.5F, 0.5F, 0.5F}, 1);
     const TexturePtr product = product_texture(board, vertex_color_texture());

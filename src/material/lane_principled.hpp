@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// The lobes of principled_lobes.hpp at sixteen pairs of directions, in single precision.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "material/lane_facets.hpp"
+#include "material/principled_lobes.hpp"
+
+namespace nicol {
+
+/// PrincipledShape and what follows from it.
+struct LanePrincipled {
+    explicit LanePrincipled(const PrincipledShape& k)
+        : roughness(static_cast<float>(k.roughness)),
+          index(k.eta),
+          refracts_away(!(k.eta > 1)),
+          inverse_square(static_cast<float>(1 / (k.eta * k.eta))),
+          facets{Distribution::ggx, static_cast<float>(k.alpha())},
+          normal_reflectance(static_cast<float>(k.normal_reflectance())),
+          coat_alpha2(static_cast<float>(k.coat_alpha() * k.coat_alpha())),
+          coat_scale((coat_alpha2 - 1) / (4 * std::numbers::pi_v<float> * std::log(coat_alpha2))) {}
+
+    float roughness;
+    LaneIndex index;
+    bool refracts_away;    ///< from the normal: eta is at most 1
+    float inverse_square;  ///< of eta
+    LaneFacets facets;
+    float normal_reflectance;
+    float coat_alpha2;
+    float coat_scale;
+};
+
+/// The value of each lobe.
+template <class Number>
+struct LaneLobes {
+    Number of[kPrincipledLobes];
+};
+
+template <class Number>
+[[gnu::always_inline]] inline void to_fifth_power(Number& x) {
+    const Number square = x * x;
+    x *= square * square;
+}
+
+/// Schlick's weight of the angle to the normal.
+template <class Number>
+[[gnu::always_inline]] inline void schlick(const Vector3<Number>& direction, Number& weight) {
+    const Number cosine = direction.z > 0.0F ? direction.z : Number{};
+    weight = (direction.x * direction.x + direction.y * direction.y) / (1.0F + cosine);
+    to_fifth_power(weight);
+}
+
+/// All of them, 0 where a direction lies below the horizon. Differences from 1 without cancellation.
+template <class Number>
+[[gnu::always_inline]] inline LaneLobes<Number> lane_lobes(const LanePrincipled& k,
+                                                           const Vector3<Number>& light,
+                                                           const Vector3<Number>& viewer) {
+    constexpr float inverse_pi = 1 / std::numbers::pi_v<float>;
+    const auto above = (light.z > 0.0F) & (viewer.z > 0.0F);
+    const Vector3<Number> half{light.x + viewer.x, light.y + viewer.y, light.z + viewer.z};
+    const Vector3<Number> difference{light.x - viewer.x, light.y - viewer.y, light.z - viewer.z};
+    Number length2;
+    dot(half, half, length2);
+    length2 = length2 > 1e-18F ? length2 : Number{} + 1e-18F;
+    Number cosine = 0.25F * length2;
+    square_root(cosine);
+    cosine = cosine < 1.0F ? cosine : Number{} + 1.0F;
+    Number sine2;
+    dot(difference, difference, sine2);
+    sine2 *= 0.25F;
+
+    LaneLobes<Number> out;
+    Number in;
+    Number from;
+    schlick(light, in);
+    schlick(viewer, from);
+    const Number grazing = 2.0F * k.roughness * cosine * cosine;
+    out.of[index(PrincipledLobe::diffuse)] =
+        inverse_pi *
+        ((1.0F - 0.5F * in) * (1.0F - 0.5F * from) + grazing * (in + from + in * from * (grazing - 1.0F)));
+    const Number inside = (1.0F + (0.5F * grazing - 1.0F) * in) * (1.0F + (0.5F * grazing - 1.0F) * from);
+    out.of[index(PrincipledLobe::subsurface)] =
+        1.25F * inverse_pi * (inside * (1.0F / (above ? half.z : Number{} + 1.0F) - 0.5F) + 0.5F);
+    Number w = sine2 / (1.0F + cosine);
+    to_fifth_power(w);
+    out.of[index(PrincipledLobe::sheen)] = w;
+
+    if (k.refracts_away) {
+        Number refracted2 = sine2 * k.inverse_square;
+        refracted2 = refracted2 < 1.0F ? refracted2 : Number{} + 1.0F;
+        Number refracted = 1.0F - refracted2;
+        square_root(refracted);
+        w = refracted2 / (1.0F + refracted);
+        to_fifth_power(w);
+    }
+    Number from_light;
+    Number to_viewer;
+    visibility_over_cosine(k.facets, light, from_light);
+    visibility_over_cosine(k.facets, viewer, to_viewer);
+    Number scale;
+    density(k.facets, half, length2, scale);
+    scale *= 0.25F * from_light * to_viewer;
+    out.of[index(PrincipledLobe::metal)] = (1.0F - w) * scale;
+    out.of[index(PrincipledLobe::edge)] = w * scale;
+    out.of[index(PrincipledLobe::tinted)] = k.normal_reflectance * (1.0F - w) * scale;
+    out.of[index(PrincipledLobe::dielectric)] = dielectric_reflection(cosine, k.index).a * scale;
+
+    constexpr float reflectance = static_cast<float>(kCoatReflectance);
+    constexpr LaneFacets hidden{Distribution::ggx, static_cast<float>(kCoatShadowing)};
+    visibility_over_cosine(hidden, light, from_light);
+    visibility_over_cosine(hidden, viewer, to_viewer);
+    const Number rho2 = half.x * half.x + half.y * half.y;
+    const Number coat = k.coat_scale * length2 / (rho2 + k.coat_alpha2 * half.z * half.z);
+    out.of[index(PrincipledLobe::clearcoat)] =
+        (reflectance + (1.0F - reflectance) * w) * coat * from_light * light.z * to_viewer * viewer.z;
+    for (Number& value : out.of) value = above ? value : Number{};
+    return out;
+}
+
+}  // namespace nicol

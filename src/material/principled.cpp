@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "material/principled.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "material/layered.hpp"
+#include "material/principled_lobes.hpp"
+#include "material/reflectance.hpp"
+
+namespace nicol {
+namespace {
+
+using P = PrincipledParameters;
+using T = PrincipledTextures;
+using Lobe = PrincipledLobe;
+
+struct Number {
+    std::string_view name;
+    double P::*value;
+    TexturePtr T::*texture;
+};
+constexpr Number kRoughness{"roughness", &P::roughness, &T::roughness};
+constexpr Number kMetallic{"metallic", &P::metallic, &T::metallic};
+constexpr Number kSpecTrans{"spec_trans", &P::spec_trans, &T::spec_trans};
+constexpr Number kSpecTint{"spec_tint", &P::spec_tint, &T::spec_tint};
+constexpr Number kSheen{"sheen", &P::sheen, &T::sheen};
+constexpr Number kSheenTint{"sheen_tint", &P::sheen_tint, &T::sheen_tint};
+constexpr Number kFlatness{"flatness", &P::flatness, &T::flatness};
+constexpr Number kClearcoat{"clearcoat", &P::clearcoat, &T::clearcoat};
+constexpr Number kClearcoatGloss{"clearcoat_gloss", &P::clearcoat_gloss, &T::clearcoat_gloss};
+
+/// Those that lobes depend on not linearly.
+struct ShapeNumber {
+    Number number;
+    double PrincipledShape::*value;
+    Lobe first, last;  ///< the lobes
+    /// Of with_number(); as with_roughness() for alpha = roughness^2.
+    double least, ratio;
+};
+constexpr ShapeNumber kShapeNumbers[] = {
+    {kRoughness, &PrincipledShape::roughness, Lobe::diffuse, Lobe::dielectric, 0.1, 1.1},
+    {kClearcoatGloss, &PrincipledShape::clearcoat_gloss, Lobe::clearcoat, Lobe::clearcoat, 0.01, 1.2}};
+
+/// A number, or what it leaves of 1.
+struct Factor {
+    Number number;
+    bool rest = false;
+};
+constexpr Factor rest_of(const Number& number) {
+    return {number, true};
+}
+
+enum class Color { white, base, tint };
+
+/// A lobe times factors.
+struct Product {
+    Lobe lobe;
+    Color color;
+    std::vector<Factor> factors;
+};
+
+/// The model is their sum.
+const std::vector<Product>& products() {
+    static const std::vector<Product> all = {
+        {Lobe::diffuse, Color::base, {rest_of(kMetallic), rest_of(kSpecTrans), rest_of(kFlatness)}},
+        {Lobe::subsurface, Color::base, {rest_of(kMetallic), rest_of(kSpecTrans), {kFlatness}}},
+        {Lobe::sheen, Color::white, {{kSheen}, rest_of(kMetallic), rest_of(kSheenTint)}},
+        {Lobe::sheen, Color::tint, {{kSheen}, rest_of(kMetallic), {kSheenTint}}},
+        {Lobe::metal, Color::base, {{kMetallic}}},
+        {Lobe::edge, Color::white, {{kMetallic}}},
+        {Lobe::tinted, Color::tint, {rest_of(kMetallic), {kSpecTint}}},
+        {Lobe::edge, Color::white, {rest_of(kMetallic), {kSpecTint}}},
+        {Lobe::dielectric, Color::white, {rest_of(kMetallic), rest_of(kSpecTint)}},
+        {Lobe::clearcoat, Color::white, {{kClearcoat}}}};
+    return all;
+}
+
+double luminance(const std::vector<double>& color) {
+    if (color.size() == 3) return 0.212671 * color[0] + 0.715160 * color[1] + 0.072169 * color[2];
+    double sum = 0;
+    for (const double value : color) sum += value;
+    return sum / static_cast<double>(color.size());
+}
+
+/// What varies by the same textures: a layer, or as many as with_number() makes of it.
+struct Part {
+    struct Scale {
+        LayerFactor::Kind kind;
+        TexturePtr texture;
+        bool operator==(const Scale&) const = default;
+    };
+    std::vector<Scale> scales;
+    std::vector<const ShapeNumber*> shape;  ///< those that textures give
+    PrincipledMix mix;
+};
+
+class Composer {
+public:
+    Composer(const P& parameters, const T& textures) : p_(parameters), textures_(textures) {
+        // What is the same everywhere is a number.
+        for (const Number& n : {kRoughness, kMetallic, kSpecTrans, kSpecTint, kSheen, kSheenTint, kFlatness,
+                                kClearcoat, kClearcoatGloss}) {
+            TexturePtr& texture = textures_.*n.texture;
+            if (texture && texture->constant()) {
+                const auto value = static_cast<double>(std::exchange(texture, nullptr)->mean().x);
+                p_.*n.value = std::clamp(value, 0.0, 1.0);
+            }
+            if (!texture) check_range(p_.*n.value, 0, 1, n.name);
+        }
+        if (textures_.base_color && textures_.base_color->constant()) {
+            const glm::vec4 mean = textures_.base_color->mean();
+            p_.base_color = {mean.x, mean.y, mean.z};
+            if (textures_.base_color->channels() == 1) p_.base_color.resize(1);
+            textures_.base_color = nullptr;
+        } else {
+            check_reflectance(p_.base_color, "base_color");
+        }
+        check_range(p_.eta, 1e-3, 1e3, "eta");
+        shape_ = {.roughness = p_.roughness, .eta = p_.eta, .clearcoat_gloss = p_.clearcoat_gloss};
+    }
+
+    MaterialPtr run() {
+        for (const Product& product : products()) add(product);
+        // Black still is a material.
+        if (parts_.empty()) return diffuse({0});
+        MaterialPtr out;
+        for (const Part& part : parts_) {
+            const MaterialPtr material = of(part);
+            out = out ? sum(out, material) : material;
+        }
+        return out;
+    }
+
+private:
+    void add(const Product& product) {
+        if (p_.eta == 1 && product.lobe >= Lobe::metal && product.lobe <= Lobe::dielectric) return;
+        Part part;
+        double amount = 1;
+        for (const auto& [number, rest] : product.factors) {
+            if (const TexturePtr& texture = textures_.*number.texture)
+                part.scales.push_back(
+                    {rest ? LayerFactor::Kind::complement : LayerFactor::Kind::fraction, texture});
+            else
+                amount *= rest ? 1 - p_.*number.value : p_.*number.value;
+        }
+        if (amount == 0) return;
+        const bool colored = multiply(product.color, part, amount);
+        for (const ShapeNumber& n : kShapeNumbers)
+            if (textures_.*n.number.texture && product.lobe >= n.first && product.lobe <= n.last)
+                part.shape.push_back(&n);
+
+        auto same = std::ranges::find_if(parts_, [&](const Part& other) {
+            return other.scales == part.scales && other.shape == part.shape;
+        });
+        if (same == parts_.end()) same = parts_.insert(parts_.end(), std::move(part));
+        (colored ? same->mix.colored : same->mix.white)[index(product.lobe)] += amount;
+    }
+
+    /// Whether the amount is one of base_color.
+    bool multiply(Color color, Part& part, double& amount) {
+        if (color == Color::white) return false;
+        if (textures_.base_color) {
+            if (color == Color::tint && !tint_) tint_ = tint_texture(textures_.base_color);
+            part.scales.push_back(
+                {LayerFactor::Kind::value, color == Color::base ? textures_.base_color : tint_});
+            return false;
+        }
+        if (color == Color::base) return true;
+        const double light = luminance(p_.base_color);
+        if (light > 0) amount /= light;
+        return light > 0;
+    }
+
+    [[nodiscard]] MaterialPtr of(const Part& part) const {
+        MaterialPtr out = shaped(part.mix, shape_, part.shape);
+        for (const auto& [kind, texture] : part.scales) out = scaled(out, texture, kind);
+        return out;
+    }
+
+    [[nodiscard]] MaterialPtr shaped(const PrincipledMix& mix, const PrincipledShape& shape,
+                                     std::span<const ShapeNumber* const> varying) const {
+        if (varying.empty())
+            return principled_lobes(shape, textures_.base_color ? std::vector{1.0} : p_.base_color, mix);
+        const ShapeNumber& n = *varying.front();
+        return with_number(
+            [&](double value) {
+                PrincipledShape at = shape;
+                at.*n.value = value;
+                return shaped(mix, at, varying.subspan(1));
+            },
+            textures_.*n.number.texture, n.least, n.ratio);
+    }
+
+    P p_;
+    T textures_;
+    TexturePtr tint_;
+    PrincipledShape shape_;
+    std::vector<Part> parts_;
+};
+
+}  // namespace
+
+MaterialPtr principled(const PrincipledParameters& parameters, const PrincipledTextures& textures) {
+    return Composer(parameters, textures).run();
+}
+
+double index_of_specular(double specular) {
+    return 2 / (1 - std::sqrt(0.08 * specular)) - 1;
+}
+
+}  // namespace nicol

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The reflections that principled() mixes, all of them depolarizing: Burley, "Physically Based Shading at
+// Disney" (2012) and "Extending the Disney BRDF to a BSDF" (2015), in the form of Mitsuba 3.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "material/material.hpp"
+
+namespace nicol {
+
+/// With w = (1 - c)^5, c the cosine of the angle between viewer and half vector. Metal, edge, tinted and
+/// dielectric are GGX facets times a Fresnel factor.
+enum class PrincipledLobe : std::size_t {
+    sheen,       ///< w
+    diffuse,     ///< Burley's, with its retro-reflection; about 1 / pi
+    subsurface,  ///< Burley's fit to Hanrahan and Krueger; about 1 / pi
+    metal,       ///< 1 - w
+    edge,        ///< w
+    tinted,      ///< (1 - w) times a dielectric's reflectance at normal incidence
+    dielectric,  ///< Fresnel's
+    clearcoat    ///< a quarter of Berry's facets (GTR 1) under Schlick's factor of 0.04
+};
+inline constexpr std::size_t kPrincipledLobes = 8;
+[[nodiscard]] constexpr std::size_t index(PrincipledLobe lobe) {
+    return static_cast<std::size_t>(lobe);
+}
+
+/// Reflectance of the clearcoat at normal incidence, and the roughness that shadows its facets.
+inline constexpr double kCoatReflectance = 0.04;
+inline constexpr double kCoatShadowing = 0.25;
+
+/// What lobes depend on not linearly. For eta below 1, w is that of the refracted angle in all but the sheen.
+struct PrincipledShape {
+    double roughness = 0.5;      ///< diffuse, subsurface, facets
+    double eta = 1.5;            ///< facets
+    double clearcoat_gloss = 0;  ///< clearcoat
+
+    /// Of the facets.
+    [[nodiscard]] double alpha() const { return std::max(0.001, roughness * roughness); }
+    [[nodiscard]] double coat_alpha() const { return 0.1 - (0.1 - 0.001) * clearcoat_gloss; }
+    /// Of a dielectric, at normal incidence.
+    [[nodiscard]] double normal_reflectance() const {
+        return (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
+    }
+};
+
+/// How much there is of each lobe: times the colour, and beside that in every channel.
+struct PrincipledMix {
+    std::array<double, kPrincipledLobes> colored{};
+    std::array<double, kPrincipledLobes> white{};
+};
+
+/// The sum of lobes; at least one amount must not be 0. `color`: one value or one a channel.
+[[nodiscard]] MaterialPtr principled_lobes(const PrincipledShape& shape, std::vector<double> color,
+                                           const PrincipledMix& mix);
+
+}  // namespace nicol
