@@ -251,7 +251,11 @@ MaterialPtr multiplied(const MaterialPtr& material, const LayerFactor& factor, c
 
 }  // namespace
 
-MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale, LayerFactor::Kind kind) {
+MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale) {
+    return scaled_by(LayerFactor::Kind::value, material, scale);
+}
+
+MaterialPtr scaled_by(LayerFactor::Kind kind, const MaterialPtr& material, const TexturePtr& scale) {
     return multiplied(material, {.kind = kind, .texture = 0}, scale);
 }
 

@@ -18,9 +18,11 @@ namespace nicol {
 /// The material that a variation describes.
 [[nodiscard]] MaterialPtr layered(SpatialVariation variation);
 
-/// The material times a texture, or times what a `kind` but hat and again makes of it.
-[[nodiscard]] MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale,
-                                 LayerFactor::Kind kind = LayerFactor::Kind::value);
+/// The material times a texture.
+[[nodiscard]] MaterialPtr scaled(const MaterialPtr& material, const TexturePtr& scale);
+/// The material times what any kind but hat and again makes of a texture.
+[[nodiscard]] MaterialPtr scaled_by(LayerFactor::Kind kind, const MaterialPtr& material,
+                                    const TexturePtr& scale);
 /// The same for light of which the part `again`, 0 to 0.999, meets the texture again each time: times
 /// (1 - again) t / (1 - again t), which is 1 where the texture's value t is.
 [[nodiscard]] MaterialPtr scaled_again(const MaterialPtr& material, const TexturePtr& scale, double again);

@@ -25,6 +25,7 @@ struct Number {
     TexturePtr T::*texture;
 };
 constexpr Number kRoughness{"roughness", &P::roughness, &T::roughness};
+constexpr Number kAnisotropic{"anisotropic", &P::anisotropic, &T::anisotropic};
 constexpr Number kMetallic{"metallic", &P::metallic, &T::metallic};
 constexpr Number kSpecTrans{"spec_trans", &P::spec_trans, &T::spec_trans};
 constexpr Number kSpecTint{"spec_tint", &P::spec_tint, &T::spec_tint};
@@ -103,8 +104,8 @@ class Composer {
 public:
     Composer(const P& parameters, const T& textures) : p_(parameters), textures_(textures) {
         // What is the same everywhere is a number.
-        for (const Number& n : {kRoughness, kMetallic, kSpecTrans, kSpecTint, kSheen, kSheenTint, kFlatness,
-                                kClearcoat, kClearcoatGloss}) {
+        for (const Number& n : {kRoughness, kAnisotropic, kMetallic, kSpecTrans, kSpecTint, kSheen,
+                                kSheenTint, kFlatness, kClearcoat, kClearcoatGloss}) {
             TexturePtr& texture = textures_.*n.texture;
             if (texture && texture->constant()) {
                 const auto value = static_cast<double>(std::exchange(texture, nullptr)->mean().x);
@@ -178,7 +179,7 @@ private:
 
     [[nodiscard]] MaterialPtr of(const Part& part) const {
         MaterialPtr out = shaped(part.mix, shape_, part.shape);
-        for (const auto& [kind, texture] : part.scales) out = scaled(out, texture, kind);
+        for (const auto& [kind, texture] : part.scales) out = scaled_by(kind, out, texture);
         return out;
     }
 

@@ -62,6 +62,8 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
             material.reflectance = read_color(document, plugin, "reflectance", 0.5, 1.0);
         } else if (plugin.type() == "conductor" || plugin.type() == "roughconductor") {
             read_conductor(source, material);
+        } else if (plugin.type() == "principled") {
+            read_principled(source, material);
         } else if (plugin.type() == "measured_polarized") {
             read_measured(document, plugin, material);
         } else if (plugin.type() == "psh") {
@@ -70,7 +72,8 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
         } else {
             plugin.fail_type(
                 "pplastic, plastic, roughplastic, diffuse, conductor, roughconductor, dielectric, "
-                "roughdielectric, null, measured_polarized, psh, twosided, normalmap, bumpmap, mask, "
+                "roughdielectric, null, principled, measured_polarized, psh, twosided, normalmap, bumpmap, "
+                "mask, "
                 "blendbsdf",
                 reason(node));
         }

@@ -27,6 +27,7 @@ void read_dielectric(const MaterialSource& source, MaterialDescription& material
 /// null
 void read_null(MaterialDescription& material);
 void read_conductor(const MaterialSource& source, MaterialDescription& material);
+void read_principled(const MaterialSource& source, MaterialDescription& material);
 
 /// A number, or the name of a medium.
 [[nodiscard]] double refractive_index(Plugin& plugin, const std::string& name, double otherwise);

@@ -61,6 +61,23 @@ struct TexturedColor : ColorDescription {
     TextureSpecificationPtr texture;  ///< not null: in place of the values
 };
 
+/// A number that a texture may give.
+struct TexturedNumber {
+    TexturedNumber(double number) : value(number) {}
+
+    double value;
+    TextureSpecificationPtr texture;  ///< not null: in place of the value
+};
+
+/// Mitsuba's principled; numbers of 0 to 1, see PrincipledParameters.
+struct PrincipledDescription {
+    TexturedColor base_color{0.5};
+    double eta = 1.5;  ///< 0.001 to 1000
+    TexturedNumber roughness{0.5};
+    TexturedNumber anisotropic{0.0}, metallic{0.0}, spec_trans{0.0}, spec_tint{0.0}, sheen{0.0},
+        sheen_tint{0.0}, flatness{0.0}, clearcoat{0.0}, clearcoat_gloss{0.0};
+};
+
 /// A reflectance model, or one made of others, which are its parts.
 struct MaterialDescription {
     enum class Kind {
@@ -70,6 +87,7 @@ struct MaterialDescription {
         psh,
         conductor,
         roughconductor,
+        principled,
         measured_polarized,
         normalmap,
         bumpmap,
@@ -92,6 +110,7 @@ struct MaterialDescription {
     double alpha = 0.1;  ///< pplastic, plastic, roughconductor: roughness, 0.001 to 1; plastic: 0 is smooth
     TextureSpecificationPtr alpha_texture;               ///< not null: in place of alpha
     Distribution distribution = Distribution::beckmann;  ///< pplastic, plastic, roughconductor
+    PrincipledDescription principled;                    ///< principled
     std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
     TexturedColor scale{1.0};        ///< psh, measured_polarized
     std::optional<double>
@@ -190,12 +209,12 @@ using SceneParameters = std::map<std::string, std::string>;
 /// Reads a scene of Mitsuba 3's XML format. Defaults are Mitsuba's, and so is the meaning of each parameter;
 /// beside its plug-ins (sensors perspective, orthographic; shapes obj, ply, serialized, sphere, rectangle,
 /// cube, disk, cylinder, shapegroup, instance; bsdfs pplastic, diffuse, conductor, roughconductor,
-/// measured_polarized, twosided, normalmap, bumpmap, mask, blendbsdf; textures bitmap, checkerboard,
-/// mesh_attribute, rawconstant; emitters envmap, constant, directional, point, spot, projector, area) these
-/// are ours: shapes off and stl, bsdf psh, emitters psh and sky, and of the others but envmap and constant
-/// how their light is polarized (dolp, aolp in degrees, docp, polarization_axis), the angular_radius of
-/// directional and two_sided of area. A light given by its position or direction has its polarization_axis in
-/// the world's axes, one with to_world in its own. Rectangles and disks of a bsdf polarizer, retarder or
+/// principled, measured_polarized, twosided, normalmap, bumpmap, mask, blendbsdf; textures bitmap,
+/// checkerboard, mesh_attribute, rawconstant; emitters envmap, constant, directional, point, spot, projector,
+/// area) these are ours: shapes off and stl, bsdf psh, emitters psh and sky, and of the others but envmap and
+/// constant how their light is polarized (dolp, aolp in degrees, docp, polarization_axis), the angular_radius
+/// of directional and two_sided of area. A light given by its position or direction has its polarization_axis
+/// in the world's axes, one with to_world in its own. Rectangles and disks of a bsdf polarizer, retarder or
 /// circular become the Stokes state of the lamps that they stand directly before, see PolarizingPlates, as at
 /// normal incidence; others are plates before the camera, which a notice says. A shape that shines and has no
 /// bsdf is black, another without one is grey. An instance becomes a shape for each member of its group.

@@ -64,6 +64,8 @@ private:
                      .alpha = d.alpha,
                      .distribution = distribution(d)},
                     {.specular_reflectance = color(d.specular_reflectance), .alpha = alpha(d)});
+            case MaterialDescription::Kind::principled:
+                return make_principled(d.principled, channels_, textures_);
             case MaterialDescription::Kind::psh:
                 return times(files_.read(d.filename, [&] { return matrix(d); }), d.scale.texture);
             default:

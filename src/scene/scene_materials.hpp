@@ -15,4 +15,8 @@ namespace nicol::scene {
 [[nodiscard]] MaterialPtr make_material(const MaterialDescription& description, const SceneChannels& channels,
                                         SceneTextures& textures, SceneFiles& files);
 
+/// Of a material of kind principled.
+[[nodiscard]] MaterialPtr make_principled(const PrincipledDescription& description,
+                                          const SceneChannels& channels, SceneTextures& textures);
+
 }  // namespace nicol::scene

@@ -88,10 +88,10 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
                 {":3: shape \"hair\"",
                  "obj, ply, off, stl, serialized, sphere, rectangle, cube, disk, cylinder, shapegroup, "
                  "instance, merge"});
-    unsupported("<bsdf type='principled'/>",
-                {":2: bsdf \"principled\"",
+    unsupported("<bsdf type='principledthin'/>",
+                {":2: bsdf \"principledthin\"", "nothing passes",
                  "pplastic, plastic, roughplastic, diffuse, conductor, roughconductor, dielectric, "
-                 "roughdielectric, null, measured_polarized, psh, twosided"});
+                 "roughdielectric, null, principled, measured_polarized, psh, twosided"});
     unsupported("<integrator type='bdpt'/>", {"integrator \"bdpt\"", "stokes, moment, aov, direct"});
     unsupported("<integrator type='stokes'><integrator type='ptracer'/></integrator>", {"\"ptracer\""});
     unsupported("<sensor type='batch'/>",
