@@ -8,6 +8,7 @@
 #include "material/conductor.hpp"
 #include "material/layered.hpp"
 #include "material/measured.hpp"
+#include "material/principled.hpp"
 #include "material/psh_matrix_file.hpp"
 #include "material/textured.hpp"
 
@@ -80,6 +81,35 @@ MaterialPtr make(const nicol_plastic& given, const nicol_context_impl& context) 
         {.diffuse_reflectance = texture_of(given.diffuse_reflectance_texture, context),
          .specular_reflectance = texture_of(given.specular_reflectance_texture, context),
          .alpha = texture_of(given.alpha_texture, context)});
+}
+
+MaterialPtr make(const nicol_principled& given, const nicol_context_impl& context) {
+    if (given.reserved != 0) refuse("parameters->reserved must be 0");
+    const auto number = [](float value) { return static_cast<double>(value); };
+    const auto texture = [&](nicol_texture of) { return texture_of(of, context); };
+    return principled({.base_color = spectrum(given.base_color, 0.5, 1, "base_color"),
+                       .roughness = number(given.roughness),
+                       .anisotropic = number(given.anisotropic),
+                       .metallic = number(given.metallic),
+                       .spec_trans = number(given.spec_trans),
+                       .eta = number(given.eta),
+                       .spec_tint = number(given.spec_tint),
+                       .sheen = number(given.sheen),
+                       .sheen_tint = number(given.sheen_tint),
+                       .flatness = number(given.flatness),
+                       .clearcoat = number(given.clearcoat),
+                       .clearcoat_gloss = number(given.clearcoat_gloss)},
+                      {.base_color = texture(given.base_color_texture),
+                       .roughness = texture(given.roughness_texture),
+                       .anisotropic = texture(given.anisotropic_texture),
+                       .metallic = texture(given.metallic_texture),
+                       .spec_trans = texture(given.spec_trans_texture),
+                       .spec_tint = texture(given.spec_tint_texture),
+                       .sheen = texture(given.sheen_texture),
+                       .sheen_tint = texture(given.sheen_tint_texture),
+                       .flatness = texture(given.flatness_texture),
+                       .clearcoat = texture(given.clearcoat_texture),
+                       .clearcoat_gloss = texture(given.clearcoat_gloss_texture)});
 }
 
 MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context) {
@@ -156,6 +186,14 @@ nicol_result nicol_material_create_plastic(nicol_context context, const nicol_pl
                                            nicol_material* material) {
     return create(context, material, "material", [&] {
         return make(read_struct(parameters, nicol_plastic NICOL_PLASTIC_INIT, "parameters"),
+                    resolve(context));
+    });
+}
+
+nicol_result nicol_material_create_principled(nicol_context context, const nicol_principled* parameters,
+                                              nicol_material* material) {
+    return create(context, material, "material", [&] {
+        return make(read_struct(parameters, nicol_principled NICOL_PRINCIPLED_INIT, "parameters"),
                     resolve(context));
     });
 }

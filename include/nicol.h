@@ -451,6 +451,51 @@ typedef struct nicol_plastic {
 /* Likewise. */
 NICOL_API nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic* parameters,
                                                      nicol_material* material);
+
+/* Mitsuba 3's principled, Disney's material, without what it transmits. It depolarizes. Front side only.
+ * Numbers are 0 to 1, by default 0. */
+typedef struct nicol_principled {
+    uint32_t struct_size;
+    /* Relative index of the facets, 0.001 to 1000, default 1.5; 1: there are none, not even of a metal. For
+     * Disney's `specular` it is 2 / (1 - sqrt(0.08 specular)) - 1. */
+    float eta;
+    nicol_spectrum base_color; /* default 0.5; 0 to 1 */
+    float roughness;           /* default 0.5; GGX facets have alpha = roughness^2 */
+    float anisotropic;         /* facets are isotropic here: no effect */
+    float metallic;
+    float spec_trans; /* the share of the diffuse base that lets light through in its place */
+    float spec_tint; /* from white reflection to one in the tint of the base, its colour over its luminance */
+    float sheen;
+    float sheen_tint; /* likewise */
+    float flatness;   /* from a diffuse base to one like subsurface scattering */
+    float clearcoat;
+    float clearcoat_gloss;
+    uint32_t reserved; /* 0 */
+    /* Each stands for the number of its name; NULL: the number holds. Of those but base_color the first
+     * channel, moved to 0 to 1, of roughness to 0.1 to 1, of anisotropic and clearcoat_gloss to 0.01 to 1.
+     * Beside a tint that of base_color must not have the colours of vertices. */
+    nicol_texture base_color_texture;
+    nicol_texture roughness_texture;
+    nicol_texture anisotropic_texture;
+    nicol_texture metallic_texture;
+    nicol_texture spec_trans_texture;
+    nicol_texture spec_tint_texture;
+    nicol_texture sheen_texture;
+    nicol_texture sheen_tint_texture;
+    nicol_texture flatness_texture;
+    nicol_texture clearcoat_texture;
+    nicol_texture clearcoat_gloss_texture;
+} nicol_principled;
+/* clang-format off */
+#define NICOL_PRINCIPLED_INIT                                                                  \
+    { sizeof(nicol_principled), 1.5f, NICOL_SPECTRUM_INIT, 0.5f, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, \
+      0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+/* clang-format on */
+
+/* Likewise; NICOL_ERROR_UNSUPPORTED for a tint of the colours of vertices. */
+NICOL_API nicol_result nicol_material_create_principled(nicol_context context,
+                                                        const nicol_principled* parameters,
+                                                        nicol_material* material);
 /* Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only. */
 NICOL_API nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance,
                                                      nicol_material* material);

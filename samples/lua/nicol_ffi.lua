@@ -139,6 +139,33 @@ typedef struct nicol_plastic {
     nicol_texture specular_reflectance_texture;
     nicol_texture alpha_texture;
 } nicol_plastic;
+typedef struct nicol_principled {
+    uint32_t struct_size;
+    float eta;
+    nicol_spectrum base_color;
+    float roughness;
+    float anisotropic;
+    float metallic;
+    float spec_trans;
+    float spec_tint;
+    float sheen;
+    float sheen_tint;
+    float flatness;
+    float clearcoat;
+    float clearcoat_gloss;
+    uint32_t reserved;
+    nicol_texture base_color_texture;
+    nicol_texture roughness_texture;
+    nicol_texture anisotropic_texture;
+    nicol_texture metallic_texture;
+    nicol_texture spec_trans_texture;
+    nicol_texture spec_tint_texture;
+    nicol_texture sheen_texture;
+    nicol_texture sheen_tint_texture;
+    nicol_texture flatness_texture;
+    nicol_texture clearcoat_texture;
+    nicol_texture clearcoat_gloss_texture;
+} nicol_principled;
 typedef struct nicol_conductor {
     uint32_t struct_size;
     nicol_distribution distribution;
@@ -483,6 +510,7 @@ nicol_result nicol_texture_retain(nicol_texture texture);
 nicol_result nicol_texture_release(nicol_texture texture);
 nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters, nicol_material* material);
 nicol_result nicol_material_create_plastic(nicol_context context, const nicol_plastic* parameters, nicol_material* material);
+nicol_result nicol_material_create_principled(nicol_context context, const nicol_principled* parameters, nicol_material* material);
 nicol_result nicol_material_create_diffuse(nicol_context context, const nicol_spectrum* reflectance, nicol_material* material);
 nicol_result nicol_material_create_conductor(nicol_context context, const nicol_conductor* parameters, nicol_material* material);
 nicol_result nicol_material_load_measured(nicol_context context, const char* path, const nicol_measured* options, nicol_material* material);
@@ -749,6 +777,7 @@ return {
         texture_create_vertex_colors = "nicol_texture",
         material_create_pplastic = "nicol_material",
         material_create_plastic = "nicol_material",
+        material_create_principled = "nicol_material",
         material_create_diffuse = "nicol_material",
         material_create_conductor = "nicol_material",
         material_load_measured = "nicol_material",
@@ -859,6 +888,7 @@ return {
         texture_options = { true, { filter = 1, to_uv = { 1, 0, 0, 0, 1, 0, 0, 0, 1 } } },
         pplastic = { true, { int_ior = 1.49, ext_ior = 1.000277, alpha = 0.1 } },
         plastic = { true, { int_ior = 1.49, ext_ior = 1.000277 } },
+        principled = { true, { eta = 1.5, roughness = 0.5 } },
         conductor = { true, {} },
         measured = { true, {} },
         psh_matrix = { true, {} },

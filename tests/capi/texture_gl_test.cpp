@@ -252,6 +252,28 @@ CONTEXT_TEST_CASE("textures of one value are the numbers that they stand for") {
     of_values.nonlinear = 0;
     CHECK(depolarizing(of_values)[4 * edge + 1] > 1.1F * expected[4 * edge + 1]);
 
+    const auto disney = [&](const nicol_principled& p) {
+        return picture(context, mesh, Owned(make(nicol_material_create_principled, context, &p)));
+    };
+    nicol_principled mixed = NICOL_PRINCIPLED_INIT, mixed_by_textures = NICOL_PRINCIPLED_INIT;
+    mixed.base_color = spectrum({0.75F, 0.25F, 0.5F});
+    mixed.roughness = mixed.metallic = mixed.spec_trans = mixed.flatness = 0.5F;
+    mixed.spec_tint = mixed.sheen = mixed.sheen_tint = mixed.clearcoat = mixed.clearcoat_gloss = 0.25F;
+    mixed_by_textures.base_color_texture = red;
+    for (nicol_texture* const texture :
+         {&mixed_by_textures.roughness_texture, &mixed_by_textures.metallic_texture,
+          &mixed_by_textures.spec_trans_texture, &mixed_by_textures.flatness_texture})
+        *texture = half;
+    for (nicol_texture* const texture :
+         {&mixed_by_textures.spec_tint_texture, &mixed_by_textures.sheen_texture,
+          &mixed_by_textures.sheen_tint_texture, &mixed_by_textures.clearcoat_texture,
+          &mixed_by_textures.clearcoat_gloss_texture})
+        *texture = rough;
+    const std::vector<float> of_mixed = disney(mixed), of_mixed_textures = disney(mixed_by_textures);
+    for (std::size_t i = 0; i < of_mixed.size(); ++i)
+        CHECK(of_mixed_textures[i] == Approx(of_mixed[i]).epsilon(1e-6));
+    CHECK(of_mixed.at(0) > 0.05F);
+
     const auto metal = [&](const nicol_conductor& p) {
         return picture(context, mesh, Owned(make(nicol_material_create_conductor, context, &p)));
     };

@@ -357,6 +357,42 @@ class Plastic(Struct):
     }
 
 
+class Principled(Struct):
+    """Mitsuba 3's principled, Disney's material, without what it transmits. It depolarizes. Front side only.
+    Numbers are 0 to 1, by default 0."""
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("eta", c_float),
+        ("base_color", Spectrum),
+        ("roughness", c_float),
+        ("anisotropic", c_float),
+        ("metallic", c_float),
+        ("spec_trans", c_float),
+        ("spec_tint", c_float),
+        ("sheen", c_float),
+        ("sheen_tint", c_float),
+        ("flatness", c_float),
+        ("clearcoat", c_float),
+        ("clearcoat_gloss", c_float),
+        ("reserved", c_uint32),
+        ("base_color_texture", c_void_p),
+        ("roughness_texture", c_void_p),
+        ("anisotropic_texture", c_void_p),
+        ("metallic_texture", c_void_p),
+        ("spec_trans_texture", c_void_p),
+        ("spec_tint_texture", c_void_p),
+        ("sheen_texture", c_void_p),
+        ("sheen_tint_texture", c_void_p),
+        ("flatness_texture", c_void_p),
+        ("clearcoat_texture", c_void_p),
+        ("clearcoat_gloss_texture", c_void_p),
+    ]
+    _defaults_ = {
+        "eta": 1.5,
+        "roughness": 0.5,
+    }
+
+
 class Conductor(Struct):
     """Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
     index is eta - i k, relative to air. With k 0 and eta the index of a dielectric it is what the surface of
@@ -965,6 +1001,13 @@ class Material(Handle):
         """Likewise."""
         material = cls()
         check(_material_create_plastic(context, byref(parameters) if parameters is not None else None, byref(material)))
+        return material
+
+    @classmethod
+    def create_principled(cls, context, parameters):
+        """Likewise; NICOL_ERROR_UNSUPPORTED for a tint of the colours of vertices."""
+        material = cls()
+        check(_material_create_principled(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
 
     @classmethod
@@ -1708,6 +1751,7 @@ _texture_create_vertex_colors = declare("nicol_texture_create_vertex_colors", c_
 Texture._release = declare("nicol_texture_release", c_int32, c_void_p)
 _material_create_pplastic = declare("nicol_material_create_pplastic", c_int32, Context, POINTER(Pplastic), POINTER(Material))
 _material_create_plastic = declare("nicol_material_create_plastic", c_int32, Context, POINTER(Plastic), POINTER(Material))
+_material_create_principled = declare("nicol_material_create_principled", c_int32, Context, POINTER(Principled), POINTER(Material))
 _material_create_diffuse = declare("nicol_material_create_diffuse", c_int32, Context, POINTER(Spectrum), POINTER(Material))
 _material_create_conductor = declare("nicol_material_create_conductor", c_int32, Context, POINTER(Conductor), POINTER(Material))
 _material_load_measured = declare("nicol_material_load_measured", c_int32, Context, c_char_p, POINTER(Measured), POINTER(Material))
@@ -1959,6 +2003,7 @@ __all__ = [
     "Plate",
     "Polarization",
     "Pplastic",
+    "Principled",
     "PshMatrix",
     "PshMuellerField",
     "PshSampling",

@@ -622,6 +622,76 @@ const _: () = {
     assert!(offset_of!(nicol_plastic, alpha_texture) == 176);
 };
 
+/// Mitsuba 3's principled, Disney's material, without what it transmits. It depolarizes. Front side only.
+/// Numbers are 0 to 1, by default 0.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct nicol_principled {
+    pub struct_size: u32,
+    pub eta: f32,
+    pub base_color: nicol_spectrum,
+    pub roughness: f32,
+    pub anisotropic: f32,
+    pub metallic: f32,
+    pub spec_trans: f32,
+    pub spec_tint: f32,
+    pub sheen: f32,
+    pub sheen_tint: f32,
+    pub flatness: f32,
+    pub clearcoat: f32,
+    pub clearcoat_gloss: f32,
+    pub reserved: u32,
+    pub base_color_texture: nicol_texture,
+    pub roughness_texture: nicol_texture,
+    pub anisotropic_texture: nicol_texture,
+    pub metallic_texture: nicol_texture,
+    pub spec_trans_texture: nicol_texture,
+    pub spec_tint_texture: nicol_texture,
+    pub sheen_texture: nicol_texture,
+    pub sheen_tint_texture: nicol_texture,
+    pub flatness_texture: nicol_texture,
+    pub clearcoat_texture: nicol_texture,
+    pub clearcoat_gloss_texture: nicol_texture,
+}
+impl Default for nicol_principled {
+    fn default() -> Self {
+        // Zeros and null pointers are values of every field.
+        let mut made: Self = unsafe { std::mem::zeroed() };
+        made.struct_size = size_of::<Self>() as u32;
+        made.eta = 1.5;
+        made.roughness = 0.5;
+        made
+    }
+}
+const _: () = {
+    assert!(size_of::<nicol_principled>() == 208);
+    assert!(offset_of!(nicol_principled, struct_size) == 0);
+    assert!(offset_of!(nicol_principled, eta) == 4);
+    assert!(offset_of!(nicol_principled, base_color) == 8);
+    assert!(offset_of!(nicol_principled, roughness) == 76);
+    assert!(offset_of!(nicol_principled, anisotropic) == 80);
+    assert!(offset_of!(nicol_principled, metallic) == 84);
+    assert!(offset_of!(nicol_principled, spec_trans) == 88);
+    assert!(offset_of!(nicol_principled, spec_tint) == 92);
+    assert!(offset_of!(nicol_principled, sheen) == 96);
+    assert!(offset_of!(nicol_principled, sheen_tint) == 100);
+    assert!(offset_of!(nicol_principled, flatness) == 104);
+    assert!(offset_of!(nicol_principled, clearcoat) == 108);
+    assert!(offset_of!(nicol_principled, clearcoat_gloss) == 112);
+    assert!(offset_of!(nicol_principled, reserved) == 116);
+    assert!(offset_of!(nicol_principled, base_color_texture) == 120);
+    assert!(offset_of!(nicol_principled, roughness_texture) == 128);
+    assert!(offset_of!(nicol_principled, anisotropic_texture) == 136);
+    assert!(offset_of!(nicol_principled, metallic_texture) == 144);
+    assert!(offset_of!(nicol_principled, spec_trans_texture) == 152);
+    assert!(offset_of!(nicol_principled, spec_tint_texture) == 160);
+    assert!(offset_of!(nicol_principled, sheen_texture) == 168);
+    assert!(offset_of!(nicol_principled, sheen_tint_texture) == 176);
+    assert!(offset_of!(nicol_principled, flatness_texture) == 184);
+    assert!(offset_of!(nicol_principled, clearcoat_texture) == 192);
+    assert!(offset_of!(nicol_principled, clearcoat_gloss_texture) == 200);
+};
+
 /// Mitsuba 3's conductor and roughconductor: single reflection off the facets of an opaque metal. The complex
 /// index is eta - i k, relative to air. With k 0 and eta the index of a dielectric it is what the surface of
 /// that reflects, as of glass whose inside is not seen. Front side only.
@@ -1703,6 +1773,8 @@ extern "C" {
     pub fn nicol_material_create_pplastic(context: nicol_context, parameters: *const nicol_pplastic, material: *mut nicol_material) -> nicol_result;
     /// Likewise.
     pub fn nicol_material_create_plastic(context: nicol_context, parameters: *const nicol_plastic, material: *mut nicol_material) -> nicol_result;
+    /// Likewise; NICOL_ERROR_UNSUPPORTED for a tint of the colours of vertices.
+    pub fn nicol_material_create_principled(context: nicol_context, parameters: *const nicol_principled, material: *mut nicol_material) -> nicol_result;
     /// Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only.
     pub fn nicol_material_create_diffuse(context: nicol_context, reflectance: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
     /// Likewise; a metal that is not known is refused with the names of those that are.
