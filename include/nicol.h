@@ -461,7 +461,7 @@ typedef struct nicol_principled {
     float eta;
     nicol_spectrum base_color; /* default 0.5; 0 to 1 */
     float roughness;           /* default 0.5; GGX facets have alpha = roughness^2 */
-    float anisotropic;         /* facets are isotropic here: no effect */
+    float anisotropic;         /* alpha where u grows is that across it over 1 - 0.9 anisotropic */
     float metallic;
     float spec_trans; /* the share of the diffuse base that lets light through in its place */
     float spec_tint; /* from white reflection to one in the tint of the base, its colour over its luminance */

@@ -17,7 +17,7 @@ struct LanePrincipled {
           index(k.eta),
           refracts_away(!(k.eta > 1)),
           inverse_square(static_cast<float>(1 / (k.eta * k.eta))),
-          facets{Distribution::ggx, static_cast<float>(k.alpha())},
+          facets{Distribution::ggx, static_cast<float>(k.alpha().x), static_cast<float>(k.alpha().y)},
           normal_reflectance(static_cast<float>(k.normal_reflectance())),
           coat_alpha2(static_cast<float>(k.coat_alpha() * k.coat_alpha())),
           coat_scale((coat_alpha2 - 1) / (4 * std::numbers::pi_v<float> * std::log(coat_alpha2))) {}

@@ -45,6 +45,7 @@ struct ShapeNumber {
 };
 constexpr ShapeNumber kShapeNumbers[] = {
     {kRoughness, &PrincipledShape::roughness, Lobe::diffuse, Lobe::dielectric, 0.1, 1.1},
+    {kAnisotropic, &PrincipledShape::anisotropic, Lobe::metal, Lobe::dielectric, 0.01, 1.2},
     {kClearcoatGloss, &PrincipledShape::clearcoat_gloss, Lobe::clearcoat, Lobe::clearcoat, 0.01, 1.2}};
 
 /// A number, or what it leaves of 1.
@@ -122,7 +123,10 @@ public:
             check_reflectance(p_.base_color, "base_color");
         }
         check_range(p_.eta, 1e-3, 1e3, "eta");
-        shape_ = {.roughness = p_.roughness, .eta = p_.eta, .clearcoat_gloss = p_.clearcoat_gloss};
+        shape_ = {.roughness = p_.roughness,
+                  .anisotropic = p_.anisotropic,
+                  .eta = p_.eta,
+                  .clearcoat_gloss = p_.clearcoat_gloss};
     }
 
     MaterialPtr run() {

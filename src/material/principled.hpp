@@ -14,7 +14,8 @@ namespace nicol {
 struct PrincipledParameters {
     std::vector<double> base_color{0.5};  ///< 0..1, one value or one a channel
     double roughness = 0.5;               ///< GGX facets have alpha = roughness^2
-    double anisotropic = 0;               ///< facets are isotropic here: no effect
+    /// Facets have alpha / sqrt(1 - 0.9 anisotropic) along x and alpha sqrt(1 - 0.9 anisotropic) along y.
+    double anisotropic = 0;
     double metallic = 0;
     double spec_trans = 0;  ///< the share of the diffuse base that lets light through in its place
     /// Relative index of the facets, 0.001..1000; 1: there are none, not even of a metal, as in Mitsuba. For
@@ -29,7 +30,7 @@ struct PrincipledParameters {
 };
 
 /// Each replaces the number of its name; null: the number holds. base_color takes the texture's colours, the
-/// others its first channel, moved to 0..1; roughness and clearcoat_gloss as with_number() does.
+/// others its first channel, moved to 0..1; roughness, anisotropic and clearcoat_gloss as with_number() does.
 struct PrincipledTextures {
     TexturePtr base_color, roughness, anisotropic, metallic, spec_trans, spec_tint, sheen, sheen_tint,
         flatness, clearcoat, clearcoat_gloss;

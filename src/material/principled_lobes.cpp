@@ -28,7 +28,7 @@ constexpr std::array<std::pair<PrincipledLobe, PrincipledLobe>, 3> kTermLobes = 
 struct Term {
     std::array<double, kPrincipledLobes> amounts{};
     bool colored;
-    double width;
+    glm::dvec2 widths;
 };
 
 /// Schlick's weight, (1 - cosine)^5, by the square of the sine: 1 - cosine without cancellation.
@@ -106,11 +106,11 @@ class PrincipledLobes final : public Material {
 public:
     PrincipledLobes(const PrincipledShape& shape, std::vector<double> color, const PrincipledMix& mix)
         : shape_(shape), lanes_(shape), color_(std::move(color)) {
-        const double widths[] = {1, shape.alpha(), shape.coat_alpha()};
+        const glm::dvec2 widths[] = {glm::dvec2(1), shape.alpha(), glm::dvec2(shape.coat_alpha())};
         for (std::size_t i = 0; i < kTermLobes.size(); ++i) {
             for (const bool colored : {true, false}) {
                 const auto& amounts = colored ? mix.colored : mix.white;
-                Term term{.colored = colored, .width = widths[i]};
+                Term term{.colored = colored, .widths = widths[i]};
                 bool any = false;
                 for (std::size_t l = index(kTermLobes[i].first); l <= index(kTermLobes[i].second); ++l) {
                     term.amounts[l] = amounts[l];
@@ -120,6 +120,12 @@ public:
             }
         }
         if (std::ranges::none_of(terms_, &Term::colored)) color_ = {1};
+        const auto anisotropic = [](const Term& term) { return term.widths.x != term.widths.y; };
+        if (std::ranges::any_of(terms_, anisotropic)) {
+            PrincipledShape mean = shape;
+            mean.anisotropic = 0;
+            isotropic_ = std::make_unique<const PrincipledLobes>(mean, color_, mix);
+        }
     }
 
     [[nodiscard]] int channels() const noexcept override { return static_cast<int>(color_.size()); }
@@ -127,10 +133,17 @@ public:
     [[nodiscard]] double weight(int term, int channel) const override {
         return at(term).colored ? of_channel(color_, channel) : 1;
     }
-    [[nodiscard]] double lobe_width(int term) const noexcept override { return at(term).width; }
+    [[nodiscard]] double lobe_width(int term) const noexcept override {
+        return std::min(at(term).widths.x, at(term).widths.y);
+    }
+    [[nodiscard]] glm::dvec2 lobe_widths(int term) const noexcept override { return at(term).widths; }
+    [[nodiscard]] const Material& isotropic() const noexcept override {
+        return isotropic_ ? *isotropic_ : *this;
+    }
     [[nodiscard]] std::string content_key() const override {
         Key key("principled");
         key.add("roughness", shape_.roughness)
+            .add("anisotropic", isotropic_ ? shape_.anisotropic : 0)
             .add("eta", shape_.eta)
             .add("clearcoat_gloss", shape_.clearcoat_gloss)
             .add("color", color_);
@@ -172,6 +185,7 @@ private:
     LanePrincipled lanes_;
     std::vector<double> color_;
     std::vector<Term> terms_;
+    std::unique_ptr<const PrincipledLobes> isotropic_;  // null: it is so itself
 };
 
 }  // namespace

@@ -3,9 +3,11 @@
 // Disney" (2012) and "Extending the Disney BRDF to a BSDF" (2015), in the form of Mitsuba 3.
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "material/material.hpp"
@@ -36,11 +38,15 @@ inline constexpr double kCoatShadowing = 0.25;
 /// What lobes depend on not linearly. For eta below 1, w is that of the refracted angle in all but the sheen.
 struct PrincipledShape {
     double roughness = 0.5;      ///< diffuse, subsurface, facets
+    double anisotropic = 0;      ///< facets
     double eta = 1.5;            ///< facets
     double clearcoat_gloss = 0;  ///< clearcoat
 
-    /// Of the facets.
-    [[nodiscard]] double alpha() const { return std::max(0.001, roughness * roughness); }
+    /// Of the facets, along x and along y.
+    [[nodiscard]] glm::dvec2 alpha() const {
+        const double aspect = std::sqrt(1 - 0.9 * anisotropic);
+        return glm::max(roughness * roughness * glm::dvec2(1 / aspect, aspect), 0.001);
+    }
     [[nodiscard]] double coat_alpha() const { return 0.1 - (0.1 - 0.001) * clearcoat_gloss; }
     /// Of a dielectric, at normal incidence.
     [[nodiscard]] double normal_reflectance() const {

@@ -257,12 +257,13 @@ CONTEXT_TEST_CASE("textures of one value are the numbers that they stand for") {
     };
     nicol_principled mixed = NICOL_PRINCIPLED_INIT, mixed_by_textures = NICOL_PRINCIPLED_INIT;
     mixed.base_color = spectrum({0.75F, 0.25F, 0.5F});
-    mixed.roughness = mixed.metallic = mixed.spec_trans = mixed.flatness = 0.5F;
+    mixed.roughness = mixed.anisotropic = mixed.metallic = mixed.spec_trans = mixed.flatness = 0.5F;
     mixed.spec_tint = mixed.sheen = mixed.sheen_tint = mixed.clearcoat = mixed.clearcoat_gloss = 0.25F;
     mixed_by_textures.base_color_texture = red;
     for (nicol_texture* const texture :
-         {&mixed_by_textures.roughness_texture, &mixed_by_textures.metallic_texture,
-          &mixed_by_textures.spec_trans_texture, &mixed_by_textures.flatness_texture})
+         {&mixed_by_textures.roughness_texture, &mixed_by_textures.anisotropic_texture,
+          &mixed_by_textures.metallic_texture, &mixed_by_textures.spec_trans_texture,
+          &mixed_by_textures.flatness_texture})
         *texture = half;
     for (nicol_texture* const texture :
          {&mixed_by_textures.spec_tint_texture, &mixed_by_textures.sheen_texture,

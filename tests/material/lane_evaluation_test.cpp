@@ -120,6 +120,7 @@ TEST_CASE("sixteen pairs of directions at once, as one by one") {
         {"depolarizing plastic, total reflection", plain({.int_ior = 0.8}), kSmoothAlpha},
         {"principled", disney({}), 0.25},
         {"principled, glossy", disney({.roughness = 0.2, .clearcoat_gloss = 1}), 0.04},
+        {"principled, brushed", disney({.roughness = 0.4, .anisotropic = 0.9}), 0.05},
         {"principled, index below 1", disney({.eta = 0.8}), 0.25},
         {"principled sheen", principled({.base_color = {0}, .eta = 1, .sheen = 1}), 1},
         {"principled edge", principled({.base_color = {0}, .metallic = 1}), 0.25},

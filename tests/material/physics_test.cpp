@@ -75,6 +75,7 @@ std::vector<Named> materials(const TemporaryFolder& folder) {
                                    .flatness = 0.5,
                                    .clearcoat = 0.3,
                                    .clearcoat_gloss = 0.5})},
+        {"principled, brushed", principled({.roughness = 0.4, .anisotropic = 0.8, .metallic = 0.7})},
         {"principled, perfect metal", principled({.base_color = {1}, .roughness = 0.6, .metallic = 1})},
         {"principled, index below 1", principled({.metallic = 0.5, .eta = 0.8})},
         {"twosided", twosided(gold)},

@@ -30,6 +30,7 @@ struct Number {
 };
 const Number kNumbers[] = {
     {"roughness", &PrincipledParameters::roughness, &PrincipledTextures::roughness},
+    {"anisotropic", &PrincipledParameters::anisotropic, &PrincipledTextures::anisotropic},
     {"metallic", &PrincipledParameters::metallic, &PrincipledTextures::metallic},
     {"spec_trans", &PrincipledParameters::spec_trans, &PrincipledTextures::spec_trans},
     {"spec_tint", &PrincipledParameters::spec_tint, &PrincipledTextures::spec_tint},
@@ -90,6 +91,12 @@ TEST_CASE("values of Mitsuba 3's principled") {
         {"no facets",
          {.metallic = 0.6, .eta = index_of_specular(0)},
          {{{0.02112578, 0.08450312, 0.01056289}, {0.01089899, 0.04359596, 0.005449495}}}},
+        {"brushed",
+         {.roughness = 0.5, .anisotropic = 0.8, .metallic = 0.7},
+         {{{0.1675589, 0.6318919, 0.09017009}, {0.008967231, 0.03528163, 0.004581498}}}},
+        {"brushed and glossy",
+         {.roughness = 0.3, .anisotropic = 0.4, .clearcoat = 0.5},
+         {{{0.2241288, 0.3825593, 0.1977237}, {0.0272471, 0.1066528, 0.01401282}}}},
         {"everything",
          {.roughness = 0.35,
           .metallic = 0.3,
@@ -119,6 +126,18 @@ TEST_CASE("values of Mitsuba 3's principled") {
             }
         }
     }
+}
+
+TEST_CASE("the facets of a principled material are what depends on the azimuth") {
+    const PrincipledParameters brushed{.anisotropic = 0.5, .clearcoat = 1};
+    PrincipledParameters plain = brushed;
+    plain.anisotropic = 0;
+    CHECK(principled(brushed)->anisotropic());
+    CHECK(principled(brushed)->isotropic().content_key() == principled(plain)->content_key());
+    CHECK(principled(brushed)->content_key() != principled(plain)->content_key());
+    PrincipledParameters without_facets = brushed;
+    without_facets.eta = 1;
+    CHECK_FALSE(principled(without_facets)->anisotropic());
 }
 
 TEST_CASE("a black base has white tints") {

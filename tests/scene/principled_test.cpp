@@ -42,12 +42,13 @@ void refused(const std::string& parameters, const std::vector<std::string>& part
 TEST_CASE("principled parameters of a scene are those of the material") {
     CHECK(made("")->content_key() == principled({.base_color = {0.5, 0.5, 0.5}})->content_key());
     CHECK(made("<rgb name='base_color' value='0.2,0.4,0.6'/>" + number("roughness", "0.3") +
-               number("metallic", "0.2") + number("spec_trans", "0.35") + number("specular", "0.25") +
-               number("spec_tint", "0.4") + number("sheen", "0.6") + number("sheen_tint", "0.7") +
-               number("flatness", "0.8") + number("clearcoat", "0.9") + number("clearcoat_gloss", "0.1") +
-               number("main_specular_sampling_rate", "2"))
+               number("anisotropic", "0.15") + number("metallic", "0.2") + number("spec_trans", "0.35") +
+               number("specular", "0.25") + number("spec_tint", "0.4") + number("sheen", "0.6") +
+               number("sheen_tint", "0.7") + number("flatness", "0.8") + number("clearcoat", "0.9") +
+               number("clearcoat_gloss", "0.1") + number("main_specular_sampling_rate", "2"))
               ->content_key() == principled({.base_color = {0.2, 0.4, 0.6},
                                              .roughness = 0.3,
+                                             .anisotropic = 0.15,
                                              .metallic = 0.2,
                                              .spec_trans = 0.35,
                                              .eta = index_of_specular(0.25),
