@@ -91,6 +91,8 @@ private:
         ShapeDescription description = read_shape(document_, node, notices_, bsdf);
         if (PolarizingPlates::are(description, bsdf)) return {std::move(description), bsdf};
         const bool there = bsdf && bsdf.attribute("type").value() != std::string_view("null");
+        if (bsdf && !there && description.emission)
+            notices_.add(bsdf, "a null bsdf of a shape that shines: it is not seen through");
         description.material = !there && description.emission ? black() : material(bsdf);
         return {std::move(description), {}};
     }

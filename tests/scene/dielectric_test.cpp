@@ -143,6 +143,7 @@ TEST_CASE("a null bsdf is a surface that is not there, but it may shine") {
 
     const SceneDescription shining = read_shape("<bsdf type='null'/><emitter type='area'/>");
     CHECK(shining.shapes.at(0).emission.has_value());
+    CHECK(has_notice(shining.notices, "it is not seen through"));
     CHECK(shining.materials.at(0).kind == Kind::diffuse);
     CHECK(shining.materials.at(0).reflectance.rgb == glm::dvec3(0));
 }
