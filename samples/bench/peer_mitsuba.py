@@ -20,7 +20,7 @@ OLDEST_LLVM = 17
 def newest_llvm():
     """The path of the newest libLLVM where Linux keeps it, None where all are too old."""
     found = []
-    for path in glob.glob("/usr/lib/*/libLLVM*.so*") + glob.glob("/usr/lib/llvm-*/lib/libLLVM*.so*"):
+    for path in glob.glob("/usr/lib/*/libLLVM*.so*"):
         version = re.search(r"libLLVM(?:-|\.so\.)(\d+)", path)
         if version and int(version[1]) >= OLDEST_LLVM:
             found.append((int(version[1]), path))
