@@ -15,6 +15,7 @@
 #include "render/hit_image.hpp"
 #include "render/light_projection.hpp"
 #include "render/pixel_image.hpp"
+#include "render/plate_painter.hpp"
 #include "render/sample_pattern.hpp"
 #include "transfer/vertex_light.hpp"
 #include "transfer/visibility_product.hpp"
@@ -161,7 +162,8 @@ std::uint64_t image_memory(const Scene& scene, const RenderOptions& options, int
         bytes += (several ? 2 : 1) * (attachments * texel + depth);
     }
     if (sample_pattern(options.pixel_samples).empty()) bytes += planes * texel;  // of one of them
-    return bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    return bytes * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) +
+           scene.plates().size() * PlatePainter::kBytesPerPlate;
 }
 
 void MemoryLimit::check(const Scene& scene, const RenderOptions& options, int width, int height) {

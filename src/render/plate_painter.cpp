@@ -25,6 +25,7 @@ struct DevicePlate {
     float round;
     float unused;
 };
+static_assert(sizeof(DevicePlate) == PlatePainter::kBytesPerPlate);
 static_assert(static_cast<int>(PolarizingPlate::Kind::polarizer) == 0 &&
               static_cast<int>(PolarizingPlate::Kind::retarder) == 1 &&
               static_cast<int>(PolarizingPlate::Kind::right_circular) == 2);

@@ -2,6 +2,7 @@
 // draw: polarizing plates before an image.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,6 +22,9 @@ namespace nicol {
 class PlatePainter {
 public:
     explicit PlatePainter(std::shared_ptr<gl::Context> context) : context_(std::move(context)) {}
+
+    /// Of the context's memory.
+    static constexpr std::uint64_t kBytesPerPlate = 80;
 
     /// Allocates what draw() needs. `projection`: of the world; the scene has plates. Throws
     /// Error(unsupported) for more vertices than the driver lets a shader reach.
