@@ -30,6 +30,8 @@ const std::set<std::string> optional = {
     "nicol_scene_add_light.id",
     "nicol_scene_get_light.texture",
     "nicol_scene_get_light_ids.ids",
+    "nicol_scene_add_plate.id",
+    "nicol_scene_get_plate_ids.ids",
     "nicol_scene_set_emission.emission",
     "nicol_scene_get_emission.texture",
     "nicol_scene_set_environment.environment",
