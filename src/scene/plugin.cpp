@@ -99,11 +99,6 @@ void Plugin::add_parameter(pugi::xml_node child) {
     if (!values_.try_emplace(name, child).second || textures_.contains(name))
         document_.fail(child, label() + ": parameter " + in_quotes(name) + " is given twice");
     if (kind == "transform") return;
-    if (kind == "spectrum" && child.attribute("filename"))
-        fail(name,
-             "is the file " + in_quotes(child.attribute("filename").value()) +
-                 "; expected its values as value=\"wavelength:value, ...\"",
-             ErrorCode::unsupported);
     if (kind == "point" || kind == "vector")
         check_attributes(document_, child, {"name", "value", "x", "y", "z"});
     else

@@ -2,8 +2,10 @@
 // Loads the files of a scene and makes them safe to walk.
 #include "scene/xml_document.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "scene/spectrum_file.hpp"
 #include "scene/values.hpp"
 
 namespace nicol::scene {
@@ -51,6 +53,7 @@ public:
                                      "; values go into attributes");
         if (node.type() != pugi::node_element) return true;
         for (pugi::xml_attribute attribute : node.attributes()) replace(node, attribute);
+        if (is(node, "spectrum") && node.attribute("filename")) document_.read_spectrum(node);
         if (is_declaration(node)) {
             declare(node);
         } else if (!is(node, "ref") && (depth() > 0 || !is(node, "scene"))) {
@@ -107,6 +110,7 @@ std::vector<FileRecord> XmlDocument::files() const {
     std::vector<FileRecord> all;
     all.reserve(sources_.size());
     for (const auto& source : sources_) all.push_back(source->xml.record());
+    all.insert(all.end(), spectra_.begin(), spectra_.end());
     return all;
 }
 
@@ -177,6 +181,22 @@ void XmlDocument::add_folder(pugi::xml_node node) {
         fail(node, "more than " + std::to_string(kMaxFolders) + " folders to look into",
              ErrorCode::unsupported);
     folders.insert(folders.begin(), folder);
+}
+
+void XmlDocument::read_spectrum(pugi::xml_node node) {
+    check_attributes(*this, node, {"name", "id", "filename"});
+    const std::string name = node.attribute("filename").value();
+    const std::filesystem::path file = resolved(node, name);
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored))
+        fail(node, "<spectrum> of " + in_quotes(file.string()) + ": no such file", ErrorCode::file_not_found);
+    if (spectra_.size() == kMaxFiles)
+        fail(node, "more than " + std::to_string(kMaxFiles) + " spectra in files", ErrorCode::unsupported);
+    const std::string bytes = read_text(file, budget_);
+    node.append_attribute("value") = spectrum_value(file.string(), bytes).c_str();
+    node.remove_attribute("filename");
+    if (std::ranges::find(spectra_, file, &FileRecord::path) == spectra_.end())
+        spectra_.push_back(record_of(file, bytes));
 }
 
 void XmlDocument::add_alias(pugi::xml_node node) {

@@ -33,7 +33,7 @@ public:
     [[nodiscard]] std::filesystem::path resolved(pugi::xml_node node, const std::string& filename) const;
     /// Elements with a $parameter that no one has given, of samplers alone: elsewhere it is an error.
     [[nodiscard]] const std::vector<pugi::xml_node>& left_open() const noexcept { return left_open_; }
-    /// The scene file, then those that it includes.
+    /// The scene file, those that it includes, and spectra.
     [[nodiscard]] std::vector<FileRecord> files() const;
     /// "file:line" of a node.
     [[nodiscard]] std::string where(pugi::xml_node node) const;
@@ -48,6 +48,8 @@ private:
     void check_version(pugi::xml_node outermost) const;
     void include(pugi::xml_node node);
     void add_folder(pugi::xml_node node);
+    /// Puts what the file of a <spectrum> holds in place of its name.
+    void read_spectrum(pugi::xml_node node);
     void add_alias(pugi::xml_node node);
     void add_id(const std::string& id, pugi::xml_node node, pugi::xml_node target);
     [[nodiscard]] Source& source_of(pugi::xml_node node) const;
@@ -62,6 +64,7 @@ private:
     std::map<pugi::xml_node, Source*> source_of_include_;
     std::map<std::string, pugi::xml_node> ids_;
     std::vector<pugi::xml_node> left_open_;
+    std::vector<FileRecord> spectra_;
 };
 
 }  // namespace nicol::scene

@@ -8,7 +8,6 @@
 #include "error.hpp"
 
 namespace nicol::scene {
-namespace {
 
 std::string read_text(const std::filesystem::path& file, std::size_t& budget) {
     std::error_code status;
@@ -28,6 +27,8 @@ std::string read_text(const std::filesystem::path& file, std::size_t& budget) {
     budget -= size;
     return bytes;
 }
+
+namespace {
 
 std::string harmless(std::string_view text, std::size_t most) {
     std::string out;

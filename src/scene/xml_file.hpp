@@ -19,6 +19,9 @@ namespace nicol::scene {
 /// "<name>" of an element for a message, as harmless.
 [[nodiscard]] std::string tag(pugi::xml_node node);
 
+/// A whole file, whose size is taken off `budget`, in bytes. Throws as read_mitsuba_scene does.
+[[nodiscard]] std::string read_text(const std::filesystem::path& file, std::size_t& budget);
+
 class XmlFile {
 public:
     /// Takes the size of the file off `budget`, in bytes. Throws as read_mitsuba_scene does.

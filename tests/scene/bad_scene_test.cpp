@@ -109,9 +109,6 @@ TEST_CASE("plug-ins and elements that do not exist here, with what does") {
                 {"<sensor> inside shape", "elements: bsdf, emitter"});
     unsupported(plastic_with("<spectrum name='diffuse_reflectance' type='d65'/>"),
                 {"<spectrum> inside", "a <spectrum> with a type is not supported"});
-    unsupported(plastic_with("<spectrum name='diffuse_reflectance' filename='a.spd'/>"),
-                {":6: bsdf \"pplastic\": parameter \"diffuse_reflectance\" is the file \"a.spd\"",
-                 "wavelength:value"});
     unsupported(shape_with("<transform name='to_world'><shear x='1'/></transform>"), {"<shear>", "lookat"});
     invalid("<shape/>", {"<shape> has no type"});
 }
