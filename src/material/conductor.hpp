@@ -2,7 +2,6 @@
 // Metals.
 #pragma once
 
-#include <array>
 #include <complex>
 #include <string_view>
 #include <vector>
@@ -34,17 +33,13 @@ inline constexpr double kSmoothAlpha = 0.01;
 [[nodiscard]] MaterialPtr conductor(std::vector<std::complex<double>> eta,
                                     std::vector<double> specular_reflectance = {1.0});
 
-/// Wavelengths in nm used for red, green and blue: the dominant wavelengths of the BT.709 primaries.
-inline constexpr std::array<double, 3> kRgbWavelengths{611.4, 549.1, 464.2};
-
-/// Index n - ik of a metal at wavelengths in nm, 400 to 800. Gold ("Au"), silver ("Ag") and copper ("Cu"):
-/// measured by Johnson and Christy, Phys. Rev. B 6, 4370 (1972), linear in the photon energy between their
-/// values. Aluminium ("Al"): the Lorentz-Drude model of Rakic et al., Appl. Opt. 37, 5271 (1998). Amorphous
-/// carbon ("a-C"): Palik, as Mitsuba has it. Also accepted: the names in full (`aluminum` too), in lower
-/// case. Throws Error(invalid_argument) for other names and wavelengths.
+/// Index n - ik of a metal for red, green and blue: n and k are each the colour of light of that spectrum
+/// (rgb_emission_weights()), 0 where it was not measured, as in Mitsuba 3's modes without spectra. The red of
+/// a constant n is then 1.2 n. Names and sources: metal_constants.hpp. Throws Error(invalid_argument) for
+/// others.
+[[nodiscard]] std::vector<std::complex<double>> metal_index(std::string_view metal);
+/// The same at wavelengths in nm, 380 to 800; where it was not measured that of the nearest one that was.
 [[nodiscard]] std::vector<std::complex<double>> metal_index(std::string_view metal,
-                                                            const std::vector<double>& wavelengths = {
-                                                                kRgbWavelengths.begin(),
-                                                                kRgbWavelengths.end()});
+                                                            const std::vector<double>& wavelengths);
 
 }  // namespace nicol

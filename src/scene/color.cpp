@@ -4,7 +4,6 @@
 #include <string>
 
 #include "error.hpp"
-#include "material/conductor.hpp"
 #include "material/spectrum_weights.hpp"
 #include "scene/scene_color.hpp"
 
@@ -91,8 +90,8 @@ std::vector<double> radiance(const ColorDescription& color, const SceneChannels&
 
 std::vector<double> refractive_index(const ColorDescription& color, const SceneChannels& channels) {
     if (color.spectrum.empty()) return values_of(color.rgb, channels);
+    if (channels.rgb()) return clipped(radiance(color, channels), 100);
     const Table table = table_of(color);
-    if (channels.rgb()) return table.weighted(linear_weights(table.wavelengths, kRgbWavelengths));
     require_wavelengths(channels);
     return table.weighted(linear_weights(table.wavelengths, channels.wavelengths));
 }

@@ -21,12 +21,9 @@ struct SceneChannels {
 /// linear between its wavelengths and, as in Mitsuba, 0 beyond them. As red, green and blue
 /// - a reflectance is observed under D65 (rgb_weights()), so that a constant table is grey, and clipped to
 /// 0..1;
-/// - light is observed as it is (rgb_emission_weights()), as Mitsuba's modes without spectra do it: a
-/// constant
-///   table is white of equal energy, a little redder than D65; clipped below 0;
-/// - an index has its values at the wavelengths that stand for red, green and blue (kRgbWavelengths), as
-/// those
-///   of the named metals; its tables are constant beyond their ends.
+/// - light and an index are observed as they are (rgb_emission_weights()), as Mitsuba's modes without spectra
+///   do it: a constant table is white of equal energy, a little redder than D65; clipped below 0.
+/// At wavelengths the table of an index is constant beyond its ends.
 /// Throws Error(unsupported) for a colour that the channels cannot have: one of red, green and blue unless it
 /// is grey, a table where the channels are neither.
 [[nodiscard]] std::vector<double> reflectance(const ColorDescription& color, const SceneChannels& channels);

@@ -64,37 +64,6 @@ TEST_CASE("the quick reflection block is Fresnel's for every index, total reflec
     }
 }
 
-TEST_CASE("named metals have their colours and the published constants") {
-    const auto reflectance = [](Complex eta) { return std::norm((eta - 1.0) / (eta + 1.0)); };
-    const auto gold = metal_index("gold");
-    REQUIRE(gold.size() == 3);
-    CHECK(reflectance(gold[0]) == Approx(0.93).epsilon(0.03));
-    CHECK(reflectance(gold[1]) == Approx(0.79).epsilon(0.03));
-    CHECK(reflectance(gold[2]) == Approx(0.40).epsilon(0.06));
-    const auto copper = metal_index("Cu");
-    CHECK(reflectance(copper[0]) > 0.85);
-    CHECK(reflectance(copper[2]) < 0.6);
-    for (const char* name : {"Ag", "Al", "silver", "aluminium", "aluminum"}) {
-        for (const Complex eta : metal_index(name)) {
-            CHECK(reflectance(eta) > 0.88);
-            CHECK(eta.imag() < 0);
-        }
-    }
-    // A value of the table itself, 1.88 eV, and one half-way between two.
-    const auto at = metal_index("Au", {1239.84198 / 1.88, 1239.84198 / 2.32});
-    CHECK(at[0].real() == Approx(0.14));
-    CHECK(at[0].imag() == Approx(-3.697));
-    CHECK(at[1].real() == Approx((0.43 + 0.62) / 2));
-    // Aluminium at 632.8 nm, by the model.
-    CHECK(metal_index("Al", {632.8})[0].real() == Approx(1.34).epsilon(0.01));
-    CHECK(metal_index("Al", {632.8})[0].imag() == Approx(-7.30).epsilon(0.01));
-    CHECK(metal_index("a-C", {1239.84198 / 2.0})[0].real() == Approx(2.43));
-    CHECK(metal_index("a-C", {1239.84198 / 1.9})[0].imag() == Approx(-0.725));
-    CHECK_THROWS_AS(metal_index("Unobtainium"), Error);
-    CHECK_THROWS_AS(metal_index("Au", {399}), Error);
-    CHECK_THROWS_AS(metal_index("Al", {std::nan("")}), Error);
-}
-
 TEST_CASE("channels of a conductor: an index each, or a reflectance each") {
     const MaterialPtr gold = rough_conductor({.eta = metal_index("Au")});
     CHECK(gold->channels() == 3);
