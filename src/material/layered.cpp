@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -19,6 +20,10 @@ constexpr double kLeastAlpha = 0.01;
 /// Between alphas of this ratio interpolation misses about 1 % of the rows of a response, half-way between
 /// the two.
 constexpr double kAlphaRatio = 1.2;
+/// Values of a texture that are taken as they are; of two textures for one material, where layers are for
+/// pairs of values, any number of values.
+constexpr std::size_t kMostValues = 16;
+constexpr std::size_t kMostOfPair = 8;
 
 /// Terms of layers are terms of the whole, times the mean of their layer's weight.
 class Layered final : public Material {
@@ -201,22 +206,43 @@ void append(const SpatialVariation& from, SpatialVariation& to, const char* of) 
     }
 }
 
-/// Between which with_number() interpolates.
-std::vector<double> numbers_for(const Texture& texture, double least, double ratio) {
+/// Values between which a number is interpolated: up to `most` of them, where that is given.
+std::vector<double> numbers_for(const Texture& texture, double least, double ratio,
+                                std::optional<std::size_t> most = {}) {
     const auto inside = [least](float value) { return std::clamp(static_cast<double>(value), least, 1.0); };
     std::vector<double> out;
     for (const float value : texture.values()) out.push_back(inside(value));
-    if (out.empty() || out.size() > 16) {
+    if (out.empty() || out.size() > most.value_or(kMostValues)) {
         out.clear();
         const double low = inside(texture.range().x);
         const double high = inside(texture.range().y);
-        const int steps = static_cast<int>(std::ceil(std::log(high / low) / std::log(ratio)));
+        int steps = static_cast<int>(std::ceil(std::log(high / low) / std::log(ratio)));
+        if (most) steps = std::min(steps, static_cast<int>(*most) - 1);
         for (int i = 0; i < steps; ++i)
             out.push_back(low * std::pow(high / low, i / static_cast<double>(steps)));
         out.push_back(high);
     }
     out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
+}
+
+/// make(t) for each of these, interpolated by what the texture is at a point.
+MaterialPtr interpolated(const std::function<MaterialPtr(double t)>& make, const TexturePtr& texture,
+                         const std::vector<double>& numbers) {
+    SpatialVariation out;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        SpatialVariation part = parts_of(make(numbers[i]), "with_number");
+        if (numbers.size() > 1)
+            multiply(part,
+                     {.kind = LayerFactor::Kind::hat,
+                      .texture = 0,
+                      .low = static_cast<float>(numbers[i == 0 ? 0 : i - 1]),
+                      .middle = static_cast<float>(numbers[i]),
+                      .high = static_cast<float>(numbers[std::min(i + 1, numbers.size() - 1)])},
+                     texture);
+        append(part, out, "with_number");
+    }
+    return layered(std::move(out));
 }
 
 }  // namespace
@@ -287,21 +313,21 @@ MaterialPtr blend(const MaterialPtr& first, const MaterialPtr& second, const Tex
 MaterialPtr with_number(const std::function<MaterialPtr(double t)>& make, const TexturePtr& texture,
                         double least, double ratio) {
     require_texture(texture, "with_number");
-    const std::vector<double> numbers = numbers_for(*texture, least, ratio);
-    SpatialVariation out;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        SpatialVariation part = parts_of(make(numbers[i]), "with_number");
-        if (numbers.size() > 1)
-            multiply(part,
-                     {.kind = LayerFactor::Kind::hat,
-                      .texture = 0,
-                      .low = static_cast<float>(numbers[i == 0 ? 0 : i - 1]),
-                      .middle = static_cast<float>(numbers[i]),
-                      .high = static_cast<float>(numbers[std::min(i + 1, numbers.size() - 1)])},
-                     texture);
-        append(part, out, "with_number");
-    }
-    return layered(std::move(out));
+    return interpolated(make, texture, numbers_for(*texture, least, ratio));
+}
+
+MaterialPtr with_roughness(const std::function<MaterialPtr(double u, double v)>& make,
+                           const TexturePtr& alpha_u, const TexturePtr& alpha_v) {
+    require_texture(alpha_u, "with_roughness");
+    require_texture(alpha_v, "with_roughness");
+    const auto alphas = [](const Texture& texture) {
+        return numbers_for(texture, kLeastAlpha, kAlphaRatio, kMostOfPair);
+    };
+    const std::vector<double> alphas_v = alphas(*alpha_v);
+    const auto along_v = [&](double u) {
+        return interpolated([&](double v) { return make(u, v); }, alpha_v, alphas_v);
+    };
+    return interpolated(along_v, alpha_u, alphas(*alpha_u));
 }
 
 MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make, const TexturePtr& alpha) {

@@ -38,6 +38,10 @@ namespace nicol {
 /// The same of a roughness alpha, moved to 0.01..1, between values that differ by a fifth at most.
 [[nodiscard]] MaterialPtr with_roughness(const std::function<MaterialPtr(double alpha)>& make,
                                          const TexturePtr& alpha);
+/// make(alpha_u, alpha_v) with both from textures; exact for textures of up to 8 values, and between that
+/// many of each for others.
+[[nodiscard]] MaterialPtr with_roughness(const std::function<MaterialPtr(double u, double v)>& make,
+                                         const TexturePtr& alpha_u, const TexturePtr& alpha_v);
 
 /// Normals from a texture, see NormalVariation. `mirrored_y`: there.
 [[nodiscard]] MaterialPtr normal_mapped(MaterialPtr material, TexturePtr normals, bool mirrored_y = false);

@@ -18,6 +18,10 @@ MaterialPtr at_roughness(const std::function<MaterialPtr(double alpha)>& make, d
     return texture ? with_roughness(make, texture) : make(alpha);
 }
 
+TexturePtr texture_or(const TexturePtr& texture, double number) {
+    return texture ? texture : constant_texture(glm::vec4(static_cast<float>(number)), 1);
+}
+
 }  // namespace
 
 MaterialPtr pplastic(const PplasticParameters& parameters, const PlasticTextures& textures) {
@@ -70,12 +74,24 @@ MaterialPtr plastic(const PlasticParameters& parameters, const PlasticTextures& 
 MaterialPtr rough_conductor(const RoughConductorParameters& parameters, const ConductorTextures& textures) {
     RoughConductorParameters facets = parameters;
     if (textures.specular_reflectance) facets.specular_reflectance = {1};
-    const auto make_facets = [facets](double alpha) {
+    const auto make_facets = [facets](double alpha, double alpha_v) {
         RoughConductorParameters of_alpha = facets;
         of_alpha.alpha = alpha;
+        of_alpha.alpha_v = alpha_v;
         return rough_conductor(of_alpha);
     };
-    return times(at_roughness(make_facets, parameters.alpha, textures.alpha), textures.specular_reflectance);
+    const bool alike = textures.alpha_v ? textures.alpha_v == textures.alpha : parameters.alpha_v == 0;
+    MaterialPtr material;
+    if (alike) {
+        material = at_roughness([&](double alpha) { return make_facets(alpha, 0); }, parameters.alpha,
+                                textures.alpha);
+    } else if (textures.alpha || textures.alpha_v) {
+        material = with_roughness(make_facets, texture_or(textures.alpha, parameters.alpha),
+                                  texture_or(textures.alpha_v, parameters.alpha_v));
+    } else {
+        material = rough_conductor(facets);
+    }
+    return times(material, textures.specular_reflectance);
 }
 
 }  // namespace nicol

@@ -25,6 +25,7 @@ struct PlasticTextures {
 struct ConductorTextures {
     TexturePtr specular_reflectance;
     TexturePtr alpha;
+    TexturePtr alpha_v;  ///< null, and alpha_v is 0: alpha is for both directions
 };
 [[nodiscard]] MaterialPtr rough_conductor(const RoughConductorParameters& parameters,
                                           const ConductorTextures& textures);

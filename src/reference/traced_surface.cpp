@@ -31,10 +31,12 @@ TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
                                corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]));
 }
 
-// The frame of a shading normal, for what the surface is made of.
-Frame surface_frame(const TracedSurface& surface, std::uint32_t triangle, const glm::dvec3& normal) {
+// The frame of a shading normal, which a texture may have turned, for what the surface is made of.
+Frame surface_frame(const TracedSurface& surface, std::uint32_t triangle, const glm::dvec3& unturned,
+                    const glm::dvec3& normal) {
     if (!surface.material->anisotropic()) return theta_phi_frame(normal);
-    const glm::dvec3 x = perpendicular(normal, glm::dvec3(texture_axes(surface.mesh, triangle).by_u));
+    const glm::dvec3 by_u(texture_axes(surface.mesh, triangle).by_u);
+    const glm::dvec3 x = perpendicular(normal, perpendicular(unturned, by_u));
     return Frame(x, glm::cross(normal, x), normal);
 }
 
@@ -108,7 +110,7 @@ SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const gl
                 glm::normalize(glm::dvec3(facing(turned, normal_of_mesh, glm::vec3(towards_viewer))));
         }
     }
-    out.frame = surface_frame(surface, hit.triangle, shading_normal);
+    out.frame = surface_frame(surface, hit.triangle, out.unturned, shading_normal);
     out.towards_viewer = glm::normalize(towards_viewer * out.frame);
     return out;
 }

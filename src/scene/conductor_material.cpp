@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: MIT
 // <bsdf>s of metals.
-#include <algorithm>
-#include <array>
-
 #include "files/suffix.hpp"
+#include "material/metal_constants.hpp"
 #include "scene/material_readers.hpp"
 #include "scene/values.hpp"
 
 namespace nicol::scene {
 namespace {
 
-struct NamedMetal {
-    std::string_view name;
-    const char* metal;  ///< empty: a mirror of index -i
-};
-
-// Mitsuba's names, and the words.
-constexpr std::array<NamedMetal, 11> kNamedMetals = {{{"none", ""},
-                                                      {"au", "Au"},
-                                                      {"gold", "Au"},
-                                                      {"ag", "Ag"},
-                                                      {"silver", "Ag"},
-                                                      {"cu", "Cu"},
-                                                      {"copper", "Cu"},
-                                                      {"al", "Al"},
-                                                      {"aluminium", "Al"},
-                                                      {"aluminum", "Al"},
-                                                      {"a-c", "a-C"}}};
+/// The name as named_metals() spells it, empty for none of these.
+std::string_view known_metal(const std::string& name) {
+    for (const NamedMetal& metal : named_metals())
+        if (lower_case(std::string(metal.name)) == lower_case(name)) return metal.name;
+    return {};
+}
 
 }  // namespace
 
@@ -34,12 +21,11 @@ void read_conductor(const MaterialSource& source, MaterialDescription& material)
     Plugin& plugin = source.plugin;
     const bool rough = plugin.type() == "roughconductor";
     material.kind = rough ? MaterialDescription::Kind::roughconductor : MaterialDescription::Kind::conductor;
-    const std::string name = lower_case(plugin.string("material", "none"));
-    const auto found = std::ranges::find(kNamedMetals, std::string_view(name), &NamedMetal::name);
-    if (found == kNamedMetals.end())
-        plugin.fail("material", "is " + in_quotes(name) +
-                                    "; expected one of Au, Ag, Cu, Al, a-C, none, or eta and k instead");
-    material.metal = found->metal;
+    const std::string name = plugin.string("material", "none");
+    material.metal = known_metal(name);
+    if (material.metal.empty() && lower_case(name) != "none")
+        plugin.fail("material", "is " + in_quotes(name) + "; expected none, eta and k instead, or one of " +
+                                    metal_names());
     material.eta = plugin.color("eta", material.eta, 100.0);
     material.k = plugin.color("k", material.k, 100.0);
     for (const char* part : {"eta", "k"})
@@ -50,7 +36,7 @@ void read_conductor(const MaterialSource& source, MaterialDescription& material)
             if (material.eta.rgb[i] == 0.0 && material.k.rgb[i] == 0.0)
                 plugin.fail(plugin.has("k") ? "k" : "eta", "and the other part of the index are both 0");
     material.specular_reflectance = read_color(source.document, plugin, "specular_reflectance", 1.0, 1.0);
-    if (rough) read_facets(source, material);
+    if (rough) read_anisotropic_facets(source, material);
 }
 
 }  // namespace nicol::scene

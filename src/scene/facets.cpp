@@ -64,31 +64,31 @@ Roughness roughness(const XmlDocument& document, Plugin& plugin, const char* nam
     return {plugin.number(name, otherwise, least, most), nullptr};
 }
 
+struct DirectionalRoughness {
+    Roughness u, v;
+};
+
 /// Given once, or for both directions; Mitsuba's parameters.
-Roughness roughness(const MaterialSource& source, double otherwise) {
+DirectionalRoughness roughness(const MaterialSource& source, double otherwise) {
     const XmlDocument& document = source.document;
     Plugin& plugin = source.plugin;
-    Roughness alpha = roughness(document, plugin, "alpha", otherwise);
+    const Roughness alpha = roughness(document, plugin, "alpha", otherwise);
     if (!plugin.has("alpha_u") && !plugin.has("alpha_v")) {
         plugin.pass_over({"alpha_u", "alpha_v"});
-        return alpha;
+        return {alpha, alpha};
     }
     if (plugin.has("alpha")) plugin.fail("alpha", "is given beside alpha_u or alpha_v");
     if (!plugin.has("alpha_u") || !plugin.has("alpha_v"))
         plugin.fail(plugin.has("alpha_u") ? "alpha_u" : "alpha_v",
                     "is given alone; expected alpha, or both alpha_u and alpha_v");
-    Roughness u = roughness(document, plugin, "alpha_u", otherwise);
-    const Roughness v = roughness(document, plugin, "alpha_v", otherwise);
-    if (u == v) return u;
-    const std::optional<Roughness> both = mean(u, v);
-    if (!both)
-        plugin.fail("alpha_v",
-                    "differs from alpha_u by its texture; expected two numbers or two checkerboards alike: "
-                    "materials are isotropic, and take the mean of both",
-                    ErrorCode::unsupported);
-    source.notices.add(source.node,
-                       "alpha_u and alpha_v differ: materials are isotropic, and take sqrt(alpha_u alpha_v)");
-    return *both;
+    const Roughness u = roughness(document, plugin, "alpha_u", otherwise);
+    return {u, roughness(document, plugin, "alpha_v", otherwise)};
+}
+
+void read_distribution(Plugin& plugin, MaterialDescription& material) {
+    material.distribution =
+        static_cast<MaterialDescription::Distribution>(plugin.choice("distribution", 0, {"beckmann", "ggx"}));
+    plugin.pass_over({"sample_visible"});
 }
 
 }  // namespace
@@ -110,12 +110,36 @@ void read_indices(Plugin& plugin, MaterialDescription& material) {
 }
 
 void read_facets(const MaterialSource& source, MaterialDescription& material) {
-    material.distribution = static_cast<MaterialDescription::Distribution>(
-        source.plugin.choice("distribution", 0, {"beckmann", "ggx"}));
-    const Roughness alpha = roughness(source, material.alpha);
-    material.alpha = alpha.alpha;
-    material.alpha_texture = alpha.texture;
-    source.plugin.pass_over({"sample_visible"});
+    read_distribution(source.plugin, material);
+    const auto [u, v] = roughness(source, material.alpha);
+    std::optional<Roughness> both = u;
+    if (!(u == v)) {
+        both = mean(u, v);
+        if (!both)
+            source.plugin.fail(
+                "alpha_v",
+                "differs from alpha_u by its texture; expected two numbers or two checkerboards "
+                "alike: this material is isotropic, and takes the mean of both",
+                ErrorCode::unsupported);
+        source.notices.add(source.node, "alpha_u and alpha_v differ: " + source.plugin.type() +
+                                            " takes sqrt(alpha_u alpha_v)");
+    }
+    material.alpha = both->alpha;
+    material.alpha_texture = both->texture;
+}
+
+void read_anisotropic_facets(const MaterialSource& source, MaterialDescription& material) {
+    read_distribution(source.plugin, material);
+    const auto [u, v] = roughness(source, material.alpha);
+    material.alpha = u.alpha;
+    material.alpha_texture = u.texture;
+    if (u == v) return;
+    material.alpha_v = v.alpha;
+    material.alpha_v_texture = v.texture;
+    source.notices.add(
+        source.node,
+        "alpha_u and alpha_v differ: small lights and --method reference follow the direction; "
+        "light of the environment is reflected as by sqrt(alpha_u alpha_v)");
 }
 
 }  // namespace nicol::scene

@@ -184,6 +184,11 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
         made(file, named("shape", shape.id), [&] {
             const std::shared_ptr<const Mesh> mesh = meshes.of(shape);
             files.budget().take_instance(file, mesh->positions.size(), mesh->triangles.size());
+            if (materials.at(shape.material)->anisotropic() && mesh->texcoords.empty())
+                files.notice(
+                    "a surface without texture coordinates has a roughness that depends on the direction, "
+                    "which "
+                    "is any then");
             const EmissionPtr emission =
                 shape.emission ? scene::make_emission(*shape.emission, channels, textures) : nullptr;
             out.scene.add({.mesh = mesh,

@@ -33,7 +33,10 @@ void read_principled(const MaterialSource& source, MaterialDescription& material
 [[nodiscard]] double refractive_index(Plugin& plugin, const std::string& name, double otherwise);
 /// int_ior and ext_ior, which differ.
 void read_indices(Plugin& plugin, MaterialDescription& material);
-/// The distribution of facets and their roughness.
+/// The distribution of facets and their roughness; of one that differs by direction, of which there is a
+/// notice, the geometric mean.
 void read_facets(const MaterialSource& source, MaterialDescription& material);
+/// The same with the roughness of both directions.
+void read_anisotropic_facets(const MaterialSource& source, MaterialDescription& material);
 
 }  // namespace nicol::scene

@@ -104,11 +104,13 @@ struct MaterialDescription {
     double int_ior = 1.49;                    ///< pplastic, plastic, inside
     double ext_ior = 1.000277;                ///< pplastic, plastic, outside
     bool nonlinear = false;                   ///< plastic
-    std::string metal;          ///< conductor, roughconductor: Au, Ag, Cu, Al or a-C; empty: eta and k hold
+    std::string metal;          ///< conductor, roughconductor: of named_metals(); empty: eta and k hold
     ColorDescription eta{0.0};  ///< conductor, roughconductor: real part of the index, 0 to 100
     ColorDescription k{1.0};    ///< conductor, roughconductor: imaginary part, 0 to 100
     double alpha = 0.1;  ///< pplastic, plastic, roughconductor: roughness, 0.001 to 1; plastic: 0 is smooth
-    TextureSpecificationPtr alpha_texture;               ///< not null: in place of alpha
+    TextureSpecificationPtr alpha_texture;  ///< not null: in place of alpha
+    double alpha_v = 0;                     ///< roughconductor: along v, where alpha is along u; 0: as alpha
+    TextureSpecificationPtr alpha_v_texture;             ///< not null: in place of alpha_v
     Distribution distribution = Distribution::beckmann;  ///< pplastic, plastic, roughconductor
     PrincipledDescription principled;                    ///< principled
     std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
@@ -219,15 +221,17 @@ using SceneParameters = std::map<std::string, std::string>;
 /// normal incidence; others are plates before the camera, which a notice says. A shape that shines and has no
 /// bsdf is black, another without one is grey. An instance becomes a shape for each member of its group.
 /// Integrators, sampler and reconstruction filter are not followed, which one notice says; a roughness that
-/// differs by direction becomes its geometric mean, with a notice. <rgb> takes one value, three, or #rrggbb,
-/// which is linear n / 255. Filenames are not opened, but looked for: in the folders of <path>, the newest
-/// first, in the folder of the file that holds them, then in those of the files that include it; where none
-/// has the file, the name is relative to the folder of the file. Throws Error: file_not_found (also of an
-/// <include>); unsupported (a plug-in, element or value outside the above; files of more than 16 MiB
-/// together, or more than 1000); invalid_file (XML that is not well-formed, unknown or missing parameters,
-/// values out of range, undefined $parameters but of samplers, ids that are missing or doubled, includes in a
-/// circle or more than 15 deep) as file:line, plug-in and parameter with what is accepted and, within an
-/// included file, who includes it; invalid_argument (an entry of `parameters` that the files never use).
+/// differs by direction has a notice that says where it is followed, and of pplastic becomes its geometric
+/// mean. <rgb> takes one value, three, or #rrggbb, which is linear n / 255; <spectrum> a file, too, of lines
+/// with a wavelength in nm and a value, behind # a comment, which is read. Other filenames are not opened,
+/// but looked for: in the folders of <path>, the newest first, in the folder of the file that holds them,
+/// then in those of the files that include it; where none has the file, the name is relative to the folder of
+/// the file. Throws Error: file_not_found (also of an <include>); unsupported (a plug-in, element or value
+/// outside the above; files of more than 16 MiB together, or more than 1000); invalid_file (XML that is not
+/// well-formed, unknown or missing parameters, values out of range, undefined $parameters but of samplers,
+/// ids that are missing or doubled, includes in a circle or more than 15 deep) as file:line, plug-in and
+/// parameter with what is accepted and, within an included file, who includes it; invalid_argument (an entry
+/// of `parameters` that the files never use).
 [[nodiscard]] SceneDescription read_mitsuba_scene(const std::filesystem::path& file,
                                                   const SceneParameters& parameters = {});
 

@@ -41,7 +41,7 @@ private:
                                  .distribution = distribution(d)},
                                 {.diffuse_reflectance = color(d.diffuse_reflectance),
                                  .specular_reflectance = color(d.specular_reflectance),
-                                 .alpha = alpha(d)});
+                                 .alpha = number(d.alpha_texture)});
             case MaterialDescription::Kind::plastic:
                 return plastic({.diffuse_reflectance = reflectance(d.diffuse_reflectance, channels_),
                                 .specular_reflectance = reflectance(d.specular_reflectance, channels_),
@@ -52,7 +52,7 @@ private:
                                 .nonlinear = d.nonlinear},
                                {.diffuse_reflectance = color(d.diffuse_reflectance),
                                 .specular_reflectance = color(d.specular_reflectance),
-                                .alpha = alpha(d)});
+                                .alpha = number(d.alpha_texture)});
             case MaterialDescription::Kind::conductor:
                 return d.specular_reflectance.texture
                            ? times(conductor(index_of(d)), d.specular_reflectance.texture)
@@ -62,8 +62,11 @@ private:
                     {.eta = index_of(d),
                      .specular_reflectance = reflectance(d.specular_reflectance, channels_),
                      .alpha = d.alpha,
+                     .alpha_v = d.alpha_v,
                      .distribution = distribution(d)},
-                    {.specular_reflectance = color(d.specular_reflectance), .alpha = alpha(d)});
+                    {.specular_reflectance = color(d.specular_reflectance),
+                     .alpha = number(d.alpha_texture),
+                     .alpha_v = number(d.alpha_v_texture)});
             case MaterialDescription::Kind::principled:
                 return make_principled(d.principled, channels_, textures_);
             case MaterialDescription::Kind::psh:
@@ -98,8 +101,8 @@ private:
     [[nodiscard]] TexturePtr color(const TexturedColor& color) const {
         return color.texture ? textures_.color(*color.texture) : nullptr;
     }
-    [[nodiscard]] TexturePtr alpha(const MaterialDescription& d) const {
-        return d.alpha_texture ? textures_.number(*d.alpha_texture) : nullptr;
+    [[nodiscard]] TexturePtr number(const TextureSpecificationPtr& texture) const {
+        return texture ? textures_.number(*texture) : nullptr;
     }
 
     static Distribution distribution(const MaterialDescription& d) {
@@ -121,6 +124,8 @@ private:
         std::vector<std::complex<double>> index;
         for (std::size_t c = 0; c < std::max(eta.size(), k.size()); ++c)
             index.emplace_back(eta[eta.size() == 1 ? 0 : c], -k[k.size() == 1 ? 0 : c]);
+        // Of a table that ends within the visible range, both may be 0.
+        std::ranges::replace(index, std::complex<double>(0), std::complex<double>(0.001));
         return index;
     }
 

@@ -131,6 +131,40 @@ TEST_CASE("sixteen points have the weights that each of them has") {
     }
 }
 
+TEST_CASE("roughness of two textures, one for each direction") {
+    const auto brushed = [](double u, double v) {
+        return rough_conductor(
+            {.eta = {{0.2, -3.2}}, .alpha = u, .alpha_v = v, .distribution = Distribution::ggx});
+    };
+    const glm::dvec3 light = direction(0.6, 0.3);
+    const glm::dvec3 viewer = direction(0.9, 2.8);
+    // Two checkerboards of opposite colours, exactly.
+    const auto board = [](float first, float second) {
+        return checkerboard_texture(glm::vec3(first), glm::vec3(second), 1);
+    };
+    const MaterialPtr boards = with_roughness(brushed, board(0.05F, 0.3F), board(0.3F, 0.05F));
+    CHECK(boards->anisotropic());
+    CHECK(boards->variation()->layers.size() == 4);
+    for (const auto& [uv, u, v] :
+         {std::tuple{glm::vec2(0.25F, 0.25F), 0.3F, 0.05F}, std::tuple{glm::vec2(0.25F, 0.75F), 0.05F, 0.3F}})
+        CHECK(largest_difference(matrix_at(*boards, 0, uv, light, viewer),
+                                 evaluate(*brushed(static_cast<double>(u), static_cast<double>(v)), 0, light,
+                                          viewer)) < 1e-9);
+    // One of them a number; and any number of values, by few layers.
+    const TexturePtr ramp = texture_of([](const TexturePoint& p) { return glm::vec4(0.1F + 0.3F * p.uv.x); },
+                                       1, glm::vec2(0.1F, 0.4F));
+    const MaterialPtr mixed = with_roughness(brushed, ramp, constant_texture(glm::vec4(0.2F), 1));
+    CHECK(mixed->variation()->layers.size() <= 8);
+    const MaterialPtr both = with_roughness(brushed, ramp, ramp);
+    CHECK(both->variation()->layers.size() <= 64);
+    for (const float x : {0.1F, 0.5F, 0.8F}) {
+        const double alpha = 0.1 + 0.3 * static_cast<double>(x);
+        const Mueller expected = evaluate(*brushed(alpha, alpha), 0, light, viewer);
+        CHECK(largest_difference(matrix_at(*both, 0, {x, 0}, light, viewer), expected) <
+              0.05 * expected(0, 0));
+    }
+}
+
 TEST_CASE("between its alphas a roughness texture misses about one percent of a response") {
     const LightLayout layout(9, LightKind::linear);
     for (const double alpha : {0.05, 0.2, 0.5}) {

@@ -57,7 +57,9 @@ std::uint64_t PixelLights::add(const PixelBatch& batch, std::span<const std::spa
             facets[i] = facet_of(input_.geometry, points[first + i].triangle, surface.normals[i]);
             origins[i] = surface.positions[i] + lights_.offset() * facets[i];
             seeds[i] = place_seed(points[first + i].pixel, input_.seed);
-            if (anisotropic) tangents[i] = tangent(input_.geometry, points[first + i].triangle);
+            if (!anisotropic) continue;
+            const glm::vec3 weights(surface.weights[0][i], surface.weights[1][i], surface.weights[2][i]);
+            tangents[i] = tangent(input_.geometry, points[first + i].triangle, weights);
         }
         std::span<const LayerWeights> weights;
         if (!batch.weights().empty())
