@@ -112,15 +112,36 @@ MaterialPtr make(const nicol_principled& given, const nicol_context_impl& contex
                        .clearcoat_gloss = texture(given.clearcoat_gloss_texture)});
 }
 
+// In one direction.
+struct Roughness {
+    double alpha;
+    TexturePtr texture;
+    [[nodiscard]] bool smooth() const { return alpha == 0 && texture == nullptr; }
+};
+Roughness roughness(const nicol_conductor& given, float alpha, nicol_texture texture,
+                    const nicol_context_impl& context) {
+    const bool own = alpha != 0 || texture != nullptr;
+    return {.alpha = static_cast<double>(alpha != 0 ? alpha : given.alpha),
+            .texture = texture_of(own ? texture : given.alpha_texture, context)};
+}
+
 MaterialPtr make(const nicol_conductor& given, const nicol_context_impl& context) {
     if (given.reserved != 0) refuse("parameters->reserved must be 0");
+    const Roughness u = roughness(given, given.alpha_u, given.alpha_u_texture, context);
+    const Roughness v = roughness(given, given.alpha_v, given.alpha_v_texture, context);
+    if (u.smooth() != v.smooth())
+        refuse(std::string(u.smooth() ? "alpha_u" : "alpha_v") +
+               " and alpha are 0, and there is a roughness in the other direction; give both");
+    const bool alike = u.alpha == v.alpha && u.texture == v.texture;
     return rough_conductor(
         {.eta = index_of(given),
          .specular_reflectance = spectrum(given.specular_reflectance, 1, 1, "specular_reflectance"),
-         .alpha = static_cast<double>(given.alpha),
+         .alpha = u.alpha,
+         .alpha_v = alike ? 0 : v.alpha,
          .distribution = distribution_of(given.distribution)},
         {.specular_reflectance = texture_of(given.specular_reflectance_texture, context),
-         .alpha = texture_of(given.alpha_texture, context)});
+         .alpha = u.texture,
+         .alpha_v = alike ? nullptr : v.texture});
 }
 
 // A material made of another one and a texture: combine(base, texture).

@@ -511,22 +511,31 @@ typedef struct nicol_conductor {
      * lights whose angular_radius is 0, which would be seen in a mirror as points. */
     float alpha;
     uint32_t reserved; /* 0 */
-    /* "Au", "Ag", "Cu" or "Al", or "gold", "silver", "copper" or "aluminium", with measured values; eta and k
-     * must be empty then. NULL or "": eta and k hold. */
+    /* A name of Mitsuba's list as "Au", "Ag", "Cu", "Al", "W" or "TiN_palik", or "gold", "silver", "copper"
+     * or "aluminium", with measured values; eta and k must be empty then. NULL or "": eta and k hold. */
     const char* metal;
     nicol_spectrum eta; /* default 0; 0 to 100 */
     nicol_spectrum k;   /* default 1, with eta 0 a perfect mirror; 0 to 100; eta and k must not both be 0 */
-    /* Of a named metal, a channel each, nm, 400 to 800. count 0: those of red, green and blue. */
+    /* Of a named metal, a channel each, nm, 380 to 800. count 0: red, green and blue as Mitsuba takes them,
+     * the colours of light of the spectra of eta and of k; a constant one is white of equal energy. */
     nicol_spectrum wavelengths;
     nicol_spectrum specular_reflectance; /* default 1; 0 to 1 */
     /* As of nicol_pplastic; with a texture alpha has no effect. */
     nicol_texture specular_reflectance_texture;
     nicol_texture alpha_texture;
+    /* Roughness along texture coordinates u and v, 0.001 to 1, as of brushed metal; 0: alpha. Where they
+     * differ, small lights and NICOL_METHOD_REFERENCE follow the direction, any where a mesh has no texture
+     * coordinates; other light is reflected as by sqrt(alpha_u alpha_v). A texture stands for the number of
+     * its name; NULL with the number 0: alpha_texture. */
+    float alpha_u;
+    float alpha_v;
+    nicol_texture alpha_u_texture;
+    nicol_texture alpha_v_texture;
 } nicol_conductor;
 /* clang-format off */
 #define NICOL_CONDUCTOR_INIT                                                                        \
     { sizeof(nicol_conductor), 0, 0, 0, 0, NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT,                \
-      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0 }
+      NICOL_SPECTRUM_INIT, NICOL_SPECTRUM_INIT, 0, 0, 0, 0, 0, 0 }
 /* clang-format on */
 
 /* Likewise; a metal that is not known is refused with the names of those that are. */

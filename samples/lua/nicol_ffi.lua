@@ -178,6 +178,10 @@ typedef struct nicol_conductor {
     nicol_spectrum specular_reflectance;
     nicol_texture specular_reflectance_texture;
     nicol_texture alpha_texture;
+    float alpha_u;
+    float alpha_v;
+    nicol_texture alpha_u_texture;
+    nicol_texture alpha_v_texture;
 } nicol_conductor;
 typedef uint32_t nicol_wavelength_sampling;
 typedef struct nicol_measured {

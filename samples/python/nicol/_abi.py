@@ -409,6 +409,10 @@ class Conductor(Struct):
         ("specular_reflectance", Spectrum),
         ("specular_reflectance_texture", c_void_p),
         ("alpha_texture", c_void_p),
+        ("alpha_u", c_float),
+        ("alpha_v", c_float),
+        ("alpha_u_texture", c_void_p),
+        ("alpha_v_texture", c_void_p),
     ]
 
 

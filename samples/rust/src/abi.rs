@@ -709,6 +709,10 @@ pub struct nicol_conductor {
     pub specular_reflectance: nicol_spectrum,
     pub specular_reflectance_texture: nicol_texture,
     pub alpha_texture: nicol_texture,
+    pub alpha_u: f32,
+    pub alpha_v: f32,
+    pub alpha_u_texture: nicol_texture,
+    pub alpha_v_texture: nicol_texture,
 }
 impl Default for nicol_conductor {
     fn default() -> Self {
@@ -719,7 +723,7 @@ impl Default for nicol_conductor {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_conductor>() == 312);
+    assert!(size_of::<nicol_conductor>() == 336);
     assert!(offset_of!(nicol_conductor, struct_size) == 0);
     assert!(offset_of!(nicol_conductor, distribution) == 4);
     assert!(offset_of!(nicol_conductor, alpha) == 8);
@@ -731,6 +735,10 @@ const _: () = {
     assert!(offset_of!(nicol_conductor, specular_reflectance) == 228);
     assert!(offset_of!(nicol_conductor, specular_reflectance_texture) == 296);
     assert!(offset_of!(nicol_conductor, alpha_texture) == 304);
+    assert!(offset_of!(nicol_conductor, alpha_u) == 312);
+    assert!(offset_of!(nicol_conductor, alpha_v) == 316);
+    assert!(offset_of!(nicol_conductor, alpha_u_texture) == 320);
+    assert!(offset_of!(nicol_conductor, alpha_v_texture) == 328);
 };
 pub type nicol_wavelength_sampling = u32;
 
