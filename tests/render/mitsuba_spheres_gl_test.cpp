@@ -68,6 +68,8 @@ GL_TEST_CASE("spheres with textures look as in Mitsuba's references") {
     for (const Limits& limits :
          {Limits{"textured_diffuse", 0.012, 0.055, 0.02}, Limits{"normalmap", 0.025, 0.095, 0.04},
           Limits{"bumpmap", 0.025, 0.09, 0.035}, Limits{"textured_roughconductor", 0.03, 0.4, 0.08},
+          // Squares smaller than a pixel, and a highlight of a few.
+          Limits{"texturedprincipled1", 0.02, 0.4, 0.045}, Limits{"texturedprincipled2", 0.02, 0.37, 0.045},
           // Of a normal map under a point light the mean normal of a pixel has one highlight or none.
           Limits{"normalmap_identity_roughconductor", 0.02, 0.15, 0.07},
           Limits{"normalmap_roughconductor", 0.06, 1.3, 0.26}})
