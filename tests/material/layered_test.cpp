@@ -146,7 +146,7 @@ TEST_CASE("roughness of two textures, one for each direction") {
     CHECK(boards->anisotropic());
     CHECK(boards->variation()->layers.size() == 4);
     for (const auto& [uv, u, v] :
-         {std::tuple{glm::vec2(0.25F, 0.25F), 0.3F, 0.05F}, std::tuple{glm::vec2(0.25F, 0.75F), 0.05F, 0.3F}})
+         {std::tuple{glm::vec2(0.25F, 0.25F), 0.05F, 0.3F}, std::tuple{glm::vec2(0.25F, 0.75F), 0.3F, 0.05F}})
         CHECK(largest_difference(matrix_at(*boards, 0, uv, light, viewer),
                                  evaluate(*brushed(static_cast<double>(u), static_cast<double>(v)), 0, light,
                                           viewer)) < 1e-9);

@@ -435,7 +435,7 @@ class BadFiles(RenderTest):
         self.assert_fails(["nowhere.xml"], "nowhere.xml", "-o", "out/a.exr")
         for words, text in (
             (["bad.xml"], scene()[:-20]),
-            (["bad.xml", "principled", "supported"], scene(shape=SHAPE.replace("pplastic", "principled"))),
+            (["bad.xml", "principledthin", "supported"], scene(shape=SHAPE.replace("pplastic", "principledthin"))),
             (["bad.xml", "unset"], scene(width="$unset")),
             (["light.exr"], self.ENVIRONMENT),
             (["mesh.obj"], self.MESH),

@@ -365,7 +365,7 @@ TEST_CASE("a tint is a colour over its luminance") {
     const auto luminance = [](const glm::vec4& c) {
         return glm::dot(glm::vec3(c), glm::vec3(0.212671F, 0.715160F, 0.072169F));
     };
-    const TexturePtr board = checkerboard_texture(glm::vec3(0.2F, 0.8F, 0.1F), glm::vec3(0), 3);
+    const TexturePtr board = checkerboard_texture(glm::vec3(0), glm::vec3(0.2F, 0.8F, 0.1F), 3);
     const TexturePtr image =
         image_texture({.width = 2, .height = 1, .channels = 3, .values = {0.2F, 0.8F, 0.1F, 0, 0, 0}},
                       {.filter = TextureSampling::Filter::nearest});
