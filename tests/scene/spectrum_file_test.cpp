@@ -57,8 +57,8 @@ TEST_CASE("spectra in files that are refused name the file and the line") {
           {"400 1\n", "eta.spd: 1 wavelengths; expected two and more"},
           {"", "eta.spd: 0 wavelengths"}}) {
         CAPTURE(message);
-        const std::string error =
-            error_of(CALL(read_mitsuba_scene(WithFile(content).scene())), ErrorCode::invalid_file);
+        const WithFile file(content);
+        const std::string error = error_of(CALL(read_mitsuba_scene(file.scene())), ErrorCode::invalid_file);
         CHECK(error.find(message) != std::string::npos);
     }
     check_refused(WithFile("400 1\n500 101\n"), ErrorCode::invalid_file, "", {"\"eta\"", "from 0 to 100"});
