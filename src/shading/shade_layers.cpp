@@ -6,25 +6,21 @@
 #include "shading/lane_view.hpp"
 #include "shading/shade.hpp"
 #include "simd/lane_transpose.hpp"
-#include "simd/work_space.hpp"
 
 namespace nicol {
 namespace {
 
-// Adds what one layer has at the views of a block.
-void add_rows(const ResponseTable& response, const LaneView::TablePositions& at, std::size_t numbers,
-              const LayerWeights& weights, Lanes* row, LayeredRows& rows) {
-    const std::size_t step = response.rows(0, 0).size() * static_cast<std::size_t>(response.channels());
-    for (int c = 0; c < response.channels(); ++c) {
-        std::array<const float*, kLanes> low;
-        for (std::size_t i = 0; i < kLanes; ++i) low[i] = response.rows(at.angle[i], c).data();
-        to_lanes_between(low, step, at.fraction, numbers, row);
-        if (response.channels() == 1) {
-            rows.add(weights, row, numbers, 0);
-        } else {
-            rows.add(weights, static_cast<std::size_t>(c), row, numbers, 0);
-        }
-    }
+// What one layer has at the views of a block.
+LayeredRow row_of(const ResponseTable& response, const LaneView::TablePositions& at, std::size_t numbers,
+                  const LayerWeights& weights) {
+    const std::size_t channel_step = response.rows(0, 0).size();
+    LayeredRow out{.rows = {},
+                   .step = channel_step * static_cast<std::size_t>(response.channels()),
+                   .channel_step = response.channels() == 1 ? 0 : channel_step,
+                   .size = numbers,
+                   .weights = &weights};
+    for (std::size_t i = 0; i < kLanes; ++i) out.rows[i] = response.rows(at.angle[i], 0).data();
+    return out;
 }
 
 }  // namespace
@@ -46,22 +42,17 @@ void Shade::run(std::span<const ResponseTable* const> layers, std::span<const La
         // Tables of one and of two pairings have rows of their own.
         for (const std::size_t pairings : {std::size_t{1}, std::size_t{2}}) {
             std::size_t made = 1;
-            for (std::size_t l = 0; l < layers.size(); ++l) {
-                if (layers[l]->pairings() == pairings && weights[l].points != 0)
-                    made = std::max(made, rows_of(*layers[l]));
-            }
             const std::size_t row_size = layout_.row_size() * pairings;
             rows.begin(4 * row_size, out.size());
-            const std::span<Lanes> row = work_space<LayeredRows, Lanes>(4 * row_size);
             for (std::size_t l = 0; l < layers.size(); ++l) {
                 if (layers[l]->pairings() != pairings || weights[l].points == 0) continue;
-                // Whole squares are faster to transpose.
-                const std::size_t own = rows_of(*layers[l]) * row_size;
-                add_rows(*layers[l], at, std::max(own, std::min(kLanes, 4 * row_size)), weights[l],
-                         row.data(), rows);
+                const std::size_t own = rows_of(*layers[l]);
+                made = std::max(made, own);
+                rows.add(row_of(*layers[l], at, own * row_size, weights[l]));
             }
             if (rows.empty()) continue;
-            rows.end();
+            // Whole squares are faster to transpose.
+            rows.sum(at.fraction, 0, std::max(made * row_size, std::min(kLanes, 4 * row_size)));
             const bool alike = rows.alike() && light.channels() == 1;
             for (std::size_t c = 0; c < out.size(); ++c) {
                 if (c == 0 || !alike) {

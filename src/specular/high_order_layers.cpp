@@ -69,33 +69,28 @@ void HighOrderLayers::add_group(const Group& group, std::span<const LayerWeights
                                 std::span<const std::span<glm::vec4>> out) const {
     constexpr std::size_t elements = HighOrderFactors::kElements;
     const bool polarized = group.maps.central->polarized();
-    // Whole squares are faster to transpose.
-    const std::size_t used = polarized ? elements : kLanes;
     std::size_t pairings = 1;
     thread_local LayeredRows rows;
-    std::array<Lanes, elements> row;
     rows.begin(2 * elements, out.size());
     for (const Member& member : group.members) {
         const LayerWeights& weight = weights[member.layer];
         if (weight.points == 0) continue;
         const HighOrderFactors& factors = *member.factors;
         pairings = std::max(pairings, factors.pairings());
-        for (std::size_t c = 0; c < static_cast<std::size_t>(factors.channels()); ++c) {
-            for (std::size_t pairing = 0; pairing < factors.pairings(); ++pairing) {
-                std::array<const float*, kLanes> from;
-                for (std::size_t i = 0; i < kLanes; ++i)
-                    from[i] = factors.row(block.angle[i], c) + pairing * elements;
-                to_lanes_between(from, factors.step(), block.fraction, used, row.data());
-                if (factors.channels() == 1) {
-                    rows.add(weight, row.data(), used, pairing * elements);
-                } else {
-                    rows.add(weight, c, row.data(), used, pairing * elements);
-                }
-            }
-        }
+        const std::size_t size = factors.pairings() * elements;
+        LayeredRow row{.rows = {},
+                       .step = factors.step(),
+                       .channel_step = factors.channels() == 1 ? 0 : size,
+                       .size = size,
+                       .weights = &weight};
+        for (std::size_t i = 0; i < kLanes; ++i) row.rows[i] = factors.row(block.angle[i], 0);
+        rows.add(row);
     }
     if (rows.empty()) return;
-    rows.end();
+    // Whole squares are faster to transpose.
+    const std::size_t used = polarized ? elements : kLanes;
+    for (std::size_t pairing = 0; pairing < pairings; ++pairing)
+        rows.sum(block.fraction, pairing * elements, used);
     LaneTaps taps(group.maps, group.spread, group.maps.base != nullptr);
     taps.sample(block.mirror);
     std::array<Lanes, 4> stokes;

@@ -2,6 +2,7 @@
 // The rows of a material's layers, added up before light is dotted with them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -11,34 +12,42 @@
 
 namespace nicol {
 
-/// Sums of rows of numbers, sixteen vertices side by side, times weights: what layers have in common for all
-/// channels once, the rest by channel. Holds results; one object a thread.
+/// What one layer has at sixteen points. Points refer to rows of a table, and to those `step` further.
+struct LayeredRow {
+    std::array<const float*, kLanes> rows;  ///< of the first channel
+    std::size_t step;
+    std::size_t channel_step;     ///< to the rows of the next channel; 0: all channels share the first one's
+    std::size_t size;             ///< a row's numbers from here on are 0 or not asked for
+    const LayerWeights* weights;  ///< not 0 at some point
+
+    [[nodiscard]] bool alike() const { return channel_step == 0 && weights->equal; }
+};
+
+/// Sums of rows times weights, sixteen points side by side. Holds results; one object a thread.
 class LayeredRows {
 public:
-    /// Begins sums of `size` numbers for each channel.
+    /// Begins sums of `size` numbers for each channel, of no layers yet.
     void begin(std::size_t size, std::size_t channels);
-    /// Adds `count` numbers, from the position `first` on, that serve all channels.
-    void add(const LayerWeights& weights, const Lanes* row, std::size_t count, std::size_t first);
-    /// Adds those of one channel.
-    void add(const LayerWeights& weights, std::size_t channel, const Lanes* row, std::size_t count,
-             std::size_t first);
-    /// Completes the sums.
-    void end();
+    /// Keeps a reference to the weights until the next begin().
+    void add(const LayeredRow& layer);
+    /// After all add(): the numbers from the position `first` on of every channel's sum, of rows interpolated
+    /// by `fraction` towards those a step further.
+    void sum(const Lanes& fraction, std::size_t first, std::size_t count);
 
-    [[nodiscard]] bool empty() const noexcept { return !common_ && !own_; }
+    [[nodiscard]] bool empty() const noexcept { return layers_.empty(); }
     /// Whether those of all channels are equal.
-    [[nodiscard]] bool alike() const noexcept { return !own_; }
-    [[nodiscard]] const Lanes* of(std::size_t channel) const { return sums_.data() + place(channel); }
+    [[nodiscard]] bool alike() const noexcept { return alike_; }
+    [[nodiscard]] const Lanes* of(std::size_t channel) const {
+        return sums_.data() + (alike_ ? 0 : channel * size_);
+    }
 
 private:
-    [[nodiscard]] std::size_t place(std::size_t channel) const { return own_ ? (channel + 1) * size_ : 0; }
-    void begin_own();
-
     std::size_t size_ = 0;
     std::size_t channels_ = 0;
-    bool common_ = false;      // there is anything in common
-    bool own_ = false;         // there is anything by channel
-    std::vector<Lanes> sums_;  // in common, then of each channel
+    bool alike_ = true;
+    bool shared_ = true;  // rows are the same for all channels
+    std::vector<LayeredRow> layers_;
+    std::vector<Lanes> sums_;  // [channel]
 };
 
 }  // namespace nicol
