@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Polarizing plates of a scene.
-#include <numbers>
+#include <glm/trigonometric.hpp>
 
 #include "assets.hpp"
 
@@ -8,8 +8,6 @@ using namespace nicol;
 using namespace nicol::capi;
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 using Kind = PolarizingPlate::Kind;
 using Outline = PolarizingPlate::Outline;
@@ -28,8 +26,8 @@ PolarizingPlate plate_from(const nicol_plate* plate) {
     return {.kind = static_cast<Kind>(given.kind),
             .outline = static_cast<Outline>(given.outline),
             .to_world = matrix(given.to_world),
-            .angle = given.angle * kDegree,
-            .retardance = given.retardance * kDegree,
+            .angle = glm::radians(given.angle),
+            .retardance = glm::radians(given.retardance),
             .transmittance = given.transmittance};
 }
 
@@ -38,8 +36,8 @@ nicol_plate plate_to(const PolarizingPlate& plate) {
     out.kind = static_cast<nicol_plate_kind>(plate.kind);
     out.outline = static_cast<nicol_plate_outline>(plate.outline);
     write_matrix(plate.to_world, out.to_world);
-    out.angle = plate.angle / kDegree;
-    out.retardance = plate.retardance / kDegree;
+    out.angle = glm::degrees(plate.angle);
+    out.retardance = glm::degrees(plate.retardance);
     out.transmittance = plate.transmittance;
     return out;
 }

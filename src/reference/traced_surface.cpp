@@ -37,7 +37,7 @@ Frame surface_frame(const TracedSurface& surface, std::uint32_t triangle, const 
     if (!surface.material->anisotropic()) return theta_phi_frame(normal);
     const glm::dvec3 by_u(texture_axes(surface.mesh, triangle).by_u);
     const glm::dvec3 x = perpendicular(normal, perpendicular(unturned, by_u));
-    return Frame(x, glm::cross(normal, x), normal);
+    return {x, glm::cross(normal, x), normal};
 }
 
 glm::dvec3 weights_of(const RayHit& hit) {

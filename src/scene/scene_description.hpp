@@ -96,23 +96,23 @@ struct MaterialDescription {
     };
     enum class Distribution { beckmann, ggx };
     Kind kind = Kind::diffuse;
-    std::string id;                           ///< of the outermost bsdf; empty when the file gives none
-    bool twosided = false;                    ///< the back reflects as the front does
-    TexturedColor reflectance{0.5};           ///< diffuse
-    TexturedColor diffuse_reflectance{0.5};   ///< pplastic, plastic
-    TexturedColor specular_reflectance{1.0};  ///< pplastic, plastic, conductor, roughconductor
-    double int_ior = 1.49;                    ///< pplastic, plastic, inside
-    double ext_ior = 1.000277;                ///< pplastic, plastic, outside
-    bool nonlinear = false;                   ///< plastic
+    std::string id;          ///< of the outermost bsdf; empty when the file gives none
+    bool twosided = false;   ///< the back reflects as the front does
+    bool nonlinear = false;  ///< plastic
+    Distribution distribution = Distribution::beckmann;  ///< pplastic, plastic, roughconductor
+    TexturedColor reflectance{0.5};                      ///< diffuse
+    TexturedColor diffuse_reflectance{0.5};              ///< pplastic, plastic
+    TexturedColor specular_reflectance{1.0};             ///< pplastic, plastic, conductor, roughconductor
+    double int_ior = 1.49;                               ///< pplastic, plastic, inside
+    double ext_ior = 1.000277;                           ///< pplastic, plastic, outside
     std::string metal;          ///< conductor, roughconductor: of named_metals(); empty: eta and k hold
     ColorDescription eta{0.0};  ///< conductor, roughconductor: real part of the index, 0 to 100
     ColorDescription k{1.0};    ///< conductor, roughconductor: imaginary part, 0 to 100
     double alpha = 0.1;  ///< pplastic, plastic, roughconductor: roughness, 0.001 to 1; plastic: 0 is smooth
     TextureSpecificationPtr alpha_texture;  ///< not null: in place of alpha
     double alpha_v = 0;                     ///< roughconductor: along v, where alpha is along u; 0: as alpha
-    TextureSpecificationPtr alpha_v_texture;             ///< not null: in place of alpha_v
-    Distribution distribution = Distribution::beckmann;  ///< pplastic, plastic, roughconductor
-    PrincipledDescription principled;                    ///< principled
+    TextureSpecificationPtr alpha_v_texture;  ///< not null: in place of alpha_v
+    PrincipledDescription principled;         ///< principled
     std::filesystem::path filename;  ///< psh: a PSH matrix (.npz); measured_polarized: a table (.pbsdf)
     TexturedColor scale{1.0};        ///< psh, measured_polarized
     std::optional<double>
