@@ -107,7 +107,7 @@ template <class Number>
     out.of[index(PrincipledLobe::tinted)] = k.normal_reflectance * (1.0F - w) * scale;
     out.of[index(PrincipledLobe::dielectric)] = dielectric_reflection(cosine, k.index).a * scale;
 
-    constexpr float reflectance = static_cast<float>(kCoatReflectance);
+    constexpr auto reflectance = static_cast<float>(kCoatReflectance);
     constexpr LaneFacets hidden{Distribution::ggx, static_cast<float>(kCoatShadowing)};
     visibility_over_cosine(hidden, light, from_light);
     visibility_over_cosine(hidden, viewer, to_viewer);

@@ -19,7 +19,7 @@
 namespace nicol {
 namespace {
 
-struct LanePlastic {
+struct DepolarizingLanes {
     LaneFacets facets;
     LaneIndex index;
     float base;              // scale
@@ -29,9 +29,9 @@ struct LanePlastic {
 
 // Plastic::base() and boundary().
 template <class Number>
-[[gnu::always_inline]] inline void reflect_plastic(const LanePlastic& plastic,
-                                                   const LaneVectors& towards_light,
-                                                   const LaneVectors& towards_viewer, LaneMueller* out) {
+[[gnu::always_inline]] inline void reflect_depolarizing(const DepolarizingLanes& plastic,
+                                                        const LaneVectors& towards_light,
+                                                        const LaneVectors& towards_viewer, LaneMueller* out) {
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         Vector3<Number> light;
         Vector3<Number> viewer;
@@ -113,12 +113,13 @@ public:
         transmittance_.at_lanes(towards_light.z, in);
         transmittance_.at_lanes(towards_viewer.z, from_base);
         out[0] = out[1] = {};
-        dispatch<reflect_plastic<FourLanes>, reflect_plastic<EightLanes>, reflect_plastic<AllLanes>>(
-            LanePlastic{.facets = {p_.distribution, static_cast<float>(p_.alpha)},
-                        .index = LaneIndex(eta_),
-                        .base = static_cast<float>(base_scale()),
-                        .in = in,
-                        .from_base = from_base},
+        dispatch<reflect_depolarizing<FourLanes>, reflect_depolarizing<EightLanes>,
+                 reflect_depolarizing<AllLanes>>(
+            DepolarizingLanes{.facets = {p_.distribution, static_cast<float>(p_.alpha)},
+                              .index = LaneIndex(eta_),
+                              .base = static_cast<float>(base_scale()),
+                              .in = in,
+                              .from_base = from_base},
             towards_light, towards_viewer, out.data());
     }
 

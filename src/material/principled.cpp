@@ -103,7 +103,7 @@ struct Part {
 
 class Composer {
 public:
-    Composer(const P& parameters, const T& textures) : p_(parameters), textures_(textures) {
+    Composer(P parameters, T textures) : p_(std::move(parameters)), textures_(std::move(textures)) {
         // What is the same everywhere is a number.
         for (const Number& n : {kRoughness, kAnisotropic, kMetallic, kSpecTrans, kSpecTint, kSheen,
                                 kSheenTint, kFlatness, kClearcoat, kClearcoatGloss}) {

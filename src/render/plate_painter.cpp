@@ -44,7 +44,7 @@ DevicePlate on_device(const PlacedPlate& placed, const glm::dvec3& eye) {
             .unused = 0};
 }
 
-void check_size(const gl::Context& context, const WorldGeometry& geometry) {
+void check_storage(const gl::Context& context, const WorldGeometry& geometry) {
     const std::size_t most = context.limits().storage_bytes / sizeof(glm::vec3);
     if (std::max(geometry.triangles.size(), geometry.positions.size()) <= most) return;
     throw Error(ErrorCode::unsupported,
@@ -58,7 +58,7 @@ void check_size(const gl::Context& context, const WorldGeometry& geometry) {
 
 void PlatePainter::prepare(const Scene& scene, const RefinedSurfaces& surfaces, const Projection& projection,
                            int samples, const Framebuffer& target) {
-    check_size(*context_, surfaces.geometry());
+    check_storage(*context_, surfaces.geometry());
     projection_ = in_axes(projection, surfaces.to_world());
     const glm::dmat4 from_world = inverse_motion(surfaces.to_world());
     std::vector<DevicePlate> plates;
