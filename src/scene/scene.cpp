@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -56,39 +55,17 @@ void check_emission(const Mesh& mesh, const Emission& emission, std::uint32_t id
             "u, v");
 }
 
-std::size_t index_in(const std::vector<std::uint32_t>& ids, std::uint32_t id, std::uint32_t next,
-                     const char* what) {
-    const auto found = std::ranges::lower_bound(ids, id);
-    if (found == ids.end() || *found != id) {
-        refuse("there is no " + std::string(what) + " " + std::to_string(id) +
-               (id < next ? "; it was removed" : "; ids below " + std::to_string(next) + " were given"));
-    }
-    return static_cast<std::size_t>(found - ids.begin());
-}
-
 }  // namespace
-
-std::size_t Scene::index_of(std::uint32_t id) const {
-    return index_in(ids_, id, next_id_, "instance");
-}
-
-std::size_t Scene::light_index_of(std::uint32_t id) const {
-    return index_in(light_ids_, id, next_light_id_, "light");
-}
-
-std::size_t Scene::plate_index_of(std::uint32_t id) const {
-    return index_in(plate_ids_, id, next_plate_id_, "plate");
-}
 
 int Scene::channels_without(const Without& part) const {
     int most = environment_ && !part.environment ? environment_->channels() : 1;
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        const Instance& instance = instances_[i];
+    for (std::size_t i = 0; i < instances().size(); ++i) {
+        const Instance& instance = instances()[i];
         if (i != part.material) most = std::max(most, instance.material->channels());
         if (i != part.emission && instance.emission) most = std::max(most, instance.emission->channels());
     }
-    for (std::size_t i = 0; i < lights_.size(); ++i)
-        if (i != part.light) most = std::max(most, lights_[i].channels());
+    for (std::size_t i = 0; i < lights().size(); ++i)
+        if (i != part.light) most = std::max(most, lights()[i].channels());
     return most;
 }
 
@@ -97,7 +74,7 @@ int Scene::channels() const {
 }
 
 bool Scene::varies() const {
-    return std::ranges::any_of(instances_, [](const Instance& instance) {
+    return std::ranges::any_of(instances(), [](const Instance& instance) {
         return instance.material->variation() != nullptr ||
                (instance.emission != nullptr && instance.emission->texture != nullptr);
     });
@@ -106,35 +83,31 @@ bool Scene::varies() const {
 std::uint32_t Scene::add(Instance instance) {
     if (!instance.mesh) refuse("the instance has no mesh");
     if (!instance.material) refuse("the instance has no material");
-    if (next_id_ == std::numeric_limits<std::uint32_t>::max()) refuse("the scene has had too many instances");
+    const std::uint32_t id = instances_.next();
     check_transform(instance.to_world);
     check_channels("material", instance.material->channels(), channels());
-    check_attributes(*instance.mesh, *instance.material, next_id_);
+    check_attributes(*instance.mesh, *instance.material, id);
     if (instance.emission) {
-        check_emission(*instance.mesh, *instance.emission, next_id_);
+        check_emission(*instance.mesh, *instance.emission, id);
         check_channels("emission", instance.emission->channels(),
                        std::max(channels(), instance.material->channels()));
         emission_version_ = new_version();
     }
-    if (ids_.size() == ids_.capacity()) ids_.reserve(2 * ids_.size() + 1);
-    instances_.push_back(std::move(instance));
-    ids_.push_back(next_id_);
+    instances_.add(std::move(instance));
     geometry_version_ = new_version();
     material_version_ = new_version();
-    return next_id_++;
+    return id;
 }
 
 void Scene::remove(std::uint32_t id) {
-    const auto index = static_cast<std::ptrdiff_t>(index_of(id));
-    if (instances_[index_of(id)].emission) emission_version_ = new_version();
-    instances_.erase(instances_.begin() + index);
-    ids_.erase(ids_.begin() + index);
+    if (at(id).emission) emission_version_ = new_version();
+    instances_.remove(id);
     geometry_version_ = new_version();
     material_version_ = new_version();
 }
 
 void Scene::set_transform(std::uint32_t id, const glm::dmat4& to_world) {
-    Instance& instance = instances_[index_of(id)];
+    Instance& instance = instances_[instances_.index_of(id)];
     check_transform(to_world);
     if (instance.to_world == to_world) return;
     instance.to_world = to_world;
@@ -142,7 +115,7 @@ void Scene::set_transform(std::uint32_t id, const glm::dmat4& to_world) {
 }
 
 void Scene::set_material(std::uint32_t id, MaterialPtr material) {
-    const std::size_t index = index_of(id);
+    const std::size_t index = instances_.index_of(id);
     if (!material) refuse("the instance would have no material");
     check_channels("material", material->channels(), channels_without({.material = index}));
     Instance& instance = instances_[index];
@@ -156,7 +129,7 @@ void Scene::set_material(std::uint32_t id, MaterialPtr material) {
 }
 
 void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
-    const std::size_t index = index_of(id);
+    const std::size_t index = instances_.index_of(id);
     Instance& instance = instances_[index];
     if (emission) {
         check_emission(*instance.mesh, *emission, id);
@@ -168,38 +141,29 @@ void Scene::set_emission(std::uint32_t id, EmissionPtr emission) {
 }
 
 std::uint32_t Scene::add_light(SmallLight light) {
-    if (next_light_id_ == std::numeric_limits<std::uint32_t>::max())
-        refuse("the scene has had too many lights");
+    const std::uint32_t id = lights_.next();
     check(light);
     check_channels("light", light.channels(), channels());
-    if (light_ids_.size() == light_ids_.capacity()) light_ids_.reserve(2 * light_ids_.size() + 1);
-    lights_.push_back(std::move(light));
-    light_ids_.push_back(next_light_id_);
+    lights_.add(std::move(light));
     small_light_version_ = new_version();
-    return next_light_id_++;
+    return id;
 }
 
 void Scene::remove_light(std::uint32_t id) {
-    const auto index = static_cast<std::ptrdiff_t>(light_index_of(id));
-    lights_.erase(lights_.begin() + index);
-    light_ids_.erase(light_ids_.begin() + index);
+    lights_.remove(id);
     small_light_version_ = new_version();
 }
 
 void Scene::set_light(std::uint32_t id, SmallLight light) {
-    const std::size_t index = light_index_of(id);
+    const std::size_t index = lights_.index_of(id);
     check(light);
     check_channels("light", light.channels(), channels_without({.light = index}));
     lights_[index] = std::move(light);
     small_light_version_ = new_version();
 }
 
-const SmallLight& Scene::light(std::uint32_t id) const {
-    return lights_[light_index_of(id)];
-}
-
 bool Scene::has_small_lights() const {
-    return !lights_.empty() || std::ranges::any_of(instances_, [](const Instance& instance) {
+    return !lights().empty() || std::ranges::any_of(instances(), [](const Instance& instance) {
         return instance.emission != nullptr;
     });
 }
@@ -211,34 +175,25 @@ void Scene::hide_emitters(bool hide) {
 }
 
 std::uint32_t Scene::add_plate(const PolarizingPlate& plate) {
-    if (next_plate_id_ == std::numeric_limits<std::uint32_t>::max())
-        refuse("the scene has had too many plates");
+    const std::uint32_t id = plates_.next();
     check(plate);
     check_transform(plate.to_world);
-    if (plate_ids_.size() == plate_ids_.capacity()) plate_ids_.reserve(2 * plate_ids_.size() + 1);
-    plates_.push_back(plate);
-    plate_ids_.push_back(next_plate_id_);
+    plates_.add(plate);
     plate_version_ = new_version();
-    return next_plate_id_++;
+    return id;
 }
 
 void Scene::remove_plate(std::uint32_t id) {
-    const auto index = static_cast<std::ptrdiff_t>(plate_index_of(id));
-    plates_.erase(plates_.begin() + index);
-    plate_ids_.erase(plate_ids_.begin() + index);
+    plates_.remove(id);
     plate_version_ = new_version();
 }
 
 void Scene::set_plate(std::uint32_t id, const PolarizingPlate& plate) {
-    PolarizingPlate& changed = plates_[plate_index_of(id)];
+    PolarizingPlate& changed = plates_[plates_.index_of(id)];
     check(plate);
     check_transform(plate.to_world);
     changed = plate;
     plate_version_ = new_version();
-}
-
-const PolarizingPlate& Scene::plate(std::uint32_t id) const {
-    return plates_[plate_index_of(id)];
 }
 
 void Scene::set_environment(EnvironmentPtr environment, const glm::dmat3& rotation, double scale) {

@@ -13,6 +13,7 @@
 #include "light/small_light.hpp"
 #include "material/material.hpp"
 #include "polarization/plate.hpp"
+#include "scene/numbered.hpp"
 #include "versioned.hpp"
 
 namespace nicol {
@@ -39,17 +40,17 @@ public:
     void set_material(std::uint32_t id, MaterialPtr material);
     /// Null: it does not shine.
     void set_emission(std::uint32_t id, EmissionPtr emission);
-    [[nodiscard]] const Instance& at(std::uint32_t id) const { return instances_[index_of(id)]; }
+    [[nodiscard]] const Instance& at(std::uint32_t id) const { return instances_.at(id); }
 
     /// The same for small lights, whose ids count up for themselves. Throw what check() throws, and for
     /// channels that do not fit the scene's.
     std::uint32_t add_light(SmallLight light);
     void remove_light(std::uint32_t id);
     void set_light(std::uint32_t id, SmallLight light);
-    [[nodiscard]] const SmallLight& light(std::uint32_t id) const;
-    [[nodiscard]] const std::vector<SmallLight>& lights() const noexcept { return lights_; }
+    [[nodiscard]] const SmallLight& light(std::uint32_t id) const { return lights_.at(id); }
+    [[nodiscard]] const std::vector<SmallLight>& lights() const noexcept { return lights_.values(); }
     /// Of lights(), ascending.
-    [[nodiscard]] const std::vector<std::uint32_t>& light_ids() const noexcept { return light_ids_; }
+    [[nodiscard]] const std::vector<std::uint32_t>& light_ids() const noexcept { return lights_.ids(); }
     /// Whether there are lights beside the environment: small ones, or surfaces that shine.
     [[nodiscard]] bool has_small_lights() const;
 
@@ -58,10 +59,10 @@ public:
     std::uint32_t add_plate(const PolarizingPlate& plate);
     void remove_plate(std::uint32_t id);
     void set_plate(std::uint32_t id, const PolarizingPlate& plate);
-    [[nodiscard]] const PolarizingPlate& plate(std::uint32_t id) const;
-    [[nodiscard]] const std::vector<PolarizingPlate>& plates() const noexcept { return plates_; }
+    [[nodiscard]] const PolarizingPlate& plate(std::uint32_t id) const { return plates_.at(id); }
+    [[nodiscard]] const std::vector<PolarizingPlate>& plates() const noexcept { return plates_.values(); }
     /// Of plates(), ascending.
-    [[nodiscard]] const std::vector<std::uint32_t>& plate_ids() const noexcept { return plate_ids_; }
+    [[nodiscard]] const std::vector<std::uint32_t>& plate_ids() const noexcept { return plates_.ids(); }
 
     /// Null is darkness. `rotation` takes the light's axes to the world's; it must be a proper rotation.
     /// `scale` multiplies the radiance and must be finite and not negative.
@@ -71,9 +72,9 @@ public:
     void hide_emitters(bool hide);
     [[nodiscard]] bool emitters_hidden() const noexcept { return emitters_hidden_; }
 
-    [[nodiscard]] const std::vector<Instance>& instances() const noexcept { return instances_; }
+    [[nodiscard]] const std::vector<Instance>& instances() const noexcept { return instances_.values(); }
     /// Of instances(), ascending.
-    [[nodiscard]] const std::vector<std::uint32_t>& ids() const noexcept { return ids_; }
+    [[nodiscard]] const std::vector<std::uint32_t>& ids() const noexcept { return instances_.ids(); }
     [[nodiscard]] const EnvironmentPtr& environment() const noexcept { return environment_; }
     /// What is seen behind the instances: the environment, or null where emitters are hidden.
     [[nodiscard]] EnvironmentPtr background() const { return emitters_hidden_ ? nullptr : environment_; }
@@ -98,9 +99,6 @@ public:
     [[nodiscard]] Version plate_version() const noexcept { return plate_version_; }
 
 private:
-    [[nodiscard]] std::size_t index_of(std::uint32_t id) const;
-    [[nodiscard]] std::size_t light_index_of(std::uint32_t id) const;
-    [[nodiscard]] std::size_t plate_index_of(std::uint32_t id) const;
     /// Of everything but the material or the emission of one instance, one light, or the environment.
     struct Without {
         static constexpr std::size_t kNone = ~std::size_t{0};
@@ -111,15 +109,9 @@ private:
     };
     [[nodiscard]] int channels_without(const Without& part) const;
 
-    std::vector<Instance> instances_;
-    std::vector<std::uint32_t> ids_;
-    std::uint32_t next_id_ = 0;
-    std::vector<SmallLight> lights_;
-    std::vector<std::uint32_t> light_ids_;
-    std::uint32_t next_light_id_ = 0;
-    std::vector<PolarizingPlate> plates_;
-    std::vector<std::uint32_t> plate_ids_;
-    std::uint32_t next_plate_id_ = 0;
+    Numbered<Instance> instances_{"instance"};
+    Numbered<SmallLight> lights_{"light"};
+    Numbered<PolarizingPlate> plates_{"plate"};
     EnvironmentPtr environment_;
     glm::dmat3 rotation_{1.0};
     double scale_ = 1;
