@@ -181,9 +181,9 @@ nicol_result nicol_scene_set_environment(nicol_scene scene, nicol_environment en
 nicol_result nicol_scene_hide_emitters(nicol_scene scene, uint32_t hide) {
     return guarded([&] {
         const nicol_scene_impl& self = resolve(scene);
-        if (hide > 1) refuse("hide is " + std::to_string(hide) + "; it must be 0 or 1");
+        const bool hidden = switch_from(hide, "hide");
         const Edit edit(self);
-        self.content->scene.hide_emitters(hide == 1);
+        self.content->scene.hide_emitters(hidden);
     });
 }
 

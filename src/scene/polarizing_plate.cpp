@@ -37,7 +37,6 @@ public:
         to_local_ = glm::inverse(glm::dmat3(u_, v_, normal_));
     }
 
-    [[nodiscard]] const glm::dvec3& normal() const { return normal_; }
     /// x = the image of the shape's x, z = normal.
     [[nodiscard]] Frame frame() const { return frame_with_x(normal_, u_); }
 
