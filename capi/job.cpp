@@ -165,6 +165,7 @@ public:
         for (const auto& weak : queues) {
             if (const auto queue = weak.lock()) queue->drain();
         }
+        gl::join_left_threads();  // of queues that their last jobs destroyed
     }
     void add(const std::shared_ptr<Queue>& queue) {
         const std::lock_guard lock(mutex_);

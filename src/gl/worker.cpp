@@ -12,11 +12,9 @@ namespace {
 thread_local bool is_quiet_thread = false;
 
 /// Threads whose context was dropped on a context's thread: it may be their own, or each may be waiting for
-/// the other, so they are not joined there. They are joined before Mesa's exit handlers run, which would
-/// break a context that is still being destroyed.
+/// the other, so they are not joined there. Never destroyed, as they may come while the process ends.
 class LeftThreads {
 public:
-    ~LeftThreads() { join(); }
     void add(std::thread thread) {
         const std::lock_guard lock(mutex_);
         threads_.push_back(std::move(thread));
@@ -27,7 +25,12 @@ public:
             const std::lock_guard lock(mutex_);
             ending.swap(threads_);
         }
-        for (std::thread& thread : ending) thread.join();
+        for (std::thread& thread : ending) {
+            if (thread.get_id() == std::this_thread::get_id())
+                thread.detach();  // ends the process itself
+            else
+                thread.join();
+        }
     }
 
 private:
@@ -36,7 +39,11 @@ private:
 };
 
 LeftThreads& left_threads() {
-    static LeftThreads instance;
+    static auto& instance = *new LeftThreads;
+    // Before Mesa's exit handlers, which would break a context that is still being destroyed.
+    static const struct AtExit {
+        ~AtExit() { instance.join(); }
+    } at_exit;
     return instance;
 }
 
@@ -132,6 +139,10 @@ void join_or_leave(std::thread thread) {
         return;
     }
     thread.join();
+    join_left_threads();
+}
+
+void join_left_threads() {
     left_threads().join();
 }
 

@@ -39,4 +39,7 @@ private:
 /// by a later call from another thread, or at the process's end.
 void join_or_leave(std::thread thread);
 
+/// Joins those that were left.
+void join_left_threads();
+
 }  // namespace nicol::gl
