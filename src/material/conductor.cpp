@@ -43,11 +43,7 @@ template <class Number>
 class RoughConductor final : public Material {
 public:
     explicit RoughConductor(RoughConductorParameters parameters)
-        : p_(std::move(parameters)), smooth_(p_.alpha == 0) {
-        if (smooth_) {
-            p_.alpha = kSmoothAlpha;
-            p_.distribution = Distribution::beckmann;
-        }
+        : p_(std::move(parameters)), smooth_(take_smooth(p_.alpha, p_.distribution)) {
         if (p_.eta.empty())
             throw Error(ErrorCode::invalid_argument, "eta has no value; give one, or one a channel");
         for (const std::complex<double> eta : p_.eta) {

@@ -29,6 +29,15 @@ struct RoughConductorParameters {
 /// one degree, less than order 100 resolves.
 inline constexpr double kSmoothAlpha = 0.01;
 
+/// Whether alpha is 0, a smooth surface; if so, becomes what stands for it: Beckmann's facets of
+/// kSmoothAlpha.
+inline bool take_smooth(double& alpha, Distribution& distribution) {
+    if (alpha != 0) return false;
+    alpha = kSmoothAlpha;
+    distribution = Distribution::beckmann;
+    return true;
+}
+
 /// Mitsuba 3's `conductor`: rough_conductor() of alpha 0.
 [[nodiscard]] MaterialPtr conductor(std::vector<std::complex<double>> eta,
                                     std::vector<double> specular_reflectance = {1.0});

@@ -50,13 +50,7 @@ template <class Number>
 }
 
 PlasticParameters checked(PlasticParameters p) {
-    check_reflectance(p.diffuse_reflectance, "diffuse_reflectance");
-    check_reflectance(p.specular_reflectance, "specular_reflectance");
-    check_range(p.int_ior, 1e-3, 1e3, "int_ior");
-    check_range(p.ext_ior, 1e-3, 1e3, "ext_ior");
-    if (p.alpha != 0) check_range(p.alpha, 0.001, 1, "alpha");
-    check_channels(p.diffuse_reflectance.size(), "diffuse_reflectance", p.specular_reflectance.size(),
-                   "specular_reflectance");
+    check_plastic(p);
     return p;
 }
 
@@ -64,16 +58,11 @@ PlasticParameters checked(PlasticParameters p) {
 class Plastic final : public Material {
 public:
     explicit Plastic(PlasticParameters parameters)
-        : p_(checked(std::move(parameters))),
-          smooth_(p_.alpha == 0),
+        : smooth_(take_smooth(parameters.alpha, parameters.distribution)),
+          p_(checked(std::move(parameters))),
           eta_(p_.int_ior / p_.ext_ior),
           transmittance_(smooth_ ? BoundaryTransmittance(eta_)
-                                 : BoundaryTransmittance(eta_, p_.distribution, p_.alpha)) {
-        if (smooth_) {
-            p_.alpha = kSmoothAlpha;
-            p_.distribution = Distribution::beckmann;
-        }
-    }
+                                 : BoundaryTransmittance(eta_, p_.distribution, p_.alpha)) {}
 
     [[nodiscard]] int channels() const noexcept override {
         return static_cast<int>(std::max(p_.diffuse_reflectance.size(), p_.specular_reflectance.size()));
@@ -134,8 +123,8 @@ private:
                reflection_block(std::min(1.0, glm::dot(viewer, half)), eta_).a;
     }
 
-    PlasticParameters p_;
     bool smooth_;
+    PlasticParameters p_;
     double eta_;
     BoundaryTransmittance transmittance_;
 };

@@ -63,13 +63,7 @@ class Pplastic final : public Material {
 public:
     explicit Pplastic(PplasticParameters parameters)
         : p_(std::move(parameters)), eta_(p_.int_ior / p_.ext_ior), lanes_(p_, eta_) {
-        check_reflectance(p_.diffuse_reflectance, "diffuse_reflectance");
-        check_reflectance(p_.specular_reflectance, "specular_reflectance");
-        check_range(p_.int_ior, 1e-3, 1e3, "int_ior");
-        check_range(p_.ext_ior, 1e-3, 1e3, "ext_ior");
-        check_range(p_.alpha, 0.001, 1, "alpha");
-        check_channels(p_.diffuse_reflectance.size(), "diffuse_reflectance", p_.specular_reflectance.size(),
-                       "specular_reflectance");
+        check_plastic(p_);
     }
 
     [[nodiscard]] int channels() const noexcept override {

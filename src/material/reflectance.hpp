@@ -16,6 +16,18 @@ void check_range(double value, double low, double high, std::string_view name);
 /// Throws Error(invalid_argument) unless both parameters have equally many values or one has a single one.
 void check_channels(std::size_t a, std::string_view a_name, std::size_t b, std::string_view b_name);
 
+/// Of a rough boundary over a base, PplasticParameters or PlasticParameters: throws as these do.
+template <class Parameters>
+void check_plastic(const Parameters& p) {
+    check_reflectance(p.diffuse_reflectance, "diffuse_reflectance");
+    check_reflectance(p.specular_reflectance, "specular_reflectance");
+    check_range(p.int_ior, 1e-3, 1e3, "int_ior");
+    check_range(p.ext_ior, 1e-3, 1e3, "ext_ior");
+    check_range(p.alpha, 0.001, 1, "alpha");
+    check_channels(p.diffuse_reflectance.size(), "diffuse_reflectance", p.specular_reflectance.size(),
+                   "specular_reflectance");
+}
+
 /// One value stands for every channel.
 [[nodiscard]] inline double of_channel(const std::vector<double>& values, int channel) {
     return values.size() == 1 ? values.front() : values.at(static_cast<std::size_t>(channel));

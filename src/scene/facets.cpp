@@ -28,20 +28,14 @@ constexpr std::array<NamedIor, 23> kNamedIors = {
      {"bk7", 1.5046},      {"sodium chloride", 1.544},  {"amber", 1.55},
      {"pet", 1.5750},      {"diamond", 2.419}}};
 
-/// A number, or a texture.
-struct Roughness {
-    double alpha;
-    TextureSpecificationPtr texture;
-
-    bool operator==(const Roughness& o) const {
-        return texture && o.texture ? *texture == *o.texture : !texture && !o.texture && alpha == o.alpha;
-    }
-};
+bool same(const TexturedNumber& a, const TexturedNumber& b) {
+    return a.texture && b.texture ? *a.texture == *b.texture : !a.texture && !b.texture && a.value == b.value;
+}
 
 /// The geometric mean, which keeps the height of a highlight. None unless both are numbers, or textures
 /// that differ in nothing but two colours.
-std::optional<Roughness> mean(const Roughness& u, const Roughness& v) {
-    if (!u.texture && !v.texture) return Roughness{std::sqrt(u.alpha * v.alpha), nullptr};
+std::optional<TexturedNumber> mean(const TexturedNumber& u, const TexturedNumber& v) {
+    if (!u.texture && !v.texture) return TexturedNumber(std::sqrt(u.value * v.value));
     if (!u.texture || !v.texture) return std::nullopt;
     TextureSpecification texture = *u.texture;
     texture.color0 = v.texture->color0;
@@ -53,26 +47,25 @@ std::optional<Roughness> mean(const Roughness& u, const Roughness& v) {
     };
     if (!multiply(texture.color0, u.texture->color0) || !multiply(texture.color1, u.texture->color1))
         return std::nullopt;
-    return Roughness{u.alpha, std::make_shared<const TextureSpecification>(std::move(texture))};
+    TexturedNumber both(u.value);
+    both.texture = std::make_shared<const TextureSpecification>(std::move(texture));
+    return both;
 }
 
-Roughness roughness(const XmlDocument& document, Plugin& plugin, const char* name, double otherwise) {
+TexturedNumber roughness(const MaterialSource& source, const char* name, double otherwise) {
     // What the tables of a material resolve.
     constexpr double least = 0.001, most = 1.0;
-    if (const pugi::xml_node texture = plugin.texture(name))
-        return {otherwise, read_texture(document, texture)};
-    return {plugin.number(name, otherwise, least, most), nullptr};
+    return read_number(source, name, otherwise, least, most);
 }
 
 struct DirectionalRoughness {
-    Roughness u, v;
+    TexturedNumber u, v;
 };
 
 /// Given once, or for both directions; Mitsuba's parameters.
 DirectionalRoughness roughness(const MaterialSource& source, double otherwise) {
-    const XmlDocument& document = source.document;
     Plugin& plugin = source.plugin;
-    const Roughness alpha = roughness(document, plugin, "alpha", otherwise);
+    const TexturedNumber alpha = roughness(source, "alpha", otherwise);
     if (!plugin.has("alpha_u") && !plugin.has("alpha_v")) {
         plugin.pass_over({"alpha_u", "alpha_v"});
         return {alpha, alpha};
@@ -81,8 +74,8 @@ DirectionalRoughness roughness(const MaterialSource& source, double otherwise) {
     if (!plugin.has("alpha_u") || !plugin.has("alpha_v"))
         plugin.fail(plugin.has("alpha_u") ? "alpha_u" : "alpha_v",
                     "is given alone; expected alpha, or both alpha_u and alpha_v");
-    const Roughness u = roughness(document, plugin, "alpha_u", otherwise);
-    return {u, roughness(document, plugin, "alpha_v", otherwise)};
+    const TexturedNumber u = roughness(source, "alpha_u", otherwise);
+    return {u, roughness(source, "alpha_v", otherwise)};
 }
 
 void read_distribution(Plugin& plugin, MaterialDescription& material) {
@@ -92,6 +85,16 @@ void read_distribution(Plugin& plugin, MaterialDescription& material) {
 }
 
 }  // namespace
+
+TexturedNumber read_number(const MaterialSource& source, const char* name, double otherwise, double least,
+                           double most) {
+    TexturedNumber number(otherwise);
+    if (const pugi::xml_node texture = source.plugin.texture(name))
+        number.texture = read_texture(source.document, texture);
+    else
+        number.value = source.plugin.number(name, otherwise, least, most);
+    return number;
+}
 
 double refractive_index(Plugin& plugin, const std::string& name, double otherwise) {
     if (!plugin.has_tag(name, "string")) return plugin.number(name, otherwise, 0.0, kNoLimit, true);
@@ -112,8 +115,8 @@ void read_indices(Plugin& plugin, MaterialDescription& material) {
 void read_facets(const MaterialSource& source, MaterialDescription& material) {
     read_distribution(source.plugin, material);
     const auto [u, v] = roughness(source, material.alpha);
-    std::optional<Roughness> both = u;
-    if (!(u == v)) {
+    std::optional<TexturedNumber> both = u;
+    if (!same(u, v)) {
         both = mean(u, v);
         if (!both)
             source.plugin.fail(
@@ -124,17 +127,17 @@ void read_facets(const MaterialSource& source, MaterialDescription& material) {
         source.notices.add(source.node, "alpha_u and alpha_v differ: " + source.plugin.type() +
                                             " takes sqrt(alpha_u alpha_v)");
     }
-    material.alpha = both->alpha;
+    material.alpha = both->value;
     material.alpha_texture = both->texture;
 }
 
 void read_anisotropic_facets(const MaterialSource& source, MaterialDescription& material) {
     read_distribution(source.plugin, material);
     const auto [u, v] = roughness(source, material.alpha);
-    material.alpha = u.alpha;
+    material.alpha = u.value;
     material.alpha_texture = u.texture;
-    if (u == v) return;
-    material.alpha_v = v.alpha;
+    if (same(u, v)) return;
+    material.alpha_v = v.value;
     material.alpha_v_texture = v.texture;
     source.notices.add(
         source.node,

@@ -73,8 +73,7 @@ MaterialDescription read_material(const XmlDocument& document, pugi::xml_node no
             plugin.fail_type(
                 "pplastic, plastic, roughplastic, diffuse, conductor, roughconductor, dielectric, "
                 "roughdielectric, null, principled, measured_polarized, psh, twosided, normalmap, bumpmap, "
-                "mask, "
-                "blendbsdf",
+                "mask, blendbsdf",
                 reason(node));
         }
         plugin.finish();

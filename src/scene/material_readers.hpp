@@ -29,6 +29,9 @@ void read_null(MaterialDescription& material);
 void read_conductor(const MaterialSource& source, MaterialDescription& material);
 void read_principled(const MaterialSource& source, MaterialDescription& material);
 
+/// A number of `least` to `most`, or a texture.
+[[nodiscard]] TexturedNumber read_number(const MaterialSource& source, const char* name, double otherwise,
+                                         double least, double most);
 /// A number, or the name of a medium.
 [[nodiscard]] double refractive_index(Plugin& plugin, const std::string& name, double otherwise);
 /// int_ior and ext_ior, which differ.

@@ -6,13 +6,6 @@
 namespace nicol::scene {
 namespace {
 
-void read_number(const MaterialSource& source, const char* name, TexturedNumber& number) {
-    if (const pugi::xml_node texture = source.plugin.texture(name))
-        number.texture = read_texture(source.document, texture);
-    else
-        number.value = source.plugin.number(name, number.value, 0.0, 1.0);
-}
-
 double index_of(Plugin& plugin) {
     if (plugin.has("eta") && plugin.has("specular"))
         plugin.fail("specular", "is given beside eta; expected either");
@@ -27,16 +20,19 @@ void read_principled(const MaterialSource& source, MaterialDescription& material
     PrincipledDescription& of = material.principled;
     of.base_color = read_color(source.document, source.plugin, "base_color", 0.5, 1.0);
     of.eta = index_of(source.plugin);
-    read_number(source, "roughness", of.roughness);
-    read_number(source, "anisotropic", of.anisotropic);
-    read_number(source, "metallic", of.metallic);
-    read_number(source, "spec_trans", of.spec_trans);
-    read_number(source, "spec_tint", of.spec_tint);
-    read_number(source, "sheen", of.sheen);
-    read_number(source, "sheen_tint", of.sheen_tint);
-    read_number(source, "flatness", of.flatness);
-    read_number(source, "clearcoat", of.clearcoat);
-    read_number(source, "clearcoat_gloss", of.clearcoat_gloss);
+    const auto read = [&source](const char* name, TexturedNumber& number) {
+        number = read_number(source, name, number.value, 0.0, 1.0);
+    };
+    read("roughness", of.roughness);
+    read("anisotropic", of.anisotropic);
+    read("metallic", of.metallic);
+    read("spec_trans", of.spec_trans);
+    read("spec_tint", of.spec_tint);
+    read("sheen", of.sheen);
+    read("sheen_tint", of.sheen_tint);
+    read("flatness", of.flatness);
+    read("clearcoat", of.clearcoat);
+    read("clearcoat_gloss", of.clearcoat_gloss);
     source.plugin.pass_over(
         {"diffuse_reflectance_sampling_rate", "main_specular_sampling_rate", "clearcoat_sampling_rate"});
 
