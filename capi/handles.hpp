@@ -110,6 +110,7 @@ struct Film {
     std::uint32_t width;
     std::uint32_t height;
     bool luminance;  ///< one channel is requested
+    std::uint32_t aovs;
 };
 
 struct SceneState {

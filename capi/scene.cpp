@@ -76,7 +76,8 @@ nicol_result nicol_scene_load(nicol_context context, const char* path, const cha
         state->film = {.camera = loaded.camera,
                        .width = static_cast<uint32_t>(loaded.width),
                        .height = static_cast<uint32_t>(loaded.height),
-                       .luminance = loaded.luminance};
+                       .luminance = loaded.luminance,
+                       .aovs = loaded.aovs};
         state->files = std::move(loaded.files);
         *scene = make_handle<nicol_scene_impl>(session, state);
     });
@@ -229,6 +230,14 @@ nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint3
         const Film& film = film_of(*self.content);
         *width = film.width;
         *height = film.height;
+    });
+}
+
+nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs) {
+    return guarded([&] {
+        const nicol_scene_impl& self = resolve(scene);
+        require(aovs, "aovs");
+        *aovs = film_of(*self.content).aovs;
     });
 }
 

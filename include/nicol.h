@@ -926,9 +926,11 @@ NICOL_API nicol_result nicol_scene_get_plate(nicol_scene scene, uint32_t id, nic
 NICOL_API nicol_result nicol_scene_get_plate_count(nicol_scene scene, uint32_t* plates);
 /* The ids of all plates, ascending; count: of the plates. */
 NICOL_API nicol_result nicol_scene_get_plate_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
-/* The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
+/* The camera and film size of a loaded file, and the AOVs that its integrators ask for, a sum of
+ * NICOL_AOV_... for nicol_render_options; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded. */
 NICOL_API nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 NICOL_API nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+NICOL_API nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs);
 
 typedef struct nicol_scene_file {
     uint32_t struct_size;

@@ -567,6 +567,7 @@ nicol_result nicol_scene_get_plate_count(nicol_scene scene, uint32_t* plates);
 nicol_result nicol_scene_get_plate_ids(nicol_scene scene, uint32_t* ids, uint64_t count);
 nicol_result nicol_scene_get_camera(nicol_scene scene, nicol_camera* camera);
 nicol_result nicol_scene_get_film_size(nicol_scene scene, uint32_t* width, uint32_t* height);
+nicol_result nicol_scene_get_aovs(nicol_scene scene, uint32_t* aovs);
 nicol_result nicol_scene_get_file_count(nicol_scene scene, uint32_t* count);
 nicol_result nicol_scene_get_file(nicol_scene scene, uint32_t index, nicol_scene_file* file);
 nicol_result nicol_scene_get_channels(nicol_scene scene, uint32_t* channels);
@@ -830,6 +831,7 @@ return {
         scene_get_plate_ids = true,
         scene_get_camera = true,
         scene_get_film_size = true,
+        scene_get_aovs = true,
         scene_get_file_count = true,
         scene_get_file = true,
         scene_get_channels = true,

@@ -73,7 +73,8 @@ void render(nicol_scene scene, nicol_framebuffer framebuffer, const Options& opt
     wanted.pixel_samples = options.pixel_samples;
     wanted.tolerance = options.tolerance.value_or(wanted.tolerance);
     wanted.components = options.components;
-    wanted.aovs = options.aovs;
+    check(nicol_scene_get_aovs(scene, &wanted.aovs));
+    wanted.aovs |= options.aovs;
     wanted.shadows = options.shadows ? 1 : 0;
     wanted.bake_directions = options.bake_directions.value_or(wanted.bake_directions);
     wanted.refine_tolerance = options.refine_tolerance.value_or(wanted.refine_tolerance);

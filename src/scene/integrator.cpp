@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// <integrator>: Mitsuba's, of which none is followed.
+// <integrator>: Mitsuba's, of which only AOVs are followed.
 #include <algorithm>
 #include <array>
 
+#include "image/aovs.hpp"
 #include "scene/plugin.hpp"
 #include "scene/readers.hpp"
 
@@ -15,15 +16,68 @@ struct Type {
     std::string_view name;
     bool holds_others;
     bool reflects_often;
+    std::uint32_t aovs = 0;
 };
 constexpr std::array<Type, 8> kTypes = {{{"stokes", true, false},
                                          {"moment", true, false},
                                          {"aov", true, false},
                                          {"direct", false, false},
-                                         {"depth", false, false},
+                                         {"depth", false, false, aov_depth},
                                          {"path", false, true},
                                          {"volpath", false, true},
                                          {"volpathmis", false, true}}};
+
+struct AovType {
+    std::string_view name;
+    std::uint32_t bit;  // 0: not made
+};
+constexpr std::array<AovType, 13> kAovTypes = {{{"depth", aov_depth},
+                                                {"position", aov_positions},
+                                                {"sh_normal", aov_normals},
+                                                {"shape_index", aov_instances},
+                                                {"albedo", 0},
+                                                {"uv", 0},
+                                                {"geo_normal", 0},
+                                                {"dp_du", 0},
+                                                {"dp_dv", 0},
+                                                {"duv_dx", 0},
+                                                {"duv_dy", 0},
+                                                {"prim_index", 0},
+                                                {"boundary_test", 0}}};
+
+std::string_view trimmed(std::string_view text) {
+    const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+/// What "name:type, name:type" asks for. Channels have the names of the AOVs, not those.
+std::uint32_t read_aovs(Plugin& plugin, pugi::xml_node node, Notices& notices) {
+    std::uint32_t aovs = 0;
+    const std::string list = plugin.string("aovs", "");
+    std::string missing;
+    for (std::string_view rest = list; !trimmed(rest).empty();) {
+        const std::string_view one = trimmed(rest.substr(0, rest.find(',')));
+        rest.remove_prefix(std::min(rest.size(), rest.find(',')));
+        if (!rest.empty()) rest.remove_prefix(1);
+        const std::size_t colon = one.find(':');
+        const auto type = std::ranges::find(
+            kAovTypes, colon == one.npos ? one : trimmed(one.substr(colon + 1)), &AovType::name);
+        if (colon == one.npos || type == kAovTypes.end()) {
+            std::string names;
+            for (const AovType& known : kAovTypes) names.append(names.empty() ? "" : ", ").append(known.name);
+            plugin.fail("aovs", "holds " + in_quotes(std::string(one)) +
+                                    "; expected name:type with a type of: " + names);
+        }
+        aovs |= type->bit;
+        if (type->bit == 0) missing.append(missing.empty() ? "" : ", ").append(type->name);
+    }
+    if (!missing.empty())
+        notices.add(node, "AOVs that are not made: " + missing +
+                              "; there are depth, position, sh_normal and shape_index");
+    return aovs;
+}
 
 /// `left`: how many integrators may be read, itself counted. This ends circles of <ref>s.
 void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& notices,
@@ -41,8 +95,12 @@ void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& 
     const double max_depth = type->reflects_often ? plugin.number("max_depth", -1.0) : 2.0;
     const bool reflects_often = max_depth < 0.0 || max_depth > 2.0;
     integrator.reflects_often |= reflects_often;
-    notices.add_unfollowed(node, "integrator " + in_quotes(plugin.type()) +
-                                     (reflects_often ? " (light is reflected once)" : ""));
+    integrator.aovs |= type->aovs;
+    if (plugin.type() == "aov")
+        integrator.aovs |= read_aovs(plugin, node, notices);
+    else
+        notices.add_unfollowed(node, "integrator " + in_quotes(plugin.type()) +
+                                         (reflects_often ? " (light is reflected once)" : ""));
     integrator.hide_emitters |= plugin.boolean("hide_emitters", false);
     if (!type->holds_others) return static_cast<void>(plugin.objects({}));
     for (const NestedObject& inner : plugin.objects({"integrator"}))

@@ -276,6 +276,10 @@ class Success(RenderTest):
                 self.assertEqual(self.image_channels(), bare | more)
         self.assert_succeeds("good.xml", "-o", "out/a.exr", "--aovs=variance", "--method=reference", "--samples=2")
         self.assertEqual(self.image_channels(), bare | {"variance." + name for name in bare if name[0] == "S"})
+        asks = '<integrator type="aov"><string name="aovs" value="d:depth, n:sh_normal"/></integrator>'
+        self.write("aovs.xml", scene(emitter=asks + EMITTER))
+        self.assert_succeeds("aovs.xml", "-o", "out/a.exr", "--aovs=alpha")
+        self.assertEqual(self.image_channels(), bare | {"Z", "A"} | normals)
 
     def test_devices(self):
         listed = self.assert_succeeds("--list-devices").stdout.splitlines()

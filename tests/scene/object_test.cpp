@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Materials, instances, skies and films: what comes out, and what is refused.
+#include "image/aovs.hpp"
 #include "scene/scene_file.hpp"
 #include "test.hpp"
 
@@ -311,7 +312,7 @@ TEST_CASE("integrators that hold others") {
         "<integrator type='depth'/></integrator></integrator>");
     REQUIRE(listed.size() == 1);
     CHECK(
-        listed[0].ends_with("not followed: integrator \"moment\", integrator \"aov\", integrator \"volpath\" "
+        listed[0].ends_with("not followed: integrator \"moment\", integrator \"volpath\" "
                             "(light is reflected once), integrator \"depth\"."));
     const std::string hide = "<boolean name='hide_emitters' value=";
     struct Case {
@@ -331,6 +332,37 @@ TEST_CASE("integrators that hold others") {
         CHECK(integrator.hide_emitters == c.hide_emitters);
         CHECK(integrator.reflects_often == c.reflects_often);
     }
+}
+
+TEST_CASE("AOVs of integrators") {
+    const auto described = [](const std::string& list) {
+        return read("<integrator type='aov'>\n<string name='aovs' value='" + list +
+                    "'/><integrator type='direct'/></integrator>" + a_sensor + a_shape);
+    };
+    struct Case {
+        const char* list;
+        std::uint32_t aovs;
+        const char* missing;
+    };
+    for (const auto& [list, aovs, missing] :
+         {Case{"", 0, nullptr}, Case{"dd.y:depth", aov_depth, nullptr},
+          Case{"nn:sh_normal, position:position,depth.y : depth ,", aov_normals | aov_positions | aov_depth,
+               nullptr},
+          Case{"a:shape_index,b:shape_index", aov_instances, nullptr},
+          Case{"a:uv,b:depth,c:albedo", aov_depth, "not made: uv, albedo;"}}) {
+        CAPTURE(list);
+        const SceneDescription s = described(list);
+        CHECK(s.integrator.aovs == aovs);
+        REQUIRE(s.notices.size() == (missing ? 2 : 1));
+        CHECK(s.notices[0].ends_with(": not followed: integrator \"direct\"."));
+        if (missing) CHECK(s.notices[1].find(missing) != std::string::npos);
+    }
+    for (const char* const bad : {"depth", "a:depths", ":", "a:depth,,b:uv"})
+        refused("<integrator type='aov'>\n<string name='aovs' value='" + std::string(bad) +
+                    "'/></integrator>" + a_sensor + a_shape,
+                invalid, 3, {"aovs", "name:type", "sh_normal"});
+    const SceneDescription depth = read("<integrator type='depth'/>" + a_sensor + a_shape);
+    CHECK(depth.integrator.aovs == aov_depth);
 }
 
 TEST_CASE("a roughness that differs by direction is read as it is, with one notice") {

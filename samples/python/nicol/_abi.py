@@ -1335,7 +1335,8 @@ class Scene(Handle):
         check(_scene_get_plate_ids(self, ids.pointer, ids.count))
 
     def get_camera(self):
-        """The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
+        """The camera and film size of a loaded file, and the AOVs that its integrators ask for, a sum of
+        NICOL_AOV_... for nicol_render_options; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded."""
         camera = Camera()
         check(_scene_get_camera(self, byref(camera)))
         return camera
@@ -1345,6 +1346,11 @@ class Scene(Handle):
         height = c_uint32()
         check(_scene_get_film_size(self, byref(width), byref(height)))
         return width.value, height.value
+
+    def get_aovs(self):
+        aovs = c_uint32()
+        check(_scene_get_aovs(self, byref(aovs)))
+        return aovs.value
 
     def get_file_count(self):
         """The files that nicol_scene_load has read, each once: the scene file, those that it includes (of glTF, its
@@ -1806,6 +1812,7 @@ _scene_get_plate_count = declare("nicol_scene_get_plate_count", c_int32, Scene, 
 _scene_get_plate_ids = declare("nicol_scene_get_plate_ids", c_int32, Scene, POINTER(c_uint32), c_uint64)
 _scene_get_camera = declare("nicol_scene_get_camera", c_int32, Scene, POINTER(Camera))
 _scene_get_film_size = declare("nicol_scene_get_film_size", c_int32, Scene, POINTER(c_uint32), POINTER(c_uint32))
+_scene_get_aovs = declare("nicol_scene_get_aovs", c_int32, Scene, POINTER(c_uint32))
 _scene_get_file_count = declare("nicol_scene_get_file_count", c_int32, Scene, POINTER(c_uint32))
 _scene_get_file = declare("nicol_scene_get_file", c_int32, Scene, c_uint32, POINTER(SceneFile))
 _scene_get_channels = declare("nicol_scene_get_channels", c_int32, Scene, POINTER(c_uint32))

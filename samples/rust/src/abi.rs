@@ -1911,9 +1911,11 @@ extern "C" {
     pub fn nicol_scene_get_plate_count(scene: nicol_scene, plates: *mut u32) -> nicol_result;
     /// The ids of all plates, ascending; count: of the plates.
     pub fn nicol_scene_get_plate_ids(scene: nicol_scene, ids: *mut u32, count: u64) -> nicol_result;
-    /// The camera and film size of a loaded file; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
+    /// The camera and film size of a loaded file, and the AOVs that its integrators ask for, a sum of
+    /// NICOL_AOV_... for nicol_render_options; NICOL_ERROR_UNSUPPORTED for a scene that was not loaded.
     pub fn nicol_scene_get_camera(scene: nicol_scene, camera: *mut nicol_camera) -> nicol_result;
     pub fn nicol_scene_get_film_size(scene: nicol_scene, width: *mut u32, height: *mut u32) -> nicol_result;
+    pub fn nicol_scene_get_aovs(scene: nicol_scene, aovs: *mut u32) -> nicol_result;
     /// The files that nicol_scene_load has read, each once: the scene file, those that it includes (of glTF, its
     /// buffers), then light, materials and meshes. With equal digests the scene is the same. None for a scene that
     /// was not loaded.
