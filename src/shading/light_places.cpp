@@ -2,15 +2,25 @@
 #include "shading/light_places.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
+
+#include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
 
 // Steele and Vigna's mixer of 32 bits.
-std::uint32_t mixed(std::uint32_t x) {
+template <class Bits>
+[[gnu::always_inline]] inline void mix(Bits& x) {
     x = (x ^ (x >> 16)) * 0x21F0AAADU;
     x = (x ^ (x >> 15)) * 0x735A2D97U;
-    return x ^ (x >> 15);
+    x = x ^ (x >> 15);
+}
+
+std::uint32_t mixed(std::uint32_t x) {
+    mix(x);
+    return x;
 }
 
 // The bits of `index` as a binary fraction, the last bit first.
@@ -29,9 +39,25 @@ std::uint32_t sobol(std::uint32_t index) {
     return out;
 }
 
-// 24 bits, below 1.
-float fraction(std::uint32_t bits) {
-    return static_cast<float>(bits >> 8) * 0x1p-24F;
+using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
+
+// The first 24 bits, below 1.
+[[gnu::always_inline]] inline void put_fractions(const LaneBits& bits, Lanes& out) {
+    using Signed [[gnu::vector_size(64)]] = std::int32_t;
+    using Number [[gnu::vector_size(64)]] = float;
+    const auto whole = reinterpret_cast<Signed>(bits >> 8);
+    const Number fractions = __builtin_convertvector(whole, Number) * 0x1p-24F;
+    std::memcpy(&out, &fractions, sizeof fractions);
+}
+
+[[gnu::always_inline]] inline void scramble(std::uint32_t first, std::uint32_t second,
+                                            const std::array<std::uint32_t, kLanes>& seeds, Lanes& u,
+                                            Lanes& v) {
+    LaneBits bits;
+    std::memcpy(&bits, seeds.data(), sizeof bits);
+    put_fractions(bits ^ first, u);
+    mix(bits);
+    put_fractions(bits ^ second, v);
 }
 
 }  // namespace
@@ -41,13 +67,9 @@ std::uint32_t place_seed(std::uint32_t point, std::uint32_t light) {
 }
 
 void light_places(std::uint32_t index, std::span<const std::uint32_t> seeds, Lanes& u, Lanes& v) {
-    const std::uint32_t first = reversed(index);
-    const std::uint32_t second = sobol(index);
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const std::uint32_t seed = seeds[std::min(i, seeds.size() - 1)];
-        u[i] = fraction(first ^ seed);
-        v[i] = fraction(second ^ mixed(seed));
-    }
+    std::array<std::uint32_t, kLanes> all;
+    for (std::size_t i = 0; i < kLanes; ++i) all[i] = seeds[std::min(i, seeds.size() - 1)];
+    dispatch<scramble>(reversed(index), sobol(index), all, u, v);
 }
 
 }  // namespace nicol

@@ -6,7 +6,125 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "simd/dispatch.hpp"
+
 namespace nicol {
+namespace {
+
+using Triangle = SurfaceSource::Triangle;
+
+/// The triangle that holds each place.
+template <class Number>
+struct Chosen {
+    Vector3<Number> corner, first, second, normal;
+    Number before, scale;
+};
+
+template <class Number, class Mask>
+[[gnu::always_inline]] inline void replace(const Mask& where, const glm::vec3& by, Vector3<Number>& v) {
+    v = {where ? Number{} + by.x : v.x, where ? Number{} + by.y : v.y, where ? Number{} + by.z : v.z};
+}
+
+/// u chooses the triangle, and what is left of it a place: neighbours in u are neighbours there. For few
+/// triangles, which are all looked at.
+template <class Number>
+[[gnu::always_inline]] inline void choose(std::span<const Triangle> triangles, const Number& u,
+                                          Chosen<Number>& out) {
+    for (const Triangle& triangle : triangles) {
+        const auto here = u >= triangle.before;
+        replace(here, triangle.corner, out.corner);
+        replace(here, triangle.first, out.first);
+        replace(here, triangle.second, out.second);
+        replace(here, triangle.normal, out.normal);
+        out.before = here ? Number{} + triangle.before : out.before;
+        out.scale = here ? Number{} + triangle.scale : out.scale;
+    }
+}
+
+/// The same of triangles of which each place's is known.
+template <class Number>
+[[gnu::always_inline]] inline void choose(std::span<const Triangle> triangles, const std::uint32_t* indices,
+                                          Chosen<Number>& out) {
+    for (std::size_t i = 0; i < kPart<Number>; ++i) {
+        const Triangle& triangle = triangles[indices[i]];
+        const auto put = [i](const glm::vec3& from, Vector3<Number>& to) {
+            to.x[i] = from.x;
+            to.y[i] = from.y;
+            to.z[i] = from.z;
+        };
+        put(triangle.corner, out.corner);
+        put(triangle.first, out.first);
+        put(triangle.second, out.second);
+        put(triangle.normal, out.normal);
+        out.before[i] = triangle.before;
+        out.scale[i] = triangle.scale;
+    }
+}
+
+struct Places {
+    std::span<const Triangle> triangles;
+    const std::uint32_t* indices;  // of each place's; null: to be found
+    bool two_sided;
+    float area;
+    const LaneVectors& points;
+    const Lanes& u;
+    const Lanes& v;
+};
+
+struct FoundPlaces {
+    LaneLight& light;
+    Lanes& factor;
+    std::array<Lanes, 2>& weights;  // of the triangles' second and third corner
+};
+
+template <class Number>
+[[gnu::always_inline]] inline void find_places(const Places& places, const FoundPlaces& out) {
+    std::array<std::int32_t, kLanes> shines;
+    for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
+        Number u, v;
+        load_part(places.u, first, u);
+        load_part(places.v, first, v);
+        Chosen<Number> triangle{};
+        if (places.indices == nullptr)
+            choose(places.triangles, u, triangle);
+        else
+            choose(places.triangles, places.indices + first, triangle);
+
+        Number part = (u - triangle.before) * triangle.scale;
+        part = part > 0.0F ? part : Number{};
+        part = part < 1.0F ? part : Number{} + 1.0F;
+        Number root = 1.0F - part;
+        square_root(root);
+        const Number b1 = 1.0F - root;
+        const Number b2 = v * root;
+        store_part(b1, first, out.weights[0]);
+        store_part(b2, first, out.weights[1]);
+
+        Vector3<Number> way;
+        load_part(places.points, first, way);
+        way.x = triangle.corner.x + b1 * triangle.first.x + b2 * triangle.second.x - way.x;
+        way.y = triangle.corner.y + b1 * triangle.first.y + b2 * triangle.second.y - way.y;
+        way.z = triangle.corner.z + b1 * triangle.first.z + b2 * triangle.second.z - way.z;
+        Number distance, across;
+        dot(way, way, distance);
+        square_root(distance);
+        dot(triangle.normal, way, across);
+        across = -across;
+        if (places.two_sided) across = across < 0.0F ? -across : across;
+        const auto lit = across > 0.0F;
+        const Number scale = lit ? 1.0F / distance : Number{};
+        store_part(distance, first, out.light.distance);
+        store_part(Vector3<Number>{scale * way.x, scale * way.y, scale * way.z}, first, out.light.towards);
+        // Radiance times the solid angle that the place stands for: area cos / distance^2.
+        store_part(Number(places.area * scale * scale * (across * scale)), first, out.factor);
+        __builtin_memcpy(shines.data() + first, &lit, sizeof lit);
+    }
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) bits |= static_cast<std::uint32_t>(shines[i]) & (1U << i);
+    out.light.points = bits;
+}
+
+}  // namespace
 
 SurfaceSource::SurfaceSource(const ShiningSurface& surface)
     : two_sided_(surface.emission.two_sided),
@@ -57,36 +175,24 @@ float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
 }
 
 void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
+    constexpr std::size_t few = 4;
+    const bool search = triangles_.size() > few || color_.textured();
+    std::array<std::uint32_t, kLanes> indices;
+    if (search)
+        for (std::size_t i = 0; i < kLanes; ++i) indices[i] = static_cast<std::uint32_t>(triangle_at(u[i]));
+
     Lanes factor;
+    std::array<Lanes, 2> weights;
+    dispatch<find_places<FourLanes>, find_places<EightLanes>, find_places<AllLanes>>(
+        Places{triangles_, search ? indices.data() : nullptr, two_sided_, static_cast<float>(area_), points,
+               u, v},
+        FoundPlaces{out, factor, weights});
+    if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};
-    out.points = 0;
     for (std::size_t i = 0; i < kLanes; ++i) {
-        // u chooses the triangle, and what is left of it a place: neighbours in u are neighbours there.
-        const std::size_t index = triangle_at(u[i]);
-        const Triangle& triangle = triangles_[index];
-        const float root = std::sqrt(1 - std::clamp((u[i] - triangle.before) * triangle.scale, 0.0F, 1.0F));
-        const float b1 = 1 - root;
-        const float b2 = v[i] * root;
-        const float x = triangle.corner.x + b1 * triangle.first.x + b2 * triangle.second.x - points.x[i];
-        const float y = triangle.corner.y + b1 * triangle.first.y + b2 * triangle.second.y - points.y[i];
-        const float z = triangle.corner.z + b1 * triangle.first.z + b2 * triangle.second.z - points.z[i];
-        const float square = x * x + y * y + z * z;
-        const float distance = std::sqrt(square);
-        float across = -(triangle.normal.x * x + triangle.normal.y * y + triangle.normal.z * z);
-        if (two_sided_) across = std::abs(across);
-        const bool shines = across > 0;
-        const float scale = shines ? 1 / distance : 0;
-        out.distance[i] = distance;
-        out.towards.x[i] = scale * x;
-        out.towards.y[i] = scale * y;
-        out.towards.z[i] = scale * z;
-        // Radiance times the solid angle that the place stands for: area cos / distance^2.
-        factor[i] = static_cast<float>(area_) * scale * scale * (across * scale);
-        if (shines) out.points |= 1U << i;
-        if (!color_.textured()) continue;
-        const std::array<glm::vec2, 3>& texcoords = texcoords_[index];
-        const glm::vec2 uv =
-            texcoords[0] + b1 * (texcoords[1] - texcoords[0]) + b2 * (texcoords[2] - texcoords[0]);
+        const std::array<glm::vec2, 3>& texcoords = texcoords_[indices[i]];
+        const glm::vec2 uv = texcoords[0] + weights[0][i] * (texcoords[1] - texcoords[0]) +
+                             weights[1][i] * (texcoords[2] - texcoords[0]);
         at.uv[0][i] = uv.x;
         at.uv[1][i] = uv.y;
     }

@@ -8,6 +8,13 @@ namespace nicol {
 
 class SurfaceSource final : public LightSource {
 public:
+    struct Triangle {
+        glm::vec3 corner, first, second;  // edges
+        glm::vec3 normal;                 // unit
+        float before;                     // part of the area in the triangles before it
+        float scale;                      // 1 over its part
+    };
+
     explicit SurfaceSource(const ShiningSurface& surface);
 
     [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
@@ -17,13 +24,6 @@ public:
 
 private:
     [[nodiscard]] std::size_t triangle_at(float u) const;
-
-    struct Triangle {
-        glm::vec3 corner, first, second;  // edges
-        glm::vec3 normal;                 // unit
-        float before;                     // part of the area in the triangles before it
-        float scale;                      // 1 over its part
-    };
 
     bool two_sided_;
     SourceColor color_;
