@@ -115,13 +115,24 @@ void read_orders(const nicol_render_options& given, RenderOptions& options) {
     }
 }
 
+// Where orders are chosen, shadows take their part of the tolerance: 1,024 directions leave noise of about a
+// tenth of 0.03.
+int bake_directions_from(const nicol_render_options& given, const RenderOptions& options) {
+    if (given.bake_directions != NICOL_DIRECTIONS_AUTOMATIC)
+        return int_from(given.bake_directions, "bake_directions");
+    if (!options.choose_orders) return options.bake_directions;
+    int directions = 1024;
+    for (double of = 0.03; directions < 8192 && given.tolerance < of; of /= 2) directions *= 2;
+    return directions;
+}
+
 RenderOptions options_from(const nicol_render_options& given) {
     RenderOptions options;
     options.method = method_from(given.method);
     options.executor = value_from(given.executor, Executor::compute, "executor", "NICOL_EXECUTOR_...");
     options.shadows = switch_from(given.shadows, "shadows");
-    options.bake_directions = int_from(given.bake_directions, "bake_directions");
     read_orders(given, options);
+    options.bake_directions = bake_directions_from(given, options);
     options.high_orders =
         value_from(given.high_orders, HighOrders::none, "high_orders", "NICOL_HIGH_ORDERS_...");
     options.high_order_shadows = switch_from(given.high_order_shadows, "high_order_shadows");

@@ -40,7 +40,7 @@ const char* const usage =
     "      --components NAME    what the image holds: s0, linear (s0, s1, s2) or all; default all\n"
     "      --no-shadows         computes no shadows\n"
     "      --bake-directions N  directions that shadows are traced in from each vertex, 256 to 65536;\n"
-    "                           default 2048\n"
+    "                           default: as the tolerance or the orders need\n"
     "      --refine-tolerance E triangles are split where interpolated shadows err by more than this part "
     "of\n"
     "                           the light; 0: none is split, 0.01 to 0.1 are of use; default 0.02\n"

@@ -403,7 +403,6 @@ STAGE_TEST_CASE("cameras and options out of range are refused, and the image sta
          {"light_samples", [](auto& o) { o.light_samples = UINT32_MAX; }},
          {"shadows", [](auto& o) { o.shadows = 2; }},
          {"high_order_shadows", [](auto& o) { o.high_order_shadows = 2; }},
-         {"bake_directions", [](auto& o) { o.bake_directions = 0; }},
          {"shadows", [](auto& o) { o.shadows = 2, o.method = NICOL_METHOD_REFERENCE; }},
          {"bake_directions", [](auto& o) { o.bake_directions = 1; }},
          {"bake_directions", [](auto& o) { o.bake_directions = 65537; }},

@@ -105,9 +105,36 @@ STAGE_TEST_CASE("options mean what they say, and those that an older program doe
     options.tolerance = 0.03;
     options.physical = 1;
     options.shadows = 1;
-    options.bake_directions = 2048;
+    options.bake_directions = 1024;
     options.high_orders = NICOL_HIGH_ORDERS_SPLIT;
     CHECK(stage.image(options) == before);
+}
+
+STAGE_TEST_CASE("shadows are traced in as many directions as the tolerance needs") {
+    // Above it, so that there are shadows.
+    add(stage.scene, stage.mesh, stage.material, {{0.4, 0, 0, 0, 0, 0.4, 0, 1, 0, 0, 0.4, 0, 0, 0, 0, 1}});
+    const auto rays = [&](double tolerance, std::uint32_t order, std::uint32_t directions) {
+        nicol_render_options options = NICOL_RENDER_OPTIONS_INIT;
+        options.refine_tolerance = 0;
+        options.tolerance = tolerance;
+        options.order_low = order;
+        options.bake_directions = 256;  // what is baked for these is of no use to others
+        OK(stage.try_render(options));
+        options.bake_directions = directions;
+        OK(stage.try_render(options));
+        return statistics_of(stage.framebuffer).bake_rays;
+    };
+    for (const auto& [tolerance, order, directions] :
+         std::vector<std::tuple<double, std::uint32_t, std::uint32_t>>{{1, NICOL_ORDER_AUTOMATIC, 1024},
+                                                                       {0.03, NICOL_ORDER_AUTOMATIC, 1024},
+                                                                       {0.029, NICOL_ORDER_AUTOMATIC, 2048},
+                                                                       {0.01, NICOL_ORDER_AUTOMATIC, 4096},
+                                                                       {0, NICOL_ORDER_AUTOMATIC, 8192},
+                                                                       {0.01, 2, 2048}}) {
+        CAPTURE(tolerance);
+        CHECK(rays(tolerance, order, NICOL_DIRECTIONS_AUTOMATIC) == rays(tolerance, order, directions));
+    }
+    CHECK(rays(0.03, 2, 1024) < rays(0.03, 2, 2048));
 }
 
 STAGE_TEST_CASE("a framebuffer must have the scene's channels, or one of three") {

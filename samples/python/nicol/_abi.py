@@ -93,6 +93,7 @@ AOV_VARIANCE = 16
 COMPONENTS_ALL = 0
 COMPONENTS_S0 = 1
 COMPONENTS_LINEAR = 3
+DIRECTIONS_AUTOMATIC = 0
 SPLIT_AUTOMATIC = -1
 MAX_SPLIT_LIGHTS = 64
 MAX_JOBS = 256
@@ -641,7 +642,6 @@ class RenderOptions(Struct):
         "order_low": 4294967295,
         "order_high": 4294967295,
         "shadows": 1,
-        "bake_directions": 2048,
         "physical": 1,
         "samples": 256,
         "tolerance": 0.03,
@@ -1887,6 +1887,7 @@ __all__ = [
     "Context",
     "ContextInfo",
     "ContextOptions",
+    "DIRECTIONS_AUTOMATIC",
     "DISTRIBUTION_BECKMANN",
     "DISTRIBUTION_GGX",
     "DeviceInfo",

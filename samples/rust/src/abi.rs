@@ -90,6 +90,7 @@ pub const NICOL_AOV_VARIANCE: u32 = 16;
 pub const NICOL_COMPONENTS_ALL: u32 = 0;
 pub const NICOL_COMPONENTS_S0: u32 = 1;
 pub const NICOL_COMPONENTS_LINEAR: u32 = 3;
+pub const NICOL_DIRECTIONS_AUTOMATIC: u32 = 0;
 pub const NICOL_SPLIT_AUTOMATIC: i32 = -1;
 pub const NICOL_MAX_SPLIT_LIGHTS: u32 = 64;
 pub const NICOL_MAX_JOBS: u32 = 256;
@@ -1161,7 +1162,6 @@ impl Default for nicol_render_options {
         made.order_low = 4294967295;
         made.order_high = 4294967295;
         made.shadows = 1;
-        made.bake_directions = 2048;
         made.physical = 1;
         made.samples = 256;
         made.tolerance = 0.03;
