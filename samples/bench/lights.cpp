@@ -10,6 +10,7 @@
 #include "comparison.hpp"
 #include "frame_times.hpp"
 #include "lamp_room.hpp"
+#include "polygon.hpp"
 #include "temporary_folder.hpp"
 
 namespace {
@@ -135,6 +136,7 @@ Report bench_lights(const Options& given) {
     const TemporaryFolder folder;
     Report report({"relative RMSE", "s0", "s1", "s2", "DoLP, mean", "small lights", "frame"});
     add_errors(report, given, folder);
+    add_polygon(report, given, folder);
     add_times(report, given, folder);
     report.note(
         "A snail of plastic on a plinth, at pixels; errors against the reference method, relative to the RMS "
