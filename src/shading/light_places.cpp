@@ -23,18 +23,11 @@ std::uint32_t mixed(std::uint32_t x) {
     return x;
 }
 
-// The bits of `index` as a binary fraction, the last bit first.
-std::uint32_t reversed(std::uint32_t index) {
-    std::uint32_t out = 0;
-    for (std::uint32_t bit = 0x80000000U; index != 0; index >>= 1, bit >>= 1)
-        if ((index & 1) != 0) out |= bit;
-    return out;
-}
-
-// Sobol's second dimension.
+// Sobol's second dimension, a binary fraction whose first bit is the lowest. The first dimension is the
+// index.
 std::uint32_t sobol(std::uint32_t index) {
     std::uint32_t out = 0;
-    for (std::uint32_t direction = 0x80000000U; index != 0; index >>= 1, direction ^= direction >> 1)
+    for (std::uint32_t direction = 1; index != 0; index >>= 1, direction ^= direction << 1)
         if ((index & 1) != 0) out ^= direction;
     return out;
 }
@@ -50,14 +43,37 @@ using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
     std::memcpy(&out, &fractions, sizeof fractions);
 }
 
-[[gnu::always_inline]] inline void scramble(std::uint32_t first, std::uint32_t second,
-                                            const std::array<std::uint32_t, kLanes>& seeds, Lanes& u,
-                                            Lanes& v) {
-    LaneBits bits;
-    std::memcpy(&bits, seeds.data(), sizeof bits);
-    put_fractions(bits ^ first, u);
-    mix(bits);
-    put_fractions(bits ^ second, v);
+[[gnu::always_inline]] inline void reverse(LaneBits& x) {
+    x = (x >> 1 & 0x55555555U) | (x & 0x55555555U) << 1;
+    x = (x >> 2 & 0x33333333U) | (x & 0x33333333U) << 2;
+    x = (x >> 4 & 0x0F0F0F0FU) | (x & 0x0F0F0F0FU) << 4;
+    x = (x >> 8 & 0x00FF00FFU) | (x & 0x00FF00FFU) << 8;
+    x = x >> 16 | x << 16;
+}
+
+// Owen's scrambling of a binary fraction whose first bit is the lowest, by Laine and Karras' hash (2011):
+// each bit is flipped or not as the seed and the bits before it say. The fraction's first bit is then the
+// highest.
+[[gnu::always_inline]] inline void scramble(std::uint32_t fraction, const LaneBits& seeds, LaneBits& out) {
+    out = fraction + seeds;
+    out ^= out * 0x6C50B47CU;
+    out ^= out * 0xB82F1E52U;
+    out ^= out * 0xC7AFE638U;
+    out ^= out * 0x8D22F6E6U;
+    reverse(out);
+}
+
+// `second`: the first bit is the lowest.
+[[gnu::always_inline]] inline void find_places(std::uint32_t index, std::uint32_t second,
+                                               const std::array<std::uint32_t, kLanes>& seeds, Lanes& u,
+                                               Lanes& v) {
+    LaneBits seed, bits;
+    std::memcpy(&seed, seeds.data(), sizeof seed);
+    scramble(index, seed, bits);
+    put_fractions(bits, u);
+    mix(seed);
+    scramble(second, seed, bits);
+    put_fractions(bits, v);
 }
 
 }  // namespace
@@ -69,7 +85,7 @@ std::uint32_t place_seed(std::uint32_t point, std::uint32_t light) {
 void light_places(std::uint32_t index, std::span<const std::uint32_t> seeds, Lanes& u, Lanes& v) {
     std::array<std::uint32_t, kLanes> all;
     for (std::size_t i = 0; i < kLanes; ++i) all[i] = seeds[std::min(i, seeds.size() - 1)];
-    dispatch<scramble>(reversed(index), sobol(index), all, u, v);
+    dispatch<find_places>(index, sobol(index), all, u, v);
 }
 
 }  // namespace nicol

@@ -5,19 +5,20 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "simd/dispatch.hpp"
 
 namespace nicol {
 namespace {
 
-using Triangle = SurfaceSource::Triangle;
+using Patch = SurfaceSource::Patch;
 
-/// The triangle that holds each place.
+/// The patch that holds each place.
 template <class Number>
 struct Chosen {
     Vector3<Number> corner, first, second, normal;
-    Number before, scale;
+    Number before, scale, parallelogram;
 };
 
 template <class Number, class Mask>
@@ -25,44 +26,46 @@ template <class Number, class Mask>
     v = {where ? Number{} + by.x : v.x, where ? Number{} + by.y : v.y, where ? Number{} + by.z : v.z};
 }
 
-/// u chooses the triangle, and what is left of it a place: neighbours in u are neighbours there. For few
-/// triangles, which are all looked at.
+/// u chooses the patch, and what is left of it a place: neighbours in u are neighbours there. For few
+/// patches, which are all looked at.
 template <class Number>
-[[gnu::always_inline]] inline void choose(std::span<const Triangle> triangles, const Number& u,
+[[gnu::always_inline]] inline void choose(std::span<const Patch> patches, const Number& u,
                                           Chosen<Number>& out) {
-    for (const Triangle& triangle : triangles) {
-        const auto here = u >= triangle.before;
-        replace(here, triangle.corner, out.corner);
-        replace(here, triangle.first, out.first);
-        replace(here, triangle.second, out.second);
-        replace(here, triangle.normal, out.normal);
-        out.before = here ? Number{} + triangle.before : out.before;
-        out.scale = here ? Number{} + triangle.scale : out.scale;
+    for (const Patch& patch : patches) {
+        const auto here = u >= patch.before;
+        replace(here, patch.corner, out.corner);
+        replace(here, patch.first, out.first);
+        replace(here, patch.second, out.second);
+        replace(here, patch.normal, out.normal);
+        out.before = here ? Number{} + patch.before : out.before;
+        out.scale = here ? Number{} + patch.scale : out.scale;
+        out.parallelogram = here ? Number{} + patch.parallelogram : out.parallelogram;
     }
 }
 
-/// The same of triangles of which each place's is known.
+/// The same of patches of which each place's is known.
 template <class Number>
-[[gnu::always_inline]] inline void choose(std::span<const Triangle> triangles, const std::uint32_t* indices,
+[[gnu::always_inline]] inline void choose(std::span<const Patch> patches, const std::uint32_t* indices,
                                           Chosen<Number>& out) {
     for (std::size_t i = 0; i < kPart<Number>; ++i) {
-        const Triangle& triangle = triangles[indices[i]];
+        const Patch& patch = patches[indices[i]];
         const auto put = [i](const glm::vec3& from, Vector3<Number>& to) {
             to.x[i] = from.x;
             to.y[i] = from.y;
             to.z[i] = from.z;
         };
-        put(triangle.corner, out.corner);
-        put(triangle.first, out.first);
-        put(triangle.second, out.second);
-        put(triangle.normal, out.normal);
-        out.before[i] = triangle.before;
-        out.scale[i] = triangle.scale;
+        put(patch.corner, out.corner);
+        put(patch.first, out.first);
+        put(patch.second, out.second);
+        put(patch.normal, out.normal);
+        out.before[i] = patch.before;
+        out.scale[i] = patch.scale;
+        out.parallelogram[i] = patch.parallelogram;
     }
 }
 
 struct Places {
-    std::span<const Triangle> triangles;
+    std::span<const Patch> patches;
     const std::uint32_t* indices;  // of each place's; null: to be found
     bool two_sided;
     float area;
@@ -74,7 +77,7 @@ struct Places {
 struct FoundPlaces {
     LaneLight& light;
     Lanes& factor;
-    std::array<Lanes, 2>& weights;  // of the triangles' second and third corner
+    std::array<Lanes, 2>& weights;  // of the patches' edges
 };
 
 template <class Number>
@@ -84,31 +87,32 @@ template <class Number>
         Number u, v;
         load_part(places.u, first, u);
         load_part(places.v, first, v);
-        Chosen<Number> triangle{};
+        Chosen<Number> patch{};
         if (places.indices == nullptr)
-            choose(places.triangles, u, triangle);
+            choose(places.patches, u, patch);
         else
-            choose(places.triangles, places.indices + first, triangle);
+            choose(places.patches, places.indices + first, patch);
 
-        Number part = (u - triangle.before) * triangle.scale;
+        Number part = (u - patch.before) * patch.scale;
         part = part > 0.0F ? part : Number{};
         part = part < 1.0F ? part : Number{} + 1.0F;
         Number root = 1.0F - part;
         square_root(root);
-        const Number b1 = 1.0F - root;
-        const Number b2 = v * root;
+        const auto whole = patch.parallelogram > 0.0F;
+        const Number b1 = whole ? part : 1.0F - root;
+        const Number b2 = whole ? v : v * root;
         store_part(b1, first, out.weights[0]);
         store_part(b2, first, out.weights[1]);
 
         Vector3<Number> way;
         load_part(places.points, first, way);
-        way.x = triangle.corner.x + b1 * triangle.first.x + b2 * triangle.second.x - way.x;
-        way.y = triangle.corner.y + b1 * triangle.first.y + b2 * triangle.second.y - way.y;
-        way.z = triangle.corner.z + b1 * triangle.first.z + b2 * triangle.second.z - way.z;
+        way.x = patch.corner.x + b1 * patch.first.x + b2 * patch.second.x - way.x;
+        way.y = patch.corner.y + b1 * patch.first.y + b2 * patch.second.y - way.y;
+        way.z = patch.corner.z + b1 * patch.first.z + b2 * patch.second.z - way.z;
         Number distance, across;
         dot(way, way, distance);
         square_root(distance);
-        dot(triangle.normal, way, across);
+        dot(patch.normal, way, across);
         across = -across;
         if (places.two_sided) across = across < 0.0F ? -across : across;
         const auto lit = across > 0.0F;
@@ -124,49 +128,82 @@ template <class Number>
     out.light.points = bits;
 }
 
+/// The corner opposite the edge that triangles t and t + 1 share, if they make a parallelogram, of texture
+/// coordinates too.
+std::optional<std::size_t> parallelogram_corner(const ShiningSurface& surface, std::size_t t) {
+    if (t + 1 >= surface.triangles.size()) return std::nullopt;
+    const auto completes = [](const auto& one, const auto& other, std::size_t k) {
+        const auto b = one[(k + 1) % 3], c = one[(k + 2) % 3], d = b + c - one[k];
+        // The other is d and the shared edge, the other way around.
+        constexpr float rounding = 1e-6F;
+        const float most = rounding * (glm::length(b) + glm::length(c));
+        for (std::size_t i = 0; i < 3; ++i)
+            if (other[(i + 1) % 3] == c && other[(i + 2) % 3] == b) return glm::distance(other[i], d) <= most;
+        return false;
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (!completes(surface.triangles[t], surface.triangles[t + 1], k)) continue;
+        if (surface.texcoords.empty() || completes(surface.texcoords[t], surface.texcoords[t + 1], k))
+            return k;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 SurfaceSource::SurfaceSource(const ShiningSurface& surface)
     : two_sided_(surface.emission.two_sided),
       color_(surface.emission.radiance, surface.emission.texture, surface.emission.state, surface.axis) {
-    std::vector<double> areas;
-    std::vector<glm::dvec3> normals;  // squares of very small or large edges are no floats
+    struct Area {
+        glm::dvec3 normal;  // squares of very small or large edges are no floats
+        double own;
+    };
+    std::vector<Area> areas;
     for (const std::array<glm::vec3, 3>& t : surface.triangles) {
         const glm::dvec3 normal =
             glm::cross(glm::dvec3(t[1]) - glm::dvec3(t[0]), glm::dvec3(t[2]) - glm::dvec3(t[0]));
         const double length = glm::length(normal);
-        normals.push_back(normal / length);
-        areas.push_back(length / 2);
-        area_ += areas.back();
+        areas.push_back({normal / length, length / 2});
+        area_ += areas.back().own;
     }
     double before = 0;
     for (std::size_t t = 0; t < areas.size(); ++t) {
-        if (!(areas[t] > 0)) continue;
-        const std::array<glm::vec3, 3>& corners = surface.triangles[t];
-        triangles_.push_back({.corner = corners[0],
-                              .first = corners[1] - corners[0],
-                              .second = corners[2] - corners[0],
-                              .normal = glm::vec3(normals[t]),
-                              .before = static_cast<float>(before / area_),
-                              .scale = static_cast<float>(area_ / areas[t])});
-        if (!surface.texcoords.empty()) texcoords_.push_back(surface.texcoords[t]);
-        before += areas[t];
-        for (const glm::vec3& corner : corners) centre_ += static_cast<float>(areas[t] / area_ / 3) * corner;
+        const std::optional<std::size_t> corner = parallelogram_corner(surface, t);
+        const std::size_t k = corner.value_or(0);
+        const double own = corner ? 2 * areas[t].own : areas[t].own;
+        if (own > 0) {
+            const std::array<glm::vec3, 3>& corners = surface.triangles[t];
+            const glm::vec3 &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
+            patches_.push_back({.corner = a,
+                                .first = b - a,
+                                .second = c - a,
+                                .normal = glm::vec3(areas[t].normal),
+                                .before = static_cast<float>(before / area_),
+                                .scale = static_cast<float>(area_ / own),
+                                .parallelogram = corner ? 1.0F : 0.0F});
+            if (!surface.texcoords.empty()) {
+                const std::array<glm::vec2, 3>& uv = surface.texcoords[t];
+                texcoords_.push_back({uv[k], uv[(k + 1) % 3], uv[(k + 2) % 3]});
+            }
+            before += own;
+            centre_ += static_cast<float>(own / area_) * (corner ? (b + c) / 2.0F : (a + b + c) / 3.0F);
+        }
+        if (corner) ++t;
     }
     // A power of two, so that a part's first u is exact.
-    guide_.resize(std::bit_ceil(2 * triangles_.size()));
-    for (std::size_t part = 0; part < guide_.size() && !triangles_.empty(); ++part) {
+    guide_.resize(std::bit_ceil(2 * patches_.size()));
+    for (std::size_t part = 0; part < guide_.size() && !patches_.empty(); ++part) {
         const float first = static_cast<float>(part) / static_cast<float>(guide_.size());
-        const auto after = std::ranges::upper_bound(triangles_, first, {}, &Triangle::before);
-        guide_[part] = static_cast<std::uint32_t>(after - triangles_.begin() - 1);
+        const auto after = std::ranges::upper_bound(patches_, first, {}, &Patch::before);
+        guide_[part] = static_cast<std::uint32_t>(after - patches_.begin() - 1);
     }
     for (const std::array<glm::vec3, 3>& corners : surface.triangles)
         for (const glm::vec3& corner : corners) radius_ = std::max(radius_, glm::distance(centre_, corner));
 }
 
-std::size_t SurfaceSource::triangle_at(float u) const {
+std::size_t SurfaceSource::patch_at(float u) const {
     std::size_t index = guide_[static_cast<std::size_t>(u * static_cast<float>(guide_.size()))];
-    while (index + 1 < triangles_.size() && triangles_[index + 1].before <= u) ++index;
+    while (index + 1 < patches_.size() && patches_[index + 1].before <= u) ++index;
     return index;
 }
 
@@ -176,16 +213,16 @@ float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
 
 void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
     constexpr std::size_t few = 4;
-    const bool search = triangles_.size() > few || color_.textured();
+    const bool search = patches_.size() > few || color_.textured();
     std::array<std::uint32_t, kLanes> indices;
     if (search)
-        for (std::size_t i = 0; i < kLanes; ++i) indices[i] = static_cast<std::uint32_t>(triangle_at(u[i]));
+        for (std::size_t i = 0; i < kLanes; ++i) indices[i] = static_cast<std::uint32_t>(patch_at(u[i]));
 
     Lanes factor;
     std::array<Lanes, 2> weights;
     dispatch<find_places<FourLanes>, find_places<EightLanes>, find_places<AllLanes>>(
-        Places{triangles_, search ? indices.data() : nullptr, two_sided_, static_cast<float>(area_), points,
-               u, v},
+        Places{patches_, search ? indices.data() : nullptr, two_sided_, static_cast<float>(area_), points, u,
+               v},
         FoundPlaces{out, factor, weights});
     if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};

@@ -8,11 +8,13 @@ namespace nicol {
 
 class SurfaceSource final : public LightSource {
 public:
-    struct Triangle {
-        glm::vec3 corner, first, second;  // edges
-        glm::vec3 normal;                 // unit
-        float before;                     // part of the area in the triangles before it
-        float scale;                      // 1 over its part
+    /// A triangle, or two that make a parallelogram.
+    struct Patch {
+        glm::vec3 corner, first, second;  ///< edges
+        glm::vec3 normal;                 ///< unit
+        float before;                     ///< part of the area in the patches before it
+        float scale;                      ///< 1 over its part
+        float parallelogram;              ///< 1 or 0
     };
 
     explicit SurfaceSource(const ShiningSurface& surface);
@@ -23,14 +25,14 @@ public:
     [[nodiscard]] double area() const noexcept { return area_; }
 
 private:
-    [[nodiscard]] std::size_t triangle_at(float u) const;
+    [[nodiscard]] std::size_t patch_at(float u) const;
 
     bool two_sided_;
     SourceColor color_;
-    std::vector<Triangle> triangles_;
+    std::vector<Patch> patches_;
     std::vector<std::array<glm::vec2, 3>> texcoords_;
     double area_ = 0;
-    std::vector<std::uint32_t> guide_;  // of parts of u, in equal steps: the last triangle before each
+    std::vector<std::uint32_t> guide_;  // of parts of u, in equal steps: the last patch before each
     glm::vec3 centre_{0};               // of a sphere that all of it is in
     float radius_ = 0;
 };

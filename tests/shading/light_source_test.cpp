@@ -28,8 +28,8 @@ LaneVectors lanes(const glm::vec3& v) {
 /// The mean over many places of the irradiance, Stokes vectors of channel 0 in frames with x = put_axes', on
 /// a surface at `point` with this normal.
 Stokes irradiance(const LightSource& source, const glm::vec3& point, const glm::dvec3& normal,
-                  std::uint32_t samples = 4096, std::size_t channel = 0) {
-    const std::uint32_t seeds[] = {17};
+                  std::uint32_t samples = 4096, std::size_t channel = 0, std::uint32_t seed = 17) {
+    const std::uint32_t seeds[] = {seed};
     LaneLight light;
     Stokes sum(0.0);
     for (std::uint32_t k = 0; k < samples; ++k) {
@@ -143,6 +143,33 @@ TEST_CASE("surfaces that shine are Lambert's polygons") {
     CHECK(irradiance(*light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = away}), {0, 0, 0},
                      normal)[0] == doctest::Approx(2 * expected).epsilon(2e-3));
     CHECK(light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = {{a, a, b}}}) == nullptr);
+}
+
+TEST_CASE("two triangles that make a parallelogram are one, by few places") {
+    const glm::vec3 a(-1, -0.5, 2), b(1, -0.5, 2.5), c(1, 1, 3), d(-1, 1, 2.5), e(-1.5, 1, 2.375);
+    struct Case {
+        const char* name;
+        Triangles triangles;
+        std::vector<glm::dvec3> outline;
+        bool few;
+    };
+    for (const Case& given : {Case{"as cut", {{a, c, b}, {a, d, c}}, {a, b, c, d}, true},
+                              Case{"turned", {{c, b, a}, {d, c, a}}, {a, b, c, d}, true},
+                              Case{"by the other diagonal", {{d, b, a}, {b, d, c}}, {a, b, c, d}, true},
+                              Case{"no parallelogram", {{a, c, b}, {a, e, c}}, {a, b, c, e}, false}}) {
+        CAPTURE(given.name);
+        const Emission emission{.radiance = {1}};
+        const LightSourcePtr source =
+            light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = given.triangles});
+        const glm::dvec3 normal = glm::normalize(glm::dvec3(0.2, 0.1, 1));
+        const double expected = of_polygon(given.outline, normal);
+        double square = 0;
+        for (std::uint32_t seed = 0; seed < 64; ++seed)
+            square += std::pow(
+                irradiance(*source, {0, 0, 0}, normal, 16, 0, place_seed(seed, 0))[0] / expected - 1, 2);
+        CHECK(std::sqrt(square / 64) < (given.few ? 0.01 : 0.05));
+        CHECK(irradiance(*source, {0, 0, 0}, normal)[0] == doctest::Approx(expected).epsilon(2e-3));
+    }
 }
 
 TEST_CASE("spheres that shine shed the light of the cone that they fill, by few places") {
