@@ -42,7 +42,8 @@ public:
     virtual void evaluate_terms(const glm::dvec3& towards_light, const glm::dvec3& towards_viewer,
                                 std::span<Mueller> out) const;
 
-    /// evaluate_terms() of sixteen pairs of directions, in single precision: out[t] for t < terms().
+    /// evaluate_terms() of sixteen pairs of directions, in single precision: out[t] for t < terms() but for
+    /// terms whose weight is 0 in every channel, which may be left as they are.
     /// `columns`: 4, or 1 for the first column of each alone, all that unpolarized light needs; the others
     /// are unspecified then.
     virtual void evaluate_lanes(const LaneVectors& towards_light, const LaneVectors& towards_viewer,

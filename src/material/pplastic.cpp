@@ -20,9 +20,13 @@ namespace {
 
 struct LanePlastic {
     LanePlastic(const PplasticParameters& p, double eta)
-        : facets{p.distribution, static_cast<float>(p.alpha)}, index(eta) {}
+        : facets{p.distribution, static_cast<float>(p.alpha)},
+          index(eta),
+          base(!black(p.diffuse_reflectance)),
+          boundary(!black(p.specular_reflectance)) {}
     LaneFacets facets;
     LaneIndex index;
+    bool base, boundary;  // have weight
 };
 
 // Pplastic::base() and boundary().
@@ -32,12 +36,18 @@ template <class Number>
                                                    const LaneVectors& towards_viewer, std::size_t columns,
                                                    LaneMueller* out) {
     LaneMueller& base = out[0];
-    base = {};
+    if (plastic.base) base = {};
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         Vector3<Number> light;
         Vector3<Number> viewer;
         load_part(towards_light, first, light);
         load_part(towards_viewer, first, viewer);
+        if (plastic.boundary) {
+            const LaneFacetReflection<Number> facet = facet_reflection(plastic.facets, light, viewer);
+            store_reflection(facet, dielectric_reflection(facet.cosine, plastic.index), columns, first,
+                             out[1]);
+        }
+        if (!plastic.base) continue;
         Number in;
         Number in_difference;
         Number from_base;
@@ -54,8 +64,6 @@ template <class Number>
             store_part<Number>(-from_base * in_difference, first, base.m[1]);
             store_part<Number>(-from_difference * in_difference, first, base.m[5]);
         }
-        const LaneFacetReflection<Number> facet = facet_reflection(plastic.facets, light, viewer);
-        store_reflection(facet, dielectric_reflection(facet.cosine, plastic.index), columns, first, out[1]);
     }
 }
 

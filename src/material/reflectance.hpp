@@ -2,6 +2,7 @@
 // Checks that material models share.
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,11 @@ void check_plastic(const Parameters& p) {
     check_range(p.alpha, 0.001, 1, "alpha");
     check_channels(p.diffuse_reflectance.size(), "diffuse_reflectance", p.specular_reflectance.size(),
                    "specular_reflectance");
+}
+
+/// Whether all are 0.
+[[nodiscard]] inline bool black(const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return value == 0; });
 }
 
 /// One value stands for every channel.
