@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Textures and the layers of a material, in words and texels as DeviceVariation lays them out; as src/material evaluates
 // them.
+#include "footprint.glsl"
 
 // TABLE, TEXELS: bindings. TEXTURES: how many textures there are.
 layout(std430, binding = TABLE) readonly buffer Table { uint table[]; };
@@ -95,15 +96,11 @@ vec2 gradient_of(Cell cell) {
                             mix(cell.c.x - cell.a.x, cell.d.x - cell.b.x, cell.at.x));
 }
 
-// A level, and how far towards the next one.
-float level_of(uint texture, TexturePoint point) {
+FootprintTaps taps_of(uint texture, TexturePoint point) {
     uint entry = table[texture + 5u];
-    vec2 size = vec2(table[entry + 1u], table[entry + 2u]);
     mat2 linear = linear_of(texture);
-    vec2 du = size * (linear * point.du);
-    vec2 dv = size * (linear * point.dv);
-    float squared = max(dot(du, du), dot(dv, dv));
-    return squared > 1.0 ? min(0.5 * log2(squared), float(table[texture + 4u] - 1u)) : 0.0;
+    return footprint_taps(transformed(texture, point.uv), linear * point.du, linear * point.dv,
+                          vec2(table[entry + 1u], table[entry + 2u]), table[texture + 4u] - 1u);
 }
 
 vec2 within_image(uint texture, vec2 uv) {
@@ -119,27 +116,40 @@ vec4 image_at(uint texture, TexturePoint point) {
         ivec2 at = min(ivec2(uv * vec2(size)), size - 1);
         return texel_at(table[entry], table[texture + 1u], at.y * size.x + at.x);
     }
-    float level = filtering == FILTER_MIPMAP ? level_of(texture, point) : 0.0;
-    float fine = floor(level);
-    vec4 value = value_of(cell_of(texture, uint(fine), uv));
-    if (level == fine) return value;
-    return mix(value, value_of(cell_of(texture, uint(fine) + 1u, uv)), level - fine);
+    if (filtering != FILTER_MIPMAP) return value_of(cell_of(texture, 0u, uv));
+    FootprintTaps taps = taps_of(texture, point);
+    vec4 sum = vec4(0.0);
+    for (int k = 0; k < taps.count; ++k) {
+        uv = within_image(texture, taps.first + float(k) * taps.step);
+        vec4 value = value_of(cell_of(texture, taps.level, uv));
+        if (taps.fraction > 0.0) value = mix(value, value_of(cell_of(texture, taps.level + 1u, uv)), taps.fraction);
+        sum += value;
+    }
+    return sum / float(taps.count);
+}
+
+// The change of the first channel with u and v, after the transform.
+vec2 slope_of(uint texture, uint level, vec2 at) {
+    vec2 slope = gradient_of(cell_of(texture, level, within_image(texture, at)));
+    if (table[texture + 3u] != WRAP_MIRROR) return slope;
+    vec2 even = floor(vec2(within_int(at.x), within_int(at.y)));
+    return slope * (1.0 - 2.0 * (even - 2.0 * floor(0.5 * even)));
 }
 
 // The change of the first channel with u and v, of an image; of others 0.
 vec2 texture_gradient(uint texture, TexturePoint point) {
     if (table[texture] != KIND_IMAGE) return vec2(0.0);
-    vec2 at = transformed(texture, point.uv);
-    vec2 uv = within_image(texture, at);
-    float level = table[texture + 2u] == FILTER_MIPMAP ? level_of(texture, point) : 0.0;
-    float fine = floor(level);
-    vec2 slope = gradient_of(cell_of(texture, uint(fine), uv));
-    if (level > fine) slope = mix(slope, gradient_of(cell_of(texture, uint(fine) + 1u, uv)), level - fine);
-    if (table[texture + 3u] == WRAP_MIRROR) {
-        vec2 even = floor(vec2(within_int(at.x), within_int(at.y)));
-        slope *= 1.0 - 2.0 * (even - 2.0 * floor(0.5 * even));
+    mat2 linear = linear_of(texture);
+    if (table[texture + 2u] != FILTER_MIPMAP) return slope_of(texture, 0u, transformed(texture, point.uv)) * linear;
+    FootprintTaps taps = taps_of(texture, point);
+    vec2 sum = vec2(0.0);
+    for (int k = 0; k < taps.count; ++k) {
+        vec2 at = taps.first + float(k) * taps.step;
+        vec2 slope = slope_of(texture, taps.level, at);
+        if (taps.fraction > 0.0) slope = mix(slope, slope_of(texture, taps.level + 1u, at), taps.fraction);
+        sum += slope;
     }
-    return slope * linear_of(texture);
+    return sum / float(taps.count) * linear;
 }
 
 // values[t] of the textures whose words begin at `first`.

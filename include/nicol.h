@@ -333,7 +333,7 @@ typedef uint32_t nicol_texture_filter;
 #define NICOL_TEXTURE_FILTER_NEAREST 0
 #define NICOL_TEXTURE_FILTER_BILINEAR 1
 #define NICOL_TEXTURE_FILTER_MIPMAP \
-    2 /* as bilinear, of ever smaller images where a pixel covers many texels */
+    2 /* as bilinear, of ever smaller images where a pixel covers many texels, sharp also at a slant */
 
 typedef uint32_t nicol_texture_wrap; /* beyond 0 to 1 */
 #define NICOL_TEXTURE_WRAP_REPEAT 0

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "image/stokes_image.hpp"
+#include "texture/footprint.hpp"
 #include "texture/image_levels.hpp"
 #include "texture/lane_texels.hpp"
 #include "texture/texture.hpp"
@@ -57,13 +58,17 @@ class ImageTexture final : public Texture {
 public:
     /// The image is valid.
     ImageTexture(TextureImage image, const TextureSampling& sampling)
-        : filter_(sampling.filter), wrap_(sampling.wrap), to_uv_(sampling.to_uv) {
+        : filter_(sampling.filter),
+          wrap_(sampling.wrap),
+          shape_{.width = 0, .height = 0, .last_level = 0, .to_uv = UvTransform(sampling.to_uv)} {
         gather(image);
         if (filter_ == TextureSampling::Filter::mipmap)
             levels_ = image_levels(std::move(image));
         else
             levels_.push_back(std::move(image));
-        size_ = {levels_[0].width, levels_[0].height};
+        shape_.width = levels_[0].width;
+        shape_.height = levels_[0].height;
+        shape_.last_level = static_cast<int>(levels_.size()) - 1;
         for (TextureImage& level : levels_) {
             const std::size_t with_one_more = level.values.size() + (kChannels == 3 ? 1 : 0);
             level.values.reserve(with_one_more);
@@ -83,70 +88,51 @@ public:
     }
     [[nodiscard]] TextureDescription describe() const override {
         return {.kind = TextureDescription::Kind::image,
-                .sampling = {.filter = filter_, .wrap = wrap_, .to_uv = to_uv_.matrix()},
+                .sampling = {.filter = filter_, .wrap = wrap_, .to_uv = shape_.to_uv.matrix()},
                 .levels = levels_};
     }
 
     [[nodiscard]] glm::vec4 at(const TexturePoint& point) const override {
-        const glm::vec2 uv = wrapped(point);
-        if (filter_ == TextureSampling::Filter::nearest) {
-            const int x = std::min(static_cast<int>(uv.x * size_.x), levels_[0].width - 1);
-            const int y = std::min(static_cast<int>(uv.y * size_.y), levels_[0].height - 1);
-            return color_of<kChannels>(load<kChannels>(row(levels_[0], y) + kChannels * x));
-        }
+        if (filter_ == TextureSampling::Filter::mipmap)
+            return color_of<kChannels>(
+                mean_of_taps<Values>(point, [](const Cell& cell, const glm::vec2&) { return cell.value(); }));
+        const glm::vec2 uv = wrapped(shape_.to_uv(point.uv));
+        const TextureImage& image = levels_[0];
         if (filter_ == TextureSampling::Filter::bilinear)
-            return color_of<kChannels>(Cell(*this, levels_[0], uv).value());
-        const auto [level, fraction] = level_of(point);
-        const auto fine = Cell(*this, levels_[level], uv).value();
-        if (fraction == 0) return color_of<kChannels>(fine);
-        return color_of<kChannels>(mix(fine, Cell(*this, levels_[level + 1], uv).value(), fraction));
+            return color_of<kChannels>(Cell(*this, image, uv).value());
+        const int x = std::min(static_cast<int>(uv.x * static_cast<float>(image.width)), image.width - 1);
+        const int y = std::min(static_cast<int>(uv.y * static_cast<float>(image.height)), image.height - 1);
+        return color_of<kChannels>(load<kChannels>(row(image, y) + kChannels * x));
     }
 
     void at_lanes(const TexturePoints& points, std::array<Lanes, 4>& out) const override {
-        const std::array<Lanes, 2> uv = nicol::wrapped(points.uv, to_uv_, wrap_);
+        if (filter_ == TextureSampling::Filter::mipmap) {
+            mipmap_at_lanes(points, out);
+            return;
+        }
+        const std::array<Lanes, 2> uv = nicol::wrapped(points.uv, shape_.to_uv, wrap_);
+        const TextureImage& image = levels_[0];
+        const float* const first = image.values.data();
         if (filter_ == TextureSampling::Filter::nearest) {
-            const float* const texels = levels_[0].values.data();
             LaneIntegers at;
-            find_nearest(uv, levels_[0].width, levels_[0].height, at);
+            find_nearest(uv, image.width, image.height, at);
             for (std::size_t i = 0; i < kLanes; ++i)
-                put(load<kChannels>(texels + std::ptrdiff_t{kChannels} * at[i]), i, out);
-        } else if (filter_ == TextureSampling::Filter::bilinear) {
-            const TextureImage& image = levels_[0];
-            LaneIntegers width, height;
-            width.value.fill(image.width);
-            height.value.fill(image.height);
-            LaneTexels texels;
-            find_texels(uv, width, height, wrap_, texels);
-            for (std::size_t i = 0; i < kLanes; ++i) put(between(image.values.data(), texels, i), i, out);
+                put(load<kChannels>(first + std::ptrdiff_t{kChannels} * at[i]), i, out);
         } else {
-            Mixed mixed = levels_of(points);
-            LaneTexels fine, coarse;
-            find_texels(uv, mixed.width[0], mixed.height[0], wrap_, fine);
-            find_texels(uv, mixed.width[1], mixed.height[1], wrap_, coarse);
-            for (std::size_t i = 0; i < kLanes; ++i) {
-                const auto level = static_cast<std::size_t>(mixed.level[i]);
-                Values value = between(levels_[level].values.data(), fine, i);
-                if (mixed.fraction[i] > 0)
-                    value =
-                        mix(value, between(levels_[level + 1].values.data(), coarse, i), mixed.fraction[i]);
-                put(value, i, out);
-            }
+            LaneTexels texels;
+            find_texels(uv, image.width, image.height, {}, wrap_, texels);
+            for (std::size_t i = 0; i < kLanes; ++i) put(between(first, texels, i), i, out);
         }
     }
 
     [[nodiscard]] glm::vec2 gradient(const TexturePoint& point) const override {
-        const glm::vec2 uv = wrapped(point);
-        glm::vec2 slope;
-        if (filter_ == TextureSampling::Filter::mipmap) {
-            const auto [level, fraction] = level_of(point);
-            slope = Cell(*this, levels_[level], uv).gradient();
-            if (fraction > 0)
-                slope = glm::mix(slope, Cell(*this, levels_[level + 1], uv).gradient(), fraction);
-        } else {
-            slope = Cell(*this, levels_[0], uv).gradient();
-        }
-        if (wrap_ == TextureSampling::Wrap::mirror) slope *= mirroring(point);
-        return slope * to_uv_.linear;
+        const auto slope = [&](const Cell& cell, const glm::vec2& uv) {
+            return wrap_ == TextureSampling::Wrap::mirror ? mirroring(uv) * cell.gradient() : cell.gradient();
+        };
+        if (filter_ == TextureSampling::Filter::mipmap)
+            return mean_of_taps<glm::vec2>(point, slope) * shape_.to_uv.linear;
+        const glm::vec2 uv = shape_.to_uv(point.uv);
+        return slope(Cell(*this, levels_[0], wrapped(uv)), uv) * shape_.to_uv.linear;
     }
 
 private:
@@ -190,10 +176,7 @@ private:
     }
 
     /// Within 0 and 1.
-    [[nodiscard]] glm::vec2 wrapped(const TexturePoint& point) const {
-        const glm::vec2 uv = to_uv_(point.uv);
-        return {wrapped(uv.x), wrapped(uv.y)};
-    }
+    [[nodiscard]] glm::vec2 wrapped(const glm::vec2& uv) const { return {wrapped(uv.x), wrapped(uv.y)}; }
     [[nodiscard]] float wrapped(float t) const {
         if (wrap_ == TextureSampling::Wrap::clamp) return t > 0 ? std::min(t, 1.0F) : 0.0F;
         const float within = within_int(t);
@@ -203,47 +186,50 @@ private:
     }
 
     /// Whether u and v run with the image, 1, or against it, -1.
-    [[nodiscard]] glm::vec2 mirroring(const TexturePoint& point) const {
-        const glm::vec2 uv = to_uv_(point.uv);
+    [[nodiscard]] static glm::vec2 mirroring(const glm::vec2& uv) {
         return {floor_to_int(within_int(uv.x)) % 2 == 0 ? 1 : -1,
                 floor_to_int(within_int(uv.y)) % 2 == 0 ? 1 : -1};
     }
 
-    /// Where the longer side of a pixel's footprint is as long as a texel: a level, and how far towards the
-    /// next one.
-    [[nodiscard]] std::pair<std::size_t, float> level_of(const TexturePoint& point) const {
-        const glm::vec2 du = size_ * (to_uv_.linear * point.du), dv = size_ * (to_uv_.linear * point.dv);
-        const float squared = std::max(glm::dot(du, du), glm::dot(dv, dv));
-        if (!(squared > 1)) return {0, 0.0F};
-        const float level = 0.5F * std::log2(squared);
-        const std::size_t last = levels_.size() - 1;
-        if (level >= static_cast<float>(last)) return {last, 0.0F};
-        const auto whole = static_cast<std::size_t>(level);
-        return {whole, level - static_cast<float>(whole)};
+    /// Of of_cell(cell, uv), over the places of a footprint, between levels.
+    template <class Result, class OfCell>
+    [[nodiscard]] Result mean_of_taps(const TexturePoint& point, const OfCell& of_cell) const {
+        const FootprintTaps taps = footprint_taps(point, shape_);
+        const auto level = static_cast<std::size_t>(taps.level);
+        Result sum{};
+        for (int k = 0; k < taps.count; ++k) {
+            const glm::vec2 uv = taps.first + static_cast<float>(k) * taps.step, within = wrapped(uv);
+            Result value = of_cell(Cell(*this, levels_[level], within), uv);
+            if (taps.fraction > 0)
+                value += taps.fraction * (of_cell(Cell(*this, levels_[level + 1], within), uv) - value);
+            sum += value;
+        }
+        return sum / static_cast<float>(taps.count);
     }
 
-    // The levels that sixteen points lie between.
-    struct Mixed {
-        LaneIntegers level;
-        Lanes fraction;  // of the next one
-        std::array<LaneIntegers, 2> width, height;
-    };
-    [[nodiscard]] Mixed levels_of(const TexturePoints& points) const {
-        Mixed out;
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const auto [level, fraction] = level_of({.uv = {},
-                                                     .du = {points.du[0][i], points.du[1][i]},
-                                                     .dv = {points.dv[0][i], points.dv[1][i]},
-                                                     .color = {}});
-            out.level[i] = static_cast<std::int32_t>(level);
-            out.fraction[i] = fraction;
-            for (std::size_t k = 0; k < 2; ++k) {
-                const TextureImage& image = levels_[std::min(level + k, levels_.size() - 1)];
-                out.width[k][i] = image.width;
-                out.height[k][i] = image.height;
+    void mipmap_at_lanes(const TexturePoints& points, std::array<Lanes, 4>& out) const {
+        LaneFootprintTaps taps;
+        footprint_taps(points, shape_, taps);
+        LaneIntegers next;
+        for (std::size_t i = 0; i < kLanes; ++i) next[i] = taps.level[i] + 1;
+        const int most = *std::ranges::max_element(taps.count.value);
+        std::array<Values, kLanes> sums{};
+        for (int k = 0; k < most; ++k) {
+            const std::array<Lanes, 2> uv = nicol::wrapped(taps.first, taps.step, k, wrap_);
+            LaneTexels fine, coarse;
+            find_texels(uv, shape_.width, shape_.height, taps.level, wrap_, fine);
+            find_texels(uv, shape_.width, shape_.height, next, wrap_, coarse);
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                if (k >= taps.count[i]) continue;
+                const auto level = static_cast<std::size_t>(taps.level[i]);
+                Values value = between(levels_[level].values.data(), fine, i);
+                if (taps.fraction[i] > 0)
+                    value =
+                        mix(value, between(levels_[level + 1].values.data(), coarse, i), taps.fraction[i]);
+                sums[i] += value;
             }
         }
-        return out;
+        for (std::size_t i = 0; i < kLanes; ++i) put(sums[i] / static_cast<float>(taps.count[i]), i, out);
     }
 
     [[nodiscard]] static Values between(const float* image, const LaneTexels& texels, std::size_t i) {
@@ -279,9 +265,8 @@ private:
 
     TextureSampling::Filter filter_;
     TextureSampling::Wrap wrap_;
-    UvTransform to_uv_;
     std::vector<TextureImage> levels_;
-    glm::vec2 size_{};  // of the finest, texels
+    MipmapShape shape_;
     glm::vec4 mean_{};
     glm::vec2 range_{};
     std::vector<float> few_values_;

@@ -57,6 +57,19 @@ using Integer [[gnu::vector_size(64)]] = std::int32_t;
     }
 }
 
+[[gnu::always_inline]] inline void wrap_place(const std::array<Lanes, 2>& first,
+                                              const std::array<Lanes, 2>& step, int k, Wrap wrap,
+                                              std::array<Lanes, 2>& out) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        LaneVector from, by;
+        load(&first[axis], from);
+        load(&step[axis], by);
+        Number t = from + static_cast<float>(k) * by;
+        wrap_lanes(t, wrap);
+        store(&out[axis], t);
+    }
+}
+
 // Of texel i and the next one, -1 <= i < size.
 [[gnu::always_inline]] inline void find_neighbours(const Integer& i, const Integer& size, Wrap wrap,
                                                    Integer& first, Integer& second) {
@@ -66,11 +79,13 @@ using Integer [[gnu::vector_size(64)]] = std::int32_t;
     second = i + 1 == size ? after : i + 1;
 }
 
-[[gnu::always_inline]] inline void find_cells(const std::array<Lanes, 2>& uv, const LaneIntegers& width,
-                                              const LaneIntegers& height, Wrap wrap, LaneTexels& out) {
-    Integer columns, rows;
-    load(width, columns);
-    load(height, rows);
+[[gnu::always_inline]] inline void find_cells(const std::array<Lanes, 2>& uv, int width, int height,
+                                              const LaneIntegers& level, Wrap wrap, LaneTexels& out) {
+    Integer halvings;
+    load(level, halvings);
+    Integer columns = (Integer{} + width) >> halvings, rows = (Integer{} + height) >> halvings;
+    columns = columns > 1 ? columns : Integer{} + 1;
+    rows = rows > 1 ? rows : Integer{} + 1;
     LaneVector u, v;
     load(uv.data(), u);
     load(&uv[1], v);
@@ -109,9 +124,16 @@ std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& uv, const UvTransform& 
     return out;
 }
 
-void find_texels(const std::array<Lanes, 2>& uv, const LaneIntegers& width, const LaneIntegers& height,
-                 Wrap wrap, LaneTexels& out) {
-    dispatch<find_cells>(uv, width, height, wrap, out);
+std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& first, const std::array<Lanes, 2>& step, int k,
+                             Wrap wrap) {
+    std::array<Lanes, 2> out;
+    dispatch<wrap_place>(first, step, k, wrap, out);
+    return out;
+}
+
+void find_texels(const std::array<Lanes, 2>& uv, int width, int height, const LaneIntegers& level, Wrap wrap,
+                 LaneTexels& out) {
+    dispatch<find_cells>(uv, width, height, level, wrap, out);
 }
 
 void find_nearest(const std::array<Lanes, 2>& uv, int width, int height, LaneIntegers& out) {

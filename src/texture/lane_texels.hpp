@@ -19,7 +19,7 @@ struct alignas(64) LaneIntegers {
     [[nodiscard]] std::int32_t operator[](std::size_t i) const { return value[i]; }
 };
 
-/// Of images of this many texels. Texel centres are at (i + 0.5) / size.
+/// Of an image. Texel centres are at (i + 0.5) / size.
 struct LaneTexels {
     LaneIntegers upper_left, upper_right, lower_left, lower_right;  ///< row times width plus column
     Lanes right, down;                                              ///< how far from the upper left, 0 to 1
@@ -29,8 +29,13 @@ struct LaneTexels {
 [[nodiscard]] std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& uv, const UvTransform& transform,
                                            TextureSampling::Wrap wrap);
 
-/// Of what wrapped() returns.
-void find_texels(const std::array<Lanes, 2>& uv, const LaneIntegers& width, const LaneIntegers& height,
+/// The k-th place after the first one, of u or v after the transform, within 0 and 1.
+[[nodiscard]] std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& first,
+                                           const std::array<Lanes, 2>& step, int k,
+                                           TextureSampling::Wrap wrap);
+
+/// Of what wrapped() returns, in each point's level of a mipmap whose finest one, 0, has this many texels.
+void find_texels(const std::array<Lanes, 2>& uv, int width, int height, const LaneIntegers& level,
                  TextureSampling::Wrap wrap, LaneTexels& out);
 
 /// The texel that holds each point: row times width plus column.

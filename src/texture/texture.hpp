@@ -37,7 +37,9 @@ struct TexturePoints {
 
 /// How an image becomes a function of u and v.
 struct TextureSampling {
-    enum class Filter { nearest, bilinear, mipmap };  ///< mipmap: bilinear in two levels, linear between them
+    /// mipmap: the mean over what a pixel covers, of look-ups that are bilinear in two levels and linear
+    /// between them (texture/footprint.hpp).
+    enum class Filter { nearest, bilinear, mipmap };
     enum class Wrap { repeat, mirror, clamp };
     Filter filter = Filter::bilinear;
     Wrap wrap = Wrap::repeat;

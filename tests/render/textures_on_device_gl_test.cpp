@@ -23,8 +23,10 @@ TextureImage noise(int channels, float least = 0, float most = 1) {
     return image;
 }
 
-TexturePtr image(int channels, TextureSampling::Filter filter, TextureSampling::Wrap wrap) {
-    const glm::dmat3 to_uv(1.9, 0.4, 0, -0.3, 1.6, 0, -0.2, 0.1, 1);
+TexturePtr image(int channels, TextureSampling::Filter filter, TextureSampling::Wrap wrap,
+                 double repetitions = 1) {
+    const double n = repetitions;
+    const glm::dmat3 to_uv(1.9 * n, 0.4 * n, 0, -0.3 * n, 1.6 * n, 0, -0.2, 0.1, 1);
     return image_texture(noise(channels), {.filter = filter, .wrap = wrap, .to_uv = to_uv});
 }
 
@@ -75,6 +77,11 @@ GL_TEST_CASE("compute shaders texture as threads do") {
          blend(metal, plastic, image(1, Filter::bilinear, Wrap::repeat))},
         {"normal maps, two-sided", normal_mapped(plastic, bumps),
          twosided(normal_mapped(scaled(metal, checks), bumps, true))},
+        {"mipmaps of footprints that are stretched",
+         scaled(plastic, image(1, Filter::mipmap, Wrap::repeat, 9)),
+         scaled(grey, image(3, Filter::mipmap, Wrap::mirror, 9))},
+        {"their bump maps", bump_mapped(plastic, image(1, Filter::mipmap, Wrap::repeat, 5), 0.02),
+         bump_mapped(grey, image(1, Filter::mipmap, Wrap::mirror, 5), 0.02)},
         {"bump maps", bump_mapped(plastic, image(1, Filter::mipmap, Wrap::mirror), 0.1),
          bump_mapped(grey, image(3, Filter::bilinear, Wrap::repeat), 0.05)}};
     for (const auto& row : rows)

@@ -66,7 +66,7 @@ TexturePoint at(const glm::vec2& uv) {
 TexturePoint covering(const glm::vec2& uv, float texels, const TextureImage& image) {
     return {.uv = uv,
             .du = {texels / static_cast<float>(image.width), 0},
-            .dv = {0, 0.3F * texels / static_cast<float>(image.height)}};
+            .dv = {0, texels / static_cast<float>(image.height)}};
 }
 
 const std::vector<Wrap> wraps{Wrap::repeat, Wrap::mirror, Wrap::clamp};
@@ -229,7 +229,7 @@ TEST_CASE("a mipmap shows what a pixel covers") {
     for (int i = 0; i < 64 * 64; ++i) squares.values.push_back(static_cast<float>((i + i / 64) % 2));
     const TexturePtr far = image_texture(squares, {.filter = Filter::mipmap});
     for (const glm::vec2& uv : random_points(20))
-        CHECK(far->at(covering(uv, 2, squares)).x == doctest::Approx(0.5));
+        CHECK(far->at(covering(uv, 2.5F, squares)).x == doctest::Approx(0.5));
 
     const TextureImage image = random_image(16, 8, 4);
     const std::vector<TextureImage> levels = image_levels(image);
@@ -237,10 +237,10 @@ TEST_CASE("a mipmap shows what a pixel covers") {
     const TexturePtr flat = image_texture(image, {.wrap = Wrap::mirror});
     for (const glm::vec2& uv : random_points(30)) {
         CHECK(texture->at(at(uv)) == flat->at(at(uv)));
-        CHECK(texture->at(covering(uv, 1, image)) == flat->at(at(uv)));
-        CHECK(texture->gradient(covering(uv, 1, image)) == flat->gradient(at(uv)));
-        // 2^1.25 texels: a quarter of the way from level 1 to level 2.
-        const glm::vec4 between = texture->at(covering(uv, std::exp2(1.25F), image));
+        CHECK(texture->at(covering(uv, 0.5F, image)) == flat->at(at(uv)));
+        CHECK(texture->gradient(covering(uv, 0.5F, image)) == flat->gradient(at(uv)));
+        // A quarter of the way from level 1 to level 2.
+        const glm::vec4 between = texture->at(covering(uv, std::sqrt(2 * (4 * 10.0F / 7 - 0.875F)), image));
         for (int c = 0; c < 4; ++c) {
             const auto of_level = [&](std::size_t level) {
                 return bilinear(levels[level], static_cast<double>(uv.x), static_cast<double>(uv.y), c,

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Where a mipmap is looked up to show what a pixel covers; see src/texture/footprint.hpp.
+
+// At `count` places: first, first + step, ...
+struct FootprintTaps {
+    vec2 first;
+    vec2 step;
+    int count;
+    uint level;
+    float fraction;  // of the next level
+};
+
+// In texels, of which squares of squares are finite; not a number becomes the lower end.
+vec2 limited(vec2 texels) {
+    const vec2 most = vec2(1e9);
+    return mix(-most, min(texels, most), greaterThan(texels, -most));
+}
+
+// across, down: the change of uv to the next pixel. size: of the finest level, texels.
+FootprintTaps footprint_taps(vec2 uv, vec2 across, vec2 down, vec2 size, uint last_level) {
+    across = limited(size * across);
+    down = limited(size * down);
+
+    // Squared axes of the ellipse: middle + radius and middle - radius.
+    vec2 squares = across * across + down * down;
+    float xy = across.x * across.y + down.x * down.y;
+    float middle = 0.5 * (squares.x + squares.y);
+    float half_difference = 0.5 * (squares.x - squares.y);
+    float radius = sqrt(half_difference * half_difference + xy * xy);
+    float longer = middle + radius;
+    float area = across.x * down.y - across.y * down.x;
+    const float most = 16.0;
+    float shorter = max(longer > 0.0 ? area * area / longer : 0.0, longer / (most * most));
+
+    FootprintTaps taps;
+    taps.count = max(int(sqrt(longer / max(shorter, 1.0)) + 0.5), 1);
+    taps.first = uv;
+    taps.step = vec2(0.0);
+    if (taps.count > 1) {
+        // The longer axis has the direction (radius + half, xy), and (xy, radius - half), of which one may vanish.
+        float count = float(taps.count);
+        float sum = radius + abs(half_difference);
+        vec2 along = half_difference > 0.0 ? vec2(sum, xy) : vec2(xy, sum);
+        taps.step = along / (sqrt(sum * (count * count - 1.0)) * size);
+        taps.first -= 0.5 * (count - 1.0) * taps.step;
+    }
+
+    float squared = max(0.875 + 0.5 * (taps.count > 1 ? shorter : middle), 1.0);
+    squared = min(squared, exp2(float(2u * last_level)));
+    taps.level = ((floatBitsToUint(squared) >> 23) - 127u) >> 1;
+    float mantissa = squared * uintBitsToFloat((127u - 2u * taps.level) << 23);
+    taps.fraction = 2.0 * (mantissa - 1.0) / (mantissa + 2.0);
+    return taps;
+}

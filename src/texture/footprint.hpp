@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Where a mipmap is looked up to show what a pixel covers.
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+
+#include "simd/lanes.hpp"
+#include "texture/lane_texels.hpp"
+#include "texture/texture.hpp"
+#include "texture/uv_transform.hpp"
+
+namespace nicol {
+
+/// A mipmap's look-ups are averaged over places side by side, as many as the footprint is stretched: at
+/// first, first + step, ... These are coordinates after the transform, before wrapping.
+///
+/// The footprint is the parallelogram of du and dv. An ellipse has the same second moments if its axes, in
+/// texels, have the squared lengths l1 >= l2 that are the eigenvalues of du du^T + dv dv^T. The places lie
+/// along the longer axis; n of them at a distance d have, with the shorter axis' width all around each, the
+/// second moments again where (n^2 - 1) d^2 = l1 - l2.
+///
+/// The texels of level L are 2^L wide. 4^(level + fraction) is 7/8 + l2 / 2, at least 1: what, on average
+/// over widths and images, errs least against the mean over the footprint of the finest level, which the
+/// truth interpolates bilinearly as well. At half a texel and less the finest level is enough.
+struct FootprintTaps {
+    glm::vec2 first, step;
+    int count;  ///< 1 where the longer axis is less than 1.5 times the shorter one or a texel; at most 16
+    int level;  ///< 0 is the finest one
+    float fraction;  ///< of the next level, 0 to 1; 0 at the last one
+};
+
+/// The same of sixteen points.
+struct LaneFootprintTaps {
+    std::array<Lanes, 2> first, step;
+    LaneIntegers count, level;
+    Lanes fraction;
+};
+
+/// What the points are looked up in: a mipmap whose finest level has this many texels.
+struct MipmapShape {
+    int width, height;
+    int last_level;
+    UvTransform to_uv;
+};
+
+/// Finite steps and a level for all footprints, those that are not finite included.
+[[nodiscard]] FootprintTaps footprint_taps(const TexturePoint& point, const MipmapShape& shape);
+void footprint_taps(const TexturePoints& points, const MipmapShape& shape, LaneFootprintTaps& out);
+
+}  // namespace nicol
