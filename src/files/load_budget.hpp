@@ -29,10 +29,11 @@ public:
     void take_pixels(const std::filesystem::path& file, std::uint64_t pixels);
     /// Before an instance of a mesh becomes a part of what `file` describes.
     void take_instance(const std::filesystem::path& file, std::uint64_t vertices, std::uint64_t triangles);
+    /// Within what takes long; the others do so too.
+    void check_time(const std::filesystem::path& file) const;
 
 private:
     void take_bytes(const std::filesystem::path& file, std::uint64_t bytes);
-    void check_time(const std::filesystem::path& file) const;
 
     LoadLimits limits_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

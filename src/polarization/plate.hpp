@@ -49,6 +49,7 @@ public:
 
     [[nodiscard]] const PolarizingPlate& plate() const noexcept { return plate_; }
     [[nodiscard]] const glm::dvec3& center() const noexcept { return center_; }
+    [[nodiscard]] const glm::dvec3& normal() const noexcept { return normal_; }  ///< unit
     /// To coordinates in which the outline is that of the plate's own axes, and z is the height above it.
     [[nodiscard]] const glm::dmat3& to_local() const noexcept { return to_local_; }
     /// Unit, in the plane: that which absorbs, of polarizers, or is fast.

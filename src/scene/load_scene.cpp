@@ -14,6 +14,7 @@
 
 #include "arguments.hpp"
 #include "light/psh_file.hpp"
+#include "scene/plates_before_lights.hpp"
 #include "scene/scene_color.hpp"
 #include "scene/scene_files.hpp"
 #include "scene/scene_lights.hpp"
@@ -199,6 +200,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const SceneParameters&
     }
     for (const PolarizingPlate& plate : description.plates)
         made(file, "shape", [&] { return out.scene.add_plate(plate); });
+    scene::put_plates_before_lights(description, out.scene, files);
     std::ranges::copy(files.notices(), std::back_inserter(out.notices));
     out.files = files.records();
     out.camera = make(description.sensor);

@@ -20,7 +20,7 @@ public:
         for (const pugi::xml_node node : document_.elements(document_.root())) read(node);
         if (!sensor_)
             document_.fail(document_.root(), "no <sensor>; expected one of type perspective or orthographic");
-        scene_.plates = plates_.put_before_lamps(scene_.shapes, notices_);
+        scene_.plates = plates_.put_before_lamps(scene_.shapes);
         if (scene_.shapes.empty() && scene_.plates.empty())
             document_.fail(document_.root(), "no <shape>; expected at least one");
         for (const pugi::xml_node node : document_.left_open())

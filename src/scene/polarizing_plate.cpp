@@ -12,7 +12,6 @@
 #include <string_view>
 
 #include "scene/plugin.hpp"
-#include "scene/readers.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -74,24 +73,30 @@ private:
     glm::dmat3 to_local_;
 };
 
-/// The axis is that along which there is least light: that of a polarizer absorbs however light passes.
-PolarizationState state_of(const Stokes& light, const Frame& frame, const glm::dmat4& to_world) {
-    PolarizationState state;
-    if (light[0] <= 0) return state;
-    state.dolp = std::min(std::hypot(light[1], light[2]) / light[0], 1.0);
-    state.aolp = pi / 2;
-    state.docp = std::clamp(light[3] / light[0], -1.0, 1.0);
-    const double least = std::atan2(light[2], light[1]) / 2 + pi / 2;
-    state.axis = glm::normalize(glm::inverse(glm::dmat3(to_world)) *
-                                (std::cos(least) * frame[0] + std::sin(least) * frame[1]));
-    return state;
-}
-
 bool is_flat(const ShapeDescription& shape) {
     return shape.kind == ShapeDescription::Kind::rectangle || shape.kind == ShapeDescription::Kind::disk;
 }
 
 }  // namespace
+
+LightBehindPlates behind(std::span<const PlacedPlate> plates, const PolarizationState& state,
+                         const Frame& frame, const glm::dmat3& to_world) {
+    Stokes light = stokes_in(frame, state, glm::normalize(to_world * state.axis));
+    for (const PlacedPlate& plate : plates) light = plate.mueller(frame) * light;
+    LightBehindPlates out{.brightness = light[0], .state = {}};
+    if (light[0] <= 0) return out;
+    out.state.dolp = std::min(std::hypot(light[1], light[2]) / light[0], 1.0);
+    out.state.aolp = pi / 2;
+    out.state.docp = std::clamp(light[3] / light[0], -1.0, 1.0);
+    // Where there is least light, in the plane of the last plate: a polarizer's axis, which absorbs however
+    // light passes.
+    const double angle = std::atan2(light[2], light[1]) / 2 + pi / 2;
+    const glm::dvec3 least = std::cos(angle) * frame[0] + std::sin(angle) * frame[1];
+    const glm::dvec3& normal = plates.back().normal();
+    const glm::dvec3 in_plane = glm::dot(frame[2], normal) * least - glm::dot(least, normal) * frame[2];
+    out.state.axis = glm::normalize(glm::inverse(to_world) * in_plane);
+    return out;
+}
 
 bool is_plate_material(pugi::xml_node bsdf) {
     const std::string_view type = type_of(bsdf);
@@ -144,8 +149,8 @@ void PolarizingPlates::add(pugi::xml_node place, const ShapeDescription& shape, 
     plates_.push_back({place, shape, plate});
 }
 
-std::vector<PolarizingPlate> PolarizingPlates::put_before_lamps(std::vector<ShapeDescription>& shapes,
-                                                                Notices& notices) const {
+std::vector<PlateDescription> PolarizingPlates::put_before_lamps(
+    std::vector<ShapeDescription>& shapes) const {
     struct Before {
         double distance;
         std::size_t plate;
@@ -162,26 +167,19 @@ std::vector<PolarizingPlate> PolarizingPlates::put_before_lamps(std::vector<Shap
                 before.push_back({distance, i});
         if (before.empty()) continue;
         std::ranges::sort(before, {}, &Before::distance);
-        const Frame frame = lamp.frame();
-        PolarizationState& state = shape.emission->state;
-        Stokes light = stokes_in(frame, state, glm::normalize(glm::dmat3(shape.to_world) * state.axis));
+        std::vector<PlacedPlate> placed;
         for (const auto& [distance, plate] : before) {
-            light = PlacedPlate(plates_[plate].plate).mueller(frame) * light;
+            placed.emplace_back(plates_[plate].plate);
             used[plate] = true;
         }
-        shape.emission->scale *= light[0];
-        state = state_of(light, frame, shape.to_world);
+        const LightBehindPlates light =
+            behind(placed, shape.emission->state, lamp.frame(), glm::dmat3(shape.to_world));
+        shape.emission->scale *= light.brightness;
+        shape.emission->state = light.state;
     }
-    std::vector<PolarizingPlate> others;
-    for (std::size_t i = 0; i < plates.size(); ++i) {
-        if (used[i]) continue;
-        if (others.empty())
-            notices.add(plates_[i].place,
-                        "polarizing plates that stand directly before no lamp act on what the camera sees "
-                        "through them alone: they cast no shadow and light passes them unchanged on its way "
-                        "to surfaces");
-        others.push_back(plates_[i].plate);
-    }
+    std::vector<PlateDescription> others;
+    for (std::size_t i = 0; i < plates.size(); ++i)
+        if (!used[i]) others.push_back({plates_[i].plate, document_.where(plates_[i].place)});
     return others;
 }
 

@@ -1,19 +1,30 @@
 // SPDX-License-Identifier: MIT
 // Flat shapes of a <bsdf> that polarizes the light that passes: they become the Stokes state of a lamp, or
-// plates before the camera.
+// plates of the scene.
 #pragma once
 
 #include <glm/vec3.hpp>
 #include <pugixml.hpp>
+#include <span>
 #include <vector>
 
+#include "light/polarization_state.hpp"
 #include "polarization/plate.hpp"
 #include "scene/scene_description.hpp"
 #include "scene/xml_document.hpp"
 
 namespace nicol::scene {
 
-class Notices;
+/// How light leaves plates.
+struct LightBehindPlates {
+    double brightness;  ///< over that before them
+    PolarizationState state;
+};
+
+/// Light of `state` that travels along frame[2] and passes the plates, one or more, in their order. to_world:
+/// from the axes of the state. Behind a polarizer the new state is that of all directions.
+[[nodiscard]] LightBehindPlates behind(std::span<const PlacedPlate> plates, const PolarizationState& state,
+                                       const Frame& frame, const glm::dmat3& to_world);
 
 /// True of a <bsdf> of type polarizer, retarder or circular; false of null.
 [[nodiscard]] bool is_plate_material(pugi::xml_node bsdf);
@@ -37,9 +48,8 @@ public:
     void add(pugi::xml_node place, const ShapeDescription& shape, pugi::xml_node bsdf);
 
     /// Gives the lamps among the shapes the state and the brightness of their light behind the plates before
-    /// them, nearest first. Returns the other plates, of which a notice says what they do not do.
-    [[nodiscard]] std::vector<PolarizingPlate> put_before_lamps(std::vector<ShapeDescription>& shapes,
-                                                                Notices& notices) const;
+    /// them, nearest first. Returns the other plates.
+    [[nodiscard]] std::vector<PlateDescription> put_before_lamps(std::vector<ShapeDescription>& shapes) const;
 
 private:
     struct Plate {

@@ -23,7 +23,7 @@ SAMPLES = 1024
 
 SCENE = """<scene version="3.0.0">
   <path value="{assets}"/>
-  <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="{depth}"/></integrator></integrator>
+  <integrator type="stokes"><integrator type="{integrator}"><integer name="max_depth" value="{depth}"/></integrator></integrator>
   <sensor type="perspective">
     <float name="fov" value="32"/>
     <transform name="to_world"><lookat origin="1,2,5" target="0,-0.2,0" up="0.2,1,0"/></transform>
@@ -59,7 +59,17 @@ def checkerboard(name, color0, color1):
         <float name="color1" value="{color1}"/><transform name="to_uv"><scale x="4" y="3"/></transform></texture>"""
 
 
-AIMED = '<transform name="to_world"><lookat origin="2.5,4,2" target="0,0,0" up="0,1,0.1"/></transform>'
+def aimed(first=""):
+    return f'<transform name="to_world">{first}<lookat origin="2.5,4,2" target="0,0,0" up="0,1,0.1"/></transform>'
+
+
+def plate(bsdf, size, z, first=""):
+    return f"""<shape type="rectangle">{aimed(f'<scale x="{size}" y="{size}"/>{first}<translate z="{z}"/>')}{bsdf}</shape>"""
+
+
+AIMED = aimed()
+POLARIZER = '<bsdf type="polarizer"><float name="theta" value="30"/></bsdf>'
+RETARDER = '<bsdf type="retarder"><float name="theta" value="20"/><float name="delta" value="70"/></bsdf>'
 CONSTANT = '<emitter type="constant"/>'
 FOREST = """<emitter type="envmap"><string name="filename" value="forest_blurred.exr"/>
     <transform name="to_world"><rotate y="1" angle="70"/></transform></emitter>"""
@@ -68,14 +78,9 @@ POINT = '<emitter type="point"><point name="position" value="2.5,4,2"/><float na
 SPOT = f'<emitter type="spot"><float name="intensity" value="60"/><float name="cutoff_angle" value="15"/>{AIMED}</emitter>'
 LAMP = f'<shape type="rectangle">{AIMED}<emitter type="area"><float name="radiance" value="10"/></emitter></shape>'
 # The plate is so far from the lamp that Mitsuba's shadow rays meet it.
-CIRCULAR_LAMP = "".join(
-    f"""<shape type="rectangle"><transform name="to_world"><scale x="{size}" y="{size}"/><translate z="{z}"/>
-        <lookat origin="2.5,4,2" target="0,0,0" up="0,1,0.1"/></transform>{inside}</shape>"""
-    for size, z, inside in (
-        (2, 0, '<emitter type="area"><float name="radiance" value="10"/></emitter>'),
-        (2.3, 0.05, '<bsdf type="circular"/>'),
-    )
-)
+CIRCULAR_LAMP = plate('<emitter type="area"><float name="radiance" value="10"/></emitter>', 2, 0) + plate('<bsdf type="circular"/>', 2.3, 0.05)
+PLATED_SPOT = SPOT + plate(POLARIZER, 0.5, 1, '<rotate y="1" angle="25"/>')
+PLATED_SUN = DIRECTIONAL + plate(POLARIZER, 2, -10) + plate(RETARDER, 2, -9)
 MEASURED = '<bsdf type="measured_polarized"><string name="filename" value="{folder}/measured.pbsdf"/><float name="wavelength" value="550"/></bsdf>'
 
 
@@ -101,7 +106,7 @@ def write_measured(path):
     path.write_bytes(magic + heads([begin + sum(sizes[:i]) for i in range(len(sizes))]) + b"".join(f.tobytes() for f in fields.values()))
 
 
-# name: (bsdf of the sphere, bsdf of the floor or none, lights, bounces that Mitsuba follows)
+# name: (bsdf of the sphere, bsdf of the floor or none, lights, bounces that Mitsuba follows[, its integrator: volpath's shadow rays pass plates])
 CASES = {
     "plastic, constant": (plastic(), None, CONSTANT, 2),
     "plastic, environment": (plastic(), plastic(), FOREST, 2),
@@ -112,6 +117,8 @@ CASES = {
     "metal, environment": (metal(0.3), None, FOREST, 2),
     "metal, directional": (metal(0.2), metal(0.4), DIRECTIONAL, 2),
     "metal, circular lamp": (metal(0.4), None, CIRCULAR_LAMP, 3),
+    "metal, spot behind a polarizer": (metal(0.2), metal(0.4), PLATED_SPOT, 2, "volpath"),
+    "metal, directional behind a retarder": (metal(0.4), None, PLATED_SUN, 2, "volpath"),
     "measured, point": (MEASURED, MEASURED, POINT, 2),
     "checkerboard": (plastic(checkerboard("diffuse_reflectance", 0.7, 0.1)), plastic(checkerboard("diffuse_reflectance", 0.1, 0.6)), POINT, 2),
     "checkerboard of roughness": (metal(0.2).replace('<float name="alpha" value="0.2"/>', checkerboard("alpha", 0.15, 0.4)), None, DIRECTIONAL, 2),
@@ -125,9 +132,9 @@ METHODS = {
 
 
 def write_scene(folder, case):
-    sphere, floor, lights, depth = CASES[case]
+    sphere, floor, lights, depth, integrator = (*CASES[case], "path")[:5]
     write_measured(folder / "measured.pbsdf")
-    text = SCENE.format(assets=ASSETS, depth=depth, lights=lights, sphere=sphere, floor=FLOOR.format(floor) if floor else "")
+    text = SCENE.format(assets=ASSETS, depth=depth, integrator=integrator, lights=lights, sphere=sphere, floor=FLOOR.format(floor) if floor else "")
     (folder / "scene.xml").write_text(text.replace("{folder}", str(folder)))
     return folder / "scene.xml"
 

@@ -4,42 +4,13 @@
 #include <glm/trigonometric.hpp>
 
 #include "scene/load_scene.hpp"
-#include "scene/scene_file.hpp"
+#include "scene/plates.hpp"
 
 using namespace nicol;
 
 namespace {
 
 constexpr auto unsupported = ErrorCode::unsupported;
-
-std::string to_world(const std::string& operations) {
-    return "<transform name='to_world'>" + operations + "</transform>";
-}
-
-std::string number(const char* name, double value) {
-    return "<float name='" + std::string(name) + "' value='" + std::to_string(value) + "'/>";
-}
-
-std::string polarizer(double theta, const std::string& more = "") {
-    return "<bsdf type='polarizer'>" + number("theta", theta) + more + "</bsdf>";
-}
-
-std::string retarder(double theta, double delta) {
-    return "<bsdf type='retarder'>" + number("theta", theta) + number("delta", delta) + "</bsdf>";
-}
-
-const std::string right = "<bsdf type='circular'/>";
-const std::string left = "<bsdf type='circular'><boolean name='left_handed' value='true'/></bsdf>";
-
-/// A rectangle of half side 1 at a height above the lamp, turned by operations first.
-std::string plate(const std::string& bsdf, double z, const std::string& operations = "",
-                  const std::string& more = "") {
-    return "<shape type='rectangle'>" + bsdf + more +
-           to_world(operations + "<translate z='" + std::to_string(z) + "'/>") + "</shape>";
-}
-
-const std::string backwards = "<rotate y='1' angle='180'/>";
-const std::string flipped = "<boolean name='flip_normals' value='true'/>";
 
 /// A square of half side 0.5 in the plane z = 0, shining along z.
 std::string lamp(const std::string& emitter = "", const std::string& operations = "",
@@ -62,12 +33,6 @@ Stokes light_behind(const std::string& plates, const std::string& its_lamp = lam
     const SceneDescription scene = read(a_sensor + its_lamp + plates);
     CHECK(scene.shapes.size() == 1);
     return light_of(scene);
-}
-
-void check_near(const Stokes& a, const Stokes& b, double tolerance) {
-    CAPTURE(a);
-    CAPTURE(b);
-    CHECK(glm::distance(a, b) < tolerance);
 }
 
 /// The second line after the lamp's must be refused.
@@ -289,7 +254,7 @@ TEST_CASE("plates before the camera are what plates before lamps are") {
 }
 
 TEST_CASE("one notice says what plates do not do, and the scene has them") {
-    const SceneFile file(scene(a_sensor + a_shape + plate(right, 2) + plate(polarizer(0), 3)));
+    const SceneFile file(scene(a_sensor + a_shape + plate(right, 2) + plate(polarizer(0), 3) + an_emitter));
     const LoadedScene loaded = load_scene(file.scene(), {});
     REQUIRE(loaded.scene.plates().size() == 2);
     CHECK(loaded.scene.plates()[1].to_world[3].z == 3);
