@@ -26,11 +26,12 @@ void reverse(Mesh& mesh) {
     throw Error(ErrorCode::invalid_file, std::string(name) + ": " + message);
 }
 
-/// One value a vertex, or none at all.
-void check_count(std::size_t values, std::size_t vertices, const char* what, std::string_view name) {
-    if (values != 0 && values != vertices)
-        refuse(name, std::to_string(values) + " " + what + " for " + std::to_string(vertices) +
-                         " vertices; give one each or none at all");
+/// One value a vertex or a face, or none at all.
+void check_count(std::size_t values, const char* what, std::size_t count, const char* of,
+                 std::string_view name) {
+    if (values != 0 && values != count)
+        refuse(name, std::to_string(values) + " " + what + " for " + std::to_string(count) + " " + of +
+                         "; give one each or none at all");
 }
 
 template <class Vector>
@@ -44,11 +45,13 @@ void check_vertices(const Mesh& mesh, std::string_view name) {
     if (count == 0 || mesh.triangles.empty())
         refuse(name, "an empty mesh: " + std::to_string(count) + " vertices and " +
                          std::to_string(mesh.triangles.size()) + " faces; it needs at least 3 and 1");
-    check_count(mesh.normals.size(), count, "normals", name);
-    check_count(mesh.colors.size(), count, "colours", name);
+    check_count(mesh.normals.size(), "normals", count, "vertices", name);
+    check_count(mesh.colors.size(), "colours", count, "vertices", name);
+    check_count(mesh.face_colors.size(), "colours", mesh.triangles.size(), "faces", name);
     check_finite(mesh.positions, "vertex ", name);
     check_finite(mesh.normals, "the normal of vertex ", name);
     check_finite(mesh.colors, "the colour of vertex ", name);
+    check_finite(mesh.face_colors, "the colour of face ", name);
     check_finite(mesh.texcoords, "texture coordinate ", name);
 }
 

@@ -20,7 +20,9 @@ struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;  ///< as many as positions; unit length after validate()
     std::vector<glm::uvec3> triangles;
-    std::vector<glm::vec3> colors;  ///< as many as positions, or empty: as a file has them, integers n / 255
+    /// As a file has them, integers n / 255.
+    std::vector<glm::vec3> colors;       ///< of the vertices: as many as positions, or empty
+    std::vector<glm::vec3> face_colors;  ///< as many as triangles, or empty
     /// u, v as a file has them. Light lives at vertices, which a seam of texture coordinates does not split:
     std::vector<glm::vec2> texcoords;
     std::vector<glm::uvec3> texcoord_triangles;  ///< of these, by triangle; none without texcoords
@@ -50,8 +52,8 @@ inline constexpr double kStlCreaseDegrees = 40.0;
 ///   there (by +z where no face uses the vertex). Every normal ends up with unit length.
 /// Triangles without area (two corners that share a vertex or a position, or three on one line) are removed;
 /// returns how many. Throws Error(invalid_file): no vertices, no triangles with an area, a count of normals
-/// or colours that is not the count of positions, texture coordinates at some faces only, a value that is not
-/// finite, an index out of range.
+/// or colours that is not the count of positions (of triangles, for those of faces), texture coordinates at
+/// some faces only, a value that is not finite, an index out of range.
 std::size_t validate(Mesh& mesh, std::string_view name);
 
 /// Normals averaged over the faces at each vertex, weighted by the face's angle there, so that they do not

@@ -62,10 +62,12 @@ std::size_t geometry::remove_flat_triangles(Mesh& mesh) {
         if (is_flat(mesh, mesh.triangles[i])) continue;
         mesh.triangles[kept] = mesh.triangles[i];
         if (!mesh.texcoord_triangles.empty()) mesh.texcoord_triangles[kept] = mesh.texcoord_triangles[i];
+        if (!mesh.face_colors.empty()) mesh.face_colors[kept] = mesh.face_colors[i];
         ++kept;
     }
     mesh.triangles.resize(kept);
     if (!mesh.texcoord_triangles.empty()) mesh.texcoord_triangles.resize(kept);
+    if (!mesh.face_colors.empty()) mesh.face_colors.resize(kept);
     return before - kept;
 }
 
@@ -91,6 +93,7 @@ Mesh with_face_normals(const Mesh& mesh) {
     Mesh out;
     out.texcoords = mesh.texcoords;
     out.texcoord_triangles = mesh.texcoord_triangles;
+    out.face_colors = mesh.face_colors;
     for (const glm::uvec3& t : mesh.triangles) {
         const auto first = static_cast<std::uint32_t>(out.positions.size());
         const glm::vec3 normal(glm::normalize(area_normal(mesh, t)));

@@ -18,9 +18,10 @@ namespace nicol::geometry {
 /// v, vt, vn and f. Three numbers behind a position are its colour.
 [[nodiscard]] PolygonMesh parse_obj(std::string_view name, std::string_view bytes, LeftOut& left_out);
 /// Of the vertices x y z, nx ny nz, u v (or s t, texture_u texture_v) and red green blue (or r g b; integers
-/// are n / 255); of the faces vertex_indices and, at their corners, texcoord.
+/// are n / 255); of the faces vertex_indices, at their corners texcoord, and colours by the same names.
 [[nodiscard]] PolygonMesh parse_ply(std::string_view name, std::string_view bytes, LeftOut& left_out);
-/// Text, with normals (N), colours (C) and texture coordinates (ST).
+/// Text, with normals (N), colours (C) and texture coordinates (ST) of vertices, and colours of faces, white
+/// where a face has none and others have.
 [[nodiscard]] PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& left_out);
 /// Text or binary. Equal positions are merged; normals follow from the triangles, see crease_normals.hpp.
 [[nodiscard]] PolygonMesh parse_stl(std::string_view name, std::string_view bytes, LeftOut& left_out);

@@ -22,6 +22,13 @@ std::vector<float> numbers(std::string_view line) {
     return out;
 }
 
+// Geomview's: 0 to 255 where any is above 1.
+glm::vec3 color_of(const std::vector<float>& rgb) {
+    const glm::vec3 color(rgb[0], rgb[1], rgb[2]);
+    const bool bytes = color.r > 1 || color.g > 1 || color.b > 1;
+    return bytes ? color / 255.0F : color;
+}
+
 }  // namespace
 
 PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& left_out) {
@@ -61,11 +68,8 @@ PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& le
         const std::vector<float> rest = numbers(tokens.rest_of_line());
         const std::size_t of_texcoord = has_texcoords ? 2 : 0;
         if (has_colours && rest.size() >= 3 + of_texcoord) {
-            // 0 to 255 where any is above 1, as Geomview takes them.
-            const glm::vec3 colour(rest[0], rest[1], rest[2]);
-            const bool bytes_of = colour.r > 1 || colour.g > 1 || colour.b > 1;
             out.colors.resize(out.positions.size(), glm::vec3(1));
-            out.colors.back() = bytes_of ? colour / 255.0F : colour;
+            out.colors.back() = color_of(rest);
         }
         if (has_texcoords) {
             out.texcoords.emplace_back(0);
@@ -86,9 +90,13 @@ PolygonMesh parse_off(std::string_view name, std::string_view bytes, LeftOut& le
                                    .normal = has_normals ? at : PolygonMesh::kNone,
                                    .texcoord = has_texcoords ? at : PolygonMesh::kNone});
         }
-        out.end_face(left_out);
-        tokens.rest_of_line();  // the colour of the face
+        const std::vector<float> rest = numbers(tokens.rest_of_line());
+        if (out.end_face(left_out) && rest.size() >= 3) {
+            out.face_colors.resize(out.face_ends.size(), glm::vec3(1));
+            out.face_colors.back() = color_of(rest);
+        }
     }
+    if (!out.face_colors.empty()) out.face_colors.resize(out.face_ends.size(), glm::vec3(1));
     return out;
 }
 

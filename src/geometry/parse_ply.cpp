@@ -15,7 +15,7 @@ namespace {
 
 using namespace ply;
 
-/// What a vertex's property is used for.
+/// What a property of a vertex or a face is used for.
 enum Slot : std::size_t { x, y, z, nx, ny, nz, u, v, red, green, blue, slots, none = slots };
 
 Slot slot_of(const Property& property) {
@@ -63,51 +63,74 @@ double largest(Type type) {
     }
 }
 
-void read_vertices(Values& values, const Element& element, PolygonMesh& out, LeftOut& left_out) {
-    std::vector<Slot> slot;
-    std::array<bool, slots + 1> present{};
-    for (const Property& property : element.properties) {
-        Slot wanted = slot_of(property);
-        if (present[wanted]) wanted = none;  // the first of two names
-        present[wanted] = true;
-        slot.push_back(wanted);
+/// What an element's properties are used for, and their values in one row.
+class Row {
+public:
+    explicit Row(const Element& element) {
+        for (const Property& property : element.properties) {
+            Slot slot = slot_of(property);
+            if (present_[slot]) slot = none;  // the first of two names
+            present_[slot] = true;
+            slots_.push_back(slot);
+        }
     }
+
+    [[nodiscard]] Slot slot(std::size_t property) const { return slots_[property]; }
+    [[nodiscard]] bool has(Slot first, Slot last) const {
+        return std::all_of(&present_[first], &present_[last] + 1, [](bool is_there) { return is_there; });
+    }
+    void set(Slot slot, Type type, double value) {
+        values_[slot] = slot >= red ? value / largest(type) : value;
+    }
+    [[nodiscard]] bool finite(Slot first, Slot last) const {
+        return std::all_of(&values_[first], &values_[last] + 1,
+                           [](double value) { return std::abs(value) <= std::numeric_limits<float>::max(); });
+    }
+    /// 0 where they are not finite.
+    [[nodiscard]] glm::vec2 pair(Slot first) const {
+        return finite(first, Slot(first + 1)) ? glm::vec2(values_[first], values_[first + 1]) : glm::vec2(0);
+    }
+    [[nodiscard]] glm::vec3 triple(Slot first) const {
+        return finite(first, Slot(first + 2))
+                   ? glm::vec3(values_[first], values_[first + 1], values_[first + 2])
+                   : glm::vec3(0);
+    }
+
+private:
+    std::vector<Slot> slots_;  // by property
+    std::array<bool, slots + 1> present_{};
+    std::array<double, slots + 1> values_{};
+};
+
+void read_vertices(Values& values, const Element& element, PolygonMesh& out, LeftOut& left_out) {
+    Row row(element);
     for (const auto& [needed, name] : {std::pair(x, "x"), {y, "y"}, {z, "z"}})
-        if (!present[needed])
+        if (!row.has(needed, needed))
             values.fail("the vertices have no property " + std::string(name) + "; expected x, y and z");
-    const bool normals = present[nx] && present[ny] && present[nz];
-    const bool texcoords = present[u] && present[v];
-    const bool colors = present[red] && present[green] && present[blue];
-    std::array<double, slots + 1> row{};
+    const bool normals = row.has(nx, nz);
+    const bool texcoords = row.has(u, v);
+    const bool colors = row.has(red, blue);
     for (std::uint64_t i = 0; i < element.count; ++i) {
         const auto what = [&] { return "vertex " + std::to_string(i) + " (0-based)"; };
-        for (std::size_t p = 0; p < slot.size(); ++p) {
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
             const Property& property = element.properties[p];
-            if (slot[p] == none) {
+            const Slot slot = row.slot(p);
+            if (slot == none) {
                 skip(values, property, what);
                 continue;
             }
-            const double value =
-                slot[p] <= z ? values.next(property.type, what) : values.any(property.type, what);
-            row[slot[p]] = slot[p] >= red ? value / largest(property.type) : value;
-            if (slot[p] <= z && !(std::abs(value) <= std::numeric_limits<float>::max()))
+            row.set(slot, property.type,
+                    slot <= z ? values.next(property.type, what) : values.any(property.type, what));
+            if (slot <= z && !row.finite(slot, slot))
                 values.fail(what() + " has a " + property.name + " that is not finite");
         }
-        const auto finite = [&](Slot first, Slot last) {
-            return std::all_of(row.begin() + first, row.begin() + last + 1, [](double value) {
-                return std::abs(value) <= std::numeric_limits<float>::max();
-            });
-        };
-        out.positions.emplace_back(row[x], row[y], row[z]);
+        out.positions.push_back(row.triple(x));
         if (normals) {
-            const bool usable = finite(nx, nz);
-            if (!usable) left_out.add("normals that are not finite");
-            out.normals.push_back(usable ? glm::vec3(row[nx], row[ny], row[nz]) : glm::vec3(0));
+            if (!row.finite(nx, nz)) left_out.add("normals that are not finite");
+            out.normals.push_back(row.triple(nx));
         }
-        if (texcoords) out.texcoords.push_back(finite(u, v) ? glm::vec2(row[u], row[v]) : glm::vec2(0));
-        if (colors)
-            out.colors.push_back(finite(red, blue) ? glm::vec3(row[red], row[green], row[blue])
-                                                   : glm::vec3(0));
+        if (texcoords) out.texcoords.push_back(row.pair(u));
+        if (colors) out.colors.push_back(row.triple(red));
     }
 }
 
@@ -123,12 +146,15 @@ void read_faces(Values& values, const Element& element, PolygonMesh& out, LeftOu
     };
     if (std::ranges::count_if(element.properties, is_indices) != 1)
         values.fail("the faces have no list vertex_indices, or more than one");
+    Row row(element);
+    const bool colors = row.has(red, blue);
     std::vector<float> texcoords;
     for (std::uint64_t f = 0; f < element.count; ++f) {
         const auto what = [&] { return "face " + std::to_string(f) + " (0-based)"; };
         const std::size_t first = out.corners.size();
         texcoords.clear();
-        for (const Property& property : element.properties) {
+        for (std::size_t p = 0; p < element.properties.size(); ++p) {
+            const Property& property = element.properties[p];
             if (is_indices(property)) {
                 const std::uint64_t corners = values.integer(*property.length, what);
                 for (std::uint64_t i = 0; i < corners; ++i) {
@@ -140,6 +166,8 @@ void read_faces(Values& values, const Element& element, PolygonMesh& out, LeftOu
                 const std::uint64_t count = values.integer(*property.length, what);
                 for (std::uint64_t i = 0; i < count; ++i)
                     texcoords.push_back(static_cast<float>(values.any(property.type, what)));
+            } else if (row.slot(p) >= red && row.slot(p) != none) {
+                row.set(row.slot(p), property.type, values.any(property.type, what));
             } else {
                 skip(values, property, what);
             }
@@ -150,7 +178,7 @@ void read_faces(Values& values, const Element& element, PolygonMesh& out, LeftOu
                 out.texcoords.emplace_back(texcoords[i], texcoords[i + 1]);
             }
         }
-        out.end_face(left_out);
+        if (out.end_face(left_out) && colors) out.face_colors.push_back(row.triple(red));
     }
 }
 

@@ -34,6 +34,10 @@ private:
     std::unordered_map<Key, std::uint32_t, Hash> known_;
 };
 
+glm::vec3 finite_color(const glm::vec3& color) {
+    return is_finite(color) ? color : glm::vec3(1);
+}
+
 class Triangulation {
 public:
     explicit Triangulation(const PolygonMesh& polygons)
@@ -66,6 +70,8 @@ public:
             clip_ears(points, triangles);
             for (const glm::uvec3& t : triangles) {
                 mesh.triangles.emplace_back(vertices[t.x], vertices[t.y], vertices[t.z]);
+                if (!polygons_.face_colors.empty())
+                    mesh.face_colors.push_back(finite_color(polygons_.face_colors[f]));
                 if (mesh.texcoords.empty()) continue;
                 mesh.texcoord_triangles.emplace_back(texcoord_of(face[t.x]), texcoord_of(face[t.y]),
                                                      texcoord_of(face[t.z]));
@@ -98,10 +104,7 @@ private:
     std::uint32_t add(std::uint32_t position, const glm::vec3& normal) {
         mesh.positions.push_back(polygons_.positions[position]);
         mesh.normals.push_back(normal);
-        if (!polygons_.colors.empty()) {
-            const glm::vec3& color = polygons_.colors[position];
-            mesh.colors.push_back(is_finite(color) ? color : glm::vec3(1));
-        }
+        if (!polygons_.colors.empty()) mesh.colors.push_back(finite_color(polygons_.colors[position]));
         return static_cast<std::uint32_t>(mesh.positions.size() - 1);
     }
 

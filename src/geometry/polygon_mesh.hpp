@@ -32,13 +32,20 @@ struct PolygonMesh {
     std::vector<glm::vec3> colors;  ///< of the positions, or empty
     std::vector<Corner> corners;
     std::vector<std::size_t> face_ends;  ///< face f has the corners [face_ends[f - 1], face_ends[f])
+    std::vector<glm::vec3> face_colors;  ///< of the faces, or empty
 
-    /// The corners since the last face are one; left out where they are fewer than 3.
-    void end_face(LeftOut& left_out) {
+    /// The corners since the last face are one; left out where they are fewer than 3. Returns whether it is
+    /// kept.
+    bool end_face(LeftOut& left_out) {
         const std::size_t first = face_ends.empty() ? 0 : face_ends.back();
-        if (corners.size() - first >= 3) return face_ends.push_back(corners.size());
-        left_out.add("faces of fewer than 3 corners");
-        corners.resize(first);
+        const bool kept = corners.size() - first >= 3;
+        if (kept) {
+            face_ends.push_back(corners.size());
+        } else {
+            left_out.add("faces of fewer than 3 corners");
+            corners.resize(first);
+        }
+        return kept;
     }
 };
 

@@ -55,6 +55,11 @@ TEST_CASE("validate refuses what no renderer can draw, by index") {
     mesh.colors.emplace_back(0, 0, infinity);
     check_refused(mesh, "the colour of vertex 2 (0-based) is not finite");
     mesh = triangle();
+    mesh.face_colors = {{0, 0, 1}, {0, 0, 1}};
+    check_refused(mesh, "2 colours for 1 faces");
+    mesh.face_colors = {{0, nan, 1}};
+    check_refused(mesh, "the colour of face 0 (0-based) is not finite");
+    mesh = triangle();
     mesh.texcoords = {{0, 0}, {1, 0}, {0, 1}};
     check_refused(mesh, "texture coordinates at 0 faces of 1; give them at each or at none");
     mesh.texcoord_triangles = {{0, 1, 3}};
