@@ -32,6 +32,7 @@ Mesh mesh_of(const nicol_mesh_data& given) {
     out.normals = vectors<3>(given.normals, given.vertex_count);
     out.triangles = vectors<3>(given.indices, given.triangle_count);
     out.colors = vectors<3>(given.colors, given.vertex_count);
+    out.face_colors = vectors<3>(given.face_colors, given.triangle_count);
     out.texcoords = vectors<2>(given.texcoords, texcoords);
     if (given.texcoord_indices != nullptr)
         out.texcoord_triangles = vectors<3>(given.texcoord_indices, given.triangle_count);

@@ -126,7 +126,11 @@ nicol_result nicol_texture_create_checkerboard(nicol_context context, const nico
 }
 
 nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_texture* texture) {
-    return create(context, texture, "texture", [] { return vertex_color_texture(); });
+    return create(context, texture, "texture", [] { return mesh_color_texture(ColorsOf::vertices); });
+}
+
+nicol_result nicol_texture_create_face_colors(nicol_context context, nicol_texture* texture) {
+    return create(context, texture, "texture", [] { return mesh_color_texture(ColorsOf::faces); });
 }
 
 nicol_result nicol_texture_retain(nicol_texture texture) {

@@ -14,7 +14,7 @@ const uint LEVEL_WORDS = 3u;
 const uint KIND_CONSTANT = 0u;
 const uint KIND_IMAGE = 1u;
 const uint KIND_CHECKERBOARD = 2u;
-const uint KIND_VERTEX_COLOR = 3u;
+const uint KIND_MESH_COLOR = 3u;
 const uint FILTER_NEAREST = 0u;
 const uint FILTER_MIPMAP = 2u;
 const uint WRAP_REPEAT = 0u;
@@ -166,7 +166,7 @@ void evaluate_textures(uint first, TexturePoint point, out vec4 values[TEXTURES]
             float squares = floor(within_int(2.0 * uv.x)) + floor(within_int(2.0 * uv.y));
             bool second = squares - 2.0 * floor(0.5 * squares) != 0.0;
             values[t] = color_at(texture + (second ? 16u : 12u));
-        } else if (kind == KIND_VERTEX_COLOR) {
+        } else if (kind == KIND_MESH_COLOR) {
             values[t] = vec4(point.color, 1.0);
         } else {
             values[t] = values[table[texture + 12u]] * values[table[texture + 13u]];

@@ -387,6 +387,8 @@ NICOL_API nicol_result nicol_texture_create_checkerboard(nicol_context context, 
                                                          nicol_texture* texture);
 /* The colours of the mesh's vertices, interpolated. */
 NICOL_API nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_texture* texture);
+/* The colours of the mesh's triangles. A material takes these or those of vertices, not both. */
+NICOL_API nicol_result nicol_texture_create_face_colors(nicol_context context, nicol_texture* texture);
 NICOL_API nicol_result nicol_texture_retain(nicol_texture texture);
 NICOL_API nicol_result nicol_texture_release(nicol_texture texture);
 
@@ -473,7 +475,7 @@ typedef struct nicol_principled {
     uint32_t reserved; /* 0 */
     /* Each stands for the number of its name; NULL: the number holds. Of those but base_color the first
      * channel, moved to 0 to 1, of roughness to 0.1 to 1, of anisotropic and clearcoat_gloss to 0.01 to 1.
-     * Beside a tint that of base_color must not have the colours of vertices. */
+     * Beside a tint that of base_color must not have the colours of a mesh. */
     nicol_texture base_color_texture;
     nicol_texture roughness_texture;
     nicol_texture anisotropic_texture;
@@ -492,7 +494,7 @@ typedef struct nicol_principled {
       0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 /* clang-format on */
 
-/* Likewise; NICOL_ERROR_UNSUPPORTED for a tint of the colours of vertices. */
+/* Likewise; NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours. */
 NICOL_API nicol_result nicol_material_create_principled(nicol_context context,
                                                         const nicol_principled* parameters,
                                                         nicol_material* material);
@@ -657,15 +659,16 @@ typedef struct nicol_mesh_data {
     /* 3 a triangle, of texcoords, so that a seam of these splits no vertex. NULL: indices, with texcoords of
      * each vertex */
     const uint32_t* texcoord_indices;
-    const float* colors; /* 3 a vertex, linear, see nicol_texture_create_vertex_colors; NULL: none */
+    const float* colors;      /* 3 a vertex, linear, see nicol_texture_create_vertex_colors; NULL: none */
+    const float* face_colors; /* 3 a triangle, linear, see nicol_texture_create_face_colors; NULL: none */
 } nicol_mesh_data;
 #define NICOL_MESH_DATA_INIT \
-    { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0, 0, 0, 0 }
+    { sizeof(nicol_mesh_data), 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 }
 
 /* OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
  * concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
- * line of the log counts them. Texture coordinates and colours of vertices are kept; v of OBJ, which points
- * up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
+ * line of the log counts them. Texture coordinates and colours of vertices and faces are kept; v of OBJ,
+ * which points up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face. */
 NICOL_API nicol_result nicol_mesh_load(nicol_context context, const char* path, nicol_mesh* mesh);
 /* Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance. */
 NICOL_API nicol_result nicol_mesh_create(nicol_context context, const nicol_mesh_data* data,
@@ -767,7 +770,7 @@ typedef struct nicol_light {
     double fov;        /* projector: of the rectangle's width, degrees, 0.01 to 179.98, default 45 */
     double aspect;     /* projector: the rectangle's width over its height; above 0, default 1 */
     /* Spot: times the intensity, over the square around the cone; projector: times value, over the rectangle.
-     * 1 or 3 channels, not negative, no colours of vertices; NULL, the default: 1. The image's top is up. */
+     * 1 or 3 channels, not negative, no colours of a mesh; NULL, the default: 1. The image's top is up. */
     nicol_texture texture;
     nicol_polarization polarization;
 } nicol_light;
@@ -783,7 +786,7 @@ typedef struct nicol_emission {
     uint32_t two_sided;      /* 1: from both sides; 0, the default: from the front */
     nicol_spectrum radiance; /* default 1; finite, not negative */
     uint32_t reserved;       /* 0 */
-    /* Times radiance; 1 or 3 channels, not negative, no colours of vertices; NULL, the default: 1. */
+    /* Times radiance; 1 or 3 channels, not negative, no colours of a mesh; NULL, the default: 1. */
     nicol_texture texture;
     nicol_polarization polarization; /* its axis is in the mesh's axes */
 } nicol_emission;

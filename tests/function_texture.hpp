@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -14,11 +15,11 @@ namespace nicol::test {
 class FunctionTexture : public Texture {
 public:
     using Function = std::function<glm::vec4(const TexturePoint&)>;
-    /// mean() is its value in the middle; `range`: of the first channel; of_colors: it needs those instead of
-    /// texture coordinates.
+    /// mean() is its value in the middle; `range`: of the first channel; colors: those of the mesh that it
+    /// needs instead of texture coordinates.
     explicit FunctionTexture(Function function, int channels = 3, const glm::vec2& range = glm::vec2(0, 1),
-                             bool of_colors = false)
-        : function_(std::move(function)), channels_(channels), range_(range), of_colors_(of_colors) {}
+                             std::optional<ColorsOf> colors = std::nullopt)
+        : function_(std::move(function)), channels_(channels), range_(range), colors_(colors) {}
 
     [[nodiscard]] int channels() const noexcept override { return channels_; }
     [[nodiscard]] glm::vec4 at(const TexturePoint& point) const override { return function_(point); }
@@ -36,8 +37,8 @@ public:
     [[nodiscard]] glm::vec4 mean() const override { return function_({.uv = glm::vec2(0.5)}); }
     [[nodiscard]] glm::vec2 range() const override { return range_; }
     [[nodiscard]] bool constant() const noexcept override { return false; }
-    [[nodiscard]] bool needs_texcoords() const noexcept override { return !of_colors_; }
-    [[nodiscard]] bool needs_colors() const noexcept override { return of_colors_; }
+    [[nodiscard]] bool needs_texcoords() const noexcept override { return !colors_; }
+    [[nodiscard]] bool needs_colors(ColorsOf of) const noexcept override { return colors_ == of; }
     [[nodiscard]] TextureDescription describe() const override {
         throw std::logic_error("a function has no description");
     }
@@ -46,7 +47,7 @@ private:
     Function function_;
     int channels_;
     glm::vec2 range_;
-    bool of_colors_;
+    std::optional<ColorsOf> colors_;
 };
 
 inline TexturePtr texture_of(FunctionTexture::Function function, int channels = 3,

@@ -216,6 +216,7 @@ typedef struct nicol_mesh_data {
     const float* texcoords;
     const uint32_t* texcoord_indices;
     const float* colors;
+    const float* face_colors;
 } nicol_mesh_data;
 typedef uint32_t nicol_projection;
 typedef struct nicol_camera {
@@ -510,6 +511,7 @@ nicol_result nicol_texture_create_image(nicol_context context, const nicol_textu
 nicol_result nicol_texture_load(nicol_context context, const char* path, const nicol_texture_options* options, nicol_texture* texture);
 nicol_result nicol_texture_create_checkerboard(nicol_context context, const nicol_spectrum* color0, const nicol_spectrum* color1, const double to_uv[9], nicol_texture* texture);
 nicol_result nicol_texture_create_vertex_colors(nicol_context context, nicol_texture* texture);
+nicol_result nicol_texture_create_face_colors(nicol_context context, nicol_texture* texture);
 nicol_result nicol_texture_retain(nicol_texture texture);
 nicol_result nicol_texture_release(nicol_texture texture);
 nicol_result nicol_material_create_pplastic(nicol_context context, const nicol_pplastic* parameters, nicol_material* material);
@@ -781,6 +783,7 @@ return {
         texture_load = "nicol_texture",
         texture_create_checkerboard = "nicol_texture",
         texture_create_vertex_colors = "nicol_texture",
+        texture_create_face_colors = "nicol_texture",
         material_create_pplastic = "nicol_material",
         material_create_plastic = "nicol_material",
         material_create_principled = "nicol_material",

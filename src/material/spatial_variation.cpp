@@ -141,8 +141,8 @@ bool SpatialVariation::needs_texcoords() const {
            any_texture(*this, [](const Texture& texture) { return texture.needs_texcoords(); });
 }
 
-bool SpatialVariation::needs_colors() const {
-    return any_texture(*this, [](const Texture& texture) { return texture.needs_colors(); });
+bool SpatialVariation::needs_colors(ColorsOf of) const {
+    return any_texture(*this, [of](const Texture& texture) { return texture.needs_colors(of); });
 }
 
 bool SpatialVariation::needs_footprint() const {

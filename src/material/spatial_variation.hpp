@@ -72,7 +72,7 @@ struct SpatialVariation {
     TexturePtr opacity;
 
     [[nodiscard]] bool needs_texcoords() const;
-    [[nodiscard]] bool needs_colors() const;
+    [[nodiscard]] bool needs_colors(ColorsOf of) const;
     /// Of what weights() and normal look at.
     [[nodiscard]] bool needs_footprint() const;
 
@@ -83,6 +83,12 @@ struct SpatialVariation {
     /// The same of sixteen points.
     void weights(const TexturePoints& points, std::span<LayerWeights> out) const;
 };
+
+/// Whether a texture of the material is of these colours of the mesh.
+[[nodiscard]] inline bool needs_colors(const Material& material, ColorsOf of) {
+    const SpatialVariation* const variation = material.variation();
+    return variation != nullptr && variation->needs_colors(of);
+}
 
 /// Null for a material that is there everywhere.
 [[nodiscard]] inline TexturePtr opacity_of(const Material& material) {

@@ -16,13 +16,16 @@ std::array<Value, 3> corners_of(const std::vector<Value>& values, const glm::uve
     return {values[corners.x], values[corners.y], values[corners.z]};
 }
 
-TexturePoint texture_point(const Mesh& mesh, std::uint32_t triangle, const glm::vec3& weights) {
+TexturePoint texture_point(const TracedSurface& surface, std::uint32_t triangle, const glm::vec3& weights) {
+    const Mesh& mesh = surface.mesh;
     std::array<glm::vec2, 3> texcoords;
     std::array<glm::vec3, 3> colors;
     if (!mesh.texcoords.empty()) texcoords = corners_of(mesh.texcoords, mesh.texcoord_triangles[triangle]);
     if (!mesh.colors.empty()) colors = corners_of(mesh.colors, mesh.triangles[triangle]);
-    return nicol::texture_point(weights, mesh.texcoords.empty() ? nullptr : &texcoords,
-                                mesh.colors.empty() ? nullptr : &colors);
+    TexturePoint point = nicol::texture_point(weights, mesh.texcoords.empty() ? nullptr : &texcoords,
+                                              mesh.colors.empty() ? nullptr : &colors);
+    if (needs_colors(*surface.material, ColorsOf::faces)) point.color = mesh.face_colors[triangle];
+    return point;
 }
 
 TextureAxes texture_axes(const Mesh& mesh, std::uint32_t triangle) {
@@ -50,7 +53,7 @@ Presence TracedSurface::presence() const {
     const SpatialVariation* const variation = material->variation();
     if (variation == nullptr || variation->opacity == nullptr) return {};
     return [this, variation](std::uint32_t triangle, float b1, float b2) {
-        return variation->present(texture_point(mesh, triangle, {1 - b1 - b2, b1, b2}));
+        return variation->present(texture_point(*this, triangle, {1 - b1 - b2, b1, b2}));
     };
 }
 
@@ -78,7 +81,7 @@ glm::dvec3 TracedSurface::normal(const RayHit& hit) const {
 bool TracedSurface::emitted(const RayHit& hit, const Frame& frame, std::span<Stokes> radiance) const {
     if (emission == nullptr) return false;
     if (!emission->two_sided && !(glm::dot(normal(hit), frame[2]) > 0)) return false;
-    const TexturePoint point = texture_point(mesh, hit.triangle, glm::vec3(weights_of(hit)));
+    const TexturePoint point = texture_point(*this, hit.triangle, glm::vec3(weights_of(hit)));
     if (opacity_of(*material) != nullptr && !material->variation()->present(point)) return false;
     const glm::vec4 texel = emission->texture != nullptr ? emission->texture->at(point) : glm::vec4(1);
     const Stokes state = stokes_in(frame, emission->state, emission_axis);
@@ -101,7 +104,7 @@ SurfaceHit surface_hit(const TracedSurface& surface, const RayHit& hit, const gl
                    .towards_viewer = {},
                    .point = {}};
     if (const SpatialVariation* const variation = surface.material->variation()) {
-        out.point = texture_point(surface.mesh, hit.triangle, glm::vec3(weights_of(hit)));
+        out.point = texture_point(surface, hit.triangle, glm::vec3(weights_of(hit)));
         if (variation->normal.kind != NormalVariation::Kind::none) {
             const glm::vec3 normal_of_mesh(shading_normal);
             const glm::vec3 turned = turned_normal(

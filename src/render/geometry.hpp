@@ -37,7 +37,8 @@ struct WorldGeometry {
     /// Of the corners of triangles, in their order, 0 for meshes without any; empty unless materials that
     /// vary or are anisotropic need them.
     std::vector<std::array<glm::vec2, 3>> texcoords;
-    /// Likewise colours of vertices; 1 for meshes without any.
+    /// Likewise the mesh's colours that the material takes, of vertices or of faces; 1 for meshes without
+    /// any.
     std::vector<std::array<glm::vec3, 3>> colors;
 
     [[nodiscard]] std::size_t bytes() const noexcept {

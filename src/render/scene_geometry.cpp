@@ -227,7 +227,8 @@ void SceneGeometry::set_corners() {
         texcoords = texcoords || range.material->anisotropic() ||
                     (variation != nullptr && variation->needs_texcoords()) ||
                     (range.emission != nullptr && range.emission->texture != nullptr);
-        colors = colors || (variation != nullptr && variation->needs_colors());
+        colors = colors || needs_colors(*range.material, ColorsOf::vertices) ||
+                 needs_colors(*range.material, ColorsOf::faces);
     }
     geometry_->texcoords.clear();
     geometry_->colors.clear();
@@ -235,6 +236,7 @@ void SceneGeometry::set_corners() {
         for (const Piece& piece : pieces_) {
             if (piece.twosided != twosided) continue;
             const Mesh& mesh = *piece.mesh;
+            const Material& material = *geometry_->ranges[range_of(*geometry_, piece.first)].material;
             const bool mirrored = glm::determinant(glm::dmat3(piece.placement)) < 0;
             const std::size_t count = mesh.triangles.size();
             for (const bool back : {false, true}) {
@@ -244,7 +246,10 @@ void SceneGeometry::set_corners() {
                     append_corners(mesh.texcoords, mesh.texcoord_triangles, count, glm::vec2(0), flipped,
                                    geometry_->texcoords);
                 }
-                if (colors) {
+                if (colors && needs_colors(material, ColorsOf::faces)) {
+                    for (const glm::vec3& color : mesh.face_colors)
+                        geometry_->colors.push_back({color, color, color});
+                } else if (colors) {
                     append_corners(mesh.colors, mesh.triangles, count, glm::vec3(1), flipped,
                                    geometry_->colors);
                 }

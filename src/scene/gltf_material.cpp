@@ -125,7 +125,7 @@ private:
         if (!image && !surface_.colors) return factor;
         TextureSpecification out = image ? std::move(*image) : constant(factor);
         if (image) out.factor = factor;
-        out.times_vertex_colors = surface_.colors;
+        if (surface_.colors) out.times_colors_of = ColorsOf::vertices;
         return shared(std::move(out));
     }
 

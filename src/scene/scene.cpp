@@ -41,8 +41,14 @@ void check_attributes(const Mesh& mesh, const Material& material, std::uint32_t 
     if (variation->needs_texcoords() && mesh.texcoords.empty())
         refuse(instance +
                "has textures, which need texture coordinates, and the mesh has none; give it u, v");
-    if (variation->needs_colors() && mesh.colors.empty())
+    const bool of_vertices = variation->needs_colors(ColorsOf::vertices);
+    const bool of_faces = variation->needs_colors(ColorsOf::faces);
+    if (of_vertices && of_faces)
+        refuse(instance + "has the colours of vertices and those of faces; give it one of them");
+    if (of_vertices && mesh.colors.empty())
         refuse(instance + "has the colours of vertices, and the mesh has none; give it a colour a vertex");
+    if (of_faces && mesh.face_colors.empty())
+        refuse(instance + "has the colours of faces, and the mesh has none; give it a colour a triangle");
 }
 
 // Of instance `id` and its light.

@@ -165,13 +165,14 @@ TexturePtr SceneTextures::made(const TextureSpecification& d, Use use) {
             break;
         }
     }
-    if (!d.times_vertex_colors) return texture;
-    require_rgb("vertex colours");
+    if (!d.times_colors_of) return texture;
+    require_rgb("a mesh's colours");
     if (use == Use::number)
-        throw Error(ErrorCode::unsupported, "vertex colours where one number is expected; give an image");
+        throw Error(ErrorCode::unsupported, "a mesh's colours where one number is expected; give an image");
+    TexturePtr colors = mesh_color_texture(*d.times_colors_of);
     return texture->constant() && texture->mean() == glm::vec4(1)
-               ? vertex_color_texture()
-               : product_texture(std::move(texture), vertex_color_texture());
+               ? colors
+               : product_texture(std::move(texture), std::move(colors));
 }
 
 const TextureImage& SceneTextures::image(const TextureSpecification& d) {

@@ -25,7 +25,7 @@ public:
     /// channels cannot have, and what reading the file throws.
     [[nodiscard]] TexturePtr color(const TextureSpecification& description);
     /// Of a number, one channel: of colours their luminance. Mitsuba begins a checkerboard of numbers with
-    /// color1, and so does this. Throws Error(unsupported) for vertex colours.
+    /// color1, and so does this. Throws Error(unsupported) for a mesh's colours.
     [[nodiscard]] TexturePtr number(const TextureSpecification& description);
     /// Of a normal or another vector: as color(), whatever the scene's channels.
     [[nodiscard]] TexturePtr vector(const TextureSpecification& description);

@@ -39,12 +39,13 @@ void read_checkerboard(Plugin& plugin, TextureSpecification& texture) {
 
 void read_mesh_attribute(Plugin& plugin, TextureSpecification& texture) {
     const std::string name = plugin.string("name", "");
-    if (name != "vertex_color")
-        plugin.fail("name",
-                    "is " + in_quotes(name) + "; of a mesh's attributes only vertex_color is supported",
-                    ErrorCode::unsupported);
+    if (name != "vertex_color" && name != "face_color")
+        plugin.fail(
+            "name",
+            "is " + in_quotes(name) + "; of a mesh's attributes vertex_color and face_color are supported",
+            ErrorCode::unsupported);
     texture.color0 = plugin.number("scale", 1.0);
-    texture.times_vertex_colors = true;
+    texture.times_colors_of = name == "face_color" ? ColorsOf::faces : ColorsOf::vertices;
 }
 
 void read_constant(Plugin& plugin, TextureSpecification& texture) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "scene/color_description.hpp"
@@ -27,8 +28,8 @@ struct TextureSpecification {
     glm::dvec3 factor{1.0};  ///< image: t becomes factor t + offset, of red, green and blue; one number: red
     glm::dvec3 offset{0.0};  ///< image
     bool squared = false;    ///< image: after that
-    TextureSampling sampling;          ///< image; checkerboard: to_uv alone
-    bool times_vertex_colors = false;  ///< any: the colours of the mesh's vertices are a factor
+    TextureSampling sampling;                 ///< image; checkerboard: to_uv alone
+    std::optional<ColorsOf> times_colors_of;  ///< any: these colours of the mesh are a factor
 
     bool operator==(const TextureSpecification&) const = default;
 };

@@ -34,7 +34,7 @@ public:
     }
     [[nodiscard]] bool constant() const noexcept override { return false; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return true; }
-    [[nodiscard]] bool needs_colors() const noexcept override { return false; }
+    [[nodiscard]] bool needs_colors(ColorsOf) const noexcept override { return false; }
     [[nodiscard]] bool needs_footprint() const noexcept override { return false; }
     [[nodiscard]] TextureDescription describe() const override {
         return {.kind = TextureDescription::Kind::checkerboard,

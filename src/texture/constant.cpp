@@ -21,7 +21,7 @@ public:
     [[nodiscard]] std::vector<float> values() const override { return {value_.x}; }
     [[nodiscard]] bool constant() const noexcept override { return true; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return false; }
-    [[nodiscard]] bool needs_colors() const noexcept override { return false; }
+    [[nodiscard]] bool needs_colors(ColorsOf) const noexcept override { return false; }
     [[nodiscard]] TextureDescription describe() const override {
         return {.kind = TextureDescription::Kind::constant, .colors = {value_, {}}};
     }

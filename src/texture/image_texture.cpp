@@ -82,7 +82,7 @@ public:
     [[nodiscard]] std::vector<float> values() const override { return few_values_; }
     [[nodiscard]] bool constant() const noexcept override { return false; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return true; }
-    [[nodiscard]] bool needs_colors() const noexcept override { return false; }
+    [[nodiscard]] bool needs_colors(ColorsOf) const noexcept override { return false; }
     [[nodiscard]] bool needs_footprint() const noexcept override {
         return filter_ == TextureSampling::Filter::mipmap;
     }

@@ -40,8 +40,8 @@ public:
     [[nodiscard]] bool needs_texcoords() const noexcept override {
         return first_->needs_texcoords() || second_->needs_texcoords();
     }
-    [[nodiscard]] bool needs_colors() const noexcept override {
-        return first_->needs_colors() || second_->needs_colors();
+    [[nodiscard]] bool needs_colors(ColorsOf of) const noexcept override {
+        return first_->needs_colors(of) || second_->needs_colors(of);
     }
     [[nodiscard]] bool needs_footprint() const noexcept override {
         return first_->needs_footprint() || second_->needs_footprint();

@@ -22,8 +22,11 @@ struct TexturePoint {
     glm::vec2 uv{0};     ///< texture coordinates; v points down: an image's first row begins at v = 0
     glm::vec2 du{0};     ///< change of uv to the next pixel on the right ...
     glm::vec2 dv{0};     ///< ... and below; both 0: no footprint, the finest level of a mipmap
-    glm::vec3 color{1};  ///< the mesh's vertex colour there, interpolated
+    glm::vec3 color{1};  ///< the mesh's colour there, of its vertices, interpolated, or of its face
 };
+
+/// Which of a mesh's colours.
+enum class ColorsOf { vertices, faces };
 
 /// The point of a triangle with these barycentric weights; null: its corners have none.
 [[nodiscard]] TexturePoint texture_point(const glm::vec3& weights, const std::array<glm::vec2, 3>* texcoords,
@@ -62,7 +65,7 @@ using TexturePtr = std::shared_ptr<const Texture>;
 
 /// What a texture is, for those who evaluate it elsewhere.
 struct TextureDescription {
-    enum class Kind { constant, image, checkerboard, vertex_color, product };
+    enum class Kind { constant, image, checkerboard, mesh_color, product };
     Kind kind;
     TextureSampling sampling = {};         ///< image; of a checkerboard to_uv alone
     std::array<glm::vec4, 2> colors = {};  ///< constant: the first; checkerboard: both
@@ -96,9 +99,9 @@ public:
     [[nodiscard]] virtual std::vector<float> values() const { return {}; }
     /// Whether at() is mean() everywhere.
     [[nodiscard]] virtual bool constant() const noexcept = 0;
-    /// Whether at() needs texture coordinates, or the colours of vertices.
+    /// Whether at() needs texture coordinates, or these colours of the mesh.
     [[nodiscard]] virtual bool needs_texcoords() const noexcept = 0;
-    [[nodiscard]] virtual bool needs_colors() const noexcept = 0;
+    [[nodiscard]] virtual bool needs_colors(ColorsOf of) const noexcept = 0;
     /// Whether it matters how far apart pixels are.
     [[nodiscard]] virtual bool needs_footprint() const noexcept { return needs_texcoords(); }
 
@@ -130,14 +133,14 @@ void decode_srgb(TextureImage& image);
 [[nodiscard]] TexturePtr checkerboard_texture(const glm::vec3& color0, const glm::vec3& color1, int channels,
                                               const glm::dmat3& to_uv = glm::dmat3(1.0));
 
-/// The colours of the mesh's vertices, which it does not know: mean() is 0.5, range() 0 to 1.
-[[nodiscard]] TexturePtr vertex_color_texture();
+/// The colours of the mesh, which it does not know: mean() is 0.5, range() 0 to 1.
+[[nodiscard]] TexturePtr mesh_color_texture(ColorsOf of);
 
 /// One value everywhere; 1, 3 or 4 channels.
 [[nodiscard]] TexturePtr constant_texture(const glm::vec4& value, int channels);
 
 /// The colours over their luminance (of linear BT.709), white where that is 0; one channel: 1 everywhere.
-/// Throws Error(unsupported) for colours of vertices, alone or as a factor; Error(invalid_argument) for null.
+/// Throws Error(unsupported) for colours of a mesh, alone or as a factor; Error(invalid_argument) for null.
 [[nodiscard]] TexturePtr tint_texture(const TexturePtr& colors);
 
 /// Of two textures. Its gradient is 0, and its mean that of factors that do not depend on each other. Throws

@@ -40,7 +40,7 @@ TexturePtr tint_texture(const TexturePtr& colors) {
             return image_texture(tinted(of.levels.front()), of.sampling);
         default:
             throw Error(ErrorCode::unsupported,
-                        "a tint of the colours of vertices; expected an image or a checkerboard");
+                        "a tint of a mesh's colours; expected an image or a checkerboard");
     }
 }
 

@@ -204,7 +204,7 @@ STAGE_TEST_CASE("lights that cannot be are refused, by field") {
                  {"light->beam_width", [](auto& l) { l.beam_width = -1; }},
                  {"channels", [&](auto& l) { l.texture = covered; }},
                  {"negative values", [&](auto& l) { l.texture = negative; }},
-                 {"colours of vertices", [&](auto& l) { l.texture = colors; }}});
+                 {"colours of a mesh", [&](auto& l) { l.texture = colors; }}});
     check_wrong(turned(NICOL_LIGHT_PROJECTOR), adds,
                 {{"light->fov is 180", [](auto& l) { l.fov = 180; }},
                  {"light->fov", [](auto& l) { l.fov = 0; }},

@@ -162,6 +162,7 @@ CONTEXT_TEST_CASE("meshes that are none are refused") {
                  {"data", [](auto& d) { d.positions = broken; }},
                  {"data", [](auto& d) { d.normals = infinite; }},
                  {"the colour of vertex 0", [](auto& d) { d.colors = infinite; }},
+                 {"the colour of face 0", [](auto& d) { d.face_colors = infinite; }},
                  {"texture coordinate 2", [](auto& d) { d.texcoords = broken; }},
                  {"but no texcoords", [](auto& d) { d.texcoord_count = 3; }},
                  {"but no texcoords", [](auto& d) { d.texcoord_indices = indices; }},

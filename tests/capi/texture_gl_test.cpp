@@ -172,6 +172,58 @@ CONTEXT_TEST_CASE("checkerboards and vertex colours") {
         CHECK(ramp[3 * edge + x] == Approx((static_cast<double>(x) + 0.5) / edge).epsilon(0.1));
 }
 
+CONTEXT_TEST_CASE("faces have the colours that memory or a file gives them") {
+    const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
+    const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3};
+    const std::array<std::array<float, 3>, 2> of_faces = {{{0.2F, 0.4F, 0.6F}, {1, 0.8F, 0}}};
+    nicol_mesh_data data = NICOL_MESH_DATA_INIT;
+    data.vertex_count = 4;
+    data.triangle_count = 2;
+    data.positions = positions;
+    data.indices = indices;
+    data.face_colors = of_faces[0].data();
+
+    const TemporaryFolder folder;
+    const auto header = [](const char* format, const char* type) {
+        const std::string color = "property " + std::string(type) + " ";
+        return "ply\nformat " + std::string(format) +
+               " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face 2\nproperty list uchar uint vertex_indices\n" +
+               color + "red\n" + color + "green\n" + color + "blue\nend_header\n";
+    };
+    std::string binary = header("binary_little_endian", "float");
+    const auto append = [&](const auto& values) {
+        binary.append(reinterpret_cast<const char*>(std::data(values)), sizeof(values));
+    };
+    append(positions);
+    for (std::size_t f = 0; f < 2; ++f) {
+        binary += '\3';
+        append(std::array{indices[3 * f], indices[3 * f + 1], indices[3 * f + 2]});
+        append(of_faces[f]);
+    }
+    const std::string corners = "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n";
+    const std::string text = header("ascii", "uchar") + corners + "3 0 1 2 51 102 153\n3 0 2 3 255 204 0\n";
+    const std::string off = "OFF\n4 2 5\n" + corners + "3 0 1 2  0.2 0.4 0.6\n3 0 2 3  255 204 0\n";
+    const Owned colors(make(nicol_texture_create_face_colors, context));
+    const Owned material(diffuse_of(context, colors));
+    const Owned<nicol_mesh> meshes[] = {
+        Owned(make(nicol_mesh_create, context, &data)),
+        Owned(make(nicol_mesh_load, context, folder.write("binary.ply", binary).c_str())),
+        Owned(make(nicol_mesh_load, context, folder.write("text.ply", text).c_str())),
+        Owned(make(nicol_mesh_load, context, folder.write("a.off", off).c_str()))};
+    for (const Owned<nicol_mesh>& mesh : meshes) {
+        const std::vector<float> found = picture(context, mesh, material);
+        REQUIRE(found.size() == 3 * edge * edge);
+        // The first is below the diagonal from the lower left, whose own pixels have both.
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t y = 0; y < edge; ++y)
+                for (std::size_t x = 0; x < edge; ++x)
+                    if (x + y + 1 != edge)
+                        CHECK(found[(c * edge + y) * edge + x] ==
+                              Approx(of_faces[x + y + 1 > edge ? 0 : 1][c]).epsilon(0.02));
+    }
+}
+
 CONTEXT_TEST_CASE("texture coordinates may have indices of their own") {
     const float positions[] = {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0};
     const std::uint32_t indices[] = {0, 1, 2, 0, 2, 3};
@@ -335,9 +387,15 @@ CONTEXT_TEST_CASE("instances need the texture coordinates and colours that their
     data.positions = positions;
     data.indices = indices;
     const Owned bare(make(nicol_mesh_create, context, &data));
+    const float colors_of_faces[] = {1, 0.5F, 0};
+    data.face_colors = colors_of_faces;
+    const Owned with_face_colors(make(nicol_mesh_create, context, &data));
     const Owned texture(four_colors(context)), colored(make(nicol_texture_create_vertex_colors, context));
+    const Owned of_faces(make(nicol_texture_create_face_colors, context));
     const Owned grey(diffuse(context, {0.5F}));
     const Owned textured(diffuse_of(context, texture)), painted(diffuse_of(context, colored));
+    const Owned faceted(diffuse_of(context, of_faces));
+    const Owned both(make(nicol_material_create_scaled, context, painted, of_faces));
     const Owned scene(empty_scene(context));
     nicol_instance instance = NICOL_INSTANCE_INIT;
     instance.mesh = bare;
@@ -346,7 +404,12 @@ CONTEXT_TEST_CASE("instances need the texture coordinates and colours that their
         return nicol_scene_add_instance(scene, &instance, nullptr);
     };
     REFUSES(add_with(textured), "instance 0: the material has textures, which need texture coordinates");
-    REFUSES(add_with(painted), "instance 0: the material has the colours of vertices");
+    REFUSES(add_with(painted), "instance 0: the material has the colours of vertices, and the mesh has none");
+    REFUSES(add_with(faceted), "instance 0: the material has the colours of faces, and the mesh has none");
+    REFUSES(add_with(both), "instance 0: the material has the colours of vertices and those of faces");
+    instance.mesh = with_face_colors;
+    REFUSES(add_with(painted), "instance 0: the material has the colours of vertices, and the mesh has none");
+    instance.mesh = bare;
     OK(add_with(grey));
     REFUSES(nicol_scene_set_material(scene, 0, textured), "instance 0: the material has textures");
     REFUSES(nicol_scene_set_material(scene, 0, painted), "instance 0: the material has the colours");

@@ -330,6 +330,16 @@ class CallTest(unittest.TestCase):
         plain = nicol.Mesh.create(self.context, nicol.mesh_data(positions, indices))
         with self.assertRaisesRegex(nicol.Error, "texture coordinates"):
             scene.add_instance(nicol.Instance(mesh=plain, material=material))
+        of_faces = nicol.Texture.create_face_colors(self.context)
+        white = nicol.Material.create_diffuse(self.context, 1)
+        painted = nicol.Material.create_scaled(self.context, white, of_faces)
+        colors = array.array("f", [1, 0.5, 0, 0, 0.5, 1])
+        mesh = nicol.Mesh.create(self.context, nicol.mesh_data(positions, indices, face_colors=colors))
+        scene.add_instance(nicol.Instance(mesh=mesh, material=painted))
+        with self.assertRaisesRegex(nicol.Error, "colours of faces"):
+            scene.add_instance(nicol.Instance(mesh=plain, material=painted))
+        with self.assertRaisesRegex(ValueError, "4 face_colors for 2 indices"):
+            nicol.mesh_data(positions, indices, face_colors=positions)
         seam = array.array("f", [0, 0, 1, 0, 0, 1])
         mesh = nicol.mesh_data(positions, indices, texcoords=seam, texcoord_indices=array.array("I", [0, 1, 2, 2, 1, 0]))
         self.assertEqual(mesh.texcoord_count, 3)

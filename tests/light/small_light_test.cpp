@@ -16,9 +16,9 @@ TexturePtr texture(int channels, const glm::vec2& range = {0, 1}) {
     return texture_of([](const TexturePoint&) { return glm::vec4(1); }, channels, range);
 }
 
-TexturePtr vertex_colors() {
+TexturePtr mesh_colors(ColorsOf of) {
     return std::make_shared<const FunctionTexture>([](const TexturePoint&) { return glm::vec4(1); }, 3,
-                                                   glm::vec2(0, 1), true);
+                                                   glm::vec2(0, 1), of);
 }
 
 }  // namespace
@@ -52,7 +52,8 @@ TEST_CASE("parameters of small lights out of range are refused by name") {
         {{.kind = Kind::spot, .texture = texture(4)}, "has 4 channels"},
         {{.kind = Kind::spot, .value = {1, 2}, .texture = texture(3)}, "the light 2"},
         {{.kind = Kind::spot, .texture = texture(1, {-1, 1})}, "negative"},
-        {{.kind = Kind::spot, .texture = vertex_colors()}, "colours of vertices"},
+        {{.kind = Kind::spot, .texture = mesh_colors(ColorsOf::vertices)}, "colours of a mesh"},
+        {{.kind = Kind::spot, .texture = mesh_colors(ColorsOf::faces)}, "colours of a mesh"},
         {{.state = {.dolp = 2}}, "dolp"},
     };
     for (const auto& c : cases) check_error(ErrorCode::invalid_argument, CALL(check(c.light)), c.named);
@@ -72,7 +73,7 @@ TEST_CASE("parameters of emission out of range are refused by name") {
         {{.texture = texture(4)}, "has 4 channels"},
         {{.radiance = {1, 1, 1, 1}, .texture = texture(3)}, "the light 4"},
         {{.texture = texture(3, {-1, 0})}, "negative"},
-        {{.texture = vertex_colors()}, "colours of vertices"},
+        {{.texture = mesh_colors(ColorsOf::faces)}, "colours of a mesh"},
         {{.state = {.docp = 2}}, "docp"},
     };
     for (const auto& c : cases) check_error(ErrorCode::invalid_argument, CALL(check(c.emission)), c.named);

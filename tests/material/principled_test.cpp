@@ -257,6 +257,7 @@ TEST_CASE("principled parameters out of range are named") {
     check_error(bad, CALL(principled({.eta = 0})), "eta");
     check_error(bad, CALL(principled({.eta = -1.5})), "eta");
     check_error(ErrorCode::unsupported,
-                CALL(principled({.spec_tint = 1}, {.base_color = vertex_color_texture()})), "tint");
-    CHECK(principled({}, {.base_color = vertex_color_texture()})->variation() != nullptr);
+                CALL(principled({.spec_tint = 1}, {.base_color = mesh_color_texture(ColorsOf::vertices)})),
+                "tint");
+    CHECK(principled({}, {.base_color = mesh_color_texture(ColorsOf::vertices)})->variation() != nullptr);
 }

@@ -19,10 +19,14 @@ glm::vec3 color_at(const glm::vec3& p) {
     return {0.5F + 0.25F * p.x, 0.5F + 0.25F * p.z, 0.25F};
 }
 
+/// Of the triangles of the floor, which meet where x = -z.
+const std::vector<glm::vec3> face_colors{{1, 0.5F, 0.25F}, {0, 0.75F, 0.125F}};
+
 std::shared_ptr<const Mesh> floor() {
     Mesh mesh = *test::with_texcoords(make_rectangle(1));
     for (const glm::vec3& p : mesh.positions)
         mesh.colors.emplace_back(0.5F + 0.5F * p.x, 0.5F - 0.5F * p.y, 0.25F);
+    mesh.face_colors = face_colors;
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
@@ -94,7 +98,7 @@ TEST_CASE("corners have what the mesh has there: on both sides, mirrored and spl
                 const MaterialPtr plain = two_sided ? twosided(diffuse({0.5})) : diffuse({0.5});
                 const MaterialPtr by_texture =
                     scaled(plain, test::texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x); }));
-                const MaterialPtr by_color = scaled(plain, test::vertex_colors());
+                const MaterialPtr by_color = scaled(plain, test::mesh_colors(ColorsOf::vertices));
                 Scene scene = ball_on_floor(plain, mirrored);
                 Surfaces surfaces;
                 surfaces.update(scene, tolerance);
@@ -130,5 +134,38 @@ TEST_CASE("corners have what the mesh has there: on both sides, mirrored and spl
                 surfaces.update(scene, tolerance);
                 check_corners(surfaces, true, false);
                 CHECK(surfaces.visibility.surfaces().version() != geometry);
+            }
+}
+
+TEST_CASE("corners have the colour of their face: on both sides, mirrored and split") {
+    for (const bool two_sided : {false, true})
+        for (const bool mirrored : {false, true})
+            for (const double tolerance : {0.0, 0.02}) {
+                CAPTURES(two_sided, mirrored, tolerance);
+                const MaterialPtr plain = two_sided ? twosided(diffuse({0.5})) : diffuse({0.5});
+                Surfaces surfaces;
+                surfaces.update(ball_on_floor(scaled(plain, test::mesh_colors(ColorsOf::faces)), mirrored),
+                                tolerance);
+                const WorldGeometry& world = surfaces.world();
+                const glm::mat4 to_world(surfaces.visibility.surfaces().to_world());
+                REQUIRE(world.colors.size() == world.triangles.size());
+                std::array<int, 2> of_face{};
+                for (std::size_t i = 0; i < world.triangles.size(); ++i) {
+                    const glm::uvec3& t = world.triangles[i];
+                    if (t.x < world.ranges[1].first) {
+                        CHECK(world.colors[i][0] == glm::vec3(1));
+                        continue;
+                    }
+                    const glm::vec3 middle(
+                        to_world *
+                        glm::vec4((world.positions[t.x] + world.positions[t.y] + world.positions[t.z]) / 3.0F,
+                                  1));
+                    const std::size_t face = middle.x + middle.z > 0 ? 0 : 1;
+                    ++of_face[face];
+                    for (const glm::vec3& color : world.colors[i])
+                        CHECK(glm::distance(color, face_colors[face]) < 1e-6F);
+                }
+                CHECK(of_face[0] > 0);
+                CHECK(of_face[1] > 0);
             }
 }

@@ -15,9 +15,9 @@ namespace nicol::test {
 inline TexturePtr flat_normals() {
     return texture_of([](const TexturePoint&) { return glm::vec4(0.5F, 0.5F, 1, 1); });
 }
-inline TexturePtr vertex_colors() {
+inline TexturePtr mesh_colors(ColorsOf of) {
     return std::make_shared<const FunctionTexture>(
-        [](const TexturePoint& point) { return glm::vec4(point.color, 1); }, 3, glm::vec2(0, 1), true);
+        [](const TexturePoint& point) { return glm::vec4(point.color, 1); }, 3, glm::vec2(0, 1), of);
 }
 
 /// A mesh with texture coordinates that are linear in x and y: of a rectangle or cube 0 to 1, v downwards.

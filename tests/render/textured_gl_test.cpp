@@ -195,7 +195,8 @@ GL_TEST_CASE("vertex colours are interpolated") {
         out.set_environment(falling_light(4, true, 1), glm::dmat3(1), 1);
         return out;
     };
-    const Seen seen = see(context, scene(scaled(plastic(), test::vertex_colors())), options(4));
+    const Seen seen =
+        see(context, scene(scaled(plastic(), test::mesh_colors(ColorsOf::vertices))), options(4));
     const StokesImage plain = see(context, scene(plastic()), options(4)).image;
     double worst = 0;
     for_floor(seen, [&](int x, int y, const glm::vec2& uv) {
@@ -206,6 +207,42 @@ GL_TEST_CASE("vertex colours are interpolated") {
                                                                      color[c] * plain.at(c, y, x)[p])));
     });
     CHECK(worst < 1e-5 * rms(plain));
+}
+
+GL_TEST_CASE("colours of faces are the same across each, by every method") {
+    const glm::vec3 colors[] = {{1, 0.25F, 0.5F}, {0.125F, 1, 0.75F}};
+    Mesh mesh = *textured_floor();
+    mesh.face_colors.assign(std::begin(colors), std::end(colors));
+    mesh.colors.resize(mesh.positions.size(), glm::vec3(0));  // which are those of another texture
+    const auto colored = std::make_shared<const Mesh>(std::move(mesh));
+    RenderOptions reference = options(4);
+    reference.method = Method::reference;
+    reference.samples = 16;
+    for (const RenderOptions& method : {options(4), reference}) {
+        CAPTURE(method.method);
+        const auto image = [&](const MaterialPtr& floor) {
+            Scene scene;
+            scene.add(
+                {.mesh = test::coarse_sphere(2), .material = diffuse({0.5}), .to_world = test::at(0, 9, 0)});
+            scene.add({.mesh = colored, .material = floor, .to_world = test::plate_at(-1, 2)});
+            scene.set_environment(falling_light(4, true, 1), glm::dmat3(1), 1);
+            return see(context, scene, method);
+        };
+        const Seen seen = image(scaled(plastic(), mesh_color_texture(ColorsOf::faces)));
+        const StokesImage expected[] = {image(scaled(plastic(), even(glm::vec4(colors[0], 1)))).image,
+                                        image(scaled(plastic(), even(glm::vec4(colors[1], 1)))).image};
+        const auto face_at = [](const glm::vec2& uv) { return uv.x + uv.y > 1 ? 0 : 1; };
+        double worst = 0;
+        for_floor(seen, [&](int x, int y, const glm::vec2& uv) {
+            if (face_at(uv - 0.05F) != face_at(uv + 0.05F)) return;
+            for (int c = 0; c < 3; ++c)
+                for (std::size_t p = 0; p < 4; ++p)
+                    worst =
+                        std::max(worst, static_cast<double>(std::abs(seen.image.at(c, y, x)[p] -
+                                                                     expected[face_at(uv)].at(c, y, x)[p])));
+        });
+        CHECK(worst < 1e-5 * rms(expected[0]));
+    }
 }
 
 GL_TEST_CASE("a roughness texture of a few values is exact, and smooth between others") {

@@ -30,10 +30,11 @@ TexturePtr image(int channels, TextureSampling::Filter filter, TextureSampling::
     return image_texture(noise(channels), {.filter = filter, .wrap = wrap, .to_uv = to_uv});
 }
 
-/// A mesh with texture coordinates, and a colour of its own at each vertex.
+/// A mesh with texture coordinates, and a colour of its own at each vertex and of each triangle.
 std::shared_ptr<const Mesh> colored(const Mesh& mesh) {
     Mesh out = *test::with_texcoords(mesh);
     for (const glm::vec3& p : out.positions) out.colors.push_back(glm::abs(glm::fract(0.37F * p + 0.2F)));
+    for (const glm::uvec3& t : out.triangles) out.face_colors.push_back(glm::fract(0.37F * glm::vec3(t)));
     return std::make_shared<const Mesh>(std::move(out));
 }
 
@@ -71,8 +72,12 @@ GL_TEST_CASE("compute shaders texture as threads do") {
          scaled(metal, image(1, Filter::bilinear, Wrap::mirror))},
         {"mipmap, clamp; mipmap, repeat", scaled(plastic, image(4, Filter::mipmap, Wrap::clamp)),
          scaled(grey, image(3, Filter::mipmap, Wrap::repeat))},
-        {"checkerboard, colours of vertices", scaled(plastic, vertex_color_texture()), scaled(grey, checks)},
-        {"a product, a plain one", scaled(grey, product_texture(checks, vertex_color_texture())), plastic},
+        {"checkerboard, colours of vertices", scaled(plastic, mesh_color_texture(ColorsOf::vertices)),
+         scaled(grey, checks)},
+        {"colours of vertices, colours of faces", scaled(plastic, mesh_color_texture(ColorsOf::vertices)),
+         scaled(metal, mesh_color_texture(ColorsOf::faces))},
+        {"a product, a plain one",
+         scaled(grey, product_texture(checks, mesh_color_texture(ColorsOf::vertices))), plastic},
         {"roughness, a blend", with_roughness(gloss, rough),
          blend(metal, plastic, image(1, Filter::bilinear, Wrap::repeat))},
         {"normal maps, two-sided", normal_mapped(plastic, bumps),

@@ -87,16 +87,17 @@ TEST_CASE("the base colour of glTF is its factor times its texture, sRGB, times 
     CHECK_FALSE(t.raw);
     CHECK(t.part == Part::color);
     CHECK(t.factor == glm::dvec3(0.5, 1, 0.25));
-    CHECK_FALSE(t.times_vertex_colors);
+    CHECK_FALSE(t.times_colors_of);
 
     const std::string colored = "\"TEXCOORD_0\":1,\"COLOR_0\":3";
-    CHECK(TexturedFile(base(), "", colored).material().diffuse_reflectance.texture->times_vertex_colors);
+    CHECK(TexturedFile(base(), "", colored).material().diffuse_reflectance.texture->times_colors_of ==
+          ColorsOf::vertices);
     const MaterialDescription bare =
         TexturedFile(pbr("\"metallicFactor\":0,\"baseColorFactor\":[0.5,1,0.25,1]"), "", colored).material();
     REQUIRE(bare.diffuse_reflectance.texture);
     CHECK(bare.diffuse_reflectance.texture->kind == TextureSpecification::Kind::constant);
     CHECK(bare.diffuse_reflectance.texture->color0.rgb == glm::dvec3(0.5, 1, 0.25));
-    CHECK(bare.diffuse_reflectance.texture->times_vertex_colors);
+    CHECK(bare.diffuse_reflectance.texture->times_colors_of == ColorsOf::vertices);
 
     // A metal of a colour that varies is a mirror times that colour.
     const MaterialDescription metal = TexturedFile(base("", "")).material();

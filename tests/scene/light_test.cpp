@@ -330,7 +330,7 @@ TEST_CASE("transforms of lights and their textures are checked when they are mad
     const std::string colored =
         "<texture type='mesh_attribute' name='texture'><string name='name' "
         "value='vertex_color'/></texture>";
-    CHECK(load_error("<emitter type='spot'>" + colored + "</emitter>").find("colours of vertices") !=
+    CHECK(load_error("<emitter type='spot'>" + colored + "</emitter>").find("colours of a mesh") !=
           std::string::npos);
 }
 

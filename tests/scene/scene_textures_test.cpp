@@ -30,7 +30,7 @@ TEST_CASE("colours of textures under light of other channels are refused, grey o
     static_cast<void>(error_of(CALL(textures.color(constant)), ErrorCode::unsupported));
     constant.color0 = 0.5;
     CHECK(textures.color(constant)->channels() == 1);
-    constant.times_vertex_colors = true;
+    constant.times_colors_of = ColorsOf::vertices;
     static_cast<void>(error_of(CALL(textures.color(constant)), ErrorCode::unsupported));
     static_cast<void>(error_of(CALL(textures.number(constant)), ErrorCode::unsupported));
 }

@@ -48,8 +48,9 @@ public:
               "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
               "property float z\nproperty float s\nproperty float t\nproperty uchar red\n"
               "property uchar green\nproperty uchar blue\nelement face 1\n"
-              "property list uchar int vertex_indices\nend_header\n"
-              "0 0 0 0 0 255 0 0\n1 0 0 1 0 0 255 0\n0 1 0 0 1 0 0 255\n3 0 1 2\n");
+              "property list uchar int vertex_indices\nproperty float r\nproperty float g\n"
+              "property float b\nend_header\n"
+              "0 0 0 0 0 255 0 0\n1 0 0 1 0 0 255 0\n0 1 0 0 1 0 0 255\n3 0 1 2 1 0.5 0\n");
     }
 
     /// The triangle of this material.
@@ -123,7 +124,7 @@ TEST_CASE("a bitmap has Mitsuba's defaults and parameters") {
               .reflectance.texture->sampling.wrap == TextureSampling::Wrap::mirror);
 }
 
-TEST_CASE("checkerboards, constants and vertex colours") {
+TEST_CASE("checkerboards, constants and colours of meshes") {
     const TextureSpecification board =
         *material(bsdf("diffuse", texture("reflectance", "checkerboard",
                                           "<rgb name='color1' value='1, 0.5, 0'/><transform name='to_uv'>"
@@ -141,13 +142,16 @@ TEST_CASE("checkerboards, constants and vertex colours") {
         CHECK(constant.kind == TextureKind::constant);
         CHECK(constant.color0 == ColorDescription(glm::dvec3(0.5, 0.25, 1)));
     }
-    const TextureSpecification colors =
-        *material(bsdf("diffuse", texture("reflectance", "mesh_attribute",
-                                          "<string name='name' value='vertex_color'/>")))
-             .reflectance.texture;
-    CHECK(colors.kind == TextureKind::constant);
-    CHECK(colors.color0 == ColorDescription(1.0));
-    CHECK(colors.times_vertex_colors);
+    for (const auto& [name, of] :
+         {std::pair("vertex_color", ColorsOf::vertices), {"face_color", ColorsOf::faces}}) {
+        const std::string attribute = "<string name='name' value='" + std::string(name) + "'/>";
+        const TextureSpecification colors =
+            *material(bsdf("diffuse", texture("reflectance", "mesh_attribute", attribute)))
+                 .reflectance.texture;
+        CHECK(colors.kind == TextureKind::constant);
+        CHECK(colors.color0 == ColorDescription(1.0));
+        CHECK(colors.times_colors_of == of);
+    }
 }
 
 TEST_CASE("a texture may be given for these parameters, itself or by reference") {
@@ -253,9 +257,9 @@ TEST_CASE("textures and bsdfs that are refused") {
                              "value='cubic'/>"),
                   invalid,
                   {"\"filter_type\"", "bilinear, nearest"}},
-             Case{diffuse_of("mesh_attribute", "<string name='name' value='face_color'/>"),
+             Case{diffuse_of("mesh_attribute", "<string name='name' value='face_temperature'/>"),
                   unsupported,
-                  {"\"name\" is \"face_color\"", "only vertex_color"}},
+                  {"\"name\" is \"face_temperature\"", "vertex_color and face_color are supported"}},
              Case{diffuse_of("rawconstant", ""), invalid, {"\"value\" is missing"}},
              Case{bsdf("diffuse", bitmap("reflektance")),
                   invalid,
@@ -341,6 +345,9 @@ TEST_CASE("a textured parameter makes the material that its value there would ma
                                           "<string name='name' value='vertex_color'/><float name='scale' "
                                           "value='0.5'/>")),
                   TexturePoint{.color = {1, 0.5, 0.25}}, diffuse({0.5, 0.25, 0.125})},
+             Case{bsdf("diffuse",
+                       texture("reflectance", "mesh_attribute", "<string name='name' value='face_color'/>")),
+                  TexturePoint{.color = {1, 0.5, 0.25}}, diffuse({1, 0.5, 0.25})},
              Case{bsdf("twosided", bsdf("pplastic", rough + colors)), red,
                   twosided(plastic({1, 0, 0}, {1}, 0.3))},
          }) {

@@ -112,7 +112,8 @@ TEST_CASE("far away, infinite and missing coordinates give a texel, and no crash
 }
 
 TEST_CASE("sixteen points are looked up as each of them is") {
-    std::vector<TexturePtr> textures{vertex_color_texture(), checkerboard_texture({1, 2, 3}, {4, 5, 6}, 3)};
+    std::vector<TexturePtr> textures{mesh_color_texture(ColorsOf::vertices),
+                                     checkerboard_texture({1, 2, 3}, {4, 5, 6}, 3)};
     const glm::dmat3 to_uv(2, 0.5, 0, -0.25, 3, 0, 0.1, 0.7, 1);
     for (const int channels : {1, 3, 4})
         for (const auto& [width, height] : {std::pair{7, 5}, {1, 3}, {64, 2}})
@@ -265,7 +266,7 @@ TEST_CASE("what is said of a whole image is true of its values") {
               (filter == Filter::nearest ? std::vector<float>{2, 4, 8} : std::vector<float>{}));
         CHECK_FALSE(texture->constant());
         CHECK(texture->needs_texcoords());
-        CHECK_FALSE(texture->needs_colors());
+        CHECK_FALSE(texture->needs_colors(ColorsOf::vertices));
     }
     CHECK(image_texture(random_image(9, 9, 1), {.filter = Filter::nearest})->values().empty());
     // One value in the first channel, but not in the others.
@@ -298,7 +299,7 @@ TEST_CASE("textures of one value are known as such") {
         CHECK(row.texture->values() == std::vector<float>{row.value.x});
         CHECK(row.texture->gradient(at({0.3F, 7})) == glm::vec2(0));
         CHECK_FALSE(row.texture->needs_texcoords());
-        CHECK_FALSE(row.texture->needs_colors());
+        CHECK_FALSE(row.texture->needs_colors(ColorsOf::vertices));
     }
 }
 
@@ -320,12 +321,15 @@ TEST_CASE("a checkerboard has four squares a unit, the first of color0") {
     CHECK(checkerboard_texture({1, 0, 0}, {1, 1, 0}, 3)->values() == std::vector<float>{1});
 }
 
-TEST_CASE("vertex colours are those of the point") {
-    const TexturePtr texture = vertex_color_texture();
-    CHECK(texture->at({.color = {0.1F, 0.2F, 0.3F}}) == glm::vec4(0.1F, 0.2F, 0.3F, 1));
-    CHECK(texture->needs_colors());
-    CHECK_FALSE(texture->needs_texcoords());
-    CHECK(texture->channels() == 3);
+TEST_CASE("colours of a mesh are those of the point") {
+    for (const ColorsOf of : {ColorsOf::vertices, ColorsOf::faces}) {
+        const TexturePtr texture = mesh_color_texture(of);
+        CHECK(texture->at({.color = {0.1F, 0.2F, 0.3F}}) == glm::vec4(0.1F, 0.2F, 0.3F, 1));
+        CHECK(texture->needs_colors(ColorsOf::vertices) == (of == ColorsOf::vertices));
+        CHECK(texture->needs_colors(ColorsOf::faces) == (of == ColorsOf::faces));
+        CHECK_FALSE(texture->needs_texcoords());
+        CHECK(texture->channels() == 3);
+    }
 }
 
 TEST_CASE("textures that cannot be are refused by name") {
@@ -381,18 +385,20 @@ TEST_CASE("a tint is a colour over its luminance") {
     CHECK(tint_texture(constant_texture(glm::vec4(0.3F), 1))->mean() == glm::vec4(1));
     CHECK(tint_texture(constant_texture({0.2F, 0.8F, 0.1F, 1}, 3))->mean() ==
           tint_texture(board)->at({.uv = {0.6F, 0.1F}}));
-    check_error(ErrorCode::unsupported, CALL(tint_texture(vertex_color_texture())), "vertices");
+    check_error(ErrorCode::unsupported, CALL(tint_texture(mesh_color_texture(ColorsOf::vertices))),
+                "a mesh's colours");
     check_error(ErrorCode::invalid_argument, CALL(tint_texture(nullptr)), "null");
 }
 
 TEST_CASE("a product of textures is that of their values") {
     const TexturePtr board = checkerboard_texture({1, 1, 1}, {0.5F, 0.5F, 0.5F}, 1);
-    const TexturePtr product = product_texture(board, vertex_color_texture());
+    const TexturePtr product = product_texture(board, mesh_color_texture(ColorsOf::vertices));
     const TexturePoint point{.uv = {0.75F, 0.25F}, .color = {1, 0.5F, 0.25F}};
     CHECK(product->channels() == 3);
     CHECK(product->at(point) == glm::vec4(0.5F, 0.25F, 0.125F, 1));
     CHECK(product->needs_texcoords());
-    CHECK(product->needs_colors());
+    CHECK(product->needs_colors(ColorsOf::vertices));
+    CHECK_FALSE(product->needs_colors(ColorsOf::faces));
     CHECK_FALSE(product->constant());
     CHECK(product->range() == glm::vec2(0, 1));
     CHECK(product_texture(constant_texture({-2, -2, -2, 1}, 1), board)->range() == glm::vec2(-2, -1));

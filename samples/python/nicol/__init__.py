@@ -59,10 +59,12 @@ _COMPONENTS = {_abi.PLANE_STOKES: (4,), _abi.PLANE_NORMAL: (3,), _abi.PLANE_POSI
 _FORMATS = {"f": _abi.FORMAT_FLOAT32, "e": _abi.FORMAT_FLOAT16, "I": _abi.FORMAT_UINT32}
 
 
-def mesh_data(positions, indices, normals=None, texcoords=None, texcoord_indices=None, colors=None):
+def mesh_data(
+    positions, indices, normals=None, texcoords=None, texcoord_indices=None, colors=None, face_colors=None
+):
     """For Mesh.create, from arrays of three numbers a vertex and a triangle, of texture coordinates two."""
     fields = {"positions": positions, "indices": indices, "normals": normals, "texcoords": texcoords,
-              "texcoord_indices": texcoord_indices, "colors": colors}  # fmt: skip
+              "texcoord_indices": texcoord_indices, "colors": colors, "face_colors": face_colors}  # fmt: skip
     counts = {}
     for name, value in fields.items():
         view = memoryview(b"" if value is None else value)
@@ -70,7 +72,7 @@ def mesh_data(positions, indices, normals=None, texcoords=None, texcoord_indices
         counts[name], rest = divmod(view.nbytes // view.itemsize, each)
         if rest:
             raise ValueError(f"{name} takes {each} numbers each; {each * counts[name] + rest} are no multiple of {each}")
-    of = {"normals": "positions", "colors": "positions", "texcoord_indices": "indices"}
+    of = {"normals": "positions", "colors": "positions", "texcoord_indices": "indices", "face_colors": "indices"}
     if texcoord_indices is None:
         of["texcoords"] = "positions"
     for name, wanted in of.items():

@@ -464,6 +464,7 @@ class MeshData(Struct):
         ("texcoords", POINTER(c_float)),
         ("texcoord_indices", POINTER(c_uint32)),
         ("colors", POINTER(c_float)),
+        ("face_colors", POINTER(c_float)),
     ]
 
 
@@ -989,6 +990,13 @@ class Texture(Handle):
         check(_texture_create_vertex_colors(context, byref(texture)))
         return texture
 
+    @classmethod
+    def create_face_colors(cls, context):
+        """The colours of the mesh's triangles. A material takes these or those of vertices, not both."""
+        texture = cls()
+        check(_texture_create_face_colors(context, byref(texture)))
+        return texture
+
 
 class Material(Handle):
     """a polarimetric BRDF; immutable"""
@@ -1009,7 +1017,7 @@ class Material(Handle):
 
     @classmethod
     def create_principled(cls, context, parameters):
-        """Likewise; NICOL_ERROR_UNSUPPORTED for a tint of the colours of vertices."""
+        """Likewise; NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours."""
         material = cls()
         check(_material_create_principled(context, byref(parameters) if parameters is not None else None, byref(material)))
         return material
@@ -1115,8 +1123,8 @@ class Mesh(Handle):
     def load(cls, context, path):
         """OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
         concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
-        line of the log counts them. Texture coordinates and colours of vertices are kept; v of OBJ, which points
-        up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
+        line of the log counts them. Texture coordinates and colours of vertices and faces are kept; v of OBJ,
+        which points up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face."""
         mesh = cls()
         check(_mesh_load(context, text(path), byref(mesh)))
         return mesh
@@ -1758,6 +1766,7 @@ _texture_create_image = declare("nicol_texture_create_image", c_int32, Context, 
 _texture_load = declare("nicol_texture_load", c_int32, Context, c_char_p, POINTER(TextureOptions), POINTER(Texture))
 _texture_create_checkerboard = declare("nicol_texture_create_checkerboard", c_int32, Context, POINTER(Spectrum), POINTER(Spectrum), POINTER(c_double), POINTER(Texture))
 _texture_create_vertex_colors = declare("nicol_texture_create_vertex_colors", c_int32, Context, POINTER(Texture))
+_texture_create_face_colors = declare("nicol_texture_create_face_colors", c_int32, Context, POINTER(Texture))
 Texture._release = declare("nicol_texture_release", c_int32, c_void_p)
 _material_create_pplastic = declare("nicol_material_create_pplastic", c_int32, Context, POINTER(Pplastic), POINTER(Material))
 _material_create_plastic = declare("nicol_material_create_plastic", c_int32, Context, POINTER(Plastic), POINTER(Material))

@@ -844,6 +844,7 @@ pub struct nicol_mesh_data {
     pub texcoords: *const f32,
     pub texcoord_indices: *const u32,
     pub colors: *const f32,
+    pub face_colors: *const f32,
 }
 impl Default for nicol_mesh_data {
     fn default() -> Self {
@@ -854,7 +855,7 @@ impl Default for nicol_mesh_data {
     }
 }
 const _: () = {
-    assert!(size_of::<nicol_mesh_data>() == 64);
+    assert!(size_of::<nicol_mesh_data>() == 72);
     assert!(offset_of!(nicol_mesh_data, struct_size) == 0);
     assert!(offset_of!(nicol_mesh_data, vertex_count) == 4);
     assert!(offset_of!(nicol_mesh_data, triangle_count) == 8);
@@ -865,6 +866,7 @@ const _: () = {
     assert!(offset_of!(nicol_mesh_data, texcoords) == 40);
     assert!(offset_of!(nicol_mesh_data, texcoord_indices) == 48);
     assert!(offset_of!(nicol_mesh_data, colors) == 56);
+    assert!(offset_of!(nicol_mesh_data, face_colors) == 64);
 };
 pub type nicol_projection = u32;
 
@@ -1775,13 +1777,15 @@ extern "C" {
     pub fn nicol_texture_create_checkerboard(context: nicol_context, color0: *const nicol_spectrum, color1: *const nicol_spectrum, to_uv: *const [f64; 9], texture: *mut nicol_texture) -> nicol_result;
     /// The colours of the mesh's vertices, interpolated.
     pub fn nicol_texture_create_vertex_colors(context: nicol_context, texture: *mut nicol_texture) -> nicol_result;
+    /// The colours of the mesh's triangles. A material takes these or those of vertices, not both.
+    pub fn nicol_texture_create_face_colors(context: nicol_context, texture: *mut nicol_texture) -> nicol_result;
     pub fn nicol_texture_retain(texture: nicol_texture) -> nicol_result;
     pub fn nicol_texture_release(texture: nicol_texture) -> nicol_result;
     /// NICOL_ERROR_INVALID_ARGUMENT names the field that is out of range.
     pub fn nicol_material_create_pplastic(context: nicol_context, parameters: *const nicol_pplastic, material: *mut nicol_material) -> nicol_result;
     /// Likewise.
     pub fn nicol_material_create_plastic(context: nicol_context, parameters: *const nicol_plastic, material: *mut nicol_material) -> nicol_result;
-    /// Likewise; NICOL_ERROR_UNSUPPORTED for a tint of the colours of vertices.
+    /// Likewise; NICOL_ERROR_UNSUPPORTED for a tint of a mesh's colours.
     pub fn nicol_material_create_principled(context: nicol_context, parameters: *const nicol_principled, material: *mut nicol_material) -> nicol_result;
     /// Lambertian and depolarizing; reflectance NULL or not given: 0.5. Front side only.
     pub fn nicol_material_create_diffuse(context: nicol_context, reflectance: *const nicol_spectrum, material: *mut nicol_material) -> nicol_result;
@@ -1820,8 +1824,8 @@ extern "C" {
     pub fn nicol_material_release(material: nicol_material) -> nicol_result;
     /// OBJ, PLY, OFF, STL or the first mesh of Mitsuba's .serialized, by the file's suffix. Polygons may be
     /// concave. Triangles without area, vertices of no face and what is not followed (materials) are left out; one
-    /// line of the log counts them. Texture coordinates and colours of vertices are kept; v of OBJ, which points
-    /// up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face.
+    /// line of the log counts them. Texture coordinates and colours of vertices and faces are kept; v of OBJ,
+    /// which points up there, becomes 1 - v. NICOL_ERROR_INVALID_FILE names the line, vertex or face.
     pub fn nicol_mesh_load(context: nicol_context, path: *const c_char, mesh: *mut nicol_mesh) -> nicol_result;
     /// Copies the arrays. A render adds vertices where shadows need them, see refine_tolerance.
     pub fn nicol_mesh_create(context: nicol_context, data: *const nicol_mesh_data, mesh: *mut nicol_mesh) -> nicol_result;

@@ -6,8 +6,10 @@
 namespace nicol {
 namespace {
 
-class VertexColor final : public Texture {
+class MeshColor final : public Texture {
 public:
+    explicit MeshColor(ColorsOf of) : of_(of) {}
+
     [[nodiscard]] int channels() const noexcept override { return 3; }
     [[nodiscard]] glm::vec4 at(const TexturePoint& point) const override { return {point.color, 1}; }
     [[nodiscard]] glm::vec2 gradient(const TexturePoint&) const override { return glm::vec2(0); }
@@ -15,16 +17,19 @@ public:
     [[nodiscard]] glm::vec2 range() const override { return {0, 1}; }
     [[nodiscard]] bool constant() const noexcept override { return false; }
     [[nodiscard]] bool needs_texcoords() const noexcept override { return false; }
-    [[nodiscard]] bool needs_colors() const noexcept override { return true; }
+    [[nodiscard]] bool needs_colors(ColorsOf of) const noexcept override { return of == of_; }
     [[nodiscard]] TextureDescription describe() const override {
-        return {.kind = TextureDescription::Kind::vertex_color};
+        return {.kind = TextureDescription::Kind::mesh_color};
     }
+
+private:
+    ColorsOf of_;
 };
 
 }  // namespace
 
-TexturePtr vertex_color_texture() {
-    return std::make_shared<VertexColor>();
+TexturePtr mesh_color_texture(ColorsOf of) {
+    return std::make_shared<MeshColor>(of);
 }
 
 }  // namespace nicol
