@@ -508,7 +508,8 @@ NICOL_API nicol_result nicol_material_create_diffuse(nicol_context context, cons
 typedef struct nicol_conductor {
     uint32_t struct_size;
     nicol_distribution distribution; /* of rough surfaces */
-    /* Roughness, 0.001 to 1. 0: smooth, for which Beckmann's facets of 0.01 stand, a blur of one degree.
+    /* Roughness, 0.001 to 1. 0: smooth, for which Beckmann's facets of 0.01 stand, a blur of one degree; in
+     * real time lights with a size, also those split off the environment, are mirrored without it.
      * Smooth surfaces reflect nothing of lights without a size: points, spots, projectors and directional
      * lights whose angular_radius is 0, which would be seen in a mirror as points. */
     float alpha;

@@ -106,6 +106,49 @@ void Lamp::find_cone() {
     angular_radius_ = std::min(pi, std::acos(least) + pi / window_.width);
 }
 
+void Lamp::put(std::size_t first, float right, float down, float scale, std::size_t lane,
+               LaneLight& out) const {
+    const std::size_t pixel = 4 * channels_;
+    const float upper_left = scale * (1 - right) * (1 - down), upper_right = scale * right * (1 - down);
+    const float lower_left = scale * (1 - right) * down, lower_right = scale * right * down;
+    const float* above = values_.data() + first * pixel;
+    const float* below = above + (static_cast<std::size_t>(window_.columns) + 1) * pixel;
+    for (std::size_t c = 0; c < channels_; ++c) {
+        for (std::size_t p = 0; p < components_; ++p) {
+            const std::size_t k = 4 * c + p;
+            out.irradiance[c][p][lane] = upper_left * above[k] + upper_right * above[k + pixel] +
+                                         lower_left * below[k] + lower_right * below[k + pixel];
+        }
+    }
+}
+
+void Lamp::intersect(const LaneVectors& directions, LaneLight& out) const {
+    out.towards = directions;
+    out.points = 0;
+    out.components = components_;
+    out.irradiance.resize(channels_);
+    for (auto& stokes : out.irradiance)
+        for (Lanes& lanes : stokes) lanes.value.fill(0);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const glm::dvec2 at = equirect_coordinates(
+            glm::normalize(glm::dvec3(directions.x[i], directions.y[i], directions.z[i])));
+        const double from_left = at.x * window_.width - 0.5 - window_.left;
+        const double column = from_left - window_.width * std::floor(from_left / window_.width);
+        const double row = at.y * (window_.height - 1) - window_.top;
+        out.distance[i] = std::numeric_limits<float>::infinity();
+        if (!(row >= 0 && row <= window_.rows && column <= window_.columns)) continue;
+        const int upper = std::min(static_cast<int>(row), window_.rows - 1);
+        const int left = std::min(static_cast<int>(column), window_.columns - 1);
+        put(static_cast<std::size_t>(upper * (window_.columns + 1) + left), static_cast<float>(column - left),
+            static_cast<float>(row - upper), 1, i, out);
+        out.points |= 1U << i;
+        const glm::vec3 x(equirect_frame(at.x, at.y)[0]);
+        out.x.x[i] = x.x;
+        out.x.y[i] = x.y;
+        out.x.z[i] = x.z;
+    }
+}
+
 void Lamp::sample(const Lanes& u, const Lanes& v, LaneLight& out) const {
     out.points = (std::uint32_t{1} << kLanes) - 1;
     out.components = components_;
@@ -113,7 +156,6 @@ void Lamp::sample(const Lanes& u, const Lanes& v, LaneLight& out) const {
     for (auto& stokes : out.irradiance)
         for (std::size_t p = components_; p < 4; ++p) stokes[p].value.fill(0);
     const auto columns = static_cast<std::size_t>(window_.columns);
-    const std::size_t pixel = 4 * channels_;
     const auto angle = static_cast<float>(pi / (window_.height - 1));
     const auto azimuth = static_cast<float>(2 * pi / window_.width);
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -145,18 +187,7 @@ void Lamp::sample(const Lanes& u, const Lanes& v, LaneLight& out) const {
         out.x.y[i] = 0;
         out.x.z[i] = sine;
 
-        const float scale = angle * azimuth * radius / static_cast<float>(density);
-        const float upper_left = scale * (1 - right) * (1 - down), upper_right = scale * right * (1 - down);
-        const float lower_left = scale * (1 - right) * down, lower_right = scale * right * down;
-        const float* above = values_.data() + first * pixel;
-        const float* below = above + (columns + 1) * pixel;
-        for (std::size_t c = 0; c < channels_; ++c) {
-            for (std::size_t p = 0; p < components_; ++p) {
-                const std::size_t k = 4 * c + p;
-                out.irradiance[c][p][i] = upper_left * above[k] + upper_right * above[k + pixel] +
-                                          lower_left * below[k] + lower_right * below[k + pixel];
-            }
-        }
+        put(first, right, down, angle * azimuth * radius / static_cast<float>(density), i, out);
     }
 }
 

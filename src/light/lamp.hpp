@@ -43,8 +43,15 @@ public:
     /// stratified numbers give stratified places. The mean irradiance over all u and v is that of the lamp.
     void sample(const Lanes& u, const Lanes& v, LaneLight& out) const;
 
+    /// What is seen of it in sixteen unit directions of the environment's axes: `out` has those in which
+    /// there is some, and radiance in place of irradiance.
+    void intersect(const LaneVectors& directions, LaneLight& out) const;
+
 private:
     void find_cone();
+    /// Of out.irradiance: `scale` times the values in a cell, whose upper left pixel is `first`, as far right
+    /// and down in it as given, 0 to 1.
+    void put(std::size_t first, float right, float down, float scale, std::size_t lane, LaneLight& out) const;
 
     EquirectWindow window_;
     std::size_t channels_;

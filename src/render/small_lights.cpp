@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/small_lights.hpp"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <utility>
@@ -40,11 +41,15 @@ void SmallLights::update(const Scene& scene, const Lamps& split, const RefinedSu
         rays_version_ = new_version();
         if (shadows) make_rays(surfaces.geometry());
     });
-    tangents_.run(surfaces.version(), surfaces.material_version(),
-                  [&] { vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry()); });
+    materials_.run(surfaces.version(), surfaces.material_version(), [&] {
+        vertex_tangents_ = nicol::vertex_tangents(surfaces.geometry());
+        mirrors_ = std::ranges::any_of(surfaces.geometry().ranges, [](const VertexRange& range) {
+            return has_terms(*range.material, true);
+        });
+    });
     making_.run(scene.small_light_version(), scene.emission_version(), scene.geometry_version(),
-                surfaces.to_world(), rays_version_, options.light_samples, split.lamps, split.rotation,
-                scene.light_scale(), [&] {
+                surfaces.to_world(), rays_version_, mirrors_, options.light_samples, split.lamps,
+                split.rotation, scene.light_scale(), [&] {
                     if (!lit && !any()) return;  // vertices keep what they have
                     std::vector<LightSourcePtr> sources = make_sources(scene, split, surfaces.to_world());
                     lights_ = sources.size();
@@ -75,12 +80,13 @@ std::vector<LightSourcePtr> SmallLights::make_sources(const Scene& scene, const 
     for (std::size_t i = 0; i < scene.instances().size(); ++i) {
         const Instance& instance = scene.instances()[i];
         if (!instance.emission) continue;
-        const ShiningSurface surface = shining_surface(instance, scene.ids()[i], from_world);
+        ShiningSurface surface = shining_surface(instance, scene.ids()[i], from_world);
+        surface.mirrored = mirrors_;
         axes_.emplace(scene.ids()[i], surface.axis);
         if (LightSourcePtr source = light_source(surface)) sources.push_back(std::move(source));
     }
     for (const std::shared_ptr<const Lamp>& lamp : split.lamps)
-        sources.push_back(std::make_unique<const LampSource>(*lamp, split.rotation, scene.light_scale()));
+        sources.push_back(std::make_unique<const LampSource>(lamp, split.rotation, scene.light_scale()));
     return sources;
 }
 

@@ -59,10 +59,12 @@ private:
     Version rays_version_ = 0;
     float offset_ = 0;
     std::vector<glm::vec3> vertex_origins_;
-    Stage<Version, Version> tangents_;  // vertices and triangles, materials
+    Stage<Version, Version> materials_;  // vertices and triangles, materials
     std::vector<glm::vec3> vertex_tangents_;
-    // Lights, emission, where instances are, the axes, rays, places of a light; lamps, their axes and scale.
-    Stage<Version, Version, Version, glm::dmat4, Version, int, std::vector<std::shared_ptr<const Lamp>>,
+    bool mirrors_ = false;  // a material has smooth terms
+    // Lights, emission, where instances are, the axes, rays, mirrors, places of a light; lamps, their axes
+    // and scale.
+    Stage<Version, Version, Version, glm::dmat4, Version, bool, int, std::vector<std::shared_ptr<const Lamp>>,
           glm::dmat3, double>
         making_;
     Versioned<std::optional<SmallLighting>> lighting_;

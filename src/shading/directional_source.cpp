@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "simd/lane_angle.hpp"
 
@@ -44,6 +45,23 @@ void DirectionalSource::sample(const LaneVectors&, const Lanes& u, const Lanes& 
     }
     out.points = 0xFFFF;
     color_.put(factor, out);
+}
+
+void DirectionalSource::intersect(const LaneVectors&, const LaneVectors& directions, LaneLight& out) const {
+    Lanes radiance;
+    out.towards = directions;
+    out.points = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float x = directions.x[i] - towards_.x;
+        const float y = directions.y[i] - towards_.y;
+        const float z = directions.z[i] - towards_.z;
+        // The square of a chord, which is exact for small angles, where cosines are not.
+        const bool meets = height_ > 0 && x * x + y * y + z * z <= 2 * height_;
+        if (meets) out.points |= 1U << i;
+        out.distance[i] = std::numeric_limits<float>::infinity();
+        radiance[i] = meets ? 1 / (std::numbers::pi_v<float> * height_ * (2 - height_)) : 0;
+    }
+    color_.put(radiance, out);
 }
 
 }  // namespace nicol

@@ -13,6 +13,7 @@ public:
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+    void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
 private:
     SourceColor color_;

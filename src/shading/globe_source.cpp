@@ -9,6 +9,14 @@
 #include "simd/lane_angle.hpp"
 
 namespace nicol {
+namespace {
+
+/// How far a ray is outside a ball whose centre it passes so far along and beside it.
+float until_ball(float along, float beside, float radius) {
+    return std::max(0.0F, along - std::sqrt(std::max(0.0F, radius * radius - beside * beside)));
+}
+
+}  // namespace
 
 std::optional<Globe> globe_of(const std::vector<std::array<glm::vec3, 3>>& triangles) {
     constexpr double pi = std::numbers::pi;
@@ -25,24 +33,28 @@ std::optional<Globe> globe_of(const std::vector<std::array<glm::vec3, 3>>& trian
     const double radius = std::sqrt(area / (4 * pi));
     // A sphere of 12 by 24 parts has 2 % less area.
     constexpr double tolerance = 0.03;
+    double outer_radius = radius;
     double cones = 0;  // volume, by cones over the triangles
     for (const std::array<glm::vec3, 3>& t : triangles) {
         const glm::dvec3 a = glm::dvec3(t[0]) - centre, b = glm::dvec3(t[1]) - centre,
                          c = glm::dvec3(t[2]) - centre;
-        for (const glm::dvec3& corner : {a, b, c})
+        for (const glm::dvec3& corner : {a, b, c}) {
             if (!(std::abs(glm::length(corner) - radius) <= tolerance * radius)) return std::nullopt;
+            outer_radius = std::max(outer_radius, glm::length(corner));
+        }
         cones += glm::dot(a, glm::cross(b, c)) / 6;
     }
     // Closed, once around, and outwards: or the volume is another.
     const double volume = 4 * pi / 3 * radius * radius * radius;
     if (!(std::abs(cones - volume) <= 2 * tolerance * volume)) return std::nullopt;
-    return Globe{.centre = centre, .radius = radius};
+    return Globe{.centre = centre, .radius = radius, .outer_radius = outer_radius};
 }
 
 GlobeSource::GlobeSource(const Globe& globe, const Emission& emission, const glm::dvec3& axis)
     : color_(emission.radiance, nullptr, emission.state, axis),
       centre_(globe.centre),
-      radius_(static_cast<float>(globe.radius)) {}
+      radius_(static_cast<float>(globe.radius)),
+      outer_radius_(static_cast<float>(globe.outer_radius)) {}
 
 float GlobeSource::angular_radius(const glm::vec3& from) const noexcept {
     return angular_radius_of_ball(from, centre_, radius_);
@@ -75,12 +87,28 @@ void GlobeSource::sample(const LaneVectors& points, const Lanes& u, const Lanes&
         out.towards.x[i] = towards.x;
         out.towards.y[i] = towards.y;
         out.towards.z[i] = towards.z;
-        const float beside = to_centre * sine;
-        out.distance[i] =
-            to_centre * (1 - fall) - std::sqrt(std::max(0.0F, radius_ * radius_ - beside * beside));
+        out.distance[i] = until_ball(to_centre * (1 - fall), to_centre * sine, outer_radius_);
         solid_angle[i] = 2 * std::numbers::pi_v<float> * widest;
     }
     color_.put(solid_angle, out);
+}
+
+void GlobeSource::intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const {
+    Lanes one;
+    out.towards = directions;
+    out.points = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const glm::vec3 way = centre_ - glm::vec3(points.x[i], points.y[i], points.z[i]);
+        const glm::vec3 direction(directions.x[i], directions.y[i], directions.z[i]);
+        const float along = glm::dot(way, direction);
+        const glm::vec3 beside = way - along * direction;
+        const float square = radius_ * radius_;
+        const bool meets = along > 0 && glm::dot(beside, beside) <= square && glm::dot(way, way) > square;
+        if (meets) out.points |= 1U << i;
+        out.distance[i] = until_ball(along, glm::length(beside), outer_radius_);
+        one[i] = 1;
+    }
+    color_.put(one, out);
 }
 
 }  // namespace nicol

@@ -10,7 +10,8 @@ namespace nicol {
 
 struct Globe {
     glm::dvec3 centre;
-    double radius;  ///< of the sphere with the surface's area
+    double radius;        ///< of the sphere with the surface's area
+    double outer_radius;  ///< of one that holds the surface
 };
 /// Of a closed surface that faces outwards and is nearly a sphere.
 [[nodiscard]] std::optional<Globe> globe_of(const std::vector<std::array<glm::vec3, 3>>& triangles);
@@ -24,11 +25,13 @@ public:
 
     [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+    void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
 private:
     SourceColor color_;
     glm::vec3 centre_;
     float radius_;
+    float outer_radius_;  // where rays to the light end, so that its own triangles do not hide it
 };
 
 }  // namespace nicol

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace nicol {
 namespace {
@@ -44,22 +45,24 @@ std::vector<double> mean_irradiance(const Lamp& lamp, std::size_t across) {
 
 }  // namespace
 
-LampSource::LampSource(const Lamp& lamp, const glm::dmat3& axes, double scale)
-    : radius_(static_cast<float>(lamp.angular_radius())),
-      components_(lamp.circular()    ? 4
-                  : lamp.polarized() ? 3
-                                     : 1),
-      channels_(static_cast<std::size_t>(lamp.channels())) {
+LampSource::LampSource(std::shared_ptr<const Lamp> lamp, const glm::dmat3& axes, double scale)
+    : lamp_(std::move(lamp)),
+      axes_(axes),
+      scale_(static_cast<float>(scale)),
+      radius_(static_cast<float>(lamp_->angular_radius())),
+      components_(lamp_->circular()    ? 4
+                  : lamp_->polarized() ? 3
+                                       : 1),
+      channels_(static_cast<std::size_t>(lamp_->channels())) {
     // Few places have nearly the mean of many; that no light is lost, they get all of it.
-    const std::vector<double> few = mean_irradiance(lamp, kAcross);
-    const std::vector<double> many = mean_irradiance(lamp, 4 * kAcross);
+    const std::vector<double> few = mean_irradiance(*lamp_, kAcross);
+    const std::vector<double> many = mean_irradiance(*lamp_, 4 * kAcross);
     std::vector<float> scales;
     for (std::size_t c = 0; c < channels_; ++c)
         scales.push_back(static_cast<float>(few[c] > 0 ? scale * many[c] / few[c] : 0));
-    const glm::mat3 turn(axes);
-    for_places(lamp, kAcross, [&](const LaneLight& light, std::size_t lane) {
+    for_places(*lamp_, kAcross, [&](const LaneLight& light, std::size_t lane) {
         places_.push_back(
-            {.towards = turn * of_lane(light.towards, lane), .x = turn * of_lane(light.x, lane)});
+            {.towards = axes_ * of_lane(light.towards, lane), .x = axes_ * of_lane(light.x, lane)});
         for (std::size_t c = 0; c < channels_; ++c)
             for (std::size_t p = 0; p < components_; ++p)
                 irradiance_.push_back(scales[c] * light.irradiance[c][p][lane]);
@@ -83,6 +86,18 @@ void LampSource::sample(const LaneVectors& /*points*/, const Lanes& u, const Lan
             for (std::size_t p = 0; p < components_; ++p)
                 out.irradiance[c][p][i] = values[c * components_ + p];
     }
+}
+
+void LampSource::intersect(const LaneVectors& /*points*/, const LaneVectors& directions,
+                           LaneLight& out) const {
+    LaneVectors own;  // in the lamp's axes
+    for (std::size_t i = 0; i < kLanes; ++i) put(own, i, of_lane(directions, i) * axes_);
+    lamp_->intersect(own, out);
+    out.towards = directions;
+    for (std::size_t i = 0; i < kLanes; ++i) put(out.x, i, axes_ * of_lane(out.x, i));
+    for (std::array<Lanes, 4>& stokes : out.irradiance)
+        for (std::size_t p = 0; p < components_; ++p)
+            for (std::size_t i = 0; i < kLanes; ++i) stokes[p][i] *= scale_;
 }
 
 }  // namespace nicol

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/mat3x3.hpp>
+#include <memory>
 #include <vector>
 
 #include "light/lamp.hpp"
@@ -14,10 +15,11 @@ namespace nicol {
 class LampSource final : public LightSource {
 public:
     /// `axes`: from the environment's to the points', a rotation; `scale`: times the light.
-    LampSource(const Lamp& lamp, const glm::dmat3& axes, double scale);
+    LampSource(std::shared_ptr<const Lamp> lamp, const glm::dmat3& axes, double scale);
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return radius_; }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+    void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
 private:
     static constexpr std::size_t kAcross = 16;  // places of a row, and rows
@@ -27,6 +29,9 @@ private:
         glm::vec3 x;
     };
 
+    std::shared_ptr<const Lamp> lamp_;
+    glm::mat3 axes_;
+    float scale_;
     float radius_;
     std::size_t components_;
     std::size_t channels_;

@@ -30,6 +30,11 @@ public:
     /// is all of the light. Of one place u and v do not matter.
     virtual void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const = 0;
 
+    /// What a mirror shows of the light: where rays from sixteen points, in unit directions, meet it. `out`
+    /// has these points alone, and radiance in place of irradiance. A light of one place has none.
+    virtual void intersect(const LaneVectors& points, const LaneVectors& directions,
+                           LaneLight& out) const = 0;
+
 protected:
     LightSource() = default;
 };
@@ -44,6 +49,7 @@ struct ShiningSurface {
     glm::dvec3 axis;  ///< of its polarization, in these axes
     std::vector<std::array<glm::vec3, 3>> triangles;
     std::vector<std::array<glm::vec2, 3>> texcoords;  ///< where its emission has a texture
+    bool mirrored = true;                             ///< someone will call intersect()
 };
 /// Null where it has no area. Its places are uniform over its area, of a sphere over what is seen of it.
 [[nodiscard]] LightSourcePtr light_source(const ShiningSurface& surface);

@@ -52,6 +52,10 @@ void PointSource::sample(const LaneVectors& points, const Lanes&, const Lanes&, 
     color_.put(factor, at, out);
 }
 
+void PointSource::intersect(const LaneVectors&, const LaneVectors&, LaneLight& out) const {
+    out.points = 0;
+}
+
 void PointSource::aim(const LaneVectors& directions, Lanes& factor, TexturePoints& at, LaneLight& out) const {
     for (std::size_t i = 0; i < kLanes; ++i) {
         const glm::dvec3 direction(directions.x[i], directions.y[i], directions.z[i]);

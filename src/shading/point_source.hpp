@@ -13,6 +13,7 @@ public:
 
     [[nodiscard]] float angular_radius(const glm::vec3& /*from*/) const noexcept override { return 0; }
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+    void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
 private:
     // Multiplies `factor` by how bright the light is in directions in its own axes, and finds where they meet

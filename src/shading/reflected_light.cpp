@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shading/reflected_light.hpp"
 
+#include <numbers>
+
+#include "material/conductor.hpp"
 #include "polarization/lane_points.hpp"
 #include "simd/dispatch.hpp"
 #include "simd/lane_parts.hpp"
@@ -229,8 +232,37 @@ std::uint32_t ReflectedLight::lit(const LaneLight& light) const {
 }
 
 void ReflectedLight::add(const Material& material, const LayerWeights* weights, const LaneLight& light,
-                         bool sized, std::uint32_t points, float factor,
-                         std::span<std::array<Lanes, 4>> out) const {
+                         std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out) const {
+    add_terms(
+        Terms::rough, material, weights, light, points, [&](float cosine) { return factor * cosine; }, out);
+}
+
+LaneVectors ReflectedLight::mirrored_directions() const {
+    LaneVectors out;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const float x = towards_viewer_.x[i], y = towards_viewer_.y[i], z = towards_viewer_.z[i];
+        out.x[i] = z * normal_.x[i] - x * tangent_.x[i] - y * bitangent_.x[i];
+        out.y[i] = z * normal_.y[i] - x * tangent_.y[i] - y * bitangent_.y[i];
+        out.z[i] = z * normal_.z[i] - x * tangent_.z[i] - y * bitangent_.z[i];
+    }
+    return out;
+}
+
+void ReflectedLight::add_mirrored(const Material& material, const LayerWeights* weights,
+                                  const LaneLight& light, std::uint32_t points,
+                                  std::span<std::array<Lanes, 4>> out) const {
+    // In the mirror direction the facets' pBRDF is Fresnel's matrix D / (4 cos^2) with D = 1 / (pi alpha^2),
+    // and none of them hides another.
+    constexpr auto scale = static_cast<float>(4 * std::numbers::pi * kSmoothAlpha * kSmoothAlpha);
+    add_terms(
+        Terms::smooth, material, weights, light, points, [](float cosine) { return scale * cosine * cosine; },
+        out);
+}
+
+template <class Scale>
+void ReflectedLight::add_terms(Terms which, const Material& material, const LayerWeights* weights,
+                               const LaneLight& light, std::uint32_t points, const Scale& scale_at,
+                               std::span<std::array<Lanes, 4>> out) const {
     points &= light.points;
     if (weights != nullptr) points &= weights->points;
     if (points == 0) return;
@@ -243,7 +275,7 @@ void ReflectedLight::add(const Material& material, const LayerWeights* weights, 
     for (std::size_t i = 0; i < kLanes; ++i) {
         const float cosine = incidence.towards_light.z[i];
         const bool lit = (points >> i & 1) != 0 && cosine > 0 && towards_viewer_.z[i] > 0;
-        scale[i] = lit ? factor * cosine : 0;
+        scale[i] = lit ? scale_at(cosine) : 0;
         any = any || lit;
     }
     if (!any) return;
@@ -257,7 +289,7 @@ void ReflectedLight::add(const Material& material, const LayerWeights* weights, 
         for (std::size_t t = 0; t < terms; ++t) {
             const int term = static_cast<int>(t);
             const int own = material.channels() == 1 ? 0 : static_cast<int>(channel);
-            const bool some = sized || !material.smooth(term);
+            const bool some = material.smooth(term) == (which == Terms::smooth);
             term_weights[channel * terms + t] = some ? static_cast<float>(material.weight(term, own)) : 0.0F;
         }
     dispatch<add_lanes<FourLanes>, add_lanes<EightLanes>, add_lanes<AllLanes>>(

@@ -29,14 +29,26 @@ public:
     [[nodiscard]] std::uint32_t lit(const LaneLight& light) const;
 
     /// Adds to out[channel], Stokes vectors in the camera's frame field, what `material` reflects of `light`
-    /// at those of lit() whose bit is set in `points`: the sum over columns of its pBRDF times irradiance,
-    /// times the cosine, times `factor` (above 0), times the weights of a layer (null: 1). `material` is one
-    /// without variation(). A light or a material of one channel serves all. `sized`: the light has a size;
-    /// else smooth terms of the material reflect nothing of it.
-    void add(const Material& material, const LayerWeights* weights, const LaneLight& light, bool sized,
+    /// at those of lit() whose bit is set in `points`, but for its smooth terms: the sum over columns of its
+    /// pBRDF times irradiance, times the cosine, times `factor` (above 0), times the weights of a layer
+    /// (null: 1). `material` is one without variation(). A light or a material of one channel serves all.
+    void add(const Material& material, const LayerWeights* weights, const LaneLight& light,
              std::uint32_t points, float factor, std::span<std::array<Lanes, 4>> out) const;
 
+    /// Unit, in the positions' axes: what the viewer would see in a mirror.
+    [[nodiscard]] LaneVectors mirrored_directions() const;
+    /// The same as add() of the smooth terms alone, as mirrors: `light` comes from mirrored_directions(), and
+    /// has radiance in place of irradiance.
+    void add_mirrored(const Material& material, const LayerWeights* weights, const LaneLight& light,
+                      std::uint32_t points, std::span<std::array<Lanes, 4>> out) const;
+
 private:
+    enum class Terms { rough, smooth };
+    // scale(cosine): times what the pBRDF makes of the light.
+    template <class Scale>
+    void add_terms(Terms which, const Material& material, const LayerWeights* weights, const LaneLight& light,
+                   std::uint32_t points, const Scale& scale, std::span<std::array<Lanes, 4>> out) const;
+
     // The axes of the surface's frames in the world.
     LaneVectors tangent_, bitangent_, normal_;
     LaneVectors towards_viewer_;  // in them

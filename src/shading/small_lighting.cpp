@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "material/spatial_variation.hpp"
 #include "shading/light_places.hpp"
 #include "shading/reflected_light.hpp"
 
@@ -93,6 +94,16 @@ private:
 
 }  // namespace
 
+bool has_terms(const Material& material, bool smooth) {
+    if (const SpatialVariation* const variation = material.variation())
+        return std::ranges::any_of(variation->layers, [&](const MaterialLayer& layer) {
+            return has_terms(*layer.material, smooth);
+        });
+    for (int t = 0; t < material.terms(); ++t)
+        if (material.smooth(t) == smooth) return true;
+    return false;
+}
+
 SmallLighting::SmallLighting(std::vector<LightSourcePtr> sources, const RayScene* rays, int samples)
     : sources_(std::move(sources)), rays_(rays), samples_(static_cast<std::uint32_t>(samples)) {}
 
@@ -110,8 +121,26 @@ std::uint64_t SmallLighting::add(const Viewpoint& view, const LitPoints& points,
     std::optional<ShadowRays> shadows;
     if (rays_ != nullptr && points.shadowed) shadows.emplace(*rays_, points.origins);
 
+    // Calls reflect(layer, weights, points) for those that light reaches.
+    const auto for_layers = [&](std::uint32_t lit, const auto& reflect) {
+        for (std::size_t l = 0; l < material.layers.size(); ++l) {
+            const LayerWeights* const weights = material.weights.empty() ? nullptr : &material.weights[l];
+            const std::uint32_t there = weights != nullptr ? lit & weights->points : lit;
+            if (there != 0) reflect(*material.layers[l], weights, there);
+        }
+    };
+    const auto any_layer_has = [&](bool smooth) {
+        return std::ranges::any_of(material.layers,
+                                   [&](const Material* layer) { return has_terms(*layer, smooth); });
+    };
+    const auto lit_points = [&] {
+        const std::uint32_t lit = all & light.points & reflected.lit(light);
+        return points.facets.empty() ? lit : lit & above(facets, light);
+    };
+
     std::array<std::uint32_t, kLanes> seeds{};
-    for (std::size_t s = 0; s < sources_.size(); ++s) {
+    const bool all_smooth = !any_layer_has(false);  // places of lights are of no use then
+    for (std::size_t s = 0; !all_smooth && s < sources_.size(); ++s) {
         const LightSource& source = *sources_[s];
         const float radius = source.angular_radius(points.positions.front());
         const std::uint32_t samples = places_of(radius, samples_);
@@ -123,16 +152,22 @@ std::uint64_t SmallLighting::add(const Viewpoint& view, const LitPoints& points,
             Lanes u{}, v{};
             if (radius > 0) light_places(k, std::span(seeds).first(count), u, v);
             source.sample(positions, u, v, light);
-            std::uint32_t lit = all & light.points & reflected.lit(light);
-            if (!points.facets.empty()) lit &= above(facets, light);
-            lit = shadowing.reached(k, light, lit);
-            if (lit == 0) continue;
-            for (std::size_t l = 0; l < material.layers.size(); ++l) {
-                const LayerWeights* const weights = material.weights.empty() ? nullptr : &material.weights[l];
-                const std::uint32_t there = weights != nullptr ? lit & weights->points : lit;
-                if (there == 0) continue;
-                reflected.add(*material.layers[l], weights, light, radius > 0, there, factor, sums);
-            }
+            const std::uint32_t lit = shadowing.reached(k, light, lit_points());
+            for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+                reflected.add(layer, weights, light, there, factor, sums);
+            });
+        }
+    }
+    if (any_layer_has(true)) {
+        const LaneVectors origins = in_lanes(points.origins);
+        const LaneVectors mirrored = reflected.mirrored_directions();
+        for (const LightSourcePtr& source : sources_) {
+            source->intersect(origins, mirrored, light);
+            std::uint32_t lit = lit_points();
+            if (shadows && lit != 0) lit = shadows->visible(light, lit);
+            for_layers(lit, [&](const Material& layer, const LayerWeights* weights, std::uint32_t there) {
+                reflected.add_mirrored(layer, weights, light, there, sums);
+            });
         }
     }
     for (std::size_t c = 0; c < out.size(); ++c)

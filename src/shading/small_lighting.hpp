@@ -37,6 +37,9 @@ struct LitMaterial {
     std::span<const LayerWeights> weights;  ///< empty: 1
 };
 
+/// Whether a material, or a layer of its variation(), has smooth terms, or others.
+[[nodiscard]] bool has_terms(const Material& material, bool smooth);
+
 /// Immutable; threads share it.
 class SmallLighting {
 public:

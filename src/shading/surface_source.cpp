@@ -199,6 +199,27 @@ SurfaceSource::SurfaceSource(const ShiningSurface& surface)
     }
     for (const std::array<glm::vec3, 3>& corners : surface.triangles)
         for (const glm::vec3& corner : corners) radius_ = std::max(radius_, glm::distance(centre_, corner));
+    if (surface.mirrored) make_rays();
+}
+
+void SurfaceSource::make_rays() {
+    std::vector<glm::vec3> corners;
+    std::vector<glm::uvec3> triangles;
+    const auto add = [&](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+        triangles.emplace_back(glm::uvec3(0, 1, 2) + static_cast<std::uint32_t>(corners.size()));
+        corners.insert(corners.end(), {a, b, c});
+    };
+    for (const Patch& patch : patches_) {
+        const glm::vec3 b = patch.corner + patch.first, c = patch.corner + patch.second;
+        add(patch.corner, b, c);
+        // The rest of a parallelogram; of a triangle something without area.
+        if (patch.parallelogram > 0)
+            add(b + patch.second, c, b);
+        else
+            add(b, b, b);
+    }
+    const RaySurface surface{.positions = corners, .triangles = triangles};
+    rays_.emplace(std::span(&surface, 1));
 }
 
 std::size_t SurfaceSource::patch_at(float u) const {
@@ -234,6 +255,40 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
         at.uv[1][i] = uv.y;
     }
     color_.put(factor, at, out);
+}
+
+void SurfaceSource::intersect(const LaneVectors& points, const LaneVectors& directions,
+                              LaneLight& out) const {
+    Lanes one;
+    TexturePoints at{};
+    out.towards = directions;
+    out.points = 0;
+    if (!rays_) return;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        one[i] = 1;
+        const glm::vec3 origin(points.x[i], points.y[i], points.z[i]);
+        const glm::vec3 direction(directions.x[i], directions.y[i], directions.z[i]);
+        const glm::vec3 way = centre_ - origin;
+        const glm::vec3 beside = way - glm::dot(way, direction) * direction;
+        if (glm::dot(beside, beside) > radius_ * radius_) continue;
+        const std::optional<RayHit> hit = rays_->intersect(
+            {.origin = glm::dvec3(origin), .direction = glm::normalize(glm::dvec3(direction))});
+        if (!hit) continue;
+        const std::size_t patch = hit->triangle / 2;
+        if (!two_sided_ && !(glm::dot(patches_[patch].normal, direction) < 0)) continue;
+        out.points |= 1U << i;
+        out.distance[i] = static_cast<float>(hit->distance);
+        if (!color_.textured()) continue;
+        const std::array<glm::vec2, 3>& texcoords = texcoords_[patch];
+        const bool rest = hit->triangle % 2 != 0;  // from the far corner
+        const auto b1 = static_cast<float>(rest ? 1 - hit->b1 : hit->b1);
+        const auto b2 = static_cast<float>(rest ? 1 - hit->b2 : hit->b2);
+        const glm::vec2 uv =
+            texcoords[0] + b1 * (texcoords[1] - texcoords[0]) + b2 * (texcoords[2] - texcoords[0]);
+        at.uv[0][i] = uv.x;
+        at.uv[1][i] = uv.y;
+    }
+    if (out.points != 0) color_.put(one, at, out);
 }
 
 }  // namespace nicol

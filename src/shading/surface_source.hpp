@@ -2,6 +2,9 @@
 // Light from a surface that shines.
 #pragma once
 
+#include <optional>
+
+#include "geometry/ray_scene.hpp"
 #include "shading/light_source.hpp"
 
 namespace nicol {
@@ -21,10 +24,12 @@ public:
 
     [[nodiscard]] float angular_radius(const glm::vec3& from) const noexcept override;
     void sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const override;
+    void intersect(const LaneVectors& points, const LaneVectors& directions, LaneLight& out) const override;
 
     [[nodiscard]] double area() const noexcept { return area_; }
 
 private:
+    void make_rays();
     [[nodiscard]] std::size_t patch_at(float u) const;
 
     bool two_sided_;
@@ -35,6 +40,7 @@ private:
     std::vector<std::uint32_t> guide_;  // of parts of u, in equal steps: the last patch before each
     glm::vec3 centre_{0};               // of a sphere that all of it is in
     float radius_ = 0;
+    std::optional<RayScene> rays_;  // of two triangles a patch; none: nothing mirrors it
 };
 
 }  // namespace nicol

@@ -6,8 +6,12 @@
 #include <numbers>
 #include <set>
 
+#include "directions.hpp"
+#include "function_texture.hpp"
 #include "geometry/mesh.hpp"
+#include "geometry/ray_scene.hpp"
 #include "light/environment.hpp"
+#include "shading/lamp_source.hpp"
 #include "shading/light_places.hpp"
 #include "test.hpp"
 
@@ -57,6 +61,38 @@ double of_polygon(const std::vector<glm::dvec3>& corners, const glm::dvec3& norm
 }
 
 using Triangles = std::vector<std::array<glm::vec3, 3>>;
+
+/// The same as irradiance() by what rays in a cone about `axis` meet.
+Stokes irradiance_of_rays(const LightSource& source, const glm::vec3& point, const glm::dvec3& normal,
+                          const glm::dvec3& axis, double angle) {
+    constexpr int groups = 20000;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> number(0, 1);
+    const Frame frame = theta_phi_frame(glm::normalize(axis));
+    LaneLight light;
+    LaneVectors directions;
+    bool all_before = true;
+    Stokes sum(0.0);
+    for (int n = 0; n < groups; ++n) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const double cosine = 1 - number(random) * (1 - std::cos(angle));
+            const double sine = std::sqrt(1 - cosine * cosine), phi = 2 * kPi * number(random);
+            put(directions, i,
+                glm::vec3(frame * glm::dvec3(sine * std::cos(phi), sine * std::sin(phi), cosine)));
+        }
+        source.intersect(lanes(point), directions, light);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const glm::dvec3 towards(light.towards.x[i], light.towards.y[i], light.towards.z[i]);
+            if ((light.points >> i & 1) == 0 || glm::dot(normal, towards) <= 0) continue;
+            all_before = all_before && light.distance[i] > 0;
+            for (std::size_t p = 0; p < light.components; ++p)
+                sum[static_cast<glm::length_t>(p)] +=
+                    glm::dot(normal, towards) * static_cast<double>(light.irradiance[0][p][i]);
+        }
+    }
+    CHECK(all_before);
+    return 2 * kPi * (1 - std::cos(angle)) / (groups * double{kLanes}) * sum;
+}
 
 }  // namespace
 
@@ -241,4 +277,98 @@ TEST_CASE("however bright and near a light is, what reaches a point is finite") 
             CHECK(got <= 1.001F * static_cast<float>(kBrightestLight));
         }
     }
+}
+
+TEST_CASE("a globe of few triangles does not hide its own light") {
+    Mesh ball = make_cube(8);
+    for (glm::vec3& p : ball.positions) p = glm::vec3(0.1F, 0, 2) + 0.8F * glm::normalize(p);
+    const RaySurface surface{.positions = ball.positions, .triangles = ball.triangles};
+    const RayScene rays(std::span(&surface, 1));
+    Triangles triangles;
+    for (const glm::uvec3& t : ball.triangles)
+        triangles.push_back({ball.positions[t.x], ball.positions[t.y], ball.positions[t.z]});
+    const Emission emission{};
+    const LightSourcePtr globe = light_source({emission, {1, 0, 0}, triangles, {}});
+    const std::uint32_t seeds[] = {5};
+    LaneLight light;
+    for (std::uint32_t k = 0; k < 1024; ++k) {
+        Lanes u, v;
+        light_places(k, seeds, u, v);
+        globe->sample(lanes({0, 0, 0}), u, v, light);
+        const glm::dvec3 towards(light.towards.x[0], light.towards.y[0], light.towards.z[0]);
+        const double distance = light.distance[0];
+        CHECK_FALSE(rays.occluded({0, 0, 0}, {0, 0, 1}, glm::normalize(towards), distance));
+        CHECK(distance > 1.1);
+    }
+}
+
+TEST_CASE("what rays meet of a light adds up to what its places shed") {
+    const glm::vec3 a(-1, -1, 2), b(1, -1, 2.5), c(1, 1, 2.5), d(-1, 1, 2);
+    const Triangles quad{{a, c, b}, {a, d, c}};  // which faces the origin
+    const Triangles away{{a, b, c}, {a, c, d}};
+    const PolarizationState state{.dolp = 0.6, .aolp = 0.2, .docp = 0.3};
+    const TexturePtr slope =
+        test::texture_of([](const TexturePoint& p) { return glm::vec4(p.uv.x, 0, 0, 1); });
+    const Emission plain{.radiance = {2}, .state = state};
+    const Emission textured{.radiance = {2}, .texture = slope, .state = state};
+    const Emission two_sided{.radiance = {2}, .two_sided = true, .state = state};
+    const std::vector<std::array<glm::vec2, 3>> texcoords{{{{0, 0}, {1, 1}, {1, 0}}},
+                                                          {{{0, 0}, {0, 1}, {1, 1}}}};
+    Triangles globe;
+    const Mesh sphere = make_sphere({0.2, 0.1, 3}, 0.8);
+    for (const glm::uvec3& t : sphere.triangles)
+        globe.push_back({sphere.positions[t.x], sphere.positions[t.y], sphere.positions[t.z]});
+    std::vector<float> pixels;
+    for (int i = 0; i < 15; ++i) {
+        const float s0 = i % 4 == 0 ? 0.0F : static_cast<float>(i);
+        pixels.insert(pixels.end(), {s0, 0.5F * s0, -0.3F * s0, 0.2F * s0});
+    }
+    // Across the seam of the image.
+    const auto lamp = std::make_shared<const Lamp>(
+        EquirectWindow{.width = 64, .height = 33, .top = 9, .left = 62, .rows = 2, .columns = 4}, 1, pixels);
+    const glm::dmat3 axes(glm::rotate(glm::dmat4(1), 0.7, {1, 2, 3}));
+    struct Row {
+        const char* name;
+        LightSourcePtr source;
+        glm::dvec3 axis;  ///< of a cone that holds it
+        double angle;
+    };
+    std::vector<Row> rows;
+    rows.push_back({"quad", light_source({plain, {1, 0, 0}, quad, {}}), {0, 0, 1}, 0.9});
+    rows.push_back({"textured", light_source({textured, {1, 0, 0}, quad, texcoords}), {0, 0, 1}, 0.9});
+    rows.push_back({"two-sided", light_source({two_sided, {1, 0, 0}, away, {}}), {0, 0, 1}, 0.9});
+    rows.push_back({"globe", light_source({plain, {1, 0, 0}, globe, {}}), {0.2, 0.1, 3}, 0.35});
+    rows.push_back({"disc",
+                    light_source(SmallLight{.kind = SmallLight::Kind::directional,
+                                            .value = {3},
+                                            .to_world = glm::rotate(glm::dmat4(1), kPi - 0.3, {0, 1, 0}),
+                                            .angular_radius = 0.2,
+                                            .state = state},
+                                 glm::dmat4(1)),
+                    {0, 0, 1},
+                    0.6});
+    rows.push_back({"lamp", std::make_unique<const LampSource>(lamp, axes, 3), axes * lamp->centre(), 0.4});
+    for (const Row& row : rows) {
+        CAPTURE(row.name);
+        const glm::dvec3 normal = glm::normalize(row.axis + glm::dvec3(0.2, 0.1, 0));
+        const Stokes expected = irradiance(*row.source, {0, 0, 0}, normal);
+        const Stokes got = irradiance_of_rays(*row.source, {0, 0, 0}, normal, row.axis, row.angle);
+        CHECK(expected[0] > 0.05);
+        for (int p = 0; p < 4; ++p)
+            CHECK(got[p] == doctest::Approx(expected[p]).epsilon(0.01).scale(expected[0]));
+    }
+    // Its own back hides it, and a light of one place is nowhere.
+    LaneLight light;
+    light_source({plain, {1, 0, 0}, away, {}})->intersect(lanes({0, 0, 0}), lanes({0, 0, 1}), light);
+    CHECK(light.points == 0);
+    light_source(SmallLight{}, glm::dmat4(1))->intersect(lanes({0, 0, -1}), lanes({0, 0, 1}), light);
+    CHECK(light.points == 0);
+    // Where they meet it.
+    rows[0].source->intersect(lanes({0, 0, 0}), lanes({0, 0, 1}), light);
+    CHECK(light.points == 0xFFFF);
+    CHECK(light.distance[5] == doctest::Approx(2.25));
+    rows[3].source->intersect(lanes({0.2F, 0.1F, 0}), lanes({0, 0, 1}), light);
+    CHECK(light.distance[5] == doctest::Approx(2.2).epsilon(1e-3));
+    rows[3].source->intersect(lanes({0.2F, 0.1F, 0}), lanes({0, 0, -1}), light);
+    CHECK(light.points == 0);
 }

@@ -5,6 +5,8 @@
 #include "directions.hpp"
 #include "material/conductor.hpp"
 #include "material/plastic.hpp"
+#include "polarization/fresnel.hpp"
+#include "shading/small_lighting.hpp"
 #include "test.hpp"
 
 using namespace nicol;
@@ -145,8 +147,8 @@ TEST_CASE("sixteen points reflect as the sum over Mueller matrices says, in ever
                         std::vector<std::array<Lanes, 4>> out(3);
                         for (auto& stokes : out)
                             for (Lanes& lanes : stokes) lanes.value.fill(0.25F);
-                        reflected.add(*row.material, layered ? &weights : nullptr, p.light, true, points,
-                                      0.5F, out);
+                        reflected.add(*row.material, layered ? &weights : nullptr, p.light, points, 0.5F,
+                                      out);
                         const std::uint32_t lit = reflected.lit(p.light);
                         for (std::size_t i = 0; i < kLanes; ++i)
                             for (std::size_t c = 0; c < 3; ++c) {
@@ -188,38 +190,89 @@ TEST_CASE("an anisotropic material without a tangent takes some other") {
     ReflectedLight reflected;
     reflected.set(kPerspective, p.positions, p.normals, p.tangents);
     std::vector<std::array<Lanes, 4>> out(1);
-    reflected.add(*rough_conductor({.alpha = 0.2, .alpha_v = 0.6}), nullptr, p.light, true, 0xFFFF, 1, out);
+    reflected.add(*rough_conductor({.alpha = 0.2, .alpha_v = 0.6}), nullptr, p.light, 0xFFFF, 1, out);
     for (const float s0 : out[0][0].value) CHECK(std::isfinite(s0));
     CHECK(out[0][0][0] > 0);
 }
 
-TEST_CASE("of lights without a size smooth terms reflect nothing") {
+TEST_CASE("smooth terms are mirrors and reflect no light from elsewhere") {
+    const std::complex<double> gold(0.4, -2.4);
+    const struct {
+        const char* name;
+        MaterialPtr smooth;
+        MaterialPtr base;  ///< without the mirror; null: nothing
+        std::complex<double> index;
+        bool polarizes;
+    } rows[] = {{"gold", conductor({gold}), nullptr, gold, true},
+                {"glass", rough_conductor({.eta = {1.5}, .alpha = 0}), nullptr, 1.5, true},
+                {"plastic", plastic({.ext_ior = 1}), plastic({.specular_reflectance = {0}, .ext_ior = 1}),
+                 1.49, false}};
+    for (const auto& row : rows)
+        for (const std::size_t components : {1U, 4U}) {
+            CAPTURES(row.name, components);
+            std::mt19937 random(9);
+            Points p = some_points(random, kPerspective, components, 1);
+            ReflectedLight reflected;
+            reflected.set(kPerspective, p.positions, p.normals);
+            const auto added = [&](const Material& material, bool mirrored) {
+                std::vector<std::array<Lanes, 4>> out(1);
+                if (mirrored)
+                    reflected.add_mirrored(material, nullptr, p.light, 0xFFFF, out);
+                else
+                    reflected.add(material, nullptr, p.light, 0xFFFF, 1, out);
+                return out[0];
+            };
+            const auto rest = added(*row.smooth, false);
+            for (std::size_t i = 0; i < kLanes; ++i)
+                CHECK(rest[0][i] == (row.base != nullptr ? added(*row.base, false)[0][i] : 0));
+
+            p.light.towards = reflected.mirrored_directions();
+            p.light.points = 0xFFFF;
+            for (Lanes& lanes : p.light.irradiance[0]) lanes[3] = lanes[4];
+            for (std::size_t i = 0; i < kLanes; ++i)
+                put(p.light.x, i, frame_with_x(lane(p.light.towards, i), random_direction(random))[0]);
+            const auto seen = added(*row.smooth, true);
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const glm::dvec3 viewer = kPerspective.towards(p.positions[i]);
+                const glm::dvec3 normal = glm::normalize(glm::dvec3(p.normals[i]));
+                const glm::dvec3 mirrored = 2 * glm::dot(normal, viewer) * normal - viewer;
+                CHECK(glm::distance(lane(p.light.towards, i), mirrored) < 1e-6);
+                if (!(glm::dot(viewer, normal) > 0.03)) continue;
+                // Both frames with x along the s-axis, as Fresnel's.
+                const glm::dvec3 s_axis = frame_with_x(viewer, glm::cross(mirrored, viewer))[0];
+                Stokes incident(0.0);
+                for (std::size_t q = 0; q < components; ++q)
+                    incident[static_cast<int>(q)] = static_cast<double>(p.light.irradiance[0][q][i]);
+                if (components > 1)
+                    incident = rotated(incident, angle_between(frame_with_x(-mirrored, lane(p.light.x, i)),
+                                                               frame_with_x(-mirrored, s_axis)));
+                const Mueller fresnel = fresnel_reflection(glm::dot(viewer, normal), row.index);
+                Stokes expected =
+                    row.polarizes ? fresnel * incident : Stokes(fresnel(0, 0) * incident[0], 0, 0, 0);
+                expected = rotated(expected,
+                                   angle_between(frame_with_x(viewer, s_axis), kPerspective.frame(viewer)));
+                for (int q = 0; q < 4; ++q)
+                    CHECK(static_cast<double>(seen[static_cast<std::size_t>(q)][i]) ==
+                          doctest::Approx(expected[q]).epsilon(1e-3).scale(expected[0]));
+            }
+        }
+}
+
+TEST_CASE("rough terms are no mirrors") {
     std::mt19937 random(9);
-    Points p = some_points(random, kPerspective, 1, 1);
-    p.light.points = 0xFFFF;
-    p.light.irradiance[0][0].value.fill(1);
-    // Seen and lit along the normal.
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const glm::dvec3 viewer = kPerspective.towards(p.positions[i]);
-        p.normals[i] = glm::vec3(viewer);
-        put(p.light.towards, i, viewer);
-    }
+    const Points p = some_points(random, kPerspective, 1, 1);
     ReflectedLight reflected;
     reflected.set(kPerspective, p.positions, p.normals);
-    const auto sum = [&](const MaterialPtr& material, bool sized) {
-        std::vector<std::array<Lanes, 4>> out(1);
-        reflected.add(*material, nullptr, p.light, sized, 0xFFFF, 1, out);
-        float all = 0;
-        for (std::size_t i = 0; i < kLanes; ++i) all += out[0][0][i];
-        return all;
-    };
-    const MaterialPtr smooth = plastic({});
-    CHECK(sum(conductor({{0, -1}}), false) == 0);
-    CHECK(sum(smooth, false) > 0);
-    CHECK(sum(smooth, false) == sum(plastic({.specular_reflectance = {0}}), true));
-    CHECK(sum(smooth, true) > 10 * sum(smooth, false));
-    const MaterialPtr rough = plastic({.alpha = 0.3});
-    CHECK(sum(rough, false) == sum(rough, true));
+    std::vector<std::array<Lanes, 4>> out(1);
+    for (const MaterialPtr& rough : {plastic({.alpha = 0.3}), diffuse({0.5}), rough_conductor({})}) {
+        CHECK_FALSE(has_terms(*rough, true));
+        CHECK(has_terms(*rough, false));
+        reflected.add_mirrored(*rough, nullptr, p.light, 0xFFF7, out);
+        for (const float s0 : out[0][0].value) CHECK(s0 == 0);
+    }
+    CHECK_FALSE(has_terms(*conductor({{0, -1}}), false));
+    CHECK(has_terms(*plastic({}), true));
+    CHECK(has_terms(*plastic({}), false));
 }
 
 TEST_CASE("lanes beyond the points given repeat the first") {
@@ -234,7 +287,7 @@ TEST_CASE("lanes beyond the points given repeat the first") {
     reflected.set(kPerspective, std::span(p.positions).first(3), std::span(p.normals).first(3),
                   std::span(p.tangents).first(3));
     std::vector<std::array<Lanes, 4>> out(1);
-    reflected.add(*pplastic({}), nullptr, p.light, true, 0xFFFF, 1, out);
+    reflected.add(*pplastic({}), nullptr, p.light, 0xFFFF, 1, out);
     CHECK(out[0][0][0] > 0);
     for (const Lanes& lanes : out[0]) CHECK(lanes[15] == lanes[0]);
 }
