@@ -3,79 +3,30 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
+#include "shading/lane_footprint.hpp"
 #include "shading/normal_variation.hpp"
 
 namespace nicol {
 namespace {
 
-// How far texture coordinates change from a pixel to its neighbours, where it shows a triangle.
-class Footprint {
-public:
-    Footprint() = default;
-    Footprint(const TextureView& view, const std::array<glm::vec3, 3>& corners,
-              const std::array<glm::vec2, 3>& texcoords) {
-        const Viewpoint& camera = view.projection.view;
-        const glm::vec3 first = corners[1] - corners[0];
-        const glm::vec3 second = corners[2] - corners[0];
-        normal_ = glm::cross(first, second);
-        const float squared = glm::dot(normal_, normal_);
-        if (!(squared > 0)) return;
-        length_ = std::sqrt(squared);
-        const glm::vec2 a = texcoords[1] - texcoords[0];
-        const glm::vec2 b = texcoords[2] - texcoords[0];
-        const glm::vec3 across_first = glm::cross(second, normal_) / squared;
-        const glm::vec3 across_second = glm::cross(normal_, first) / squared;
-        slope_u_ = a.x * across_first + b.x * across_second;
-        slope_v_ = a.y * across_first + b.y * across_second;
-        // The steps to neighbours, at unit distance or, of an orthographic camera, anywhere.
-        const Projection& p = view.projection;
-        right_ = Step(camera.right * (2 * p.sample_size * p.half_width / view.width), *this);
-        down_ = Step(camera.up * (-2 * p.sample_size * p.half_height / view.height), *this);
-    }
-
-    // Where a ray meets the triangle. distance: along the view direction, or 1 of an orthographic camera.
-    void put(const glm::vec3& ray, float distance, std::size_t i, TexturePoints& points) const {
-        // Edge on, a pixel is as long as the surface.
-        const float least = 1e-4F * glm::length(ray) * length_;
-        const float facing = glm::dot(ray, normal_);
-        const float safe = std::abs(facing) > least ? facing : facing < 0 ? -least : least;
-        const float scale = safe == 0 ? 0 : distance;
-        const glm::vec2 back =
-            glm::vec2(glm::dot(ray, slope_u_), glm::dot(ray, slope_v_)) / (safe == 0 ? 1 : safe);
-        for (glm::length_t k = 0; k < 2; ++k) {
-            const auto axis = static_cast<std::size_t>(k);
-            points.du[axis][i] = scale * (right_.change[k] - right_.rise * back[k]);
-            points.dv[axis][i] = scale * (down_.change[k] - down_.rise * back[k]);
-        }
-    }
-
-private:
-    struct Step {
-        Step() = default;
-        Step(const glm::dvec3& step, const Footprint& of)
-            : change(glm::dot(glm::vec3(step), of.slope_u_), glm::dot(glm::vec3(step), of.slope_v_)),
-              rise(glm::dot(glm::vec3(step), of.normal_)) {}
-        glm::vec2 change{0};  // of texture coordinates, along the triangle
-        float rise = 0;       // towards its normal
-    };
-
-    glm::vec3 normal_{0};  // of length length_
-    float length_ = 0;
-    glm::vec3 slope_u_{0}, slope_v_{0};  // along the triangle
-    Step right_, down_;
-};
+PixelSteps steps_of(const TextureView& view) {
+    const Projection& p = view.projection;
+    return {.forward = p.view.forward,
+            .right = p.view.right * (2 * p.sample_size * p.half_width / view.width),
+            .down = p.view.up * (-2 * p.sample_size * p.half_height / view.height),
+            .orthographic = p.view.orthographic};
+}
 
 // What textures and normals need to know of sixteen points.
 class Block {
 public:
     Block(const SpatialVariation& variation, const TextureView& view)
         : view_(view),
-          turns_(variation.normal.kind != NormalVariation::Kind::none),
-          footprint_(variation.needs_footprint()) {}
+          steps_(steps_of(view)),
+          footprint_(variation.needs_footprint()),
+          axes_(footprint_ || variation.normal.kind != NormalVariation::Kind::none) {}
 
     // triangles: up to sixteen. Other lanes repeat the first.
     void set(std::span<const std::uint32_t> triangles, const LaneSurface& surface) {
@@ -90,15 +41,13 @@ public:
             put(normals, i, surface.normals[i]);
             if (!geometry.texcoords.empty()) {
                 const std::array<glm::vec2, 3>& texcoords = geometry.texcoords[triangle];
-                if (triangle != known_) use(triangle, texcoords);
+                if (axes_ && triangle != known_) use(triangle, texcoords);
                 for (glm::length_t k = 0; k < 2; ++k)
                     points.uv[static_cast<std::size_t>(k)][i] = weights.x * texcoords[0][k] +
                                                                 weights.y * texcoords[1][k] +
                                                                 weights.z * texcoords[2][k];
                 put(axes.by_u, i, triangle_axes_.by_u);
                 put(axes.by_v, i, triangle_axes_.by_v);
-                if (footprint_)
-                    triangle_footprint_.put(ray, camera.orthographic ? 1 : glm::dot(ray, forward), i, points);
             }
             if (!geometry.colors.empty()) {
                 const std::array<glm::vec3, 3>& colors = geometry.colors[triangle];
@@ -107,6 +56,7 @@ public:
                         weights.x * colors[0][k] + weights.y * colors[1][k] + weights.z * colors[2][k];
             }
         }
+        if (footprint_) find_footprints(steps_, axes, towards_viewer, points);
     }
 
     TexturePoints points{};
@@ -116,19 +66,16 @@ public:
 private:
     void use(std::uint32_t triangle, const std::array<glm::vec2, 3>& texcoords) {
         known_ = triangle;
-        if (!turns_ && !footprint_) return;
         const std::vector<glm::vec3>& positions = view_.geometry.positions;
         const glm::uvec3& t = view_.geometry.triangles[triangle];
-        const std::array<glm::vec3, 3> corners{positions[t.x], positions[t.y], positions[t.z]};
-        if (turns_) triangle_axes_ = texture_axes(corners, texcoords);
-        if (footprint_) triangle_footprint_ = Footprint(view_, corners, texcoords);
+        triangle_axes_ = texture_axes({positions[t.x], positions[t.y], positions[t.z]}, texcoords);
     }
 
     const TextureView& view_;
-    bool turns_, footprint_;
+    PixelSteps steps_;
+    bool footprint_, axes_;
     std::uint32_t known_ = ~std::uint32_t{0};  // the triangle before, which is often the same
     TextureAxes triangle_axes_;
-    Footprint triangle_footprint_;
 };
 
 }  // namespace
