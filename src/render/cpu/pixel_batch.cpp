@@ -50,20 +50,6 @@ void PixelBatch::find_textures(const PixelInput& input, const VertexRange& range
                     .height = input.hits.height()},
                    triangles_, std::span(surfaces_).first(surfaces().size()));
     weights_ = textures_.weights();
-    const std::span order = textures_.order();
-    if (order.empty()) return;
-    given_ = surfaces_;
-    sorted_.clear();
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const std::uint32_t from = order[i];
-        sorted_.push_back(points_[from]);
-        const LaneSurface& given = given_[from / kLanes];
-        LaneSurface& sorted = surfaces_[i / kLanes];
-        for (std::size_t k = 0; k < 3; ++k) sorted.weights[k][i % kLanes] = given.weights[k][from % kLanes];
-        sorted.positions[i % kLanes] = given.positions[from % kLanes];
-        sorted.normals[i % kLanes] = given.normals[from % kLanes];
-    }
-    points_ = sorted_;
 }
 
 void PixelBatch::gather(std::span<const std::span<glm::vec4>> stokes, std::size_t components,

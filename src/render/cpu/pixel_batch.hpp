@@ -21,8 +21,7 @@ public:
     /// Points, so that what every call costs counts for many.
     static constexpr std::size_t kMost = 16 * kLanes;
 
-    /// Takes the first of the points: those of one group, as many as there is room for. Of a material that
-    /// varies, those that the same layers have a weight at then follow one another.
+    /// Takes the first of the points: those of one group, as many as there is room for.
     void take(const PixelInput& input, std::span<const PixelPoint> points);
 
     [[nodiscard]] std::span<const PixelPoint> points() const { return points_; }
@@ -48,8 +47,6 @@ private:
     // Where the material varies.
     TexturedPixels textures_;
     std::vector<std::uint32_t> triangles_;
-    std::vector<PixelPoint> sorted_;
-    std::array<LaneSurface, kMost / kLanes> given_;  // before they are sorted
 };
 
 }  // namespace nicol

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "shading/lane_footprint.hpp"
 #include "shading/normal_variation.hpp"
@@ -83,68 +82,17 @@ private:
 void TexturedPixels::find(const SpatialVariation& variation, bool back, const TextureView& view,
                           std::span<const std::uint32_t> triangles, std::span<LaneSurface> surfaces) {
     const std::size_t layers = variation.layers.size();
-    given_.resize(surfaces.size() * layers);
-    used_.assign(triangles.size(), 0);
+    weights_.resize(surfaces.size() * layers);
     Block block(variation, view);
     for (std::size_t b = 0; b < surfaces.size(); ++b) {
         const std::span own = triangles.subspan(b * kLanes, std::min(kLanes, triangles.size() - b * kLanes));
         block.set(own, surfaces[b]);
-        const std::span weights = std::span(given_).subspan(b * layers, layers);
+        const std::span weights = std::span(weights_).subspan(b * layers, layers);
         variation.weights(block.points, weights);
-        for (std::size_t l = 0; l < layers; ++l) {
-            if (weights[l].points == 0) continue;
-            for (std::size_t i = 0; i < own.size(); ++i)
-                used_[b * kLanes + i] |= std::uint64_t{weights[l].points >> i & 1} << (l % 64);
-        }
         if (variation.normal.kind == NormalVariation::Kind::none) continue;
         turn_normals(variation.normal, block.points, block.axes, back, block.towards_viewer, block.normals);
         for (std::size_t i = 0; i < kLanes; ++i)
             surfaces[b].normals[i] = {block.normals.x[i], block.normals.y[i], block.normals.z[i]};
-    }
-    find_order();
-    if (!order_.empty()) order_weights(layers);
-}
-
-void TexturedPixels::find_order() {
-    order_.clear();
-    if (std::ranges::is_sorted(used_)) return;
-    kinds_.clear();
-    for (const std::uint64_t used : used_) {
-        const auto known = std::ranges::find(kinds_, used, &Kind::used);
-        if (known == kinds_.end())
-            kinds_.push_back({.used = used, .points = 1});
-        else
-            ++known->points;
-    }
-    std::ranges::sort(kinds_, {}, &Kind::used);
-    std::uint32_t before = 0;
-    for (Kind& kind : kinds_) before += std::exchange(kind.points, before);
-    order_.resize(used_.size());
-    for (std::uint32_t i = 0; i < used_.size(); ++i)
-        order_[std::ranges::find(kinds_, used_[i], &Kind::used)->points++] = i;
-}
-
-void TexturedPixels::order_weights(std::size_t layers) {
-    ordered_.resize(given_.size());
-    for (std::size_t begin = 0; begin < order_.size(); begin += kLanes) {
-        const std::span points = std::span(order_).subspan(begin, std::min(kLanes, order_.size() - begin));
-        std::uint64_t used = 0;
-        for (const std::uint32_t point : points) used |= used_[point];
-        for (std::size_t l = 0; l < layers; ++l) {
-            LayerWeights& out = ordered_[begin / kLanes * layers + l];
-            out.points = 0;
-            if ((used >> (l % 64) & 1) == 0) continue;
-            out.value = {};
-            out.equal = true;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const LayerWeights& from = given_[points[i] / kLanes * layers + l];
-                const std::size_t lane = points[i] % kLanes;
-                if ((from.points >> lane & 1) == 0) continue;
-                for (std::size_t c = 0; c < 3; ++c) out.value[c][i] = from.of(c)[lane];
-                out.points |= std::uint32_t{1} << i;
-                out.equal = out.equal && from.equal;
-            }
-        }
     }
 }
 
