@@ -46,7 +46,7 @@ FootprintTaps footprint_taps(vec2 uv, vec2 across, vec2 down, vec2 size, uint la
     }
 
     float squared = max(0.875 + 0.5 * (taps.count > 1 ? shorter : middle), 1.0);
-    squared = min(squared, exp2(float(2u * last_level)));
+    squared = min(squared, uintBitsToFloat((127u + 2u * last_level) << 23));
     taps.level = ((floatBitsToUint(squared) >> 23) - 127u) >> 1;
     float mantissa = squared * uintBitsToFloat((127u - 2u * taps.level) << 23);
     taps.fraction = 2.0 * (mantissa - 1.0) / (mantissa + 2.0);

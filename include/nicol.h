@@ -857,7 +857,8 @@ typedef struct nicol_instance {
 NICOL_API nicol_result nicol_scene_create(nicol_context context, nicol_scene* scene);
 /* A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
  * samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
- * glTF has no environment, and may have lights. */
+ * glTF has no environment, and may have lights. Lights of a file that polarizing plates of it cover have the
+ * state and the brightness of their light behind these. */
 NICOL_API nicol_result nicol_scene_load(nicol_context context, const char* path,
                                         const char* const* definitions, uint32_t definition_count,
                                         nicol_scene* scene);

@@ -142,6 +142,7 @@ Report bench_lights(const Options& given) {
         "A snail of plastic on a plinth, at pixels; errors against the reference method, relative to the RMS "
         "of "
         "s0, its noise taken out. Frames: after a move of the camera, in the forest, with the light and its "
-        "shadow, over those without it.");
+        "shadow, over those without it. The square: against the closed form, without shadows; its last "
+        "column is what the row says.");
     return report;
 }

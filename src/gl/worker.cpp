@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <exception>
+#include <utility>
 #include <vector>
 
 namespace nicol::gl {
@@ -20,20 +21,23 @@ public:
         threads_.push_back(std::move(thread));
     }
     void join() {
-        std::vector<std::thread> ending;
-        {
-            const std::lock_guard lock(mutex_);
-            ending.swap(threads_);
-        }
-        for (std::thread& thread : ending) {
-            if (thread.get_id() == std::this_thread::get_id())
-                thread.detach();  // ends the process itself
-            else
-                thread.join();
+        // Those that are joined may leave others.
+        for (std::vector<std::thread> ending = take(); !ending.empty(); ending = take()) {
+            for (std::thread& thread : ending) {
+                if (thread.get_id() == std::this_thread::get_id())
+                    thread.detach();  // ends the process itself
+                else
+                    thread.join();
+            }
         }
     }
 
 private:
+    std::vector<std::thread> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(threads_, {});
+    }
+
     std::mutex mutex_;
     std::vector<std::thread> threads_;
 };

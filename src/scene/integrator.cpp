@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// <integrator>: Mitsuba's, of which only AOVs are followed.
+// <integrator>: Mitsuba's, of which only AOVs and hide_emitters are followed.
 #include <algorithm>
 #include <array>
 
@@ -56,7 +56,7 @@ std::string_view trimmed(std::string_view text) {
 std::uint32_t read_aovs(Plugin& plugin, pugi::xml_node node, Notices& notices) {
     std::uint32_t aovs = 0;
     const std::string list = plugin.string("aovs", "");
-    std::string missing;
+    std::array<bool, kAovTypes.size()> asked{};
     for (std::string_view rest = list; !trimmed(rest).empty();) {
         const std::string_view one = trimmed(rest.substr(0, rest.find(',')));
         rest.remove_prefix(std::min(rest.size(), rest.find(',')));
@@ -71,8 +71,12 @@ std::uint32_t read_aovs(Plugin& plugin, pugi::xml_node node, Notices& notices) {
                                     "; expected name:type with a type of: " + names);
         }
         aovs |= type->bit;
-        if (type->bit == 0) missing.append(missing.empty() ? "" : ", ").append(type->name);
+        asked[static_cast<std::size_t>(type - kAovTypes.begin())] = true;
     }
+    std::string missing;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        if (asked[i] && kAovTypes[i].bit == 0)
+            missing.append(missing.empty() ? "" : ", ").append(kAovTypes[i].name);
     if (!missing.empty())
         notices.add(node, "AOVs that are not made: " + missing +
                               "; there are depth, position, sh_normal and shape_index");

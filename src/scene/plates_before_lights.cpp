@@ -177,6 +177,7 @@ void put_plates_before_lights(const SceneDescription& description, Scene& scene,
     if (lit.corners.empty()) return;
     bool other_light = scene.environment() != nullptr;
     for (const Instance& instance : scene.instances()) other_light = other_light || instance.emission;
+    const std::vector<PlacedPlate> placed(description.plates.begin(), description.plates.end());
     std::string part;
     for (std::size_t l = 0; l < description.lights.size(); ++l) {
         const std::uint32_t id = scene.light_ids()[l];
@@ -184,14 +185,13 @@ void put_plates_before_lights(const SceneDescription& description, Scene& scene,
         const Beam beam(light, lit);
         const Way& middle = beam.middle();
         std::vector<PlacedPlate> before;
-        for (const PlateDescription& plate : description.plates) {
+        for (std::size_t p = 0; p < placed.size(); ++p) {
             files.budget().check_time(description.files.front().path);
-            const PlacedPlate placed(plate);
-            const std::optional<glm::dvec3> beside = beam.beside(placed);
-            if (!beside) before.push_back(placed);
+            const std::optional<glm::dvec3> beside = beam.beside(placed[p]);
+            if (!beside) before.push_back(placed[p]);
             other_light = other_light || beside;
-            if (beside && part.empty() && middle.meets(placed))
-                part = notice_of_part(plate, description.lights[l], *beside);
+            if (beside && part.empty() && middle.meets(placed[p]))
+                part = notice_of_part(description.plates[p], description.lights[l], *beside);
         }
         if (before.empty()) continue;
         std::ranges::stable_sort(before, {}, [&](const PlacedPlate& plate) {

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "light/lane_light.hpp"
@@ -48,7 +49,7 @@ struct ShiningSurface {
     const Emission& emission;
     glm::dvec3 axis;  ///< of its polarization, in these axes
     std::vector<std::array<glm::vec3, 3>> triangles;
-    std::vector<std::array<glm::vec2, 3>> texcoords;  ///< where its emission has a texture
+    std::vector<std::array<glm::vec2, 3>> texcoords;  ///< where its emission has a texture that needs them
     bool mirrored = true;                             ///< someone will call intersect()
 };
 /// Null where it has no area. Its places are uniform over its area, of a sphere over what is seen of it.

@@ -5,6 +5,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "material/spatial_variation.hpp"
 #include "shading/light_places.hpp"
@@ -32,13 +34,10 @@ std::uint32_t above(const LaneVectors& facets, const LaneLight& light) {
 // Of points to a place of a light.
 class ShadowRays {
 public:
-    ShadowRays(const RayScene& scene, std::span<const glm::vec3> origins) : scene_(scene) {
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const glm::vec3& origin = origins[std::min(i, origins.size() - 1)];
-            packet_.origin_x[i] = origin.x;
-            packet_.origin_y[i] = origin.y;
-            packet_.origin_z[i] = origin.z;
-        }
+    ShadowRays(const RayScene& scene, const LaneVectors& origins) : scene_(scene) {
+        packet_.origin_x = origins.x.value;
+        packet_.origin_y = origins.y.value;
+        packet_.origin_z = origins.z.value;
     }
 
     // The bits of `points` that nothing hides the light from.
@@ -112,6 +111,7 @@ std::uint64_t SmallLighting::add(const Viewpoint& view, const LitPoints& points,
     const std::size_t count = points.positions.size();
     const std::uint32_t all = (1U << count) - 1;
     const LaneVectors positions = in_lanes(points.positions);
+    const LaneVectors origins = points.origins.empty() ? positions : in_lanes(points.origins);
     const LaneVectors facets = points.facets.empty() ? LaneVectors() : in_lanes(points.facets);
     thread_local ReflectedLight reflected;
     thread_local LaneLight light;
@@ -119,7 +119,7 @@ std::uint64_t SmallLighting::add(const Viewpoint& view, const LitPoints& points,
     reflected.set(view, points.positions, points.normals, points.tangents);
     sums.assign(out.size(), {});
     std::optional<ShadowRays> shadows;
-    if (rays_ != nullptr && points.shadowed) shadows.emplace(*rays_, points.origins);
+    if (rays_ != nullptr && points.shadowed) shadows.emplace(*rays_, origins);
 
     // Calls reflect(layer, weights, points) for those that light reaches.
     const auto for_layers = [&](std::uint32_t lit, const auto& reflect) {
@@ -159,7 +159,6 @@ std::uint64_t SmallLighting::add(const Viewpoint& view, const LitPoints& points,
         }
     }
     if (any_layer_has(true)) {
-        const LaneVectors origins = in_lanes(points.origins);
         const LaneVectors mirrored = reflected.mirrored_directions();
         for (const LightSourcePtr& source : sources_) {
             source->intersect(origins, mirrored, light);

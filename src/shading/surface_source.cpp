@@ -2,10 +2,13 @@
 #include "shading/surface_source.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <span>
 
 #include "simd/dispatch.hpp"
 
@@ -115,7 +118,7 @@ template <class Number>
         dot(patch.normal, way, across);
         across = -across;
         if (places.two_sided) across = across < 0.0F ? -across : across;
-        const auto lit = across > 0.0F;
+        const auto lit = (across > 0.0F) & (distance > 0.0F);
         const Number scale = lit ? 1.0F / distance : Number{};
         store_part(distance, first, out.light.distance);
         store_part(Vector3<Number>{scale * way.x, scale * way.y, scale * way.z}, first, out.light.towards);
@@ -136,7 +139,8 @@ std::optional<std::size_t> parallelogram_corner(const ShiningSurface& surface, s
         const auto b = one[(k + 1) % 3], c = one[(k + 2) % 3], d = b + c - one[k];
         // The other is d and the shared edge, the other way around.
         constexpr float rounding = 1e-6F;
-        const float most = rounding * (glm::length(b) + glm::length(c));
+        const float most =
+            std::min(rounding * (glm::length(b) + glm::length(c)), 1e-3F * glm::distance(b, c));
         for (std::size_t i = 0; i < 3; ++i)
             if (other[(i + 1) % 3] == c && other[(i + 2) % 3] == b) return glm::distance(other[i], d) <= most;
         return false;
@@ -234,7 +238,7 @@ float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
 
 void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lanes& v, LaneLight& out) const {
     constexpr std::size_t few = 4;
-    const bool search = patches_.size() > few || color_.textured();
+    const bool search = patches_.size() > few || !texcoords_.empty();
     std::array<std::uint32_t, kLanes> indices;
     if (search)
         for (std::size_t i = 0; i < kLanes; ++i) indices[i] = static_cast<std::uint32_t>(patch_at(u[i]));
@@ -247,7 +251,7 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
         FoundPlaces{out, factor, weights});
     if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};
-    for (std::size_t i = 0; i < kLanes; ++i) {
+    for (std::size_t i = 0; i < kLanes && !texcoords_.empty(); ++i) {
         const std::array<glm::vec2, 3>& texcoords = texcoords_[indices[i]];
         const glm::vec2 uv = texcoords[0] + weights[0][i] * (texcoords[1] - texcoords[0]) +
                              weights[1][i] * (texcoords[2] - texcoords[0]);
@@ -278,7 +282,7 @@ void SurfaceSource::intersect(const LaneVectors& points, const LaneVectors& dire
         if (!two_sided_ && !(glm::dot(patches_[patch].normal, direction) < 0)) continue;
         out.points |= 1U << i;
         out.distance[i] = static_cast<float>(hit->distance);
-        if (!color_.textured()) continue;
+        if (texcoords_.empty()) continue;
         const std::array<glm::vec2, 3>& texcoords = texcoords_[patch];
         const bool rest = hit->triangle % 2 != 0;  // from the far corner
         const auto b1 = static_cast<float>(rest ? 1 - hit->b1 : hit->b1);

@@ -20,9 +20,10 @@ namespace nicol {
 /// along the longer axis; n of them at a distance d have, with the shorter axis' width all around each, the
 /// second moments again where (n^2 - 1) d^2 = l1 - l2.
 ///
-/// The texels of level L are 2^L wide. 4^(level + fraction) is 7/8 + l2 / 2, at least 1: what, on average
-/// over widths and images, errs least against the mean over the footprint of the finest level, which the
-/// truth interpolates bilinearly as well. At half a texel and less the finest level is enough.
+/// The texels of level L are 2^L wide. 4^(level + fraction) is 7/8 + l2 / 2, or, where one place is enough,
+/// 7/8 + (l1 + l2) / 4, at least 1: what, on average over widths and images, errs least against the mean over
+/// the footprint of the finest level, which the truth interpolates bilinearly as well. At half a texel and
+/// less the finest level is enough.
 struct FootprintTaps {
     glm::vec2 first, step;
     int count;  ///< 1 where the longer axis is less than 1.5 times the shorter one or a texel; at most 16

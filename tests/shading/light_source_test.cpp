@@ -208,6 +208,20 @@ TEST_CASE("two triangles that make a parallelogram are one, by few places") {
     }
 }
 
+TEST_CASE("a texture of one value needs no texture coordinates") {
+    const Emission emission{.radiance = {3}, .texture = constant_texture(glm::vec4(0.5F), 1)};
+    const glm::vec3 a(-1, -1, 2), b(1, -1, 2), c(1, 1, 2), d(-1, 1, 2);
+    const Triangles square{{a, d, c}, {a, c, b}};
+    const LightSourcePtr source =
+        light_source({.emission = emission, .axis = {1, 0, 0}, .triangles = square});
+    const double expected = of_polygon({a, b, c, d}, {0, 0, 1});
+    CHECK(irradiance(*source, {0, 0, 0}, {0, 0, 1})[0] == doctest::Approx(1.5 * expected).epsilon(2e-3));
+    LaneLight light;
+    source->intersect(lanes({0, 0, 0}), lanes({0, 0, 1}), light);
+    REQUIRE(light.points == 0xFFFF);
+    CHECK(light.irradiance[0][0][5] == doctest::Approx(1.5));
+}
+
 TEST_CASE("spheres that shine shed the light of the cone that they fill, by few places") {
     const Mesh ball = make_sphere({1, 2, 5}, 0.5);
     Triangles triangles, inwards, half;

@@ -1195,7 +1195,8 @@ class Scene(Handle):
     def load(cls, context, path, definitions=()):
         """A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
         samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
-        glTF has no environment, and may have lights."""
+        glTF has no environment, and may have lights. Lights of a file that polarizing plates of it cover have the
+        state and the brightness of their light behind these."""
         definitions = texts(definitions)
         scene = cls()
         check(_scene_load(context, text(path), definitions, len(definitions), byref(scene)))

@@ -1851,7 +1851,8 @@ extern "C" {
     pub fn nicol_scene_create(context: nicol_context, scene: *mut nicol_scene) -> nicol_result;
     /// A Mitsuba 3 XML file, or glTF 2.0 where the name ends in .gltf or .glb (the subsets that
     /// samples/render/README.md lists); definitions are "name=value" strings that override <default>s of the XML.
-    /// glTF has no environment, and may have lights.
+    /// glTF has no environment, and may have lights. Lights of a file that polarizing plates of it cover have the
+    /// state and the brightness of their light behind these.
     pub fn nicol_scene_load(context: nicol_context, path: *const c_char, definitions: *const *const c_char, definition_count: u32, scene: *mut nicol_scene) -> nicol_result;
     /// id may be NULL; ids count up from 0, past those of removed instances too. A mesh must have the texture
     /// coordinates and colours that its material needs, here and in nicol_scene_set_material. Materials and
