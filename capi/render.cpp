@@ -122,7 +122,11 @@ int bake_directions_from(const nicol_render_options& given, const RenderOptions&
         return int_from(given.bake_directions, "bake_directions");
     if (!options.choose_orders) return options.bake_directions;
     int directions = 1024;
-    for (double of = 0.03; directions < 8192 && given.tolerance < of; of /= 2) directions *= 2;
+    double enough_for = 0.03;
+    while (directions < 8192 && given.tolerance < enough_for) {
+        directions *= 2;
+        enough_for /= 2;
+    }
     return directions;
 }
 

@@ -13,23 +13,18 @@ namespace {
 // The compiler's own vectors.
 using Number [[gnu::vector_size(64)]] = float;
 
-[[gnu::always_inline]] inline Vector3<Number> load_all(const LaneVectors& from) {
-    LaneVector x, y, z;
-    load(&from.x, x);
-    load(&from.y, y);
-    load(&from.z, z);
-    return {x, y, z};
-}
-
-[[gnu::always_inline]] inline Vector3<float> numbers(const glm::vec3& v) {
+[[gnu::always_inline]] inline Vector3<float> components(const glm::vec3& v) {
     return {v.x, v.y, v.z};
 }
 
 [[gnu::always_inline]] inline void find_all(const PixelSteps& steps, const LaneTextureAxes& axes,
                                             const LaneVectors& towards_viewer, TexturePoints& points) {
     const Number zero{}, one = zero + 1.0F;
-    const Vector3<Number> by_u = load_all(axes.by_u), by_v = load_all(axes.by_v);
-    const Vector3<Number> back = load_all(towards_viewer), normal = cross(by_u, by_v);
+    Vector3<Number> by_u, by_v, back;
+    load_part(axes.by_u, 0, by_u);
+    load_part(axes.by_v, 0, by_v);
+    load_part(towards_viewer, 0, back);
+    const Vector3<Number> normal = cross(by_u, by_v);
     Number squared;
     dot(normal, normal, squared);
     Number facing;
@@ -43,7 +38,7 @@ using Number [[gnu::vector_size(64)]] = float;
     facing = (facing < 0 ? -facing : facing) > least ? facing : safe;
     Number distance = one;
     if (!steps.orthographic) {
-        dot(back, numbers(steps.forward), distance);
+        dot(back, components(steps.forward), distance);
         distance = -distance;
     }
     distance = least > 0 ? distance / squared : zero;
@@ -51,7 +46,7 @@ using Number [[gnu::vector_size(64)]] = float;
 
     // Texture coordinates grow along the plane by u_slope and v_slope, times `squared`.
     const Vector3<Number> slopes[2] = {cross(by_v, normal), cross(normal, by_u)};
-    const Vector3<float> moves[2] = {numbers(steps.right), numbers(steps.down)};
+    const Vector3<float> moves[2] = {components(steps.right), components(steps.down)};
     std::array<Lanes, 2>* const out[2] = {&points.du, &points.dv};
     for (std::size_t m = 0; m < 2; ++m) {
         Number rise;

@@ -64,9 +64,9 @@ using LaneBits [[gnu::vector_size(64)]] = std::uint32_t;
 }
 
 // `second`: the first bit is the lowest.
-[[gnu::always_inline]] inline void find_places(std::uint32_t index, std::uint32_t second,
-                                               const std::array<std::uint32_t, kLanes>& seeds, Lanes& u,
-                                               Lanes& v) {
+[[gnu::always_inline]] inline void scramble_all(std::uint32_t index, std::uint32_t second,
+                                                const std::array<std::uint32_t, kLanes>& seeds, Lanes& u,
+                                                Lanes& v) {
     LaneBits seed, bits;
     std::memcpy(&seed, seeds.data(), sizeof seed);
     scramble(index, seed, bits);
@@ -85,7 +85,7 @@ std::uint32_t place_seed(std::uint32_t point, std::uint32_t light) {
 void light_places(std::uint32_t index, std::span<const std::uint32_t> seeds, Lanes& u, Lanes& v) {
     std::array<std::uint32_t, kLanes> all;
     for (std::size_t i = 0; i < kLanes; ++i) all[i] = seeds[std::min(i, seeds.size() - 1)];
-    dispatch<find_places>(index, sobol(index), all, u, v);
+    dispatch<scramble_all>(index, sobol(index), all, u, v);
 }
 
 }  // namespace nicol

@@ -67,7 +67,7 @@ template <class Number>
     }
 }
 
-struct Places {
+struct PatchPlaces {
     std::span<const Patch> patches;
     const std::uint32_t* indices;  // of each place's; null: to be found
     bool two_sided;
@@ -77,14 +77,14 @@ struct Places {
     const Lanes& v;
 };
 
-struct FoundPlaces {
+struct FoundPatchPlaces {
     LaneLight& light;
     Lanes& factor;
     std::array<Lanes, 2>& weights;  // of the patches' edges
 };
 
 template <class Number>
-[[gnu::always_inline]] inline void find_places(const Places& places, const FoundPlaces& out) {
+[[gnu::always_inline]] inline void find_on_patches(const PatchPlaces& places, const FoundPatchPlaces& out) {
     std::array<std::int32_t, kLanes> shines;
     for (std::size_t first = 0; first < kLanes; first += kPart<Number>) {
         Number u, v;
@@ -245,10 +245,10 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
 
     Lanes factor;
     std::array<Lanes, 2> weights;
-    dispatch<find_places<FourLanes>, find_places<EightLanes>, find_places<AllLanes>>(
-        Places{patches_, search ? indices.data() : nullptr, two_sided_, static_cast<float>(area_), points, u,
-               v},
-        FoundPlaces{out, factor, weights});
+    dispatch<find_on_patches<FourLanes>, find_on_patches<EightLanes>, find_on_patches<AllLanes>>(
+        PatchPlaces{patches_, search ? indices.data() : nullptr, two_sided_, static_cast<float>(area_),
+                    points, u, v},
+        FoundPatchPlaces{out, factor, weights});
     if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};
     for (std::size_t i = 0; i < kLanes && !texcoords_.empty(); ++i) {

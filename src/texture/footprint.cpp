@@ -13,7 +13,7 @@ namespace {
 
 // Single numbers, or the compiler's own vectors.
 template <class Number, class Integer>
-struct Taps {
+struct FoundTaps {
     Number first[2], step[2], fraction;
     Integer count, level;
 };
@@ -37,7 +37,7 @@ template <class Number>
 template <class Number, class Integer>
 [[gnu::always_inline]] inline void find_taps(const Number (&uv)[2], const Number (&du)[2],
                                              const Number (&dv)[2], const MipmapShape& shape,
-                                             Taps<Number, Integer>& out) {
+                                             FoundTaps<Number, Integer>& out) {
     const Number zero{}, one = zero + 1.0F;
     const float size[2] = {static_cast<float>(shape.width), static_cast<float>(shape.height)};
     Number across[2], down[2];
@@ -109,7 +109,7 @@ using Integer [[gnu::vector_size(64)]] = std::int32_t;
     load_all(points.uv, uv);
     load_all(points.du, du);
     load_all(points.dv, dv);
-    Taps<Number, Integer> taps;
+    FoundTaps<Number, Integer> taps;
     find_taps(uv, du, dv, shape, taps);
     for (std::size_t k = 0; k < 2; ++k) {
         store(&out.first[k], taps.first[k]);
@@ -125,7 +125,7 @@ using Integer [[gnu::vector_size(64)]] = std::int32_t;
 FootprintTaps footprint_taps(const TexturePoint& point, const MipmapShape& shape) {
     const float uv[2] = {point.uv.x, point.uv.y}, du[2] = {point.du.x, point.du.y},
                 dv[2] = {point.dv.x, point.dv.y};
-    Taps<float, std::int32_t> taps;
+    FoundTaps<float, std::int32_t> taps;
     find_taps(uv, du, dv, shape, taps);
     return {.first = {taps.first[0], taps.first[1]},
             .step = {taps.step[0], taps.step[1]},
