@@ -23,6 +23,10 @@ inline void put(LaneVectors& lanes, std::size_t i, const glm::vec3& v) {
     lanes.z[i] = v.z;
 }
 
+[[gnu::always_inline]] inline Vector3<float> components(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
 /// The part from lane `first` on.
 template <class Number>
 [[gnu::always_inline]] inline void load_part(const LaneVectors& from, std::size_t first,

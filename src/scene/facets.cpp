@@ -7,6 +7,7 @@
 
 #include "files/suffix.hpp"
 #include "scene/material_readers.hpp"
+#include "scene/text.hpp"
 #include "scene/values.hpp"
 
 namespace nicol::scene {
@@ -101,9 +102,8 @@ double refractive_index(Plugin& plugin, const std::string& name, double otherwis
     const std::string text = lower_case(plugin.string(name, ""));
     const auto found = std::ranges::find(kNamedIors, std::string_view(text), &NamedIor::name);
     if (found != kNamedIors.end()) return found->ior;
-    std::string list;
-    for (const NamedIor& entry : kNamedIors) list.append(list.empty() ? "" : ", ").append(entry.name);
-    plugin.fail(name, "is " + in_quotes(text) + "; expected a number or one of " + list);
+    plugin.fail(name, "is " + in_quotes(text) + "; expected a number or one of " +
+                          joined(kNamedIors, &NamedIor::name));
 }
 
 void read_indices(Plugin& plugin, MaterialDescription& material) {

@@ -2,10 +2,14 @@
 // <integrator>: Mitsuba's, of which only AOVs and hide_emitters are followed.
 #include <algorithm>
 #include <array>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "image/aovs.hpp"
 #include "scene/plugin.hpp"
 #include "scene/readers.hpp"
+#include "scene/text.hpp"
 
 namespace nicol::scene {
 namespace {
@@ -45,13 +49,6 @@ constexpr std::array<AovType, 13> kAovTypes = {{{"depth", aov_depth},
                                                 {"prim_index", 0},
                                                 {"boundary_test", 0}}};
 
-std::string_view trimmed(std::string_view text) {
-    const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
-    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-    return text;
-}
-
 /// What "name:type, name:type" asks for. Channels have the names of the AOVs, not those.
 std::uint32_t read_aovs(Plugin& plugin, pugi::xml_node node, Notices& notices) {
     std::uint32_t aovs = 0;
@@ -64,21 +61,17 @@ std::uint32_t read_aovs(Plugin& plugin, pugi::xml_node node, Notices& notices) {
         const std::size_t colon = one.find(':');
         const auto type = std::ranges::find(
             kAovTypes, colon == one.npos ? one : trimmed(one.substr(colon + 1)), &AovType::name);
-        if (colon == one.npos || type == kAovTypes.end()) {
-            std::string names;
-            for (const AovType& known : kAovTypes) names.append(names.empty() ? "" : ", ").append(known.name);
-            plugin.fail("aovs", "holds " + in_quotes(std::string(one)) +
-                                    "; expected name:type with a type of: " + names);
-        }
+        if (colon == one.npos || type == kAovTypes.end())
+            plugin.fail("aovs", "holds " + in_quotes(one) + "; expected name:type with a type of: " +
+                                    joined(kAovTypes, &AovType::name));
         aovs |= type->bit;
         asked[static_cast<std::size_t>(type - kAovTypes.begin())] = true;
     }
-    std::string missing;
+    std::vector<std::string_view> missing;
     for (std::size_t i = 0; i < asked.size(); ++i)
-        if (asked[i] && kAovTypes[i].bit == 0)
-            missing.append(missing.empty() ? "" : ", ").append(kAovTypes[i].name);
+        if (asked[i] && kAovTypes[i].bit == 0) missing.push_back(kAovTypes[i].name);
     if (!missing.empty())
-        notices.add(node, "AOVs that are not made: " + missing +
+        notices.add(node, "AOVs that are not made: " + joined(missing) +
                               "; there are depth, position, sh_normal and shape_index");
     return aovs;
 }
@@ -91,11 +84,8 @@ void read_integrator(const XmlDocument& document, pugi::xml_node node, Notices& 
                                 " integrators inside each other; does one refer to itself?");
     Plugin plugin(document, node);
     const auto type = std::ranges::find(kTypes, std::string_view(plugin.type()), &Type::name);
-    if (type == kTypes.end()) {
-        std::string names;
-        for (const Type& known : kTypes) names.append(names.empty() ? "" : ", ").append(known.name);
-        plugin.fail_type(names, "light is reflected once, to Stokes vectors");
-    }
+    if (type == kTypes.end())
+        plugin.fail_type(joined(kTypes, &Type::name), "light is reflected once, to Stokes vectors");
     const double max_depth = type->reflects_often ? plugin.number("max_depth", -1.0) : 2.0;
     const bool reflects_often = max_depth < 0.0 || max_depth > 2.0;
     integrator.reflects_often |= reflects_often;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/readers.hpp"
+#include "scene/text.hpp"
 
 namespace nicol::scene {
 
@@ -26,11 +27,7 @@ void Notices::add_once(pugi::xml_node node, const std::string& sentence) {
 
 std::vector<std::string> Notices::take() {
     std::vector<std::string> all;
-    if (!unfollowed_.empty()) {
-        std::string list;
-        for (const std::string& what : unfollowed_) list += (list.empty() ? "" : ", ") + what;
-        all.push_back(first_place_ + ": not followed: " + list + ".");
-    }
+    if (!unfollowed_.empty()) all.push_back(first_place_ + ": not followed: " + joined(unfollowed_) + ".");
     all.insert(all.end(), sentences_.begin(), sentences_.end());
     return all;
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 
+#include "scene/text.hpp"
 #include "scene/values.hpp"
 
 namespace nicol::scene {
@@ -38,13 +39,6 @@ std::string text_of(double number) {
 }
 
 constexpr std::string_view kTexture = "texture";
-
-std::string joined(auto&& names) {
-    std::string list;
-    for (const std::string_view name : names)
-        if (!name.empty()) list.append(list.empty() ? "" : ", ").append(name);
-    return list.empty() ? "none" : list;
-}
 
 }  // namespace
 

@@ -10,13 +10,12 @@
 #include <string>
 
 #include "geometry/perpendicular.hpp"
+#include "scene/text.hpp"
 
 namespace nicol::scene {
 
 std::optional<double> parsed_number(std::string_view text) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
-    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    text = trimmed(text);
     if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -73,10 +72,8 @@ void check_attributes(const XmlDocument& document, pugi::xml_node node,
                       std::initializer_list<std::string_view> allowed) {
     for (const pugi::xml_attribute attribute : node.attributes()) {
         if (std::ranges::find(allowed, std::string_view(attribute.name())) != allowed.end()) continue;
-        std::string list;
-        for (const std::string_view name : allowed) list.append(list.empty() ? "" : ", ").append(name);
-        document.fail(node,
-                      tag(node) + " has an attribute " + in_quotes(attribute.name()) + "; accepted: " + list);
+        document.fail(node, tag(node) + " has an attribute " + in_quotes(attribute.name()) +
+                                "; accepted: " + joined(allowed));
     }
 }
 

@@ -13,10 +13,6 @@ namespace {
 // The compiler's own vectors.
 using Number [[gnu::vector_size(64)]] = float;
 
-[[gnu::always_inline]] inline Vector3<float> components(const glm::vec3& v) {
-    return {v.x, v.y, v.z};
-}
-
 [[gnu::always_inline]] inline void find_all(const PixelSteps& steps, const LaneTextureAxes& axes,
                                             const LaneVectors& towards_viewer, TexturePoints& points) {
     const Number zero{}, one = zero + 1.0F;

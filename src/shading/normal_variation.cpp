@@ -120,9 +120,6 @@ template <class Number>
     return direction(minus_scaled(turned, -missing, towards_viewer), normal);
 }
 
-Vector3<float> numbers(const glm::vec3& v) {
-    return {v.x, v.y, v.z};
-}
 glm::vec3 vector(const Vector3<float>& v) {
     return {v.x, v.y, v.z};
 }
@@ -169,12 +166,12 @@ glm::vec3 turned_normal(const NormalVariation& variation, const TexturePoint& po
     const glm::vec3 texture =
         map ? glm::vec3(variation.texture->at(point))
             : glm::vec3(static_cast<float>(variation.scale) * variation.texture->gradient(point), 0);
-    return vector(
-        turned(variation, numbers(texture), numbers(axes.by_u), numbers(axes.by_v), numbers(normal), back));
+    return vector(turned(variation, components(texture), components(axes.by_u), components(axes.by_v),
+                         components(normal), back));
 }
 
 glm::vec3 facing(const glm::vec3& turned, const glm::vec3& normal, const glm::vec3& towards_viewer) {
-    return vector(facing(numbers(turned), numbers(normal), numbers(towards_viewer)));
+    return vector(facing(components(turned), components(normal), components(towards_viewer)));
 }
 
 void turn_normals(const NormalVariation& variation, const TexturePoints& points, const LaneTextureAxes& axes,

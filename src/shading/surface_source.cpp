@@ -232,6 +232,14 @@ std::size_t SurfaceSource::patch_at(float u) const {
     return index;
 }
 
+void SurfaceSource::put_texcoords(std::size_t patch, float b1, float b2, std::size_t lane,
+                                  TexturePoints& out) const {
+    const std::array<glm::vec2, 3>& corners = texcoords_[patch];
+    const glm::vec2 uv = corners[0] + b1 * (corners[1] - corners[0]) + b2 * (corners[2] - corners[0]);
+    out.uv[0][lane] = uv.x;
+    out.uv[1][lane] = uv.y;
+}
+
 float SurfaceSource::angular_radius(const glm::vec3& from) const noexcept {
     return angular_radius_of_ball(from, centre_, radius_);
 }
@@ -252,11 +260,7 @@ void SurfaceSource::sample(const LaneVectors& points, const Lanes& u, const Lane
     if (!color_.textured()) return color_.put(factor, out);
     TexturePoints at{};
     for (std::size_t i = 0; i < kLanes && !texcoords_.empty(); ++i) {
-        const std::array<glm::vec2, 3>& texcoords = texcoords_[indices[i]];
-        const glm::vec2 uv = texcoords[0] + weights[0][i] * (texcoords[1] - texcoords[0]) +
-                             weights[1][i] * (texcoords[2] - texcoords[0]);
-        at.uv[0][i] = uv.x;
-        at.uv[1][i] = uv.y;
+        put_texcoords(indices[i], weights[0][i], weights[1][i], i, at);
     }
     color_.put(factor, at, out);
 }
@@ -283,14 +287,10 @@ void SurfaceSource::intersect(const LaneVectors& points, const LaneVectors& dire
         out.points |= 1U << i;
         out.distance[i] = static_cast<float>(hit->distance);
         if (texcoords_.empty()) continue;
-        const std::array<glm::vec2, 3>& texcoords = texcoords_[patch];
         const bool rest = hit->triangle % 2 != 0;  // from the far corner
         const auto b1 = static_cast<float>(rest ? 1 - hit->b1 : hit->b1);
         const auto b2 = static_cast<float>(rest ? 1 - hit->b2 : hit->b2);
-        const glm::vec2 uv =
-            texcoords[0] + b1 * (texcoords[1] - texcoords[0]) + b2 * (texcoords[2] - texcoords[0]);
-        at.uv[0][i] = uv.x;
-        at.uv[1][i] = uv.y;
+        put_texcoords(patch, b1, b2, i, at);
     }
     if (out.points != 0) color_.put(one, at, out);
 }

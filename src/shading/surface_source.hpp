@@ -31,6 +31,8 @@ public:
 private:
     void make_rays();
     [[nodiscard]] std::size_t patch_at(float u) const;
+    // b1, b2: along the patch's edges.
+    void put_texcoords(std::size_t patch, float b1, float b2, std::size_t lane, TexturePoints& out) const;
 
     bool two_sided_;
     SourceColor color_;
