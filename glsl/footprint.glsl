@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Where a mipmap is looked up to show what a pixel covers; see src/texture/footprint.hpp.
 
-// At `count` places: first, first + step, ...
+// In each of one or two rows at `count` places: first, first + step, ..., and again from first + side.
 struct FootprintTaps {
     vec2 first;
     vec2 step;
+    vec2 side;
     int count;
+    int rows;
     uint level;
     float fraction;  // of the next level
 };
@@ -33,19 +35,27 @@ FootprintTaps footprint_taps(vec2 uv, vec2 across, vec2 down, vec2 size, uint la
     float shorter = max(longer > 0.0 ? area * area / longer : 0.0, longer / (most * most));
 
     FootprintTaps taps;
-    taps.count = max(int(sqrt(longer / max(shorter, 1.0)) + 0.5), 1);
+    const float most_of_two = most / 2.0;
+    taps.rows = longer > most_of_two * most_of_two * shorter || shorter < 0.125 ? 1 : 2;
+    float part = taps.rows == 1 ? 1.0 : 0.25;
+    float width = part * shorter;
+    taps.count = max(int(sqrt(longer / max(width, 1.0)) + 0.5), taps.rows);
     taps.first = uv;
     taps.step = vec2(0.0);
+    taps.side = vec2(0.0);
     if (taps.count > 1) {
-        // The longer axis has the direction (radius + half, xy), and (xy, radius - half), of which one may vanish.
+        // The longer axis has the direction (radius + half, xy), and (xy, radius - half), of which one may vanish;
+        // where both do, any.
         float count = float(taps.count);
         float sum = radius + abs(half_difference);
         vec2 along = half_difference > 0.0 ? vec2(sum, xy) : vec2(xy, sum);
-        taps.step = along / (sqrt(sum * (count * count - 1.0)) * size);
-        taps.first -= 0.5 * (count - 1.0) * taps.step;
+        along = dot(along, along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
+        taps.step = along * sqrt(max(longer - width, 0.0) / (count * count - 1.0)) / size;
+        if (taps.rows == 2) taps.side = vec2(-along.y, along.x) * sqrt(width) / size;
+        taps.first -= 0.5 * (count - 1.0) * taps.step + 0.5 * taps.side;
     }
 
-    float squared = max(0.875 + 0.5 * (taps.count > 1 ? shorter : middle), 1.0);
+    float squared = max(0.875 + 0.5 * (taps.count > taps.rows ? width : part * middle), 1.0);
     squared = min(squared, uintBitsToFloat((127u + 2u * last_level) << 23));
     taps.level = ((floatBitsToUint(squared) >> 23) - 127u) >> 1;
     float mantissa = squared * uintBitsToFloat((127u - 2u * taps.level) << 23);

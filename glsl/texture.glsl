@@ -119,13 +119,14 @@ vec4 image_at(uint texture, TexturePoint point) {
     if (filtering != FILTER_MIPMAP) return value_of(cell_of(texture, 0u, uv));
     FootprintTaps taps = taps_of(texture, point);
     vec4 sum = vec4(0.0);
-    for (int k = 0; k < taps.count; ++k) {
-        uv = within_image(texture, taps.first + float(k) * taps.step);
-        vec4 value = value_of(cell_of(texture, taps.level, uv));
-        if (taps.fraction > 0.0) value = mix(value, value_of(cell_of(texture, taps.level + 1u, uv)), taps.fraction);
-        sum += value;
-    }
-    return sum / float(taps.count);
+    for (int j = 0; j < taps.rows; ++j)
+        for (int k = 0; k < taps.count; ++k) {
+            uv = within_image(texture, taps.first + float(j) * taps.side + float(k) * taps.step);
+            vec4 value = value_of(cell_of(texture, taps.level, uv));
+            if (taps.fraction > 0.0) value = mix(value, value_of(cell_of(texture, taps.level + 1u, uv)), taps.fraction);
+            sum += value;
+        }
+    return sum / float(taps.rows * taps.count);
 }
 
 // The change of the first channel with u and v, after the transform.
@@ -143,13 +144,14 @@ vec2 texture_gradient(uint texture, TexturePoint point) {
     if (table[texture + 2u] != FILTER_MIPMAP) return slope_of(texture, 0u, transformed(texture, point.uv)) * linear;
     FootprintTaps taps = taps_of(texture, point);
     vec2 sum = vec2(0.0);
-    for (int k = 0; k < taps.count; ++k) {
-        vec2 at = taps.first + float(k) * taps.step;
-        vec2 slope = slope_of(texture, taps.level, at);
-        if (taps.fraction > 0.0) slope = mix(slope, slope_of(texture, taps.level + 1u, at), taps.fraction);
-        sum += slope;
-    }
-    return sum / float(taps.count) * linear;
+    for (int j = 0; j < taps.rows; ++j)
+        for (int k = 0; k < taps.count; ++k) {
+            vec2 at = taps.first + float(j) * taps.side + float(k) * taps.step;
+            vec2 slope = slope_of(texture, taps.level, at);
+            if (taps.fraction > 0.0) slope = mix(slope, slope_of(texture, taps.level + 1u, at), taps.fraction);
+            sum += slope;
+        }
+    return sum / float(taps.rows * taps.count) * linear;
 }
 
 // values[t] of the textures whose words begin at `first`.

@@ -14,8 +14,8 @@ namespace {
 // Single numbers, or the compiler's own vectors.
 template <class Number, class Integer>
 struct FoundTaps {
-    Number first[2], step[2], fraction;
-    Integer count, level;
+    Number first[2], step[2], side[2], fraction;
+    Integer count, rows, level;
 };
 
 template <class From, class To>
@@ -64,28 +64,42 @@ template <class Number, class Integer>
     const Number least = longer * (1 / (most * most));
     shorter = shorter > least ? shorter : least;
 
-    Number count = longer / (shorter > one ? shorter : one);
+    constexpr float most_of_two = most / 2;
+    const Number single = (longer > most_of_two * most_of_two * shorter) | (shorter < 0.125F) ? one : zero;
+    const Number rows = 2.0F - single, part = 0.25F + 0.75F * single;
+    const Number width = part * shorter;
+    convert(rows, out.rows);
+
+    Number count = longer / (width > one ? width : one);
     square_root(count);
     count += 0.5F;
-    count = count > one ? count : one;
+    count = count > rows ? count : rows;
     convert(count, out.count);
     convert(out.count, count);
 
     // The longer axis has the direction (radius + half, xy), and (xy, radius - half), of which one may
-    // vanish.
+    // vanish; where both do, any.
     const Number sum = radius + (half > 0 ? half : -half);
-    Number inverse = sum * (count * count - 1.0F);
+    const Number along[2] = {half > 0 ? sum : xy, half > 0 ? xy : sum};
+    Number inverse = along[0] * along[0] + along[1] * along[1];
     square_root(inverse);
     inverse = inverse > 0 ? 1.0F / inverse : zero;
-    const Number along[2] = {half > 0 ? sum : xy, half > 0 ? xy : sum};
+    const Number axis[2] = {inverse > 0 ? along[0] * inverse : one, along[1] * inverse};
+    Number step = (longer - width) / (count * count - 1.0F), side = width;
+    step = step > 0 ? step : zero;
+    square_root(step);
+    square_root(side);
+    step = count > one ? step : zero;
+    side = rows > one ? side : zero;
     for (std::size_t k = 0; k < 2; ++k) {
-        out.step[k] = along[k] * inverse * (1 / size[k]);
-        out.first[k] -= 0.5F * (count - 1.0F) * out.step[k];
+        out.step[k] = step * axis[k] * (1 / size[k]);
+        out.side[k] = (k == 0 ? -side : side) * axis[1 - k] * (1 / size[k]);
+        out.first[k] -= 0.5F * (count - 1.0F) * out.step[k] + 0.5F * out.side[k];
     }
 
     // Powers of four are taken from the exponent of the squared width, the rest from the mantissa: with m of
     // 1 to 4, log2(m) / 2 is 2 (m - 1) / (m + 2) within 0.008.
-    Number squared = 0.875F + 0.5F * (count > one ? shorter : middle);
+    Number squared = 0.875F + 0.5F * (count > rows ? width : part * middle);
     squared = squared > one ? squared : one;
     const Number last = zero + static_cast<float>(std::int64_t{1} << (2 * shape.last_level));
     squared = squared < last ? squared : last;
@@ -114,9 +128,11 @@ using Integer [[gnu::vector_size(64)]] = std::int32_t;
     for (std::size_t k = 0; k < 2; ++k) {
         store(&out.first[k], taps.first[k]);
         store(&out.step[k], taps.step[k]);
+        store(&out.side[k], taps.side[k]);
     }
     store(&out.fraction, taps.fraction);
     *reinterpret_cast<IntVector*>(&out.count) = taps.count;
+    *reinterpret_cast<IntVector*>(&out.rows) = taps.rows;
     *reinterpret_cast<IntVector*>(&out.level) = taps.level;
 }
 
@@ -129,7 +145,9 @@ FootprintTaps footprint_taps(const TexturePoint& point, const MipmapShape& shape
     find_taps(uv, du, dv, shape, taps);
     return {.first = {taps.first[0], taps.first[1]},
             .step = {taps.step[0], taps.step[1]},
+            .side = {taps.side[0], taps.side[1]},
             .count = taps.count,
+            .rows = taps.rows,
             .level = taps.level,
             .fraction = taps.fraction};
 }

@@ -12,29 +12,32 @@
 
 namespace nicol {
 
-/// A mipmap's look-ups are averaged over places side by side, as many as the footprint is stretched: at
-/// first, first + step, ... These are coordinates after the transform, before wrapping.
+/// A mipmap's look-ups are averaged over one or two rows of places side by side, as many as the footprint is
+/// stretched: at first, first + step, ..., and again from first + side. These are coordinates after the
+/// transform, before wrapping.
 ///
 /// The footprint is the parallelogram of du and dv. An ellipse has the same second moments if its axes, in
-/// texels, have the squared lengths l1 >= l2 that are the eigenvalues of du du^T + dv dv^T. The places lie
-/// along the longer axis; n of them at a distance d have, with the shorter axis' width all around each, the
-/// second moments again where (n^2 - 1) d^2 = l1 - l2.
+/// texels, have the squared lengths l1 >= l2 that are the eigenvalues of du du^T + dv dv^T. Rows run along
+/// the longer axis. n places at a distance d, with a width of w all around each, have the second moments
+/// again where (n^2 - 1) d^2 = l1 - w^2. One row has w^2 = l2; two rows w^2 = l2 / 4, at a distance of w.
 ///
-/// The texels of level L are 2^L wide. 4^(level + fraction) is 7/8 + l2 / 2, or, where one place is enough,
-/// 7/8 + (l1 + l2) / 4, at least 1: what, on average over widths and images, errs least against the mean over
-/// the footprint of the finest level, which the truth interpolates bilinearly as well. At half a texel and
-/// less the finest level is enough.
+/// The texels of level L are 2^L wide. 4^(level + fraction) is 7/8 + w^2 / 2, or, with as many places as
+/// rows, 7/8 + (l1 + l2) / 4 / rows^2, at least 1: what, on average over widths and images, errs least
+/// against the mean over the footprint of the finest level, which the truth interpolates bilinearly as well.
+/// Two rows err a third of what one errs.
 struct FootprintTaps {
-    glm::vec2 first, step;
-    int count;  ///< 1 where the longer axis is less than 1.5 times the shorter one or a texel; at most 16
-    int level;  ///< 0 is the finest one
+    glm::vec2 first, step, side;
+    /// In each row: about l1 over the larger of w and a texel; at least as many as rows, at most 16.
+    int count;
+    int rows;        ///< 1 where the footprint is below 0.35 texels, or eight times as long as wide; else 2
+    int level;       ///< 0 is the finest one
     float fraction;  ///< of the next level, 0 to 1; 0 at the last one
 };
 
 /// The same of sixteen points.
 struct LaneFootprintTaps {
-    std::array<Lanes, 2> first, step;
-    LaneIntegers count, level;
+    std::array<Lanes, 2> first, step, side;
+    LaneIntegers count, rows, level;
     Lanes fraction;
 };
 
@@ -45,7 +48,7 @@ struct MipmapShape {
     UvTransform to_uv;
 };
 
-/// Finite steps and a level for all footprints, those that are not finite included.
+/// Finite places and a level for all footprints, those that are not finite included.
 [[nodiscard]] FootprintTaps footprint_taps(const TexturePoint& point, const MipmapShape& shape);
 void footprint_taps(const TexturePoints& points, const MipmapShape& shape, LaneFootprintTaps& out);
 

@@ -197,14 +197,17 @@ private:
         const FootprintTaps taps = footprint_taps(point, shape_);
         const auto level = static_cast<std::size_t>(taps.level);
         Result sum{};
-        for (int k = 0; k < taps.count; ++k) {
-            const glm::vec2 uv = taps.first + static_cast<float>(k) * taps.step, within = wrapped(uv);
-            Result value = of_cell(Cell(*this, levels_[level], within), uv);
-            if (taps.fraction > 0)
-                value += taps.fraction * (of_cell(Cell(*this, levels_[level + 1], within), uv) - value);
-            sum += value;
-        }
-        return sum / static_cast<float>(taps.count);
+        for (int j = 0; j < taps.rows; ++j)
+            for (int k = 0; k < taps.count; ++k) {
+                const glm::vec2 uv =
+                    taps.first + static_cast<float>(j) * taps.side + static_cast<float>(k) * taps.step;
+                const glm::vec2 within = wrapped(uv);
+                Result value = of_cell(Cell(*this, levels_[level], within), uv);
+                if (taps.fraction > 0)
+                    value += taps.fraction * (of_cell(Cell(*this, levels_[level + 1], within), uv) - value);
+                sum += value;
+            }
+        return sum / static_cast<float>(taps.rows * taps.count);
     }
 
     void mipmap_at_lanes(const TexturePoints& points, std::array<Lanes, 4>& out) const {
@@ -212,24 +215,28 @@ private:
         footprint_taps(points, shape_, taps);
         LaneIntegers next;
         for (std::size_t i = 0; i < kLanes; ++i) next[i] = taps.level[i] + 1;
+        const int rows = *std::ranges::max_element(taps.rows.value);
         const int most = *std::ranges::max_element(taps.count.value);
+        const bool blended = std::ranges::any_of(taps.fraction.value, [](float f) { return f > 0; });
         std::array<Values, kLanes> sums{};
-        for (int k = 0; k < most; ++k) {
-            const std::array<Lanes, 2> uv = nicol::wrapped(taps.first, taps.step, k, wrap_);
-            LaneTexels fine, coarse;
-            find_texels(uv, shape_.width, shape_.height, taps.level, wrap_, fine);
-            find_texels(uv, shape_.width, shape_.height, next, wrap_, coarse);
-            for (std::size_t i = 0; i < kLanes; ++i) {
-                if (k >= taps.count[i]) continue;
-                const auto level = static_cast<std::size_t>(taps.level[i]);
-                Values value = between(levels_[level].values.data(), fine, i);
-                if (taps.fraction[i] > 0)
-                    value =
-                        mix(value, between(levels_[level + 1].values.data(), coarse, i), taps.fraction[i]);
-                sums[i] += value;
+        for (int j = 0; j < rows; ++j)
+            for (int k = 0; k < most; ++k) {
+                const std::array<Lanes, 2> uv = nicol::wrapped(taps.first, taps.side, j, taps.step, k, wrap_);
+                LaneTexels fine, coarse;
+                find_texels(uv, shape_.width, shape_.height, taps.level, wrap_, fine);
+                if (blended) find_texels(uv, shape_.width, shape_.height, next, wrap_, coarse);
+                for (std::size_t i = 0; i < kLanes; ++i) {
+                    if (j >= taps.rows[i] || k >= taps.count[i]) continue;
+                    const auto level = static_cast<std::size_t>(taps.level[i]);
+                    Values value = between(levels_[level].values.data(), fine, i);
+                    if (taps.fraction[i] > 0)
+                        value = mix(value, between(levels_[level + 1].values.data(), coarse, i),
+                                    taps.fraction[i]);
+                    sums[i] += value;
+                }
             }
-        }
-        for (std::size_t i = 0; i < kLanes; ++i) put(sums[i] / static_cast<float>(taps.count[i]), i, out);
+        for (std::size_t i = 0; i < kLanes; ++i)
+            put(sums[i] / static_cast<float>(taps.rows[i] * taps.count[i]), i, out);
     }
 
     [[nodiscard]] static Values between(const float* image, const LaneTexels& texels, std::size_t i) {

@@ -58,13 +58,15 @@ using Integer [[gnu::vector_size(64)]] = std::int32_t;
 }
 
 [[gnu::always_inline]] inline void wrap_place(const std::array<Lanes, 2>& first,
+                                              const std::array<Lanes, 2>& side, int j,
                                               const std::array<Lanes, 2>& step, int k, Wrap wrap,
                                               std::array<Lanes, 2>& out) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        LaneVector from, by;
+        LaneVector from, across, along;
         load(&first[axis], from);
-        load(&step[axis], by);
-        Number t = from + static_cast<float>(k) * by;
+        load(&side[axis], across);
+        load(&step[axis], along);
+        Number t = from + static_cast<float>(j) * across + static_cast<float>(k) * along;
         wrap_lanes(t, wrap);
         store(&out[axis], t);
     }
@@ -124,10 +126,10 @@ std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& uv, const UvTransform& 
     return out;
 }
 
-std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& first, const std::array<Lanes, 2>& step, int k,
-                             Wrap wrap) {
+std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& first, const std::array<Lanes, 2>& side, int j,
+                             const std::array<Lanes, 2>& step, int k, Wrap wrap) {
     std::array<Lanes, 2> out;
-    dispatch<wrap_place>(first, step, k, wrap, out);
+    dispatch<wrap_place>(first, side, j, step, k, wrap, out);
     return out;
 }
 

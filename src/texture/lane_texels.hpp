@@ -29,8 +29,9 @@ struct LaneTexels {
 [[nodiscard]] std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& uv, const UvTransform& transform,
                                            TextureSampling::Wrap wrap);
 
-/// The k-th place after the first one, of u or v after the transform, within 0 and 1.
+/// first + j side + k step, of u or v after the transform, within 0 and 1.
 [[nodiscard]] std::array<Lanes, 2> wrapped(const std::array<Lanes, 2>& first,
+                                           const std::array<Lanes, 2>& side, int j,
                                            const std::array<Lanes, 2>& step, int k,
                                            TextureSampling::Wrap wrap);
 
