@@ -202,7 +202,7 @@ void Renderer::draw_one_by_one(const Scene& scene, const Projection& projection,
     for (int s = 0; s < options.pixel_samples; ++s) {
         progress.report("draw", static_cast<double>(s) / options.pixel_samples);
         one.seed = options.seed + static_cast<std::uint64_t>(s);
-        draw(scene, jittered(sharp, sample_place(s)), one, sample);
+        draw(scene, jittered(sharp, sample_place(s, options.pixel_samples)), one, sample);
         const StokesImage& image = sample.image();
         for (std::size_t i = 0; i < mean.data.size(); ++i) mean.data[i] += weight * image.data[i];
         statistics.add(sample.statistics());

@@ -5,7 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
+#include <numbers>
+#include <numeric>
 #include <span>
 
 namespace nicol {
@@ -47,14 +50,13 @@ inline constexpr int kMostDrawnSamples = 1024;
     return together != 0 ? together : kMostPixelSamples;
 }
 
-/// Of samples that are drawn one by one, the offset of one: Roberts' additive sequence, which fills the pixel
-/// evenly after any number of them.
-[[nodiscard]] inline glm::dvec2 sample_place(int sample) {
-    // 1 / p and 1 / p^2, where p^3 = p + 1.
-    constexpr double x = 0.7548776662466927;
-    constexpr double y = 0.5698402909980532;
-    const double n = sample;
-    return {n * x - std::round(n * x), n * y - std::round(n * y)};
+/// Of so many samples that are drawn one by one, the offset of one: a lattice, which has one of them in each
+/// row and column of a grid, so that their mean is 0 here as well. Golden steps spread them evenly.
+[[nodiscard]] inline glm::dvec2 sample_place(int sample, int samples) {
+    auto step = static_cast<int>(std::lround(samples / std::numbers::phi));
+    while (std::gcd(step, samples) != 1) ++step;
+    const int row = static_cast<int>(std::int64_t{step} * sample % samples);
+    return {(sample + 0.5) / samples - 0.5, (row + 0.5) / samples - 0.5};
 }
 
 }  // namespace nicol
