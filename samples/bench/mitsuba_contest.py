@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Time at equal error: how long Mitsuba 3 takes for an image as close to the truth as Nicol's default one.
+"""Time at equal error: how long Mitsuba 3 takes for an image as close to the truth as Nicol's.
 
-usage: mitsuba_contest.py [SCENE...] [--size N] [--samples N] [--verify SECONDS], each scene the first word of one's name below.
+usage: mitsuba_contest.py [SCENE...] [--size N] [--samples N] [--truth N] [--verify SECONDS], each scene the first word of one's name below.
 NICOL_TEST_DATA, with the folders polarsh and mitsuba, adds the statue."""
 
 import argparse
+import json
 import math
 import os
 import pathlib
@@ -21,7 +22,7 @@ ASSETS = pathlib.Path(__file__).resolve().parent.parent / "assets"
 DATA = pathlib.Path(os.environ.get("NICOL_TEST_DATA", "nowhere"))
 
 SCENE = """<scene version="3.0.0">
-  <path value="{assets}"/><path value="{data}/polarsh"/><path value="{data}/mitsuba"/>
+  <path value="{folder}"/><path value="{assets}"/><path value="{data}/polarsh"/>
   <integrator type="stokes"><integrator type="path"><integer name="max_depth" value="2"/></integrator></integrator>
   <sensor type="perspective"><float name="fov" value="42"/>
     <transform name="to_world"><lookat {camera} up="0,1,0"/></transform>
@@ -64,11 +65,14 @@ def lamp(origin):
 
 METAL = """<bsdf type="roughconductor"><string name="distribution" value="ggx"/><float name="alpha" value="0.25"/>
     <float name="eta" value="1.3"/><float name="k" value="3.2"/></bsdf>"""
-# name: (camera, contents)
+# The light from all around, of which both render the luminance: Mitsuba's mode has one channel.
+ENVIRONMENTS = (ASSETS / "forest.exr", DATA / "mitsuba" / "venice.exr")
+# name: (camera, contents, RenderOptions apart from the default ones, which suit the scene best)
 SCENES = {
     "snail in a forest": (
         'origin="-1.9,1.9,4.7" target="-0.05,0.95,0"',
         envmap("forest.exr") + mesh("ply", "snail.ply", plastic(0.2, grey(0.1))) + mesh("ply", "plinth.ply", plastic(0.3, grey(0.05))),
+        {},
     ),
     "textured box with lamps": (
         'origin="1.2,1.2,5.5" target="-0.3,-0.1,0"',
@@ -79,10 +83,12 @@ SCENES = {
         + shape("rectangle", '<scale value="3"/><translate z="-2.5"/>', plastic(0.4, tiles(2)))
         + shape("cube", '<scale value="0.7"/><rotate y="1" angle="30"/><translate x="-1.3" y="-0.3"/>', plastic(0.2, tiles(1)))
         + shape("sphere", '<scale value="0.7"/><translate x="0.9" y="-0.3" z="0.6"/>', METAL),
+        {"pixel_samples": 8},
     ),
     "statue of 19,944 vertices": (
         'origin="2.8,1.6,6.6" target="0,0.1,0"',
         envmap("venice.exr") + mesh("obj", "buddha.obj", plastic(0.3, grey(0.4))) + mesh("obj", "plane.obj", plastic(0.5, grey(0.4))),
+        {"order_low": 6, "bake_directions": 1024},
     ),
 }
 
@@ -108,7 +114,8 @@ class Show:
 
     FRAMES = 8
 
-    def __init__(self, context, scene_file):
+    def __init__(self, context, scene_file, options):
+        self.options = options
         self.scene = nicol.Scene.load(context, str(scene_file))
         self.camera = self.scene.get_camera()
         self.framebuffer = nicol.Framebuffer.create(context, *self.scene.get_film_size(), self.scene.get_channels())
@@ -119,7 +126,7 @@ class Show:
             self.point = int(ids[0])
 
     def render(self, aovs=0):
-        nicol.render(self.scene, self.camera, nicol.RenderOptions(aovs=aovs), self.framebuffer)
+        nicol.render(self.scene, self.camera, nicol.RenderOptions(aovs=aovs, **self.options), self.framebuffer)
 
     def rotate(self):
         turn = lambda degrees, matrix: (rotation(degrees) @ numpy.array(matrix).reshape(4, 4)).ravel()  # noqa: E731
@@ -149,18 +156,19 @@ class Show:
         return inner
 
 
-def first_image(scene_file):
+def first_image(scene_file, options):
     """From nothing to the first image in memory, without a cache folder."""
     with nicol.Context.create() as context:
-        show = Show(context, scene_file)
+        show = Show(context, scene_file, options)
         show.render()
         show.framebuffer.plane()
 
 
-def cold_times(scene_file):
+def cold_times(scene_file, options):
     """timed() of first_image() in a process of its own."""
     environment = {name: value for name, value in os.environ.items() if name != "NICOL_CACHE"}
-    runs = [subprocess.check_output([sys.executable, __file__, "--cold", str(scene_file)], env=environment) for _ in range(3)]
+    command = [sys.executable, __file__, "--cold", str(scene_file), json.dumps(options)]
+    runs = [subprocess.check_output(command, env=environment) for _ in range(3)]
     return numpy.min([[float(word) for word in run.split()] for run in runs], axis=0)
 
 
@@ -168,23 +176,25 @@ def words(errors):
     return " ".join(f"{max(e, 0) ** 0.5:.5f}" for e in errors)
 
 
-def contest(name, scene_file, arguments):
+def contest(name, scene_file, options, arguments):
     with nicol.Context.create() as context:
-        show = Show(context, scene_file)
+        show = Show(context, scene_file, options)
         inner = show.inner()
         show.render()
         ours = peer.nicol_stokes(show.framebuffer)[inner]
         warm = timed(show.frames, 5)[1] / show.FRAMES
-    cold = cold_times(scene_file)
+    cold = cold_times(scene_file, options)
 
     scene, n = peer.mitsuba_scene(scene_file), arguments.samples
     image = lambda seed, samples=n: peer.mitsuba_image(scene, samples, seed)[inner]  # noqa: E731
-    truth = [image(1), image(2)]
-    _, times = timed(lambda: image(3), 3)
+    passes = arguments.truth
+    truth = [sum(image(seed) for seed in range(first, first + passes)) / passes for first in (1, 1 + passes)]
+    _, times = timed(lambda: image(0), 3)
     error = peer.squared_error((ours, ours), truth)[0][:3]
-    noise = ((truth[0] - truth[1]) ** 2 / 2).mean(0)[:3] / (truth[0][:, 0] * truth[1][:, 0]).mean()
+    noise = passes * ((truth[0] - truth[1]) ** 2 / 2).mean(0)[:3] / (truth[0][:, 0] * truth[1][:, 0]).mean()
     print(f"\n{name}: {inner.mean():.0%} of {arguments.size} x {arguments.size} pixels lie inside surfaces")
-    print(f"  Nicol: errors {words(error)}; a frame {1e3 * warm[0]:.1f} ms (CPU {1e3 * warm[1]:.1f} ms), the first image {cold[0]:.2f} s (CPU {cold[1]:.2f} s)")
+    said = ", ".join(f"{name} {value}" for name, value in options.items()) or "default options"
+    print(f"  Nicol, {said}: errors {words(error)}; a frame {1e3 * warm[0]:.1f} ms (CPU {1e3 * warm[1]:.1f} ms), the first image {cold[0]:.2f} s (CPU {cold[1]:.2f} s)")
     print(f"  Mitsuba, {n} samples a pixel: errors {words(noise)}; {times[0]:.2f} s (CPU {times[1]:.2f} s)")
     # The variance of independent samples falls with their number.
     needed = {"s0, s1, s2 together": n * noise.sum() / error.sum(), **{f"s{i} alone": n * noise[i] / error[i] for i in range(3)}}
@@ -195,7 +205,8 @@ def contest(name, scene_file, arguments):
     samples = round(needed["s0, s1, s2 together"])
     if samples / n * times[0] < arguments.verify:
         passes = math.ceil(samples / n)
-        mean, taken = timed(lambda: sum(image(seed, samples // passes) for seed in range(10, 10 + passes)) / passes)
+        seeds = range(1000, 1000 + passes)
+        mean, taken = timed(lambda: sum(image(seed, samples // passes) for seed in seeds) / passes)
         print(f"  rendered: {samples // passes * passes} samples take {taken[0]:.1f} s; errors {words(peer.squared_error((mean, mean), truth)[0][:3])}")
 
 
@@ -204,24 +215,28 @@ def main():
     parser.add_argument("scenes", nargs="*", default=[name.split()[0] for name in SCENES], metavar="SCENE")
     parser.add_argument("--size", type=int, default=512, help="images of N x N")
     parser.add_argument("--samples", type=int, default=64, help="a pixel, of each of Mitsuba's images")
+    parser.add_argument("--truth", type=int, default=16, help="images that make up each of the two that errors are taken against")
     parser.add_argument("--verify", type=float, default=120, help="renders the image of equal error where Mitsuba needs less than these seconds")
-    parser.add_argument("--cold", help=argparse.SUPPRESS)
+    parser.add_argument("--cold", nargs=2, help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     if arguments.cold:
-        print(*timed(lambda: first_image(arguments.cold))[1])
+        scene_file, options = arguments.cold
+        print(*timed(lambda: first_image(scene_file, json.loads(options)))[1])
         return
     print(f"Mitsuba {peer.mitsuba.__version__}, {peer.choose_variant()}; Nicol {nicol.version_string()}; {len(os.sched_getaffinity(0))} cores. "
-          "Direct light; errors are RMSE of s0, s1, s2 inside surfaces over the RMS of s0.")  # fmt: skip
+          "Direct light of one channel; errors are RMSE of s0, s1, s2 inside surfaces over the RMS of s0.")  # fmt: skip
     with tempfile.TemporaryDirectory() as folder:
+        for environment in filter(pathlib.Path.exists, ENVIRONMENTS):
+            peer.write_luminance(environment, pathlib.Path(folder, environment.name))
         scene_file = pathlib.Path(folder, "scene.xml")
-        for name, (camera, contents) in SCENES.items():
+        for name, (camera, contents, options) in SCENES.items():
             if name.split()[0] not in arguments.scenes:
                 continue
             if "statue" in name and not (DATA / "polarsh").is_dir():
                 print(f"\n{name}: left out, NICOL_TEST_DATA has no folder polarsh")
                 continue
-            scene_file.write_text(SCENE.format(assets=ASSETS, data=DATA, camera=camera, size=arguments.size, contents=contents))
-            contest(name, scene_file, arguments)
+            scene_file.write_text(SCENE.format(folder=folder, assets=ASSETS, data=DATA, camera=camera, size=arguments.size, contents=contents))
+            contest(name, scene_file, options, arguments)
 
 
 if __name__ == "__main__":

@@ -39,6 +39,13 @@ def choose_variant(colors=False):
     return variant
 
 
+def write_luminance(image, target):
+    """Of an image file with R, G and B, as one with Y. Negative numbers become 0, as Nicol has it."""
+    bitmap = mitsuba.Bitmap(str(image)).convert(mitsuba.Bitmap.PixelFormat.RGB, mitsuba.Struct.Type.Float32, False)
+    pixels = numpy.maximum(numpy.array(bitmap), 0) @ LUMINANCE
+    mitsuba.Bitmap(pixels[:, :, None].astype("f4")).write(str(target))
+
+
 def mitsuba_scene(scene_file, **definitions):
     return mitsuba.load_file(str(scene_file), **{name: str(value) for name, value in definitions.items()})
 
