@@ -39,7 +39,7 @@ FootprintTaps footprint_taps(vec2 uv, vec2 across, vec2 down, vec2 size, uint la
     taps.rows = longer > most_of_two * most_of_two * shorter || shorter < 0.125 ? 1 : 2;
     float part = taps.rows == 1 ? 1.0 : 0.25;
     float width = part * shorter;
-    taps.count = max(int(sqrt(longer / max(width, 1.0)) + 0.5), taps.rows);
+    taps.count = max(int(sqrt(longer / max(width, 0.25)) + 0.5), taps.rows);
     taps.first = uv;
     taps.step = vec2(0.0);
     taps.side = vec2(0.0);

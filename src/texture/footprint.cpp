@@ -70,7 +70,7 @@ template <class Number, class Integer>
     const Number width = part * shorter;
     convert(rows, out.rows);
 
-    Number count = longer / (width > one ? width : one);
+    Number count = longer / (width > 0.25F ? width : zero + 0.25F);
     square_root(count);
     count += 0.5F;
     count = count > rows ? count : rows;

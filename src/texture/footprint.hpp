@@ -27,7 +27,8 @@ namespace nicol {
 /// Two rows err a third of what one errs.
 struct FootprintTaps {
     glm::vec2 first, step, side;
-    /// In each row: about l1 over the larger of w and a texel; at least as many as rows, at most 16.
+    /// In each row: about the longer axis over the larger of w and half a texel; at least as many as rows, at
+    /// most 16.
     int count;
     int rows;        ///< 1 where the footprint is below 0.35 texels, or eight times as long as wide; else 2
     int level;       ///< 0 is the finest one
