@@ -67,7 +67,7 @@ METAL = """<bsdf type="roughconductor"><string name="distribution" value="ggx"/>
     <float name="eta" value="1.3"/><float name="k" value="3.2"/></bsdf>"""
 # The light from all around, of which both render the luminance: Mitsuba's mode has one channel.
 ENVIRONMENTS = (ASSETS / "forest.exr", DATA / "mitsuba" / "venice.exr")
-# name: (camera, contents, RenderOptions apart from the default ones, which suit the scene best)
+# name: (camera, contents, RenderOptions that suit the scene best where the default ones do not)
 SCENES = {
     "snail in a forest": (
         'origin="-1.9,1.9,4.7" target="-0.05,0.95,0"',
