@@ -65,7 +65,7 @@ template <class Number, class Integer>
     shorter = shorter > least ? shorter : least;
 
     constexpr float most_of_two = most / 2;
-    const Number single = (longer > most_of_two * most_of_two * shorter) | (shorter < 0.125F) ? one : zero;
+    const Number single = ((longer > most_of_two * most_of_two * shorter) | (shorter < 0.125F)) ? one : zero;
     const Number rows = 2.0F - single, part = 0.25F + 0.75F * single;
     const Number width = part * shorter;
     convert(rows, out.rows);
