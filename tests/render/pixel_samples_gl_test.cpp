@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Several samples of a pixel, and jitter of the camera.
 #include <algorithm>
+#include <bit>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -68,7 +69,8 @@ TEST_CASE("samples lie in their pixel around its centre, one in each row and col
             for (int i = 0; i < samples; ++i) CHECK(cells[static_cast<std::size_t>(i)] == i);
         }
         for (const glm::dvec2& at : pattern) sum += at;
-        CHECK(glm::length(sum) < 1e-9);
+        // Others than powers of two are rounded.
+        CHECK(glm::length(sum) <= (std::has_single_bit(pattern.size()) ? 0.0 : 1e-9));
     }
     for (const int samples : {-1, 0, 2, 3, 5, 16}) {
         CHECK(sample_pattern(samples).empty());
