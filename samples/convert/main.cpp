@@ -14,14 +14,6 @@
 
 namespace {
 
-// The library never replaces a device or a pipe; here it is said before the work, not after.
-void require_replaceable(const std::string& path) {
-    std::error_code error;
-    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error) &&
-        !std::filesystem::is_directory(path, error))
-        throw Failure(path + ": cannot write: exists and is not a regular file");
-}
-
 // Truncated light rings, and images of it may be refused later, by Nicol as by others.
 void notice_unphysical(const std::string& path) {
     nicol_file_options options = NICOL_FILE_OPTIONS_INIT;
@@ -38,9 +30,11 @@ void notice_unphysical(const std::string& path) {
 }
 
 void convert(const Options& options) {
-    require_replaceable(options.output);
     check(nicol_file_convert(options.input.c_str(), &options.file, options.output.c_str()));
-    const bool image = std::filesystem::path(options.output).extension() == ".exr";
+    // What went into a pipe cannot be read again.
+    std::error_code error;
+    const bool image = std::filesystem::path(options.output).extension() == ".exr" &&
+                       std::filesystem::is_regular_file(options.output, error);
     if (image && (options.file.flags & NICOL_FILE_PHYSICAL) == 0) notice_unphysical(options.output);
 }
 

@@ -118,11 +118,11 @@ void write_stats(nicol_context context, nicol_framebuffer framebuffer, const std
     write_file(path, stats_json(info, width, height, channels, statistics));
 }
 
-// The library never replaces a device or a pipe; here it is said before the work, not after.
-void require_replaceable(const std::string& path) {
+// The library says it too, but after the work.
+void refuse_folder(const std::string& path) {
     std::error_code error;
-    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
-        throw Failure(path + ": cannot write: exists and is not a regular file");
+    if (std::filesystem::is_directory(path, error))
+        throw Failure(path + ": cannot write: is a folder; name a file");
 }
 
 void print_version() {
@@ -145,14 +145,15 @@ void list_devices() {
 }
 
 void run(const Options& options) {
-    require_replaceable(options.output);
+    refuse_folder(options.output);
     ProgressBar progress;
     const Context context = make_context(options, progress);
     const Scene scene = load_scene(context.get(), options);
     if (!options.environment.empty()) light(context.get(), scene.get(), options.environment);
     const Framebuffer framebuffer = make_framebuffer(context.get(), scene.get(), options);
     render(scene.get(), framebuffer.get(), options, progress);
-    check(nicol_framebuffer_write_exr(framebuffer.get(), options.output.c_str()));
+    const char* const output = options.output == kStandardOutput ? "/proc/self/fd/1" : options.output.c_str();
+    check(nicol_framebuffer_write_exr(framebuffer.get(), output));
     if (!options.images.empty()) write_images(framebuffer.get(), options.images);
     if (!options.stats.empty()) write_stats(context.get(), framebuffer.get(), options.stats);
 }

@@ -12,7 +12,7 @@ const char* const usage =
     "... "
     "S3.B.\n"
     "\n"
-    "  -o, --output FILE        the OpenEXR image to write\n"
+    "  -o, --output FILE        the OpenEXR image to write; -: to the standard output\n"
     "  -D, --define NAME=VALUE  replaces the value of a <default> of the scene; may be repeated\n"
     "      --environment FILE   an environment map that lights the scene, in place of the scene's own\n"
     "      --images DIR       also writes s0, s1, s2, s3, dolp and aolp.png into DIR, made when missing\n"
@@ -58,7 +58,7 @@ const char* const usage =
     "                           what a scene may take, with all that it names and each instance counted;\n"
     "                           default 8 GiB, 2^26, 2^27 and 600\n"
     "      --size WxH           replaces the size of the scene's film\n"
-    "      --stats FILE         writes what ran, and how long it took, as JSON\n"
+    "      --stats FILE         writes what ran, and how long it took, as JSON; -: to the standard output\n"
     "      --help               shows this text\n"
     "      --version            shows the version and what this build has\n"
     "\n"
@@ -285,6 +285,8 @@ Options parse_options(int argc, const char* const* argv) {
     }
     if (options.scene.empty()) throw Failure("no scene given; usage: nicol-render SCENE -o OUT.exr");
     if (options.output.empty()) throw Failure("no output given; add -o OUT.exr");
+    if (options.output == kStandardOutput && options.stats == kStandardOutput)
+        throw Failure("--output and --stats are both '-', the standard output; one of them must be a file");
     if (options.order_low && options.order_high && *options.order_high < *options.order_low)
         throw Failure("--order-high: " + std::to_string(*options.order_high) +
                       " is below --order-low, which is " + std::to_string(*options.order_low));

@@ -11,15 +11,18 @@
 
 #include "common/failure.hpp"
 
+/// What --output and --stats name the standard output by.
+inline constexpr const char* kStandardOutput = "-";
+
 struct Options {
     enum class Action { render, help, version, list_devices };
     Action action = Action::render;
     std::string scene;
-    std::string output;
+    std::string output;                    ///< file or kStandardOutput
     std::vector<std::string> definitions;  ///< "name=value"
     std::string environment;               ///< file, empty: the scene's
     std::string images;                    ///< folder, empty: none
-    std::string stats;                     ///< file, empty: none
+    std::string stats;                     ///< file or kStandardOutput, empty: none
     nicol_backend backend = NICOL_BACKEND_AUTOMATIC;
     std::uint32_t device = 0;  ///< of the library's list, 0: any
     std::uint32_t aovs = 0;    ///< NICOL_AOV_...

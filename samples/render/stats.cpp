@@ -108,20 +108,34 @@ std::string stats_json(const nicol_context_info& context, std::uint32_t width, s
 
 void write_file(const std::string& path, const std::string& content) {
     namespace fs = std::filesystem;
+    const auto fail = [&](int reason) { throw Failure(path + ": cannot write: " + std::strerror(reason)); };
+    if (path == kStandardOutput) {
+        if (std::fputs(content.c_str(), stdout) < 0 || std::fflush(stdout) != 0) fail(errno);
+        return;
+    }
     std::error_code error;
-    const bool direct = fs::exists(path, error) && !fs::is_regular_file(path, error);
+    // Links and devices are written through.
+    const bool direct =
+        fs::is_symlink(path, error) || (fs::exists(path, error) && !fs::is_regular_file(path, error));
     const std::string target = direct ? path : path + "." + std::to_string(getpid()) + ".part";
-    const auto fail = [&](int reason) {
+    const auto clean_up = [&] {
         if (!direct) fs::remove(target, error);
-        throw Failure(path + ": cannot write: " + std::strerror(reason));
     };
     errno = 0;
     std::ofstream file(target, std::ios::binary);
-    if (!file) fail(errno);
     file << content;
     file.close();
-    if (!file) fail(errno);
+    if (!file) {
+        const int reason = errno;
+        clean_up();
+        fail(reason);
+    }
     if (direct) return;
+    if (fs::exists(path, error)) fs::permissions(target, fs::status(path).permissions(), error);
     fs::rename(target, path, error);
-    if (error) fail(error.value());
+    if (error) {
+        const int reason = error.value();
+        clean_up();
+        fail(reason);
+    }
 }

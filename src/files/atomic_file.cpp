@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Temporary file and rename.
 #include "files/atomic_file.hpp"
 
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,41 +12,88 @@
 #include <system_error>
 #include <utility>
 
-#include "error.hpp"
-
 namespace nicol {
+namespace {
 
-AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
-    if (!target_.has_filename()) fail(EISDIR);
-    // Renaming would replace a device, a pipe or a folder by a file.
-    std::error_code unknown;
-    const std::filesystem::file_status status = std::filesystem::status(target_, unknown);
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-        throw Error(ErrorCode::write_failed, target_.string() + ": exists and is not a regular file");
+namespace fs = std::filesystem;
+
+// Of a new file, less the process's mask.
+constexpr mode_t kMode = 0666;
+// Names that are taken are tried again with another number.
+constexpr int kAttempts = 16;
+
+/// Its name below /proc, by which a file without a name gets one.
+std::string name_of(std::FILE* file) {
+    return "/proc/self/fd/" + std::to_string(::fileno(file));
+}
+
+/// Whether the file system of a folder, or the kernel, has no files without a name.
+bool lacks_nameless(int error) {
+    return error == EOPNOTSUPP || error == EISDIR || error == EINVAL || error == ENOENT;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)), place_(output_place(target_)) {
+    int descriptor = -1;
+    if (place_.stream) {
+        descriptor = ::memfd_create("nicol output", MFD_CLOEXEC);
+        if (descriptor < 0) fail(errno);
+    } else {
+        const fs::path folder = place_.file.has_parent_path() ? place_.file.parent_path() : fs::path(".");
+        descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
+        if (descriptor < 0 && !lacks_nameless(errno)) fail(errno);
+        // Without /proc it could not be given a name.
+        if (descriptor >= 0 && ::access("/proc/self/fd", X_OK) != 0) {
+            ::close(descriptor);
+            descriptor = -1;
+        }
     }
-    std::random_device random;
-    for (int attempt = 0; attempt < 16; ++attempt) {
-        temporary_ = target_;
-        temporary_ += std::to_string(random()).insert(0, 1, '.').append(".tmp");
-        // Exclusive creation: never follow a link or overwrite another file.
-        file_ = std::fopen(temporary_.c_str(), "wbx");
-        if (file_ != nullptr) return;
-        if (errno != EEXIST) fail(errno);
+    if (descriptor < 0) {
+        open_beside();
+        return;
     }
-    fail(EEXIST);
+    file_ = ::fdopen(descriptor, "w+b");
+    if (file_ == nullptr) {
+        ::close(descriptor);
+        fail(ENOMEM);
+    }
 }
 
 AtomicFile::~AtomicFile() {
     if (file_ != nullptr) static_cast<void>(std::fclose(file_));
     if (!temporary_.empty()) {
         std::error_code ignored;
-        std::filesystem::remove(temporary_, ignored);
+        fs::remove(temporary_, ignored);
     }
 }
 
-std::filesystem::file_time_type AtomicFile::time() const {
+fs::path AtomicFile::new_name() const {
+    std::random_device random;
+    fs::path name = place_.file;
+    name += std::to_string(random()).insert(0, 1, '.').append(".tmp");
+    return name;
+}
+
+void AtomicFile::open_beside() {
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        temporary_ = new_name();
+        // Exclusive creation: never follow a link or overwrite another file.
+        file_ = std::fopen(temporary_.c_str(), "w+bxe");
+        if (file_ != nullptr) return;
+        const int error = std::exchange(errno, 0);
+        if (error != EEXIST) {
+            temporary_.clear();
+            fail(error);
+        }
+    }
+    temporary_.clear();
+    fail(EEXIST);
+}
+
+fs::file_time_type AtomicFile::time() const {
     std::error_code error;
-    const auto found = std::filesystem::last_write_time(temporary_, error);
+    const auto found = fs::last_write_time(name_of(file_), error);
     if (error) fail(error.value());
     return found;
 }
@@ -53,24 +102,76 @@ void AtomicFile::sync() noexcept {
     if (std::fflush(file_) == 0) static_cast<void>(::fsync(::fileno(file_)));
 }
 
-void AtomicFile::commit() {
-    errno = 0;
-    const bool written = std::fflush(file_) == 0 && std::ferror(file_) == 0;
-    const int write_error = errno;
-    // Some file systems report a full disk only when the file is closed.
-    const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
-    if (!written) fail(write_error);
-    if (!closed) fail(errno);
-    std::error_code error;
-    std::filesystem::rename(temporary_, target_, error);
-    if (error) fail(error.value());
-    temporary_.clear();
+void AtomicFile::keep_mode() const {
+    struct stat before {};
+    if (::stat(place_.file.c_str(), &before) != 0) return;
+    const int descriptor = ::fileno(file_);
+    struct stat now {};
+    // Only a privileged process can give files away. Changing the owner may clear bits of the mode.
+    if (::fstat(descriptor, &now) == 0 && (now.st_uid != before.st_uid || now.st_gid != before.st_gid) &&
+        ::fchown(descriptor, before.st_uid, before.st_gid) != 0)
+        errno = 0;
+    if (::fchmod(descriptor, before.st_mode & 07777) != 0) fail(errno);
 }
 
-void AtomicFile::fail(int error) const {
-    const std::string reason = error != 0 ? std::generic_category().message(error) : "the disk may be full";
-    throw Error(ErrorCode::write_failed, target_.string() + ": cannot be written (" + reason +
-                                             "); the folder must exist, be writable and have space");
+void AtomicFile::copy_to_stream() const {
+    // An open file of this process keeps its position and whether it is appended to.
+    const int to = place_.descriptor >= 0 ? ::dup(place_.descriptor)
+                                          : ::open(place_.file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (to < 0) fail(errno);
+    const int from = ::fileno(file_);
+    int error = ::lseek(from, 0, SEEK_SET) < 0 ? errno : 0;
+    char block[1 << 14];
+    ssize_t count = 0;
+    while (error == 0 && (count = ::read(from, block, sizeof block)) != 0) {
+        if (count < 0) error = errno;
+        for (ssize_t done = 0; error == 0 && done < count;) {
+            const ssize_t written = ::write(to, block + done, static_cast<std::size_t>(count - done));
+            if (written >= 0)
+                done += written;
+            else if (errno != EINTR)
+                error = errno;
+        }
+    }
+    if (::close(to) != 0 && error == 0) error = errno;
+    if (error != 0) fail(error);
+}
+
+void AtomicFile::close() {
+    // Some file systems report a full disk only when the file is closed.
+    if (std::fclose(std::exchange(file_, nullptr)) != 0) fail(errno);
+}
+
+void AtomicFile::commit() {
+    errno = 0;
+    if (std::fflush(file_) != 0 || std::ferror(file_) != 0) fail(errno);
+    if (place_.stream) {
+        copy_to_stream();
+        return close();
+    }
+    keep_mode();
+    if (temporary_.empty()) {
+        const std::string nameless = name_of(file_);
+        const auto link = [&](const fs::path& name) {
+            return ::linkat(AT_FDCWD, nameless.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+        };
+        if (link(place_.file)) {
+            temporary_ = place_.file;  // is removed if closing fails
+            close();
+            temporary_.clear();
+            return;
+        }
+        // A link cannot replace a file: the new one gets a name for a moment, which takes the other's place.
+        for (int attempt = 0; temporary_.empty(); ++attempt) {
+            if (errno != EEXIST || attempt == kAttempts) fail(errno);
+            if (const fs::path name = new_name(); link(name)) temporary_ = name;
+        }
+    }
+    close();
+    std::error_code error;
+    fs::rename(temporary_, place_.file, error);
+    if (error) fail(error.value());
+    temporary_.clear();
 }
 
 }  // namespace nicol

@@ -3,10 +3,11 @@
 import json
 import os
 import struct
+import subprocess
 import unittest
 
 from images import exr_channels, exr_size
-from program_test import ProgramTest
+from program_test import PROGRAM, ProgramTest
 
 EMITTER = '<emitter type="constant"><rgb name="radiance" value="1,0.5,0.25"/></emitter>'
 SHAPE = '<shape type="rectangle"><bsdf type="pplastic"><float name="alpha" value="0.3"/></bsdf></shape>'
@@ -334,6 +335,39 @@ class Success(RenderTest):
         for name in ("a.exr", "s.json"):
             self.assertEqual(self.files()[self.path("old_" + name)], b"old")
 
+    def test_links_pipes_and_standard_output(self):
+        """The same bytes wherever the name leads; links, devices and modes stay."""
+        self.assert_succeeds("good.xml", "-o", "a.exr")
+        with open(self.path("a.exr"), "rb") as file:
+            expected = file.read()
+        self.write("out/target.exr", "old")
+        os.chmod(self.path("out/target.exr"), 0o600)
+        os.symlink("out/target.exr", self.path("link.exr"))
+        os.symlink("/dev/null", self.path("null.exr"))
+        for name in ("link.exr", "null.exr"):
+            self.assert_succeeds("good.xml", "-o", name)
+            self.assertTrue(os.path.islink(self.path(name)))
+        with open(self.path("out/target.exr"), "rb") as file:
+            self.assertEqual(file.read(), expected)
+        self.assertEqual(os.stat(self.path("out/target.exr")).st_mode & 0o777, 0o600)
+        self.assertEqual(os.listdir(self.path("out")), ["target.exr"])
+        # A link of our own, so that a mistake costs no one their /dev/stdout.
+        os.symlink("/proc/self/fd/1", self.path("stdout"))
+        for output in ("-", "stdout"):
+            command = [PROGRAM, "good.xml", "-o", output]
+            piped = subprocess.run(command, cwd=self.folder, capture_output=True, timeout=120)
+            self.assertEqual((piped.returncode, piped.stdout), (0, expected), piped.stderr)
+            with open(self.path("out.exr"), "wb") as file:
+                file.write(b"before")
+                file.flush()
+                self.assertEqual(subprocess.run(command, cwd=self.folder, stdout=file, timeout=120).returncode, 0)
+            with open(self.path("out.exr"), "rb") as file:
+                self.assertEqual(file.read(), b"before" + expected)
+        self.assertTrue(os.path.islink(self.path("stdout")))
+        stats = self.assert_succeeds("good.xml", "-o", "a.exr", "--stats", "-").stdout
+        self.assertEqual(json.loads(stats)["width"], 24)
+        self.assert_fails(["--stats", "standard output"], "good.xml", "-o", "-", "--stats", "-")
+
     def test_help_and_version(self):
         self.assertIn("--order-low", self.assert_succeeds("--help").stdout)
         self.assertRegex(self.assert_succeeds("--version").stdout, r"^nicol-render \d+\.\d+\.\d+\n")
@@ -400,11 +434,6 @@ class BadOutput(RenderTest):
         self.write("file", "x")
         self.assert_each_fails([([output], output) for output in ("nowhere/a.exr", "file/a.exr", "out")], "good.xml", "-o")
         self.assertTrue(os.path.isdir(self.path("out")))
-
-    def test_device(self):
-        os.symlink("/dev/null", self.path("null.exr"))
-        self.assert_fails(["null.exr"], "good.xml", "-o", "null.exr")
-        self.assertTrue(os.path.islink(self.path("null.exr")))
 
     def test_folder_not_writable(self):
         if os.geteuid() == 0:
