@@ -2,7 +2,6 @@
 // What a cache folder keeps.
 #include "files/cache_folder.hpp"
 
-
 #include <atomic>
 #include <thread>
 
